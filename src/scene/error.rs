@@ -1,0 +1,248 @@
+//! What can be wrong with a scene: the quantity, its value and what is required of it.
+
+use std::fmt;
+
+/// A number of a scene, named as in the scene file. Indices count from 0, as in the file's arrays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    missing_docs,
+    reason = "each variant is the key of the scene file that Display prints"
+)]
+pub enum Quantity {
+    Length,
+    BendingStiffness,
+    Uniform,
+    LinearFrom(usize),
+    LinearTo(usize),
+    LinearStart(usize),
+    LinearEnd(usize),
+    PointAt(usize),
+    PointForce(usize),
+    Depth,
+    Coefficient(usize),
+    Mean,
+    Amplitude,
+    Wavelength,
+    Phase,
+    /// Place of a point of the polyline, `foundation.points[i][0]`.
+    PolylineX(usize),
+    /// Depth of a point of the polyline, `foundation.points[i][1]`.
+    PolylineDepth(usize),
+    /// All loads together.
+    TotalLoad,
+    /// The foundation as a whole.
+    Foundation,
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length => write!(f, "beam.length"),
+            Self::BendingStiffness => write!(f, "beam.bending_stiffness"),
+            Self::Uniform => write!(f, "load.uniform"),
+            Self::LinearFrom(i) => write!(f, "load.linear[{i}].from"),
+            Self::LinearTo(i) => write!(f, "load.linear[{i}].to"),
+            Self::LinearStart(i) => write!(f, "load.linear[{i}].start"),
+            Self::LinearEnd(i) => write!(f, "load.linear[{i}].end"),
+            Self::PointAt(i) => write!(f, "load.point[{i}].at"),
+            Self::PointForce(i) => write!(f, "load.point[{i}].force"),
+            Self::Depth => write!(f, "foundation.depth"),
+            Self::Coefficient(i) => write!(f, "foundation.polynomial[{i}]"),
+            Self::Mean => write!(f, "foundation.cosine.mean"),
+            Self::Amplitude => write!(f, "foundation.cosine.amplitude"),
+            Self::Wavelength => write!(f, "foundation.cosine.wavelength"),
+            Self::Phase => write!(f, "foundation.cosine.phase"),
+            Self::PolylineX(i) => write!(f, "foundation.points[{i}][0]"),
+            Self::PolylineDepth(i) => write!(f, "foundation.points[{i}][1]"),
+            Self::TotalLoad => write!(f, "load"),
+            Self::Foundation => write!(f, "foundation"),
+        }
+    }
+}
+
+/// One of the two supports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Support {
+    /// At `x = 0`.
+    Left,
+    /// At `x = l`.
+    Right,
+}
+
+impl fmt::Display for Support {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        })
+    }
+}
+
+/// Why a scene was refused.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// A number that has to be positive is not.
+    #[error("`{quantity}` must be positive and finite, but is {value}")]
+    NotPositive {
+        /// Which number.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+    },
+    /// A number is `nan` or infinite.
+    #[error("`{quantity}` must be finite, but is {value}")]
+    NotFinite {
+        /// Which number.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+    },
+    /// A place is not on the beam.
+    #[error("`{quantity}` must lie on the beam, between 0 and {length}, but is {value}")]
+    OutsideBeam {
+        /// Which place.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+        /// Length of the beam.
+        length: f64,
+    },
+    /// A line load that ends where it starts, or before.
+    #[error("`{quantity}` must be greater than the start of the load, {from}, but is {to}")]
+    EmptyLoad {
+        /// The end of the load.
+        quantity: Quantity,
+        /// Where the load starts.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+    },
+    /// A polynomial without coefficients.
+    #[error("`foundation.polynomial` needs at least one coefficient, but has none")]
+    NoCoefficients,
+    /// A polyline of fewer than two points.
+    #[error("a foundation given by points needs at least 2 of them, but has {count}")]
+    TooFewPoints {
+        /// How many there are.
+        count: usize,
+    },
+    /// Points of a polyline that run backwards.
+    #[error(
+        "`{quantity}` must not be less than the place of the point before it, {previous}, but is {value}"
+    )]
+    PointsRunBack {
+        /// The place that is too small.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+        /// The place before it.
+        previous: f64,
+    },
+    /// More than two points of a polyline at the same place.
+    #[error(
+        "`{quantity}` is the third point at x = {value}: two points make a step, more have no meaning"
+    )]
+    ThreePointsAtOnePlace {
+        /// The third of them.
+        quantity: Quantity,
+        /// Where.
+        value: f64,
+    },
+    /// A polyline that does not reach from support to support.
+    #[error(
+        "a foundation given by points must reach from 0 to {length}, but `{quantity}` is {value}"
+    )]
+    PointsDoNotCover {
+        /// The first or the last place.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+        /// Length of the beam.
+        length: f64,
+    },
+    /// A foundation that would push a support upwards: the problem has no solution.
+    #[error(
+        "the foundation must not lie above a support, but its depth at the {support} support (x = {at}) is {depth}; \
+         no deflection satisfies the supports and the foundation"
+    )]
+    AboveSupport {
+        /// Which support.
+        support: Support,
+        /// Where it is.
+        at: f64,
+        /// Depth of the foundation there, negative.
+        depth: f64,
+    },
+    /// Numbers that are finite by themselves and not together.
+    #[error(
+        "`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {value})"
+    )]
+    Overflow {
+        /// Where it shows.
+        quantity: Quantity,
+        /// Which derived number overflows.
+        what: &'static str,
+        /// What it came to.
+        value: f64,
+    },
+    /// A grid without interior nodes.
+    #[error("the number of intervals must be at least 2, but is {intervals}")]
+    TooFewIntervals {
+        /// The number asked for.
+        intervals: usize,
+    },
+}
+
+impl SceneError {
+    /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
+    #[must_use]
+    pub fn quantity(&self) -> Option<Quantity> {
+        match *self {
+            Self::NotPositive { quantity, .. }
+            | Self::NotFinite { quantity, .. }
+            | Self::OutsideBeam { quantity, .. }
+            | Self::EmptyLoad { quantity, .. }
+            | Self::PointsRunBack { quantity, .. }
+            | Self::ThreePointsAtOnePlace { quantity, .. }
+            | Self::PointsDoNotCover { quantity, .. }
+            | Self::Overflow { quantity, .. } => Some(quantity),
+            Self::NoCoefficients | Self::TooFewPoints { .. } | Self::AboveSupport { .. } => {
+                Some(Quantity::Foundation)
+            }
+            Self::TooFewIntervals { .. } => None,
+        }
+    }
+}
+
+/// `value` if it is positive and finite.
+pub(super) fn positive(quantity: Quantity, value: f64) -> Result<f64, SceneError> {
+    // The comparison also refuses NaN.
+    if 0.0 < value && value < f64::INFINITY {
+        Ok(value)
+    } else {
+        Err(SceneError::NotPositive { quantity, value })
+    }
+}
+
+/// `value` if it is finite.
+pub(super) fn finite(quantity: Quantity, value: f64) -> Result<f64, SceneError> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(SceneError::NotFinite { quantity, value })
+    }
+}
+
+/// `value` if it lies on a beam of length `length`.
+pub(super) fn on_beam(quantity: Quantity, value: f64, length: f64) -> Result<f64, SceneError> {
+    finite(quantity, value)?;
+    if (0.0..=length).contains(&value) {
+        Ok(value)
+    } else {
+        Err(SceneError::OutsideBeam {
+            quantity,
+            value,
+            length,
+        })
+    }
+}

@@ -1,0 +1,225 @@
+//! The foundation: rigid, uneven, its depth `u(x)` below the line of the supports known.
+
+use super::Beam;
+use super::error::{Quantity, SceneError, Support, finite, on_beam, positive};
+
+/// Depth `u(x)` of the foundation below the line of the supports, positive downwards.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Foundation {
+    /// `u = depth`.
+    Flat {
+        /// The depth \[length\].
+        depth: f64,
+    },
+    /// `u = c₀ + c₁ x + c₂ x² + …`
+    Polynomial {
+        /// `c₀, c₁, …`, at least one \[length, 1, 1/length, …\].
+        coefficients: Vec<f64>,
+    },
+    /// `u = mean + amplitude cos(2π x / wavelength + phase)`.
+    Cosine {
+        /// Mean depth \[length\].
+        mean: f64,
+        /// Amplitude \[length\].
+        amplitude: f64,
+        /// Wavelength \[length\], positive.
+        wavelength: f64,
+        /// Phase at the left support \[rad\].
+        phase: f64,
+    },
+    /// A polyline from support to support. Two points at one place make a step; the smaller depth governs there.
+    Polyline {
+        /// `[x, depth]`, places not decreasing.
+        points: Vec<[f64; 2]>,
+    },
+}
+
+impl Foundation {
+    /// This foundation, checked for `beam`.
+    ///
+    /// # Errors
+    ///
+    /// A number that is not finite, a wavelength that is not positive, a polyline that is not one or does not reach from
+    /// support to support, depths that overflow, or a foundation above a support.
+    pub fn checked(self, beam: &Beam) -> Result<Self, SceneError> {
+        match &self {
+            Self::Flat { depth } => {
+                finite(Quantity::Depth, *depth)?;
+            }
+            Self::Polynomial { coefficients } => {
+                if coefficients.is_empty() {
+                    return Err(SceneError::NoCoefficients);
+                }
+                for (i, &c) in coefficients.iter().enumerate() {
+                    finite(Quantity::Coefficient(i), c)?;
+                }
+            }
+            Self::Cosine {
+                mean,
+                amplitude,
+                wavelength,
+                phase,
+            } => {
+                finite(Quantity::Mean, *mean)?;
+                finite(Quantity::Amplitude, *amplitude)?;
+                positive(Quantity::Wavelength, *wavelength)?;
+                finite(Quantity::Phase, *phase)?;
+            }
+            Self::Polyline { points } => check_polyline(points, beam)?,
+        }
+        let value = self.magnitude(beam.length());
+        if !value.is_finite() {
+            return Err(SceneError::Overflow {
+                quantity: Quantity::Foundation,
+                what: "a bound on its depth",
+                value,
+            });
+        }
+        for (support, at) in [(Support::Left, 0.0), (Support::Right, beam.length())] {
+            let depth = self.depth(at);
+            if depth < 0.0 {
+                return Err(SceneError::AboveSupport { support, at, depth });
+            }
+        }
+        Ok(self)
+    }
+
+    /// `u(x)` \[length\]; at a step of a polyline the smaller of the two depths.
+    ///
+    /// `x` lies on the beam that the foundation was checked for.
+    #[must_use]
+    pub fn depth(&self, x: f64) -> f64 {
+        match self {
+            Self::Flat { depth } => *depth,
+            Self::Polynomial { coefficients } => {
+                coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c)
+            }
+            Self::Cosine {
+                mean,
+                amplitude,
+                wavelength,
+                phase,
+            } => {
+                mean + amplitude * libm::cos(2.0 * std::f64::consts::PI * (x / wavelength) + phase)
+            }
+            Self::Polyline { points } => polyline_depth(points, x),
+        }
+    }
+
+    /// A bound on `|u|` over a beam of length `length` \[length\].
+    #[must_use]
+    pub fn magnitude(&self, length: f64) -> f64 {
+        match self {
+            Self::Flat { depth } => depth.abs(),
+            Self::Polynomial { coefficients } => coefficients
+                .iter()
+                .rev()
+                .fold(0.0, |sum, c| sum * length + c.abs()),
+            Self::Cosine {
+                mean, amplitude, ..
+            } => mean.abs() + amplitude.abs(),
+            Self::Polyline { points } => points.iter().fold(0.0, |most, p| p[1].abs().max(most)),
+        }
+    }
+
+    /// The same foundation in units of `length` along the beam and `depth` across it, both powers of two.
+    pub(super) fn scaled(&self, length: f64, depth: f64) -> Self {
+        match self {
+            Self::Flat { depth: u } => Self::Flat { depth: u / depth },
+            Self::Polynomial { coefficients } => {
+                let mut unit = 1.0;
+                let scaled = coefficients.iter().map(|c| {
+                    let c = c / depth * unit;
+                    unit *= length;
+                    c
+                });
+                Self::Polynomial {
+                    coefficients: scaled.collect(),
+                }
+            }
+            Self::Cosine {
+                mean,
+                amplitude,
+                wavelength,
+                phase,
+            } => Self::Cosine {
+                mean: mean / depth,
+                amplitude: amplitude / depth,
+                wavelength: wavelength / length,
+                phase: *phase,
+            },
+            Self::Polyline { points } => Self::Polyline {
+                points: points
+                    .iter()
+                    .map(|p| [p[0] / length, p[1] / depth])
+                    .collect(),
+            },
+        }
+    }
+}
+
+/// A polyline runs from 0 to `l`, forwards, with at most two points at one place.
+fn check_polyline(points: &[[f64; 2]], beam: &Beam) -> Result<(), SceneError> {
+    let [first, .., last] = points else {
+        return Err(SceneError::TooFewPoints {
+            count: points.len(),
+        });
+    };
+    for (i, &[x, depth]) in points.iter().enumerate() {
+        on_beam(Quantity::PolylineX(i), x, beam.length())?;
+        finite(Quantity::PolylineDepth(i), depth)?;
+        if 0 < i && x < points[i - 1][0] {
+            let previous = points[i - 1][0];
+            return Err(SceneError::PointsRunBack {
+                quantity: Quantity::PolylineX(i),
+                value: x,
+                previous,
+            });
+        }
+        #[expect(
+            clippy::float_cmp,
+            reason = "a step is two points at exactly the same place"
+        )]
+        if 1 < i && x == points[i - 2][0] {
+            return Err(SceneError::ThreePointsAtOnePlace {
+                quantity: Quantity::PolylineX(i),
+                value: x,
+            });
+        }
+    }
+    let length = beam.length();
+    if 0.0 < first[0] {
+        return Err(SceneError::PointsDoNotCover {
+            quantity: Quantity::PolylineX(0),
+            value: first[0],
+            length,
+        });
+    }
+    if last[0] < length {
+        let quantity = Quantity::PolylineX(points.len() - 1);
+        return Err(SceneError::PointsDoNotCover {
+            quantity,
+            value: last[0],
+            length,
+        });
+    }
+    Ok(())
+}
+
+/// Depth of a polyline at `x`: interpolated between the points around it, the smaller one at a step.
+fn polyline_depth(points: &[[f64; 2]], x: f64) -> f64 {
+    let after = points.partition_point(|p| p[0] < x);
+    let beyond = points.partition_point(|p| p[0] <= x);
+    if after < beyond {
+        return points[after..beyond]
+            .iter()
+            .fold(f64::INFINITY, |least, p| least.min(p[1]));
+    }
+    // Strictly between two points, or, for `x` off the beam, the nearest one.
+    let (Some(left), Some(right)) = (after.checked_sub(1).map(|i| points[i]), points.get(after))
+    else {
+        return points[after.min(points.len() - 1)][1];
+    };
+    let s = (x - left[0]) / (right[0] - left[0]);
+    left[1] + (right[1] - left[1]) * s
+}

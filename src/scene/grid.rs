@@ -1,0 +1,131 @@
+//! Equal intervals between the supports, and the loads that they put on the nodes.
+
+use super::{Load, Scene, SceneError};
+
+/// `N = n + 1` equal intervals with `n` interior nodes; node `i` lies at `x_i = l i / N`, `i = 0 … N`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    length: f64,
+    intervals: usize,
+}
+
+impl Grid {
+    /// A grid of `intervals` on the beam of `scene`.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::TooFewIntervals`] for fewer than 2: there would be no interior node.
+    pub fn uniform(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
+        if 2 <= intervals {
+            Ok(Self {
+                length: scene.beam().length(),
+                intervals,
+            })
+        } else {
+            Err(SceneError::TooFewIntervals { intervals })
+        }
+    }
+
+    /// `N`, the number of intervals.
+    #[must_use]
+    pub fn intervals(&self) -> usize {
+        self.intervals
+    }
+
+    /// `n = N − 1`, the number of interior nodes.
+    #[must_use]
+    pub fn interior(&self) -> usize {
+        self.intervals - 1
+    }
+
+    /// `Δ = l / N`.
+    #[must_use]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "grids stay far below 2⁵³ intervals"
+    )]
+    pub fn spacing(&self) -> f64 {
+        self.length / self.intervals as f64
+    }
+
+    /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it.
+    #[must_use]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "grids stay far below 2⁵³ intervals"
+    )]
+    pub fn place(&self, i: usize) -> f64 {
+        self.length * i as f64 / self.intervals as f64
+    }
+
+    /// The places of the interior nodes, `x_1 … x_n`.
+    #[must_use]
+    pub fn interior_places(&self) -> Vec<f64> {
+        (1..self.intervals).map(|i| self.place(i)).collect()
+    }
+
+    /// Depths `u_i` at the interior nodes; infinite where there is no foundation.
+    #[must_use]
+    pub fn depths(&self, scene: &Scene) -> Vec<f64> {
+        (1..self.intervals)
+            .map(|i| scene.depth(self.place(i)))
+            .collect()
+    }
+
+    /// Loads as forces on all `N + 1` nodes, supports included \[force\].
+    ///
+    /// Each part of the load between two nodes goes to these by the law of the lever, so that its resultant force and
+    /// moment are kept: `∫ q φ_i dx` with the hat function `φ_i`. For a uniform load `q_i = q₀Δ`, as in the paper, and
+    /// `q₀Δ/2` on each support.
+    #[must_use]
+    pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
+        let mut forces = vec![0.0; self.intervals + 1];
+        let half = 0.5 * load.uniform() * self.spacing();
+        for i in 0..self.intervals {
+            forces[i] += half;
+            forces[i + 1] += half;
+        }
+        for part in load.linear() {
+            for i in self.interval_of(part.from)..=self.interval_of(part.to) {
+                let (left, right) = (self.place(i), self.place(i + 1));
+                let (a, b) = (part.from.max(left), part.to.min(right));
+                if a < b {
+                    let (start, end) = (part.intensity(a), part.intensity(b));
+                    let force = 0.5 * (start + end) * (b - a);
+                    // First moment about `a` of a trapezoid.
+                    let moment = (start + 2.0 * end) * (b - a) * (b - a) / 6.0;
+                    let to_right = (force * (a - left) + moment) / (right - left);
+                    forces[i] += force - to_right;
+                    forces[i + 1] += to_right;
+                }
+            }
+        }
+        for part in load.point() {
+            let i = self.interval_of(part.at);
+            let (left, right) = (self.place(i), self.place(i + 1));
+            let to_right = part.force * ((part.at - left) / (right - left)).clamp(0.0, 1.0);
+            forces[i] += part.force - to_right;
+            forces[i + 1] += to_right;
+        }
+        forces
+    }
+
+    /// The interval `i`, from node `i` to node `i + 1`, in which `x` lies.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "x lies on the beam, so the quotient lies between 0 and the number of intervals"
+    )]
+    fn interval_of(&self, x: f64) -> usize {
+        let guess = ((x / self.length * self.intervals as f64) as usize).min(self.intervals - 1);
+        // The quotient may be rounded across a node.
+        if x < self.place(guess) {
+            guess - 1
+        } else if self.place(guess + 1) < x && guess + 1 < self.intervals {
+            guess + 1
+        } else {
+            guess
+        }
+    }
+}

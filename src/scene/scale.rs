@@ -1,0 +1,101 @@
+//! Dimensionless numbers: the one place between a [`Scene`] and everything numerical.
+//!
+//! With units `L` of length, `F` of force and `U = F L³ / E` of depth, the scene `x/L, u/U, q L/F, EI/E` has the same
+//! equations (5), (7), (8) as the original. All units are powers of two, so scaling and undoing it only change
+//! exponents: answers are the same bits in metres and in 1024ths of a metre.
+
+use super::{Scene, SceneError, error::Quantity};
+
+/// Units in which a scene is dimensionless: powers of two.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// Unit along the beam, `L`.
+    pub length: f64,
+    /// Unit of deflection and depth, `U`.
+    pub depth: f64,
+    /// Unit of force, `F`.
+    pub force: f64,
+}
+
+impl Scale {
+    /// Unit of moment, `F L`.
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        self.force * self.length
+    }
+
+    /// Unit of energy, `F U`.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.force * self.depth
+    }
+}
+
+/// A scene in dimensionless numbers, with the units that lead back.
+#[derive(Debug, Clone)]
+pub struct Scaled {
+    /// The dimensionless scene: `1 ≤ l < 2`, `1 ≤ EI < 2`, loads of order 1 (where there are any).
+    pub scene: Scene,
+    /// Its units.
+    pub scale: Scale,
+}
+
+impl Scene {
+    /// This scene in dimensionless numbers.
+    ///
+    /// `L` and `E` are the powers of two at or below `l` and `EI`. `F` is that of the loads; a beam without loads takes
+    /// the force that bends it by the depth of the foundation instead.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::Overflow`] if one of the units, or a number measured in them, leaves the range of `f64`.
+    pub fn scaled(&self) -> Result<Scaled, SceneError> {
+        let length = power_of_two(self.beam().length());
+        let stiffness = power_of_two(self.beam().bending_stiffness());
+        // The quotient in an order that keeps every step in range as long as the result is.
+        let bend = |force: f64| force * length / stiffness * length * length;
+        let load = self.load().magnitude(self.beam().length());
+        let depth = self
+            .foundation()
+            .map_or(0.0, |f| f.magnitude(self.beam().length()));
+        let (force, depth) = if 0.0 < load {
+            let force = power_of_two(load);
+            (force, bend(force))
+        } else if 0.0 < depth {
+            let depth = power_of_two(depth);
+            (depth / length * stiffness / length / length, depth)
+        } else {
+            (1.0, bend(1.0))
+        };
+        let scale = Scale {
+            length,
+            depth,
+            force,
+        };
+        for (quantity, what, value) in [
+            (Quantity::Length, "the unit of length", length),
+            (Quantity::BendingStiffness, "the unit of depth", depth),
+            (Quantity::TotalLoad, "the unit of force", force),
+            (Quantity::TotalLoad, "the unit of moment", scale.moment()),
+            (Quantity::TotalLoad, "the unit of energy", scale.energy()),
+        ] {
+            if !value.is_normal() {
+                return Err(SceneError::Overflow {
+                    quantity,
+                    what,
+                    value,
+                });
+            }
+        }
+        Ok(Scaled {
+            scene: self.in_units(&scale, stiffness)?,
+            scale,
+        })
+    }
+}
+
+/// The power of two at or below a positive number; for subnormal numbers the least normal one.
+fn power_of_two(value: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    f64::from_bits(value.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
+}

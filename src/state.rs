@@ -1,0 +1,136 @@
+//! What every method, and theory, hand back: the beam in its final position, and the forces that hold it there.
+
+/// Upward forces of the two supports \[force\].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reactions {
+    /// At `x = 0`.
+    pub left: f64,
+    /// At `x = l`.
+    pub right: f64,
+}
+
+/// How much of the foundation the beam touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Regime {
+    /// Nowhere.
+    None,
+    /// At single points only.
+    Points,
+    /// Over at least one interval.
+    Zone,
+}
+
+impl Regime {
+    /// The word that the JSON and the report use.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Points => "points",
+            Self::Zone => "zone",
+        }
+    }
+
+    /// The regime that a list of contacts makes.
+    #[must_use]
+    pub fn of(contacts: &[Contact]) -> Self {
+        match contacts {
+            [] => Self::None,
+            _ if contacts.iter().any(|c| c.from < c.to) => Self::Zone,
+            _ => Self::Points,
+        }
+    }
+}
+
+/// A stretch, or a single point (`from == to`), at which the foundation carries the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Left end \[length\].
+    pub from: f64,
+    /// Right end \[length\].
+    pub to: f64,
+    /// Resultant, upwards \[force\].
+    pub force: f64,
+    /// Concentrated forces at the left and right end of a zone \[force\]; only the exact method has them.
+    pub end_forces: Option<[f64; 2]>,
+}
+
+/// The greatest and the least value of a quantity along the beam, and where they are.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extremes {
+    /// Greatest value.
+    pub max: f64,
+    /// Where it is \[length\].
+    pub max_at: f64,
+    /// Least value.
+    pub min: f64,
+    /// Where it is \[length\].
+    pub min_at: f64,
+}
+
+impl Extremes {
+    /// Extremes of `(place, value)` pairs, the first of equal ones; zero at 0 if there are none.
+    pub fn of(values: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let mut values = values.into_iter();
+        let Some((at, value)) = values.next() else {
+            return Self::default();
+        };
+        let first = Self {
+            max: value,
+            max_at: at,
+            min: value,
+            min_at: at,
+        };
+        values.fold(first, |mut seen, (at, value)| {
+            if seen.max < value {
+                (seen.max, seen.max_at) = (value, at);
+            }
+            if value < seen.min {
+                (seen.min, seen.min_at) = (value, at);
+            }
+            seen
+        })
+    }
+}
+
+/// Values at the interior nodes of a grid, `x_1 … x_n`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Nodes {
+    /// Places \[length\].
+    pub x: Vec<f64>,
+    /// Deflection `v`, positive downwards \[length\].
+    pub deflection: Vec<f64>,
+    /// Clearance `h = u − v` \[length\]; infinite where there is no foundation.
+    pub clearance: Vec<f64>,
+    /// Contact force, upwards, a force and not a density \[force\].
+    pub contact_force: Vec<f64>,
+    /// Bending moment `M = −EI v''`, positive with the underside in tension \[force · length\].
+    pub moment: Vec<f64>,
+}
+
+/// The beam in its final position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactState {
+    /// How much it touches.
+    pub regime: Regime,
+    /// Forces of the supports, with the load that a discretisation puts on the support itself counted in.
+    pub reactions: Reactions,
+    /// Where it touches, from left to right.
+    pub contacts: Vec<Contact>,
+    /// Deflection, positive downwards \[length\].
+    pub deflection: Extremes,
+    /// Bending moment, positive with the underside in tension \[force · length\].
+    pub moment: Extremes,
+    /// `J(v) = ½∫EI v''² dx − ∫q v dx`, (17) \[force · length\]. A discretised method has its nodal loads for `q`.
+    pub energy: f64,
+    /// Values at the nodes, for a discretised method.
+    pub nodes: Option<Nodes>,
+}
+
+impl ContactState {
+    /// Resultant of all contacts, upwards \[force\].
+    #[must_use]
+    pub fn contact_force(&self) -> f64 {
+        self.contacts.iter().map(|c| c.force).sum()
+    }
+}
