@@ -2,4 +2,7 @@
 
 pub mod route;
 pub mod scene;
+mod solve;
 pub mod state;
+
+pub use solve::{Settings, solve};

@@ -53,13 +53,7 @@ pub enum Solver {
 
 impl Solver {
     /// All of them.
-    pub const ALL: [Self; 5] = [
-        Self::FourStep,
-        Self::ActiveSet,
-        Self::Nsor,
-        Self::Clarabel,
-        Self::Osqp,
-    ];
+    pub const ALL: [Self; 5] = [Self::FourStep, Self::ActiveSet, Self::Nsor, Self::Clarabel, Self::Osqp];
 
     /// The four that are meant to reach the optimum: all but the paper's four steps.
     pub const OPTIMAL: [Self; 4] = [Self::ActiveSet, Self::Nsor, Self::Clarabel, Self::Osqp];

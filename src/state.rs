@@ -75,12 +75,7 @@ impl Extremes {
         let Some((at, value)) = values.next() else {
             return Self::default();
         };
-        let first = Self {
-            max: value,
-            max_at: at,
-            min: value,
-            min_at: at,
-        };
+        let first = Self { max: value, max_at: at, min: value, min_at: at };
         values.fold(first, |mut seen, (at, value)| {
             if seen.max < value {
                 (seen.max, seen.max_at) = (value, at);

@@ -4,10 +4,7 @@ use std::fmt;
 
 /// A number of a scene, named as in the scene file. Indices count from 0, as in the file's arrays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(
-    missing_docs,
-    reason = "each variant is the key of the scene file that Display prints"
-)]
+#[expect(missing_docs, reason = "each variant is the key of the scene file that Display prints")]
 pub enum Quantity {
     Length,
     BendingStiffness,
@@ -127,9 +124,7 @@ pub enum SceneError {
         count: usize,
     },
     /// Points of a polyline that run backwards.
-    #[error(
-        "`{quantity}` must not be less than the place of the point before it, {previous}, but is {value}"
-    )]
+    #[error("`{quantity}` must not be less than the place of the point before it, {previous}, but is {value}")]
     PointsRunBack {
         /// The place that is too small.
         quantity: Quantity,
@@ -139,9 +134,7 @@ pub enum SceneError {
         previous: f64,
     },
     /// More than two points of a polyline at the same place.
-    #[error(
-        "`{quantity}` is the third point at x = {value}: two points make a step, more have no meaning"
-    )]
+    #[error("`{quantity}` is the third point at x = {value}: two points make a step, more have no meaning")]
     ThreePointsAtOnePlace {
         /// The third of them.
         quantity: Quantity,
@@ -149,9 +142,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A polyline that does not reach from support to support.
-    #[error(
-        "a foundation given by points must reach from 0 to {length}, but `{quantity}` is {value}"
-    )]
+    #[error("a foundation given by points must reach from 0 to {length}, but `{quantity}` is {value}")]
     PointsDoNotCover {
         /// The first or the last place.
         quantity: Quantity,
@@ -174,9 +165,7 @@ pub enum SceneError {
         depth: f64,
     },
     /// Numbers that are finite by themselves and not together.
-    #[error(
-        "`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {value})"
-    )]
+    #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {value})")]
     Overflow {
         /// Where it shows.
         quantity: Quantity,
@@ -206,9 +195,7 @@ impl SceneError {
             | Self::ThreePointsAtOnePlace { quantity, .. }
             | Self::PointsDoNotCover { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
-            Self::NoCoefficients | Self::TooFewPoints { .. } | Self::AboveSupport { .. } => {
-                Some(Quantity::Foundation)
-            }
+            Self::NoCoefficients | Self::TooFewPoints { .. } | Self::AboveSupport { .. } => Some(Quantity::Foundation),
             Self::TooFewIntervals { .. } => None,
         }
     }
@@ -217,32 +204,16 @@ impl SceneError {
 /// `value` if it is positive and finite.
 pub(super) fn positive(quantity: Quantity, value: f64) -> Result<f64, SceneError> {
     // The comparison also refuses NaN.
-    if 0.0 < value && value < f64::INFINITY {
-        Ok(value)
-    } else {
-        Err(SceneError::NotPositive { quantity, value })
-    }
+    if 0.0 < value && value < f64::INFINITY { Ok(value) } else { Err(SceneError::NotPositive { quantity, value }) }
 }
 
 /// `value` if it is finite.
 pub(super) fn finite(quantity: Quantity, value: f64) -> Result<f64, SceneError> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(SceneError::NotFinite { quantity, value })
-    }
+    if value.is_finite() { Ok(value) } else { Err(SceneError::NotFinite { quantity, value }) }
 }
 
 /// `value` if it lies on a beam of length `length`.
 pub(super) fn on_beam(quantity: Quantity, value: f64, length: f64) -> Result<f64, SceneError> {
     finite(quantity, value)?;
-    if (0.0..=length).contains(&value) {
-        Ok(value)
-    } else {
-        Err(SceneError::OutsideBeam {
-            quantity,
-            value,
-            length,
-        })
-    }
+    if (0.0..=length).contains(&value) { Ok(value) } else { Err(SceneError::OutsideBeam { quantity, value, length }) }
 }

@@ -54,12 +54,7 @@ impl Foundation {
                     finite(Quantity::Coefficient(i), c)?;
                 }
             }
-            Self::Cosine {
-                mean,
-                amplitude,
-                wavelength,
-                phase,
-            } => {
+            Self::Cosine { mean, amplitude, wavelength, phase } => {
                 finite(Quantity::Mean, *mean)?;
                 finite(Quantity::Amplitude, *amplitude)?;
                 positive(Quantity::Wavelength, *wavelength)?;
@@ -69,11 +64,7 @@ impl Foundation {
         }
         let value = self.magnitude(beam.length());
         if !value.is_finite() {
-            return Err(SceneError::Overflow {
-                quantity: Quantity::Foundation,
-                what: "a bound on its depth",
-                value,
-            });
+            return Err(SceneError::Overflow { quantity: Quantity::Foundation, what: "a bound on its depth", value });
         }
         for (support, at) in [(Support::Left, 0.0), (Support::Right, beam.length())] {
             let depth = self.depth(at);
@@ -91,15 +82,8 @@ impl Foundation {
     pub fn depth(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => *depth,
-            Self::Polynomial { coefficients } => {
-                coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c)
-            }
-            Self::Cosine {
-                mean,
-                amplitude,
-                wavelength,
-                phase,
-            } => {
+            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c),
+            Self::Cosine { mean, amplitude, wavelength, phase } => {
                 mean + amplitude * libm::cos(2.0 * std::f64::consts::PI * (x / wavelength) + phase)
             }
             Self::Polyline { points } => polyline_depth(points, x),
@@ -111,13 +95,8 @@ impl Foundation {
     pub fn magnitude(&self, length: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => coefficients
-                .iter()
-                .rev()
-                .fold(0.0, |sum, c| sum * length + c.abs()),
-            Self::Cosine {
-                mean, amplitude, ..
-            } => mean.abs() + amplitude.abs(),
+            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| sum * length + c.abs()),
+            Self::Cosine { mean, amplitude, .. } => mean.abs() + amplitude.abs(),
             Self::Polyline { points } => points.iter().fold(0.0, |most, p| p[1].abs().max(most)),
         }
     }
@@ -133,27 +112,17 @@ impl Foundation {
                     unit *= length;
                     c
                 });
-                Self::Polynomial {
-                    coefficients: scaled.collect(),
-                }
+                Self::Polynomial { coefficients: scaled.collect() }
             }
-            Self::Cosine {
-                mean,
-                amplitude,
-                wavelength,
-                phase,
-            } => Self::Cosine {
+            Self::Cosine { mean, amplitude, wavelength, phase } => Self::Cosine {
                 mean: mean / depth,
                 amplitude: amplitude / depth,
                 wavelength: wavelength / length,
                 phase: *phase,
             },
-            Self::Polyline { points } => Self::Polyline {
-                points: points
-                    .iter()
-                    .map(|p| [p[0] / length, p[1] / depth])
-                    .collect(),
-            },
+            Self::Polyline { points } => {
+                Self::Polyline { points: points.iter().map(|p| [p[0] / length, p[1] / depth]).collect() }
+            }
         }
     }
 }
@@ -161,47 +130,27 @@ impl Foundation {
 /// A polyline runs from 0 to `l`, forwards, with at most two points at one place.
 fn check_polyline(points: &[[f64; 2]], beam: &Beam) -> Result<(), SceneError> {
     let [first, .., last] = points else {
-        return Err(SceneError::TooFewPoints {
-            count: points.len(),
-        });
+        return Err(SceneError::TooFewPoints { count: points.len() });
     };
     for (i, &[x, depth]) in points.iter().enumerate() {
         on_beam(Quantity::PolylineX(i), x, beam.length())?;
         finite(Quantity::PolylineDepth(i), depth)?;
         if 0 < i && x < points[i - 1][0] {
             let previous = points[i - 1][0];
-            return Err(SceneError::PointsRunBack {
-                quantity: Quantity::PolylineX(i),
-                value: x,
-                previous,
-            });
+            return Err(SceneError::PointsRunBack { quantity: Quantity::PolylineX(i), value: x, previous });
         }
-        #[expect(
-            clippy::float_cmp,
-            reason = "a step is two points at exactly the same place"
-        )]
+        #[expect(clippy::float_cmp, reason = "a step is two points at exactly the same place")]
         if 1 < i && x == points[i - 2][0] {
-            return Err(SceneError::ThreePointsAtOnePlace {
-                quantity: Quantity::PolylineX(i),
-                value: x,
-            });
+            return Err(SceneError::ThreePointsAtOnePlace { quantity: Quantity::PolylineX(i), value: x });
         }
     }
     let length = beam.length();
     if 0.0 < first[0] {
-        return Err(SceneError::PointsDoNotCover {
-            quantity: Quantity::PolylineX(0),
-            value: first[0],
-            length,
-        });
+        return Err(SceneError::PointsDoNotCover { quantity: Quantity::PolylineX(0), value: first[0], length });
     }
     if last[0] < length {
         let quantity = Quantity::PolylineX(points.len() - 1);
-        return Err(SceneError::PointsDoNotCover {
-            quantity,
-            value: last[0],
-            length,
-        });
+        return Err(SceneError::PointsDoNotCover { quantity, value: last[0], length });
     }
     Ok(())
 }
@@ -211,13 +160,10 @@ fn polyline_depth(points: &[[f64; 2]], x: f64) -> f64 {
     let after = points.partition_point(|p| p[0] < x);
     let beyond = points.partition_point(|p| p[0] <= x);
     if after < beyond {
-        return points[after..beyond]
-            .iter()
-            .fold(f64::INFINITY, |least, p| least.min(p[1]));
+        return points[after..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
     }
     // Strictly between two points, or, for `x` off the beam, the nearest one.
-    let (Some(left), Some(right)) = (after.checked_sub(1).map(|i| points[i]), points.get(after))
-    else {
+    let (Some(left), Some(right)) = (after.checked_sub(1).map(|i| points[i]), points.get(after)) else {
         return points[after.min(points.len() - 1)][1];
     };
     let s = (x - left[0]) / (right[0] - left[0]);

@@ -17,10 +17,7 @@ impl Grid {
     /// [`SceneError::TooFewIntervals`] for fewer than 2: there would be no interior node.
     pub fn uniform(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         if 2 <= intervals {
-            Ok(Self {
-                length: scene.beam().length(),
-                intervals,
-            })
+            Ok(Self { length: scene.beam().length(), intervals })
         } else {
             Err(SceneError::TooFewIntervals { intervals })
         }
@@ -40,20 +37,14 @@ impl Grid {
 
     /// `Δ = l / N`.
     #[must_use]
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "grids stay far below 2⁵³ intervals"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn spacing(&self) -> f64 {
         self.length / self.intervals as f64
     }
 
     /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it.
     #[must_use]
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "grids stay far below 2⁵³ intervals"
-    )]
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn place(&self, i: usize) -> f64 {
         self.length * i as f64 / self.intervals as f64
     }
@@ -67,9 +58,7 @@ impl Grid {
     /// Depths `u_i` at the interior nodes; infinite where there is no foundation.
     #[must_use]
     pub fn depths(&self, scene: &Scene) -> Vec<f64> {
-        (1..self.intervals)
-            .map(|i| scene.depth(self.place(i)))
-            .collect()
+        (1..self.intervals).map(|i| scene.depth(self.place(i))).collect()
     }
 
     /// Loads as forces on all `N + 1` nodes, supports included \[force\].

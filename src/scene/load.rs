@@ -49,12 +49,7 @@ impl Load {
     ///
     /// A number that is not finite, a load that is not on the beam, a linear load without length, or loads whose sum
     /// overflows.
-    pub fn new(
-        beam: &Beam,
-        uniform: f64,
-        linear: Vec<LinearLoad>,
-        point: Vec<PointLoad>,
-    ) -> Result<Self, SceneError> {
+    pub fn new(beam: &Beam, uniform: f64, linear: Vec<LinearLoad>, point: Vec<PointLoad>) -> Result<Self, SceneError> {
         finite(Quantity::Uniform, uniform)?;
         for (i, load) in linear.iter().enumerate() {
             on_beam(Quantity::LinearFrom(i), load.from, beam.length())?;
@@ -62,31 +57,19 @@ impl Load {
             finite(Quantity::LinearStart(i), load.start)?;
             finite(Quantity::LinearEnd(i), load.end)?;
             if load.to <= load.from {
-                return Err(SceneError::EmptyLoad {
-                    quantity: Quantity::LinearTo(i),
-                    from: load.from,
-                    to: load.to,
-                });
+                return Err(SceneError::EmptyLoad { quantity: Quantity::LinearTo(i), from: load.from, to: load.to });
             }
         }
         for (i, load) in point.iter().enumerate() {
             on_beam(Quantity::PointAt(i), load.at, beam.length())?;
             finite(Quantity::PointForce(i), load.force)?;
         }
-        let load = Self {
-            uniform,
-            linear,
-            point,
-        };
+        let load = Self { uniform, linear, point };
         let value = load.magnitude(beam.length());
         if value.is_finite() {
             Ok(load)
         } else {
-            Err(SceneError::Overflow {
-                quantity: Quantity::TotalLoad,
-                what: "the sum of all loads",
-                value,
-            })
+            Err(SceneError::Overflow { quantity: Quantity::TotalLoad, what: "the sum of all loads", value })
         }
     }
 
@@ -121,11 +104,7 @@ impl Load {
     /// the scale of forces, not a resultant.
     #[must_use]
     pub fn magnitude(&self, length: f64) -> f64 {
-        let linear: f64 = self
-            .linear
-            .iter()
-            .map(|q| 0.5 * (q.start.abs() + q.end.abs()) * (q.to - q.from))
-            .sum();
+        let linear: f64 = self.linear.iter().map(|q| 0.5 * (q.start.abs() + q.end.abs()) * (q.to - q.from)).sum();
         let point: f64 = self.point.iter().map(|p| p.force.abs()).sum();
         self.uniform.abs() * length + linear + point
     }
@@ -145,14 +124,7 @@ impl Load {
                     end: density(q.end),
                 })
                 .collect(),
-            point: self
-                .point
-                .iter()
-                .map(|p| PointLoad {
-                    at: p.at / length,
-                    force: p.force / force,
-                })
-                .collect(),
+            point: self.point.iter().map(|p| PointLoad { at: p.at / length, force: p.force / force }).collect(),
         }
     }
 }

@@ -40,30 +40,15 @@ impl Scene {
     ///
     /// Every [`SceneError`] of [`Load::new`] and [`Foundation::checked`].
     pub fn new(beam: Beam, load: Load, foundation: Option<Foundation>) -> Result<Self, SceneError> {
-        let load = Load::new(
-            &beam,
-            load.uniform(),
-            load.linear().to_vec(),
-            load.point().to_vec(),
-        )?;
+        let load = Load::new(&beam, load.uniform(), load.linear().to_vec(), load.point().to_vec())?;
         let foundation = foundation.map(|f| f.checked(&beam)).transpose()?;
-        Ok(Self {
-            title: String::new(),
-            beam,
-            load,
-            foundation,
-            units: Units::default(),
-        })
+        Ok(Self { title: String::new(), beam, load, foundation, units: Units::default() })
     }
 
     /// The same scene with a title and with labels for its units.
     #[must_use]
     pub fn labelled(self, title: impl Into<String>, units: Units) -> Self {
-        Self {
-            title: title.into(),
-            units,
-            ..self
-        }
+        Self { title: title.into(), units, ..self }
     }
 
     /// The title, empty if the scene has none.
@@ -99,22 +84,14 @@ impl Scene {
     /// Depth `u(x)` of the foundation \[length\]; infinite where there is none.
     #[must_use]
     pub fn depth(&self, x: f64) -> f64 {
-        self.foundation
-            .as_ref()
-            .map_or(f64::INFINITY, |f| f.depth(x))
+        self.foundation.as_ref().map_or(f64::INFINITY, |f| f.depth(x))
     }
 
     /// This scene in other units; `stiffness` is the unit of `EI`, that is `F L³ / U`.
     fn in_units(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
-        let beam = Beam::new(
-            self.beam.length() / scale.length,
-            self.beam.bending_stiffness() / stiffness,
-        )?;
+        let beam = Beam::new(self.beam.length() / scale.length, self.beam.bending_stiffness() / stiffness)?;
         let load = self.load.scaled(scale.length, scale.force);
-        let foundation = self
-            .foundation
-            .as_ref()
-            .map(|f| f.scaled(scale.length, scale.depth));
+        let foundation = self.foundation.as_ref().map(|f| f.scaled(scale.length, scale.depth));
         Self::new(beam, load, foundation)
     }
 }

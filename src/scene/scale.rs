@@ -55,9 +55,7 @@ impl Scene {
         // The quotient in an order that keeps every step in range as long as the result is.
         let bend = |force: f64| force * length / stiffness * length * length;
         let load = self.load().magnitude(self.beam().length());
-        let depth = self
-            .foundation()
-            .map_or(0.0, |f| f.magnitude(self.beam().length()));
+        let depth = self.foundation().map_or(0.0, |f| f.magnitude(self.beam().length()));
         let (force, depth) = if 0.0 < load {
             let force = power_of_two(load);
             (force, bend(force))
@@ -67,11 +65,7 @@ impl Scene {
         } else {
             (1.0, bend(1.0))
         };
-        let scale = Scale {
-            length,
-            depth,
-            force,
-        };
+        let scale = Scale { length, depth, force };
         for (quantity, what, value) in [
             (Quantity::Length, "the unit of length", length),
             (Quantity::BendingStiffness, "the unit of depth", depth),
@@ -80,17 +74,10 @@ impl Scene {
             (Quantity::TotalLoad, "the unit of energy", scale.energy()),
         ] {
             if !value.is_normal() {
-                return Err(SceneError::Overflow {
-                    quantity,
-                    what,
-                    value,
-                });
+                return Err(SceneError::Overflow { quantity, what, value });
             }
         }
-        Ok(Scaled {
-            scene: self.in_units(&scale, stiffness)?,
-            scale,
-        })
+        Ok(Scaled { scene: self.in_units(&scale, stiffness)?, scale })
     }
 }
 
