@@ -1,7 +1,10 @@
 //! One way through: scene → method and grid → programme (32) → solver → state → verdict.
 
-use crate::route::{Method, Outcome, Solver};
-use crate::scene::{Scene, SceneError};
+use crate::certificate::Kkt;
+use crate::methods::{self, Discrete};
+use crate::route::{Method, Outcome, Solver, Status};
+use crate::scene::{Scale, Scene, SceneError};
+use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions};
 
 /// What a discretised solution is asked to be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,13 +19,90 @@ pub struct Settings {
     pub tolerance: f64,
 }
 
+/// Default of [`Settings::tolerance`]: a tenth of what the judge demands.
+pub const DEFAULT_TOLERANCE: f64 = 1e-10;
+
+impl Settings {
+    /// A route on a grid, with the default tolerance.
+    #[must_use]
+    pub fn new(method: Method, solver: Solver, intervals: usize) -> Self {
+        Self { method, solver, intervals, tolerance: DEFAULT_TOLERANCE }
+    }
+}
+
 /// Solves `scene` by one route.
+///
+/// A scene without a foundation needs no programme and no solver: the beam is a simple beam.
 ///
 /// # Errors
 ///
 /// A [`SceneError`] if the grid is too coarse or the scene leaves the range of `f64`. A solver that fails is no error:
-/// its answer comes back with a [`crate::route::Status`] that says so.
+/// its answer comes back with a [`Status`] that says so.
 pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> {
-    let _ = settings;
-    scene.scaled().map(|_| unimplemented!("in progress"))
+    let Settings { method, solver, intervals, tolerance } = *settings;
+    let scaled = scene.scaled()?;
+    let discrete = Discrete::new(&scaled.scene, intervals)?;
+
+    let (nodal, claims_success, words, unknowns, iterations) = if scene.foundation().is_none() {
+        (methods::free_beam(&discrete, method.bending()), true, "no foundation, no programme".to_owned(), 0, 0)
+    } else {
+        let programme = method.programme(&discrete);
+        let answer = solver.run(programme.as_ref(), tolerance);
+        let nodal = method.nodal(&discrete, &answer.x, &answer.gradient);
+        (nodal, answer.claims_success, answer.words, programme.dimension(), answer.iterations)
+    };
+    let state = methods::contact_state(&discrete, nodal);
+
+    let verdict = Kkt::of(&scaled.scene, &state);
+    let status = match verdict {
+        Some(kkt) if kkt.holds() => Status::Certified,
+        _ if claims_success => Status::NotCertified,
+        _ => Status::NotConverged,
+    };
+    Ok(Outcome {
+        state: state.in_units_of(&scaled.scale),
+        status,
+        solver_status: words,
+        solver_claims_success: claims_success,
+        residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
+        unknowns,
+        iterations,
+    })
+}
+
+impl ContactState {
+    /// A dimensionless state in the units of its scene. All factors are powers of two: only exponents change.
+    #[must_use]
+    pub fn in_units_of(self, scale: &Scale) -> Self {
+        let Scale { length, depth, force } = *scale;
+        let times = |values: Vec<f64>, unit: f64| values.into_iter().map(|v| v * unit).collect();
+        let extremes = |e: Extremes, unit: f64| Extremes {
+            max: e.max * unit,
+            max_at: e.max_at * length,
+            min: e.min * unit,
+            min_at: e.min_at * length,
+        };
+        let contact = |c: Contact| Contact {
+            from: c.from * length,
+            to: c.to * length,
+            force: c.force * force,
+            end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
+        };
+        Self {
+            regime: self.regime,
+            reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
+            contacts: self.contacts.into_iter().map(contact).collect(),
+            deflection: extremes(self.deflection, depth),
+            moment: extremes(self.moment, scale.moment()),
+            energy: self.energy * scale.energy(),
+            nodes: self.nodes.map(|nodes| Nodes {
+                bending: nodes.bending,
+                x: times(nodes.x, length),
+                deflection: times(nodes.deflection, depth),
+                clearance: times(nodes.clearance, depth),
+                contact_force: times(nodes.contact_force, force),
+                moment: times(nodes.moment, scale.moment()),
+            }),
+        }
+    }
 }

@@ -88,9 +88,21 @@ impl Extremes {
     }
 }
 
+/// How a discretised beam bends between its nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Bending {
+    /// Finite differences: curvature sits at the nodes, `M_i = −EI (v_{i−1} − 2 v_i + v_{i+1}) / Δ²`.
+    AtNodes,
+    /// Beam elements: with forces at the nodes only, `M` is linear and `v` cubic between them, and both are exact.
+    #[default]
+    Between,
+}
+
 /// Values at the interior nodes of a grid, `x_1 … x_n`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Nodes {
+    /// How the beam bends between them.
+    pub bending: Bending,
     /// Places \[length\].
     pub x: Vec<f64>,
     /// Deflection `v`, positive downwards \[length\].

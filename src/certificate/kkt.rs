@@ -1,0 +1,130 @@
+//! The optimality conditions of a discrete problem as four dimensionless numbers.
+
+use crate::scene::{Grid, Scene};
+use crate::state::{Bending, ContactState, Nodes};
+
+/// A state whose worst residual is at most this is certified.
+///
+/// Nodal contact forces differ from the optimum by up to `‖K‖` times the residual. With 30 intervals and the example of
+/// the paper that is a factor of some 10³, so that 1e-9 in clearance leaves six digits of a nodal force, and more of every
+/// integral quantity.
+pub const CERTIFIED_RESIDUAL: f64 = 1e-9;
+
+/// Violations of (4), (5), (8) by a state, all dimensionless: forces are measured by the sum `P` of all loads or all contact
+/// forces, whichever is larger; lengths by the largest deflection `D`, or depth in contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kkt {
+    /// Feasibility: `max(v_i − u_i) / D`, the deepest penetration at a node.
+    pub penetration: f64,
+    /// Sign of the contact forces: `max(−p_i) / P`, the strongest tension.
+    pub tension: f64,
+    /// Complementarity: `max min(p_i / P, h_i / D)`, force across a clearance.
+    pub complementarity: f64,
+    /// Equilibrium and elasticity: the deflection that the contact forces cause, against that of the state, over `D`;
+    /// and the balance of forces and of moments with the reactions, over `P`.
+    pub equilibrium: f64,
+}
+
+impl Kkt {
+    /// Judges the nodal values of `state` in `scene`; `None` if the state has none, or not as many as it should.
+    #[must_use]
+    pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
+        let nodes = state.nodes.as_ref()?;
+        let n = nodes.contact_force.len();
+        let grid = Grid::uniform(scene, n + 1).ok()?;
+        if nodes.deflection.len() != n {
+            return None;
+        }
+        let loads = grid.nodal_loads(scene.load());
+        let depths = grid.depths(scene);
+        let (v, p) = (&nodes.deflection, &nodes.contact_force);
+
+        let sum = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).sum::<f64>();
+        let force = nonzero(sum(&mut loads.iter().copied()).max(sum(&mut p.iter().copied())));
+        let in_contact = depths.iter().zip(p).filter(|(_, p)| **p != 0.0).map(|(u, _)| u.abs());
+        let depth = nonzero(worst(v.iter().map(|v| v.abs()).chain(in_contact)));
+
+        let clearance = || depths.iter().zip(v).map(|(u, v)| u - v);
+        let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes);
+        let elastic = worst(v.iter().zip(&caused).map(|(v, caused)| (v - caused).abs())) / depth;
+        // Reactions that balance forces, and moments about the left support.
+        let total: f64 = loads.iter().sum::<f64>() - p.iter().sum::<f64>();
+        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+        let lever = |i: usize| i as f64 / (n + 1) as f64;
+        let moment = loads.iter().enumerate().map(|(i, q)| q * lever(i)).sum::<f64>()
+            - p.iter().enumerate().map(|(k, p)| p * lever(k + 1)).sum::<f64>();
+        let balance =
+            worst([total - state.reactions.left - state.reactions.right, moment - state.reactions.right].map(f64::abs));
+
+        Some(Self {
+            penetration: worst(clearance().map(|h| -h)) / depth,
+            tension: worst(p.iter().map(|p| -p)) / force,
+            complementarity: worst(clearance().zip(p).map(|(h, p)| (h / depth).min(p / force))),
+            equilibrium: elastic.max(balance / force),
+        })
+    }
+
+    /// The worst of the four; infinite if any of them is NaN.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        worst([self.penetration, self.tension, self.complementarity, self.equilibrium])
+    }
+
+    /// Whether the state passes.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.residual() <= CERTIFIED_RESIDUAL
+    }
+}
+
+/// The largest of some numbers, at least 0; infinite if one of them is NaN.
+fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |worst, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+}
+
+/// A divisor: 1 where there is nothing to measure by.
+fn nonzero(size: f64) -> f64 {
+    if 0.0 < size { size } else { 1.0 }
+}
+
+/// Deflections at the interior nodes under the loads and the contact forces of a state: moments by statics, then
+/// integration of `v'' = −M/EI` from the left with the right end brought back to zero.
+///
+/// ```text
+/// M_{i+1} = M_i + V_i Δ,   V_i = V_{i−1} − t_i,                  V_0 from M_N = 0
+/// θ_i     = θ_{i−1} − (Δ/EI) c_i,   v_{i+1} = v_i + θ_i Δ        θ_0 from v_N = 0
+/// ```
+///
+/// with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam.
+fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes) -> Vec<f64> {
+    let spacing = grid.spacing();
+    let forces: Vec<f64> = nodes.contact_force.iter().zip(&loads[1..]).map(|(p, q)| q - p).collect();
+    let moment = integrate_twice(&forces, spacing);
+    let angles: Vec<f64> = (1..=forces.len())
+        .map(|i| match nodes.bending {
+            Bending::AtNodes => moment[i],
+            Bending::Between => (moment[i - 1] + 4.0 * moment[i] + moment[i + 1]) / 6.0,
+        })
+        .map(|c| spacing / stiffness * c)
+        .collect();
+    let mut v = integrate_twice(&angles, spacing);
+    v.remove(0);
+    v.pop();
+    v
+}
+
+/// `y_0 … y_N` with `y_0 = y_N = 0` and slopes that fall by `f_i` at node `i`.
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+fn integrate_twice(f: &[f64], spacing: f64) -> Vec<f64> {
+    let intervals = f.len() + 1;
+    // First with a horizontal start, then turned so that the right end comes to zero.
+    let (mut slope, mut height) = (0.0, 0.0);
+    let mut y = vec![0.0];
+    for f in f.iter().copied().chain([0.0]) {
+        height += slope * spacing;
+        slope -= f;
+        y.push(height);
+    }
+    let end = y[intervals];
+    y.iter().enumerate().map(|(i, y)| y - end * (i as f64 / intervals as f64)).collect()
+}

@@ -1,0 +1,8 @@
+//! The judge: how far a state is from solving its discrete problem, from the scene and the state alone.
+//!
+//! The judge is no contestant: it uses no method and no solver. From the contact forces it computes bending moments by
+//! statics and deflections by integration, and compares; from the scene it takes depths and loads anew.
+
+mod kkt;
+
+pub use kkt::{CERTIFIED_RESIDUAL, Kkt};

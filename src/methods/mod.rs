@@ -1,0 +1,59 @@
+//! The three methods of the paper: each turns a scene on a grid into the programme (32) and an answer of the programme
+//! into a [`ContactState`](crate::state::ContactState). They know beams and no algorithm.
+//!
+//! | method | unknown `x` | `A` | `b` | gradient |
+//! |---|---|---|---|---|
+//! | [`Complementarity`], (4)–(16) | clearance `h` | `(EI/Δ⁴) pentadiag(1, −4, 6, −4, 1)` | `A u − q` | pressure `p` |
+//! | [`Displacement`], (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
+//! | [`Force`], (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
+
+mod complementarity;
+mod discrete;
+mod displacement;
+mod force;
+mod mixed;
+mod nodal;
+mod statics;
+
+pub use complementarity::Complementarity;
+pub use discrete::Discrete;
+pub use displacement::Displacement;
+pub use force::{Force, flexibility};
+pub use nodal::{Nodal, contact_state, free_beam};
+
+use crate::problem::Programme;
+use crate::route::Method;
+use crate::state::Bending;
+
+impl Method {
+    /// The programme (32) that this method makes of a scene on a grid.
+    #[must_use]
+    pub fn programme(self, discrete: &Discrete) -> Box<dyn Programme + '_> {
+        match self {
+            Self::Complementarity => Box::new(Complementarity(discrete)),
+            Self::Displacement => Box::new(Displacement(discrete)),
+            Self::Force => Box::new(Force(discrete)),
+        }
+    }
+
+    /// How the beam of this method bends between the nodes.
+    #[must_use]
+    pub fn bending(self) -> Bending {
+        match self {
+            Self::Complementarity => Bending::AtNodes,
+            Self::Displacement | Self::Force => Bending::Between,
+        }
+    }
+
+    /// What an answer `(x, g)` of the programme means for the nodes.
+    #[must_use]
+    pub fn nodal(self, discrete: &Discrete, x: &[f64], gradient: &[f64]) -> Nodal {
+        let (clearance, contact_force) = match self {
+            Self::Complementarity => (x.to_vec(), gradient.iter().map(|p| p * discrete.spacing).collect()),
+            Self::Displacement => (x.to_vec(), gradient.to_vec()),
+            Self::Force => (gradient.to_vec(), x.to_vec()),
+        };
+        let deflection = discrete.depths.iter().zip(&clearance).map(|(u, h)| u - h).collect();
+        Nodal { bending: self.bending(), deflection, clearance, contact_force }
+    }
+}

@@ -1,0 +1,135 @@
+//! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts by neighbourhood, extremes, energy.
+
+use super::{Discrete, statics};
+use crate::state::{Bending, Contact, ContactState, Extremes, Nodes, Reactions, Regime};
+
+/// What an answer means for the interior nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Nodal {
+    /// How the beam bends between the nodes.
+    pub bending: Bending,
+    /// Deflection `v_1 … v_n`.
+    pub deflection: Vec<f64>,
+    /// Clearance `h = u − v`.
+    pub clearance: Vec<f64>,
+    /// Contact forces.
+    pub contact_force: Vec<f64>,
+}
+
+/// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
+const NO_FORCE: f64 = 1e-12;
+
+/// The beam under nodal loads with no foundation: `v = C q`, no programme and no solver.
+#[must_use]
+pub fn free_beam(discrete: &Discrete, bending: Bending) -> Nodal {
+    let deflection = discrete.deflection(discrete.interior_loads(), bending);
+    Nodal {
+        bending,
+        clearance: discrete.clearances(&deflection),
+        contact_force: vec![0.0; deflection.len()],
+        deflection,
+    }
+}
+
+/// The state of the beam that nodal values describe.
+#[must_use]
+pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
+    let Discrete { intervals, spacing, stiffness, .. } = *discrete;
+    let loads = discrete.interior_loads();
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    let place = |i: usize| spacing * intervals as f64 * i as f64 / intervals as f64;
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    let share = |i: usize| i as f64 / intervals as f64;
+
+    let carried: Vec<f64> = loads.iter().zip(&nodal.contact_force).map(|(q, p)| q - p).collect();
+    let moments = statics::moments(&carried, spacing);
+    let right: f64 = carried.iter().enumerate().map(|(k, t)| t * share(k + 1)).sum();
+    let left: f64 = carried.iter().enumerate().map(|(k, t)| t * share(intervals - k - 1)).sum();
+    // J(v) = ½ tᵀv − qᵀv, since v = C t.
+    let energy = carried.iter().zip(loads).zip(&nodal.deflection).map(|((t, q), v)| (0.5 * t - q) * v).sum();
+
+    let sizes = discrete.sizes();
+    let contacts = contacts(&nodal, sizes.x, sizes.gradient, place);
+    let at_nodes = std::iter::once((0.0, 0.0))
+        .chain(nodal.deflection.iter().enumerate().map(|(k, &v)| (place(k + 1), v)))
+        .chain([(place(intervals), 0.0)]);
+    let deflection = match nodal.bending {
+        Bending::AtNodes => Extremes::of(at_nodes),
+        Bending::Between => {
+            let within = cubic_extremes(&nodal.deflection, &moments, spacing, stiffness);
+            Extremes::of(at_nodes.chain(within.map(|(k, s, v)| (place(k) + s * spacing, v))))
+        }
+    };
+    ContactState {
+        regime: Regime::of(&contacts),
+        reactions: Reactions { left: left + discrete.loads[0], right: right + discrete.loads[intervals] },
+        contacts,
+        deflection,
+        moment: Extremes::of(moments.iter().enumerate().map(|(i, &m)| (place(i), m))),
+        energy,
+        nodes: Some(Nodes {
+            bending: nodal.bending,
+            x: (1..intervals).map(place).collect(),
+            deflection: nodal.deflection,
+            clearance: nodal.clearance,
+            contact_force: nodal.contact_force,
+            moment: moments[1..intervals].to_vec(),
+        }),
+    }
+}
+
+/// Runs of neighbouring nodes in contact, each a zone, or a point if it is a single node.
+///
+/// A node is in contact if its force, measured by all forces, is larger than its clearance, measured by the deflection:
+/// the natural reading of an answer in which both are small positive numbers.
+fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64) -> Vec<Contact> {
+    let mut contacts: Vec<Contact> = Vec::new();
+    let mut previous = false;
+    for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
+        let touches = NO_FORCE * force < p && h / depth < p / force;
+        let at = place(k + 1);
+        match contacts.last_mut() {
+            Some(run) if touches && previous => {
+                run.to = at;
+                run.force += p;
+            }
+            _ if touches => contacts.push(Contact { from: at, to: at, force: p, end_forces: None }),
+            _ => {}
+        }
+        previous = touches;
+    }
+    contacts
+}
+
+/// Stationary points of the cubic deflection inside the intervals: `(interval, s, v)` with `0 < s < 1`.
+fn cubic_extremes<'a>(
+    deflection: &'a [f64],
+    moments: &'a [f64],
+    spacing: f64,
+    stiffness: f64,
+) -> impl Iterator<Item = (usize, f64, f64)> + 'a {
+    let n = deflection.len();
+    let at = move |i: usize| if i == 0 || i == n + 1 { 0.0 } else { deflection[i - 1] };
+    let unit = spacing * spacing / (6.0 * stiffness);
+    (0..=n).flat_map(move |k| {
+        // With s from 0 to 1, r = 1 − s and m = M Δ²/(6 EI):
+        //   v = v₀ r + v₁ s + m₀ r (1 − r²) + m₁ s (1 − s²),   v' = v₁ − v₀ − m₀ (1 − 3 r²) + m₁ (1 − 3 s²).
+        let (v0, v1, m0, m1) = (at(k), at(k + 1), unit * moments[k], unit * moments[k + 1]);
+        let roots = quadratic_roots(3.0 * (m0 - m1), -6.0 * m0, v1 - v0 + 2.0 * m0 + m1);
+        roots.into_iter().flatten().filter(|s| 0.0 < *s && *s < 1.0).map(move |s| {
+            let r = 1.0 - s;
+            (k, s, v0 * r + v1 * s + m0 * r * (1.0 - r * r) + m1 * s * (1.0 - s * s))
+        })
+    })
+}
+
+/// Real roots of `a s² + b s + c`, without cancellation.
+fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant.is_nan() || discriminant < 0.0 {
+        return [None, None];
+    }
+    let q = -0.5 * (b + discriminant.sqrt().copysign(b));
+    let finite = |root: f64| root.is_finite().then_some(root);
+    [finite(q / a), finite(c / q)]
+}

@@ -1,0 +1,75 @@
+//! The quadratic programme (32), in plain mathematics:
+//!
+//! ```text
+//! minimise ½ xᵀ A x − bᵀ x   subject to   x ≥ 0
+//!           (n,n)   (n)
+//!
+//! gradient     g = A x − b                                            (33)
+//! optimality   x ≥ 0,  g ≥ 0,  x_i g_i = 0                            (34), (35)
+//! ```
+//!
+//! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows no beam: what a variable
+//! means is the business of [`crate::methods`], how the optimum is found that of [`crate::solvers`].
+
+mod ldl;
+mod matrix;
+
+pub use ldl::{Band, NotPositiveDefinite};
+pub use matrix::{Matrix, UpperColumns};
+
+/// A programme (32) that can use its structure.
+pub trait Programme {
+    /// `n`, the number of variables; at least 1.
+    fn dimension(&self) -> usize;
+
+    /// The matrix `A`, shape (n, n), banded where it is.
+    fn matrix(&self) -> Matrix;
+
+    /// The vector `b`, length n.
+    fn linear(&self) -> Vec<f64>;
+
+    /// The gradient `g = A x − b` (33), length n.
+    ///
+    /// An implementation uses the structure of its problem, so that fewer digits are lost than by the product.
+    fn gradient(&self, x: &[f64]) -> Vec<f64>;
+
+    /// Step 1° of the paper's algorithm on the free variables: `x_i = 0` where `free[i]` is false, `g_i = 0` where it is
+    /// true.
+    ///
+    /// # Errors
+    ///
+    /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
+    fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite>;
+
+    /// Sizes with which `x` and `g` become dimensionless numbers of order one.
+    fn sizes(&self) -> Sizes;
+}
+
+/// A point that is stationary on a face of the feasible set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stationary {
+    /// `x`, zero where it is not free.
+    pub x: Vec<f64>,
+    /// `g`, zero where `x` is free.
+    pub gradient: Vec<f64>,
+}
+
+/// Sizes of the variables and of the gradient, both positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// Size of `x`.
+    pub x: f64,
+    /// Size of `g`.
+    pub gradient: f64,
+}
+
+/// How far `(x, g)` is from optimality: `max_i |min(x_i / X, g_i / G)|`, with the [`Sizes`] `X` and `G`.
+///
+/// Zero if and only if (34), (35) hold. Infinite for NaN, which `max` alone would overlook.
+#[must_use]
+pub fn residual(sizes: Sizes, x: &[f64], gradient: &[f64]) -> f64 {
+    x.iter().zip(gradient).fold(0.0, |worst: f64, (x, g)| {
+        let (x, g) = (x / sizes.x, g / sizes.gradient);
+        if x.is_nan() || g.is_nan() { f64::INFINITY } else { worst.max(x.min(g).abs()) }
+    })
+}

@@ -1,0 +1,69 @@
+//! The interior-point library `clarabel`: translation to its form and back, nothing else.
+//!
+//! ```text
+//! minimise ½ yᵀ P y + qᵀ y   subject to   −y + s = 0,  s ≥ 0
+//! ```
+//!
+//! with dimensionless `y = x/X`, `P = A X/G`, `q = −b/G`, where `X` and `G` are the sizes of variable and gradient. The
+//! multipliers `z` of `y ≥ 0` are the gradient.
+
+use ::clarabel::algebra::CscMatrix;
+use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus};
+
+use super::{Answer, too_large};
+use crate::problem::{Programme, UpperColumns};
+
+/// Settings chosen for accuracy.
+fn settings(tolerance: f64) -> DefaultSettings<f64> {
+    // The residual min(x, g) of a pair is bounded by the square root of its product, and the gap is a sum of products:
+    // the gap has to go below what is asked of the residual. 1e-14 is the least that the library reaches reliably.
+    let tolerance = (1e-3 * tolerance).max(1e-14);
+    DefaultSettings {
+        verbose: false,
+        max_iter: 200,
+        tol_gap_abs: tolerance,
+        tol_gap_rel: tolerance,
+        tol_feas: tolerance,
+        // "AlmostSolved" shall not mean less than "Solved" with the defaults of the library.
+        reduced_tol_gap_abs: 1e-8,
+        reduced_tol_gap_rel: 1e-8,
+        reduced_tol_feas: 1e-8,
+        // The programme is dimensionless already, and equilibration would shift the meaning of the tolerances.
+        equilibrate_enable: false,
+        // One thread and one factorisation, so that the same bits come out on every run.
+        max_threads: 1,
+        direct_solve_method: "qdldl".to_owned(),
+        ..DefaultSettings::default()
+    }
+}
+
+/// Solves with clarabel.
+pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
+    if let Some(refusal) = too_large(programme) {
+        return refusal;
+    }
+    let n = programme.dimension();
+    let sizes = programme.sizes();
+    let UpperColumns { starts, rows, values } = programme.matrix().upper_columns(sizes.x / sizes.gradient);
+    let linear: Vec<f64> = programme.linear().iter().map(|b| -b / sizes.gradient).collect();
+    if !values.iter().chain(&linear).all(|v| v.is_finite()) {
+        return Answer::refused(n, "not tried: the programme has numbers that are not finite".to_owned());
+    }
+    let quadratic = CscMatrix::new(n, n, starts, rows, values);
+    let bounds = CscMatrix::new(n, n, (0..=n).collect(), (0..n).collect(), vec![-1.0; n]);
+    let cones = [NonnegativeConeT(n)];
+    let mut solver = match DefaultSolver::new(&quadratic, &linear, &bounds, &vec![0.0; n], &cones, settings(tolerance))
+    {
+        Ok(solver) => solver,
+        Err(error) => return Answer::refused(n, error.to_string()),
+    };
+    solver.solve();
+    let solution = &solver.solution;
+    Answer {
+        x: solution.x.iter().map(|y| y * sizes.x).collect(),
+        gradient: solution.z.iter().map(|z| z * sizes.gradient).collect(),
+        claims_success: matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved),
+        words: format!("{:?}", solution.status),
+        iterations: solution.iterations as usize,
+    }
+}

@@ -1,0 +1,58 @@
+//! Solvers of the programme (32): two of the paper and one of ours by hand, two libraries. They know algorithms, and of
+//! the programme only what [`Programme`] says.
+
+mod active_set;
+mod clarabel;
+mod four_step;
+mod nsor;
+mod osqp;
+
+use crate::problem::Programme;
+use crate::route::Solver;
+
+/// What a solver hands back. None of it is believed before the judge has seen it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The variables `x`, length n.
+    pub x: Vec<f64>,
+    /// The gradient `g`, or the multipliers of `x ≥ 0` where the solver has its own, length n.
+    pub gradient: Vec<f64>,
+    /// True if the solver says that it reached the optimum.
+    pub claims_success: bool,
+    /// The end of the run in the solver's own words.
+    pub words: String,
+    /// Steps, pivots, sweeps or iterations.
+    pub iterations: usize,
+}
+
+impl Answer {
+    /// An answer of a solver that could not even start.
+    fn refused(n: usize, words: String) -> Self {
+        Self { x: vec![f64::NAN; n], gradient: vec![f64::NAN; n], claims_success: false, words, iterations: 0 }
+    }
+}
+
+impl Solver {
+    /// Solves `programme`. `tolerance` is the scaled residual at which an iterative solver may stop.
+    #[must_use]
+    pub fn run(self, programme: &dyn Programme, tolerance: f64) -> Answer {
+        match self {
+            Self::FourStep => four_step::solve(programme),
+            Self::ActiveSet => active_set::solve(programme),
+            Self::Nsor => nsor::solve(programme, tolerance),
+            Self::Clarabel => clarabel::solve(programme, tolerance),
+            Self::Osqp => osqp::solve(programme, tolerance),
+        }
+    }
+}
+
+/// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
+/// 32 MB, and its factors as much again.
+const LARGEST_MATRIX: usize = 2000;
+
+/// The refusal of a solver that would need a larger matrix, if it would.
+fn too_large(programme: &dyn Programme) -> Option<Answer> {
+    let n = programme.dimension();
+    let words = || format!("not tried: a matrix of {n} unknowns, {LARGEST_MATRIX} is the limit of this solver");
+    (LARGEST_MATRIX < n).then(|| Answer::refused(n, words()))
+}

@@ -1,0 +1,89 @@
+//! The operator-splitting library `osqp`: translation to its form and back, nothing else.
+//!
+//! ```text
+//! minimise ½ yᵀ P y + qᵀ y   subject to   0 ≤ y ≤ ∞
+//! ```
+//!
+//! with dimensionless `y = x/X`, `P = A X/G`, `q = −b/G`, where `X` and `G` are the sizes of variable and gradient. Its
+//! multipliers are the gradient with the opposite sign.
+
+use ::osqp::{CscMatrix, Problem, Settings, Status};
+
+use super::{Answer, too_large};
+use crate::problem::{Programme, UpperColumns};
+
+/// What the library takes for infinity (`OSQP_INFTY`).
+const INFINITY: f64 = 1e30;
+
+/// Budget of a run in multiplications: the limit on iterations follows from it, so that no clock is needed.
+const MULTIPLICATIONS: usize = 1 << 31;
+
+/// Settings chosen for accuracy and for the same bits on every run.
+fn settings(tolerance: f64, entries: usize) -> Settings {
+    let iterations = (MULTIPLICATIONS / entries.max(1)).clamp(1000, 200_000);
+    Settings::default()
+        .verbose(false)
+        .eps_abs(tolerance)
+        .eps_rel(0.0)
+        .max_iter(u32::try_from(iterations).unwrap_or(u32::MAX))
+        // By default the interval is taken from a clock.
+        .adaptive_rho(true)
+        .adaptive_rho_interval(Some(25))
+        .check_termination(Some(25))
+        .polish(true)
+        .polish_refine_iter(20)
+}
+
+/// Solves with osqp.
+pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
+    if let Some(refusal) = too_large(programme) {
+        return refusal;
+    }
+    let n = programme.dimension();
+    let sizes = programme.sizes();
+    let matrix = programme.matrix();
+    let UpperColumns { starts, rows, values } = matrix.upper_columns(sizes.x / sizes.gradient);
+    let linear: Vec<f64> = programme.linear().iter().map(|b| -b / sizes.gradient).collect();
+    // The library takes NaN without complaint and calls x = 0 solved.
+    if !values.iter().chain(&linear).all(|v| v.is_finite()) {
+        return Answer::refused(n, "not tried: the programme has numbers that are not finite".to_owned());
+    }
+    let quadratic = CscMatrix { nrows: n, ncols: n, indptr: starts.into(), indices: rows.into(), data: values.into() };
+    let identity = CscMatrix {
+        nrows: n,
+        ncols: n,
+        indptr: (0..=n).collect::<Vec<_>>().into(),
+        indices: (0..n).collect::<Vec<_>>().into(),
+        data: vec![1.0; n].into(),
+    };
+    let settings = settings(tolerance, matrix.entries());
+    let problem = Problem::new(quadratic, &linear, identity, &vec![0.0; n], &vec![INFINITY; n], &settings);
+    let mut problem = match problem {
+        Ok(problem) => problem,
+        Err(error) => return Answer::refused(n, error.to_string()),
+    };
+    let status = problem.solve();
+    let iterations = status.iter() as usize;
+    let (words, solution) = match &status {
+        Status::Solved(solution) => ("Solved", Some(solution)),
+        Status::SolvedInaccurate(solution) => ("SolvedInaccurate", Some(solution)),
+        Status::MaxIterationsReached(solution) => ("MaxIterationsReached", Some(solution)),
+        Status::TimeLimitReached(solution) => ("TimeLimitReached", Some(solution)),
+        Status::PrimalInfeasible(_) => ("PrimalInfeasible", None),
+        Status::PrimalInfeasibleInaccurate(_) => ("PrimalInfeasibleInaccurate", None),
+        Status::DualInfeasible(_) => ("DualInfeasible", None),
+        Status::DualInfeasibleInaccurate(_) => ("DualInfeasibleInaccurate", None),
+        Status::NonConvex(_) => ("NonConvex", None),
+        _ => ("a status that is not documented", None),
+    };
+    let Some(solution) = solution else {
+        return Answer { iterations, ..Answer::refused(n, words.to_owned()) };
+    };
+    Answer {
+        x: solution.x().iter().map(|y| y * sizes.x).collect(),
+        gradient: solution.y().iter().map(|y| -y * sizes.gradient).collect(),
+        claims_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
+        words: words.to_owned(),
+        iterations,
+    }
+}
