@@ -8,5 +8,6 @@ pub mod scene;
 mod solve;
 pub mod solvers;
 pub mod state;
+pub mod theory;
 
 pub use solve::{DEFAULT_TOLERANCE, Settings, solve};
