@@ -4,5 +4,6 @@ pub mod route;
 pub mod scene;
 mod solve;
 pub mod state;
+pub mod verification;
 
 pub use solve::{Settings, solve};
