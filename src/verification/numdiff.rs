@@ -120,7 +120,8 @@ fn compare_lines(expected: &str, actual: &str, rule: Rule, inside_tag: &mut bool
         let pixels = rule == Rule::Svg && in_tag;
         match (a.number, b.number) {
             (Some(x), Some(y)) if pixels || !(x.is_integer() && y.is_integer()) => {
-                if !x.within_one_unit(&y) {
+                let same = x.within_one_unit(&y);
+                if !same {
                     return Some(Mismatch::Number { expected: a.text.to_owned(), actual: b.text.to_owned() });
                 }
             }
