@@ -1,2 +1,2 @@
-//! x
+//! The command line, to be written.
 fn main() {}

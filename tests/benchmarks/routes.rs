@@ -1,2 +1,2 @@
-//! x
+//! Benchmarks of every route, to be written.
 fn main() {}

@@ -1,2 +1,2 @@
-//! x
+//! Tasks of the repository.
 fn main() {}

@@ -1,0 +1,148 @@
+//! Who may know whom, and who may touch the world.
+
+use std::collections::BTreeMap;
+
+use super::text::{code, files, first_word_of, none, offenders, words};
+
+/// Words of mechanics. `solvers` and `problem` know the programme (32) and nothing of what it stands for.
+const MECHANICS: [&str; 14] = [
+    "beam",
+    "beams",
+    "scene",
+    "scenes",
+    "moment",
+    "moments",
+    "foundation",
+    "foundations",
+    "deflection",
+    "deflections",
+    "bending",
+    "clearance",
+    "pressure",
+    "methods",
+];
+
+/// Every name of a solver or of the room they are in.
+const SOLVERS: [&str; 11] = [
+    "solvers",
+    "solver",
+    "four_step",
+    "fourstep",
+    "active_set",
+    "activeset",
+    "nsor",
+    "psor",
+    "clarabel",
+    "osqp",
+    "route",
+];
+
+/// The rooms that a test below asks about. A room is asked as soon as it has a file; those marked `true` must have one.
+const ROOMS: [(&str, bool); 6] = [
+    ("src/scene", true),
+    ("src/solvers", false),
+    ("src/problem", false),
+    ("src/methods", false),
+    ("src/certificate", false),
+    ("src/theory", false),
+];
+
+/// The Rust files of a room of [`ROOMS`]; none if it is not built yet.
+#[track_caller]
+fn room(name: &str) -> BTreeMap<String, String> {
+    let (_, built) = ROOMS.iter().find(|(room, _)| *room == name).unwrap_or_else(|| panic!("{name} is not in ROOMS"));
+    let mut found = files(name, ".rs");
+    found.extend(files(&format!("{name}.rs"), ".rs"));
+    assert!(!built || !found.is_empty(), "{name} is said to be built, but no file of it was read: correct ROOMS");
+    found
+}
+
+#[test]
+fn rooms_that_are_built_are_read() {
+    for (name, built) in ROOMS {
+        assert!(!built || !room(name).is_empty(), "{name}: correct ROOMS");
+    }
+}
+
+#[test]
+fn solvers_never_mention_a_beam() {
+    for name in ["src/solvers", "src/problem"] {
+        let found = offenders(&room(name), |line| {
+            first_word_of(line, &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
+        });
+        none(&found, "solvers know algorithms and no beam");
+    }
+}
+
+#[test]
+fn methods_never_name_a_solver() {
+    let found = offenders(&room("src/methods"), |line| {
+        first_word_of(line, &SOLVERS).map(|word| format!("`{word}` is a solver"))
+    });
+    none(&found, "methods know beams and no algorithm");
+}
+
+#[test]
+fn the_certificate_uses_neither_methods_nor_solvers() {
+    let found = offenders(&room("src/certificate"), |line| {
+        first_word_of(code(line), &["methods", "solvers", "route"]).map(|word| format!("uses `{word}`"))
+    });
+    none(&found, "the judge is no contestant");
+}
+
+#[test]
+fn theory_uses_no_grid() {
+    let found = offenders(&room("src/theory"), |line| {
+        first_word_of(code(line), &["grid", "methods"]).map(|word| format!("uses `{word}`"))
+    });
+    none(&found, "theory has free lift-off points and no grid");
+}
+
+/// Modules of the standard library that reach the world, and types that read a clock.
+const WORLD: [&str; 7] = ["fs", "io", "env", "net", "process", "time", "thread"];
+const CLOCKS: [&str; 2] = ["Instant", "SystemTime"];
+const PRINTS: [&str; 5] = ["println", "print", "eprintln", "eprint", "dbg"];
+
+/// What a line of library code does that only the outer rooms may do.
+fn reaches_out(line: &str) -> Option<String> {
+    let code = code(line);
+    let mut previous = "";
+    for word in words(code) {
+        // `std::fs` as well as `use std::{fmt, fs}`.
+        if WORLD.contains(&word) && (previous == "std" || code.contains("use std::{")) {
+            return Some(format!("uses `std::{word}`"));
+        }
+        if CLOCKS.contains(&word) {
+            return Some(format!("reads a clock, `{word}`"));
+        }
+        if PRINTS.contains(&word) && code.contains(&format!("{word}!")) {
+            return Some(format!("prints, `{word}!`"));
+        }
+        previous = word;
+    }
+    None
+}
+
+#[test]
+fn the_library_does_no_io_reads_no_clock_and_prints_nothing() {
+    let mut library = files("src", ".rs");
+    library.retain(|path, _| path != "src/main.rs" && !path.starts_with("src/cli/"));
+    assert!(library.contains_key("src/lib.rs"), "the library was read");
+    none(&offenders(&library, reaches_out), "only main, cli and xtask reach the outer world");
+}
+
+#[test]
+fn reaching_out_is_recognised() {
+    for line in [
+        "use std::fs;",
+        "use std::{fmt, io};",
+        "let t = std::time::Duration::ZERO;",
+        "    let start = Instant::now();",
+        "println!(\"x\");",
+    ] {
+        assert!(reaches_out(line).is_some(), "{line}");
+    }
+    for line in ["use std::fmt;", "// std::fs is not used", "let time = 1.0;", "fn print(&self) {}"] {
+        assert_eq!(reaches_out(line), None, "{line}");
+    }
+}

@@ -1,0 +1,6 @@
+//! The invariants of ARCHITECTURE.md, asked of the source text.
+
+mod layers;
+mod snapshots;
+mod text;
+mod tree;

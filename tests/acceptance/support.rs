@@ -1,0 +1,44 @@
+//! The one place that configures insta: snapshots are tables for a person, compared as printed numbers.
+
+use insta::Snapshot;
+use insta::comparator::Comparator;
+use palkki::verification::numdiff;
+
+/// Compares a table with its snapshot by [`numdiff`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Numdiff;
+
+impl Comparator for Numdiff {
+    fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
+        let (Some(expected), Some(actual)) = (reference.as_text(), test.as_text()) else {
+            return false;
+        };
+        let outcome = numdiff(&expected.to_string(), &actual.to_string());
+        #[expect(clippy::print_stderr, reason = "insta shows both texts, but not which number made the difference")]
+        if let Err(difference) = &outcome {
+            eprintln!("{difference}");
+        }
+        outcome.is_ok()
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(*self)
+    }
+}
+
+/// Asserts that a table equals the snapshot `snapshots/<name>.snap` as far as it is printed.
+///
+/// The name and the description are literals: a test reads the names of all snapshots from the source.
+/// A macro and no function, so that `source:` in the snapshot names the real test.
+macro_rules! assert_table {
+    ($name:literal, $description:literal, $table:expr $(,)?) => {
+        insta::with_settings!({
+            snapshot_path => concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"),
+            prepend_module_to_snapshot => false,
+            omit_expression => true,
+            description => $description,
+            comparator => Box::new($crate::support::Numdiff),
+        }, { insta::assert_snapshot!($name, $table) })
+    };
+}
+pub(crate) use assert_table;

@@ -1,0 +1,42 @@
+//! The words that command line, JSON and report share: users' scripts rely on them.
+
+use std::collections::BTreeSet;
+
+use palkki::route::{Method, Solver, Status};
+use palkki::state::Regime;
+
+use crate::support::assert_table;
+
+const STATUSES: [Status; 3] = [Status::Certified, Status::NotCertified, Status::NotConverged];
+const REGIMES: [Regime; 3] = [Regime::None, Regime::Points, Regime::Zone];
+
+#[test]
+fn words_do_not_change_unnoticed() {
+    let row = |kind: &str, words: &[&str]| format!("{kind:<8} {}\n", words.join(" "));
+    let table = [
+        row("method", &Method::ALL.map(Method::word)),
+        row("solver", &Solver::ALL.map(Solver::word)),
+        row("status", &STATUSES.map(Status::word)),
+        row("regime", &REGIMES.map(Regime::word)),
+    ]
+    .concat();
+    assert_table!("words", "What command line, JSON and report call things", table);
+}
+
+#[test]
+fn no_two_things_share_a_word() {
+    let mut words = Method::ALL.map(Method::word).to_vec();
+    words.extend(Solver::ALL.map(Solver::word));
+    words.extend(STATUSES.map(Status::word));
+    words.extend(REGIMES.map(Regime::word));
+    assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), words.len(), "{words:?}");
+}
+
+#[test]
+fn display_prints_the_word_padded() {
+    assert_eq!(
+        format!("{:>6}|{:<12}|", Method::Force, Solver::ActiveSet),
+        " force|active-set  |",
+        "columns of a table"
+    );
+}
