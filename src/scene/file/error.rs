@@ -53,9 +53,10 @@ impl FileError {
         let title = Level::ERROR.primary_title(title);
         let group = match &self.place {
             Some(place) if place.text.len() <= LONGEST_LINE => title.element(
-                Snippet::source(&*place.text).path(file).line_start(place.line).annotation(
-                    AnnotationKind::Primary.span(place.marked.clone()).label(expected),
-                ),
+                Snippet::source(&*place.text)
+                    .path(file)
+                    .line_start(place.line)
+                    .annotation(AnnotationKind::Primary.span(place.marked.clone()).label(expected)),
             ),
             Some(place) => note(title.element(Origin::path(file).line(place.line).char_column(place.column)), expected),
             None => note(title.element(Origin::path(file)), expected),

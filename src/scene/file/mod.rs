@@ -44,10 +44,7 @@ pub fn parse(
         return Err(Box::new(FileError::whole(name, Problem::Empty)));
     }
     let source = Source { name, text };
-    let document = DeTable::parse(text).map_err(|e| {
-        let end = text.len();
-        source.error(e.span().unwrap_or(end..end), Problem::Syntax { message: e.message().to_owned() })
-    })?;
+    let document = DeTable::parse(text).map_err(|e| source.syntax(&e))?;
     let parts = read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
     let (foundation, survey) = match parts.foundation {
         None => (None, None),
@@ -73,6 +70,17 @@ struct Source<'a> {
 impl Source<'_> {
     fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
         Box::new(FileError::at(self.name, self.text, span, problem))
+    }
+
+    fn syntax(&self, error: &toml::de::Error) -> Box<FileError> {
+        let end = self.text.len();
+        let span = error.span().unwrap_or(end..end);
+        let problem = match (error.message(), self.text.get(span.clone())) {
+            // The one error of meaning that the TOML parser finds; it leaves the key to the picture.
+            ("duplicate key", Some(key)) => Problem::KeyTwice { key: key.to_owned() },
+            (message, _) => Problem::Syntax { message: message.trim_end_matches(", expected nothing").to_owned() },
+        };
+        self.error(span, problem)
     }
 }
 

@@ -50,10 +50,16 @@ pub enum Problem {
     #[error("the file is empty")]
     Empty,
     /// Not TOML.
-    #[error("{message}")]
+    #[error("not valid TOML: {message}")]
     Syntax {
         /// In the words of the TOML parser, which also says what it expected.
         message: String,
+    },
+    /// A key or a table for the second time.
+    #[error("the key `{key}` is there twice")]
+    KeyTwice {
+        /// The key.
+        key: String,
     },
     /// A key that means nothing here.
     #[error("unknown key {key:?} {}", in_table(table))]
@@ -146,6 +152,7 @@ impl Problem {
             Self::MissingKey { key, expected: "a table", .. } => Some(format!("expected a table `[{key}]`")),
             Self::MissingKey { key, expected, .. } => Some(format!("expected `{key} = …`, {expected}")),
             Self::BeyondRange { .. } => Some(format!("expected a magnitude of at most {:e}", f64::MAX)),
+            Self::KeyTwice { .. } => Some("expected only once".to_owned()),
             Self::NoFoundationKind { .. } => Some("expected exactly one of them, or no [foundation] at all".to_owned()),
             Self::SeveralFoundationKinds { .. } => Some("expected exactly one of them".to_owned()),
             Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
