@@ -1,2 +1,7 @@
-//! The command line, to be written.
-fn main() {}
+//! The command line of `palkki`.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::run()
+}

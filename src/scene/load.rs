@@ -109,6 +109,14 @@ impl Load {
         self.uniform.abs() * length + linear + point
     }
 
+    /// Resultant of all parts, positive downwards: `q₀ l + Σ (start + end)/2 (to − from) + Σ force` \[force\].
+    #[must_use]
+    pub fn resultant(&self, length: f64) -> f64 {
+        let linear: f64 = self.linear.iter().map(|q| 0.5 * (q.start + q.end) * (q.to - q.from)).sum();
+        let point: f64 = self.point.iter().map(|p| p.force).sum();
+        self.uniform * length + linear + point
+    }
+
     /// The same loads in units of `length` and `force`, both powers of two, so that nothing is rounded.
     pub(super) fn scaled(&self, length: f64, force: f64) -> Self {
         let density = |q: f64| q / force * length;

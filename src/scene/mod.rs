@@ -2,6 +2,7 @@
 
 mod beam;
 mod error;
+pub mod file;
 mod foundation;
 mod grid;
 mod load;

@@ -2,5 +2,7 @@
 
 mod support;
 
+mod bad_input;
 mod invariants;
+mod scene_file;
 mod words;

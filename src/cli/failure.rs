@@ -1,0 +1,65 @@
+//! Why there is no answer at all: exit code 2.
+
+use std::io;
+use std::path::PathBuf;
+
+use palkki::scene::file::FileError;
+
+use super::exact;
+
+/// Why the program ends without an answer.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Failure {
+    /// Options that do not go together.
+    #[error("{message}")]
+    Usage {
+        /// The subcommand that they were given to.
+        command: &'static str,
+        kind: clap::error::ErrorKind,
+        message: String,
+    },
+    /// The scene is none, or cannot be solved; the message has its picture.
+    #[error("{0}")]
+    File(#[from] Box<FileError>),
+    /// Theory has no solution for this scene.
+    #[error("exact theory is not available for this scene: {0}; choose another --method")]
+    NoTheory(exact::NotAvailable),
+    /// There is nothing to write into the file of `--csv`.
+    #[error("this answer has no values along the beam to write")]
+    NoTable,
+    /// There is no figure.
+    #[error("--plot is not available yet")]
+    NoPlot,
+    /// A place to which no file can be written.
+    #[error("cannot write {path:?}: {problem}")]
+    NoPlace {
+        /// The place.
+        path: PathBuf,
+        problem: PlaceProblem,
+    },
+    /// The operating system refused to write.
+    #[error("cannot write {path:?}: {error}")]
+    Write {
+        /// The file.
+        path: PathBuf,
+        error: io::Error,
+    },
+    /// Standard output failed, and not because its reader had enough.
+    #[error("cannot print the answer: {0}")]
+    Print(io::Error),
+}
+
+/// What is wrong with a place to write to.
+#[derive(Debug, Clone, Copy, thiserror::Error)]
+pub(super) enum PlaceProblem {
+    #[error("there is no such directory")]
+    NoDirectory,
+    #[error("it is not a regular file")]
+    NotAFile,
+    #[error("it is the scene itself, or its survey")]
+    TheInput,
+    #[error("it is named twice")]
+    Twice,
+    #[error("it is not the name of a file")]
+    NoName,
+}

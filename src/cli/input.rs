@@ -1,0 +1,76 @@
+//! Reading: a scene file and the survey that it may name.
+
+use std::cell::RefCell;
+use std::fs::File;
+use std::io::{self, Read as _};
+use std::path::{Path, PathBuf};
+
+use palkki::scene::file::{FileError, Problem, ReadProblem, parse};
+use palkki::scene::{Scene, SceneError};
+
+use super::failure::Failure;
+
+/// Bytes of the largest file that is read; a survey of this size has some millions of points.
+const LARGEST: u64 = 64 * 1024 * 1024;
+
+/// A scene with the files that it came from.
+#[derive(Debug)]
+pub(super) struct Input {
+    /// The scene file as messages call it.
+    pub(super) name: String,
+    /// The scene.
+    pub(super) scene: Scene,
+    /// The files that were read.
+    pub(super) files: Vec<PathBuf>,
+}
+
+impl Input {
+    /// Reads the scene file `path`.
+    pub(super) fn read(path: &Path) -> Result<Self, Failure> {
+        let name = path.display().to_string();
+        let text = read(path).map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
+        let files = RefCell::new(vec![path.to_owned()]);
+        let scene = parse(&name, &text, |survey| {
+            let survey = path.with_file_name(survey);
+            let text = read(&survey);
+            files.borrow_mut().push(survey);
+            text
+        })?;
+        Ok(Self { name, scene, files: files.into_inner() })
+    }
+
+    /// What the scene is called: by its title, or else by its file.
+    pub(super) fn title(&self) -> &str {
+        if self.scene.title().is_empty() { &self.name } else { self.scene.title() }
+    }
+
+    /// An error that only showed when the scene was solved.
+    pub(super) fn error(&self, error: SceneError) -> Failure {
+        Failure::File(Box::new(FileError::whole(&self.name, Problem::Scene { error, quantity: None })))
+    }
+}
+
+/// A file as text.
+fn read(path: &Path) -> Result<String, ReadProblem> {
+    let refused = |error: io::Error| match error.kind() {
+        io::ErrorKind::NotFound => ReadProblem::Missing,
+        io::ErrorKind::IsADirectory => ReadProblem::Directory,
+        kind => ReadProblem::Refused(kind),
+    };
+    let file = File::open(path).map_err(refused)?;
+    if file.metadata().map_err(refused)?.is_dir() {
+        return Err(ReadProblem::Directory);
+    }
+    let mut bytes = Vec::new();
+    // One byte more, to see that there is more. The size that a file claims is no help: a device claims none.
+    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(refused)?;
+    if usize::try_from(LARGEST).is_ok_and(|limit| limit < bytes.len()) {
+        return Err(ReadProblem::TooLarge { limit: LARGEST });
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let (good, _) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
+        let good = String::from_utf8_lossy(good);
+        let column = good.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
+        ReadProblem::NotText { line: good.matches('\n').count() + 1, column }
+    })
+}

@@ -1,0 +1,180 @@
+//! Answers as JSON. `serde_json` prints an `f64` with as many digits as it takes to read the same number back, and
+//! `null` for one that is not finite: the clearance where there is no foundation, a difference relative to zero.
+
+use palkki::state::{Contact, ContactState, Extremes, Nodes};
+use serde::Serialize;
+
+use super::answer::Answer;
+use super::compare::{Comparison, Difference};
+use super::input::Input;
+
+/// Grids with more intervals are printed without their nodes, unless these are asked for.
+const MOST_INTERVALS_WITH_NODES: usize = 10_000;
+
+/// The answer of `solve`.
+#[derive(Debug, Serialize)]
+struct Object<'a> {
+    scene: &'a str,
+    #[serde(flatten)]
+    route: RouteObject<'a>,
+    nodes: Option<NodesObject<'a>>,
+}
+
+/// What `solve` and each route of `compare` have in common.
+#[derive(Debug, Serialize)]
+struct RouteObject<'a> {
+    method: &'a str,
+    solver: &'a str,
+    intervals: Option<usize>,
+    status: &'a str,
+    solver_status: &'a str,
+    residual: Option<f64>,
+    regime: &'a str,
+    unknowns: usize,
+    iterations: usize,
+    seconds: f64,
+    reactions: ReactionsObject,
+    contacts: Vec<ContactObject>,
+    contact_force: f64,
+    deflection: DeflectionObject,
+    moment: MomentObject,
+    energy: f64,
+    /// Two-sided bounds; there are none yet.
+    certificate: Option<()>,
+}
+
+#[derive(Debug, Serialize)]
+struct ReactionsObject {
+    left: f64,
+    right: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct ContactObject {
+    from: f64,
+    to: f64,
+    force: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_from: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_to: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct DeflectionObject {
+    max: f64,
+    at: f64,
+    min: f64,
+    min_at: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct MomentObject {
+    max: f64,
+    max_at: f64,
+    min: f64,
+    min_at: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct NodesObject<'a> {
+    x: &'a [f64],
+    deflection: &'a [f64],
+    clearance: &'a [f64],
+    contact_force: &'a [f64],
+    moment: &'a [f64],
+}
+
+#[derive(Debug, Serialize)]
+struct ComparisonObject<'a> {
+    scene: &'a str,
+    intervals: usize,
+    routes: Vec<ComparedObject<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct ComparedObject<'a> {
+    #[serde(flatten)]
+    route: RouteObject<'a>,
+    solver_error: Option<DifferenceObject<'a>>,
+    model_error: Option<DifferenceObject<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct DifferenceObject<'a> {
+    reference: &'a str,
+    reaction: f64,
+    energy: f64,
+    deflection: f64,
+}
+
+pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool) -> String {
+    let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
+    let nodes = answer.nodes().filter(|_| few || all_nodes).map(nodes);
+    print(&Object { scene: input.title(), route: route(answer), nodes })
+}
+
+pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
+    let routes = comparison.routes.iter().map(|compared| ComparedObject {
+        route: route(&compared.answer),
+        solver_error: compared.solver_error.as_ref().map(difference),
+        model_error: compared.model_error.as_ref().map(difference),
+    });
+    print(&ComparisonObject { scene: input.title(), intervals: comparison.intervals, routes: routes.collect() })
+}
+
+fn print(value: &impl Serialize) -> String {
+    // Structs of numbers and texts have nothing that serialising could refuse.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}
+
+fn route(answer: &Answer) -> RouteObject<'_> {
+    let ContactState { regime, reactions, contacts, deflection, moment, energy, .. } = &answer.state;
+    RouteObject {
+        method: answer.method,
+        solver: answer.solver,
+        intervals: answer.intervals,
+        status: answer.status.word(),
+        solver_status: &answer.solver_status,
+        residual: answer.residual,
+        regime: regime.word(),
+        unknowns: answer.unknowns,
+        iterations: answer.iterations,
+        seconds: answer.seconds,
+        reactions: ReactionsObject { left: reactions.left, right: reactions.right },
+        contacts: contacts.iter().map(contact).collect(),
+        contact_force: answer.state.contact_force(),
+        deflection: deflection_of(deflection),
+        moment: moment_of(moment),
+        energy: *energy,
+        certificate: None,
+    }
+}
+
+fn contact(&Contact { from, to, force, end_forces }: &Contact) -> ContactObject {
+    let [force_from, force_to] = end_forces.map_or([None, None], |ends| ends.map(Some));
+    ContactObject { from, to, force, force_from, force_to }
+}
+
+fn deflection_of(&Extremes { max, max_at, min, min_at }: &Extremes) -> DeflectionObject {
+    DeflectionObject { max, at: max_at, min, min_at }
+}
+
+fn moment_of(&Extremes { max, max_at, min, min_at }: &Extremes) -> MomentObject {
+    MomentObject { max, max_at, min, min_at }
+}
+
+fn nodes(nodes: &Nodes) -> NodesObject<'_> {
+    NodesObject {
+        x: &nodes.x,
+        deflection: &nodes.deflection,
+        clearance: &nodes.clearance,
+        contact_force: &nodes.contact_force,
+        moment: &nodes.moment,
+    }
+}
+
+fn difference(difference: &Difference) -> DifferenceObject<'_> {
+    let Difference { reference, reaction, energy, deflection } = difference;
+    DifferenceObject { reference, reaction: *reaction, energy: *energy, deflection: *deflection }
+}

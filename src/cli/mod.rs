@@ -1,0 +1,134 @@
+//! The command line: arguments in, table or JSON out. With `xtask` the only room that reads files, writes files or looks
+//! at a clock.
+//!
+//! Exit codes: 0, an answer that passed our own check; 1, there is an answer and it did not; 2, bad input or usage, or
+//! output that cannot be written. With 2 there is nothing on standard output and no file is written.
+
+mod answer;
+mod arguments;
+mod compare;
+mod csv;
+mod exact;
+mod failure;
+mod input;
+mod json;
+mod number;
+mod output;
+mod text;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory as _, Parser as _};
+use palkki::route::Status;
+
+use self::answer::{Answer, Route};
+use self::arguments::{Arguments, Command, Common, Format, Solve};
+use self::failure::Failure;
+use self::input::Input;
+use self::output::Files;
+
+const CERTIFIED: u8 = 0;
+const NOT_CERTIFIED: u8 = 1;
+const FAILED: u8 = 2;
+
+/// Runs the program on the arguments that it was started with.
+pub(crate) fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        // `--help` and `--version` come this way too, with exit code 0; a usage error has 2.
+        Err(message) => return finish_with_message(&message),
+    };
+    let done = match &arguments.command {
+        Command::Solve(arguments) => solve(arguments),
+        Command::Compare(arguments) => compare(arguments),
+    };
+    match done {
+        Ok(code) => ExitCode::from(code),
+        Err(Failure::Usage { command, kind, message }) => {
+            let mut program = Arguments::command();
+            program.build();
+            let message = match program.find_subcommand_mut(command) {
+                Some(command) => command.error(kind, message),
+                None => program.error(kind, message),
+            };
+            finish_with_message(&message)
+        }
+        Err(failure) => {
+            output::complain(&failure);
+            ExitCode::from(FAILED)
+        }
+    }
+}
+
+fn finish_with_message(message: &clap::Error) -> ExitCode {
+    // Nobody is left to tell if this does not reach anybody.
+    let _ = message.print();
+    ExitCode::from(u8::try_from(message.exit_code()).unwrap_or(FAILED))
+}
+
+fn solve(arguments: &Solve) -> Result<u8, Failure> {
+    let route = arguments.route()?;
+    let input = Input::read(&arguments.common.scene)?;
+    let mut files = Files::default();
+    // Before the work, so that a bad name is not found out about after it.
+    for path in [&arguments.csv, &arguments.plot].into_iter().flatten() {
+        files.reserve(path, &input)?;
+    }
+    let answer = Answer::of(&input, route)?;
+    if let Some(path) = &arguments.csv {
+        files.stage(path, &csv::table(&answer)?)?;
+    }
+    if let Some(path) = &arguments.plot {
+        files.stage(path, &plot(&input, &answer)?)?;
+    }
+    let text = match arguments.common.format {
+        Format::Text => text::solve(&input, &answer, arguments.nodes),
+        Format::Json => json::solve(&input, &answer, arguments.nodes),
+    };
+    files.publish()?;
+    output::print(&text)?;
+    Ok(if answer.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+}
+
+/// The figure of `--plot`.
+fn plot(_input: &Input, _answer: &Answer) -> Result<String, Failure> {
+    // The one call site of the figures.
+    Err(Failure::NoPlot)
+}
+
+fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
+    let Common { scene, format } = &arguments.common;
+    let input = Input::read(scene)?;
+    let comparison = compare::Comparison::of(&input, arguments.intervals)?;
+    output::print(&match format {
+        Format::Text => text::compare(&input, &comparison),
+        Format::Json => json::compare(&input, &comparison),
+    })?;
+    let certified = comparison.routes.iter().any(|route| route.answer.status == Status::Certified);
+    Ok(if certified { CERTIFIED } else { NOT_CERTIFIED })
+}
+
+impl Solve {
+    /// The route that the arguments ask for; an option that would have no effect is refused.
+    fn route(&self) -> Result<Route, Failure> {
+        let refuse = |option: &str| {
+            let message = format!("--{option} belongs to a discretised method; --method exact has no use for it");
+            Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message })
+        };
+        let Some(method) = self.method.discretised() else {
+            return match self {
+                Self { solver: Some(_), .. } => refuse("solver"),
+                Self { intervals: Some(_), .. } => refuse("intervals"),
+                Self { tolerance: Some(_), .. } => refuse("tolerance"),
+                Self { nodes: true, .. } => refuse("nodes"),
+                _ => Ok(Route::Exact),
+            };
+        };
+        Ok(Route::Discretised(palkki::Settings {
+            method,
+            solver: self.solver.map_or(arguments::DEFAULT_SOLVER, |solver| solver.0),
+            intervals: self.intervals.unwrap_or(arguments::DEFAULT_INTERVALS),
+            tolerance: self.tolerance.unwrap_or(arguments::DEFAULT_TOLERANCE),
+        }))
+    }
+}

@@ -1,0 +1,226 @@
+//! Answers as tables for a person.
+
+use std::fmt::Write as _;
+
+use palkki::route::Status;
+use palkki::scene::Units;
+use palkki::state::{Contact, Extremes, Nodes};
+
+use super::answer::Answer;
+use super::compare::{Comparison, Difference};
+use super::input::Input;
+use super::number::{magnitude, result};
+
+/// Cells of a table; the first column is set flush left, the others flush right, except where they hold words.
+type Row = Vec<String>;
+
+pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
+    let labels = Labels::of(input.scene.units());
+    let mut text = format!("{}\n{}\n\n", input.title(), "=".repeat(input.title().chars().count()));
+    text += &how(answer);
+    text += &equilibrium(input, answer, &labels);
+    text += &contacts(&answer.state.contacts, &labels);
+    text += &extremes(answer, &labels);
+    if nodes && let Some(nodes) = answer.nodes() {
+        text += &table_of_nodes(nodes, &labels);
+    }
+    text
+}
+
+fn how(answer: &Answer) -> String {
+    let method = match answer.intervals {
+        Some(intervals) => format!("{}, {intervals} intervals", answer.method),
+        None => answer.method.to_owned(),
+    };
+    let residual = answer.residual.map_or_else(String::new, |r| format!("residual {}", magnitude(r)));
+    let status = match answer.status {
+        Status::Certified => format!("{} {residual}", answer.status),
+        Status::NotCertified => format!("{}: the answer fails our check, {residual}", answer.status),
+        Status::NotConverged => {
+            format!("{}: the solver gave up, and what it had fails our check, {residual}", answer.status)
+        }
+    };
+    list(&[
+        ("method", method),
+        ("solver", format!("{}, which says: {}", answer.solver, answer.solver_status)),
+        ("status", status.trim_end().to_owned()),
+        ("regime", answer.state.regime.word().to_owned()),
+        ("unknowns", answer.unknowns.to_string()),
+        ("iterations", answer.iterations.to_string()),
+        ("seconds", magnitude(answer.seconds)),
+    ])
+}
+
+fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
+    let (load, reactions) = (input.scene.load().resultant(input.scene.beam().length()), answer.state.reactions);
+    let contact = answer.state.contact_force();
+    let remains = load - reactions.left - reactions.right - contact;
+    let rows = [
+        ("loads", load, "down"),
+        ("left support", reactions.left, "up"),
+        ("right support", reactions.right, "up"),
+        ("contact", contact, "up"),
+        ("what remains", remains, ""),
+    ];
+    let rows = rows.map(|(name, value, way)| vec![name.to_owned(), shown(name, value), way.to_owned()]);
+    table("Equilibrium", &["", &labels.force("force"), ""], &rows)
+}
+
+/// A force of the balance; what remains of it is rounding, of which only the size is of interest.
+fn shown(name: &str, value: f64) -> String {
+    if name == "what remains" { magnitude(value) } else { result(value) }
+}
+
+fn contacts(contacts: &[Contact], labels: &Labels) -> String {
+    if contacts.is_empty() {
+        return "\nContacts: none\n".to_owned();
+    }
+    let ends = contacts.iter().any(|contact| contact.end_forces.is_some());
+    let rows: Vec<Row> = contacts
+        .iter()
+        .map(|contact| {
+            let kind = if contact.from < contact.to { "zone" } else { "point" };
+            let mut row = vec![kind.to_owned(), result(contact.from), result(contact.to), result(contact.force)];
+            if ends {
+                row.extend(match contact.end_forces {
+                    Some(forces) => forces.map(result),
+                    None => [String::new(), String::new()],
+                });
+            }
+            row
+        })
+        .collect();
+    let (from, to, force) = (labels.length("from"), labels.length("to"), labels.force("force"));
+    let mut header = vec!["", &from, &to, &force];
+    if ends {
+        header.extend(["of it at from", "at to"]);
+    }
+    table("Contacts", &header, &rows)
+}
+
+fn extremes(answer: &Answer, labels: &Labels) -> String {
+    let lines = |name: &str, extremes: &Extremes| {
+        [("largest", extremes.max, extremes.max_at), ("least", extremes.min, extremes.min_at)]
+            .map(|(which, value, at)| vec![format!("{which} {name}"), result(value), result(at)])
+    };
+    let mut rows = Vec::new();
+    rows.extend(lines(&labels.length("deflection"), &answer.state.deflection));
+    rows.extend(lines(&labels.moment("moment"), &answer.state.moment));
+    rows.push(vec![labels.moment("energy J"), result(answer.state.energy), String::new()]);
+    table("Extremes", &["", "value", &labels.length("at")], &rows)
+}
+
+fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
+    let columns = [&nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];
+    let rows: Vec<Row> = (0..nodes.x.len())
+        .map(|i| {
+            let place = [(i + 1).to_string(), result(nodes.x[i])];
+            place.into_iter().chain(columns.iter().map(|c| c.get(i).map_or_else(String::new, |&v| result(v)))).collect()
+        })
+        .collect();
+    let header = [
+        "node".to_owned(),
+        labels.length("x"),
+        labels.length("deflection"),
+        labels.length("clearance"),
+        labels.force("contact force"),
+        labels.moment("moment"),
+    ];
+    table("Nodes", &header.each_ref().map(String::as_str), &rows)
+}
+
+pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
+    let error =
+        |difference: &Option<Difference>| difference.as_ref().map_or_else(|| "–".to_owned(), |d| magnitude(d.worst()));
+    let rows: Vec<Row> = comparison
+        .routes
+        .iter()
+        .map(|compared| {
+            let answer = &compared.answer;
+            vec![
+                answer.method.to_owned(),
+                answer.solver.to_owned(),
+                answer.status.to_string(),
+                answer.residual.map_or_else(|| "–".to_owned(), magnitude),
+                answer.iterations.to_string(),
+                magnitude(answer.seconds),
+                result(answer.state.reactions.left),
+                error(&compared.solver_error),
+                error(&compared.model_error),
+            ]
+        })
+        .collect();
+    let reaction = Labels::of(input.scene.units()).force("left reaction");
+    let header =
+        ["method", "solver", "status", "residual", "iterations", "seconds", &reaction, "solver error", "model error"];
+    let title = format!("{}, {} intervals", input.title(), comparison.intervals);
+    let mut text = table(&title, &header, &rows).trim_start().to_owned();
+    text.push_str(
+        "\nSolver error: against the active-set answer on the same grid; model error: against beam theory.\n\
+         Both are the worst relative difference among end reactions, energy and largest deflection.\n",
+    );
+    text
+}
+
+/// Names of quantities with the labels of their units.
+struct Labels {
+    length: Option<String>,
+    force: Option<String>,
+}
+
+impl Labels {
+    fn of(units: &Units) -> Self {
+        Self { length: units.length.clone(), force: units.force.clone() }
+    }
+
+    fn length(&self, name: &str) -> String {
+        with_unit(name, self.length.clone())
+    }
+
+    fn force(&self, name: &str) -> String {
+        with_unit(name, self.force.clone())
+    }
+
+    fn moment(&self, name: &str) -> String {
+        let unit = self.force.as_ref().zip(self.length.as_ref()).map(|(force, length)| format!("{force} {length}"));
+        with_unit(name, unit)
+    }
+}
+
+fn with_unit(name: &str, unit: Option<String>) -> String {
+    unit.map_or_else(|| name.to_owned(), |unit| format!("{name} [{unit}]"))
+}
+
+fn list(lines: &[(&str, String)]) -> String {
+    let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    lines.iter().fold(String::new(), |mut text, (name, value)| {
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "  {name:width$}  {value}");
+        text
+    })
+}
+
+/// A table with a title: words flush left, numbers flush right.
+fn table(title: &str, header: &[&str], rows: &[Row]) -> String {
+    let header: Row = header.iter().map(|&cell| cell.to_owned()).collect();
+    let lines = || std::iter::once(&header).chain(rows);
+    let widths: Vec<usize> = (0..header.len())
+        .map(|column| lines().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0))
+        .collect();
+    let words: Vec<bool> = (0..header.len())
+        .map(|column| {
+            rows.iter().all(|row| row.get(column).is_none_or(|cell| !cell.contains(|c: char| c.is_ascii_digit())))
+        })
+        .collect();
+    let mut text = format!("\n{title}\n");
+    for row in lines() {
+        let mut line = String::from("  ");
+        for ((cell, &width), &words) in row.iter().zip(&widths).zip(&words) {
+            let padding = " ".repeat(width - cell.chars().count());
+            line += &if words { format!("{cell}{padding}  ") } else { format!("{padding}{cell}  ") };
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}

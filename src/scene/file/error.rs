@@ -1,0 +1,114 @@
+//! An error with its place in a file, and the picture of it: file, line, column, a caret.
+
+use std::fmt;
+
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
+
+use super::Problem;
+use super::table::Span;
+
+/// Why a file is no scene, or no survey.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileError {
+    /// The file, as the caller called it.
+    pub file: String,
+    /// Where in it, unless the file as a whole is the problem.
+    pub place: Option<Place>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// A place in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column, in characters, from 1.
+    pub column: usize,
+    /// The line itself.
+    text: String,
+    /// Bytes of it that are meant.
+    marked: Span,
+}
+
+impl FileError {
+    /// An error about the file as a whole.
+    #[must_use]
+    pub fn whole(file: &str, problem: Problem) -> Self {
+        Self { file: file.to_owned(), place: None, problem }
+    }
+
+    /// An error about the bytes `span` of `text`.
+    pub(super) fn at(file: &str, text: &str, span: Span, problem: Problem) -> Self {
+        Self { file: file.to_owned(), place: Some(Place::of(text, span)), problem }
+    }
+
+    /// The message with its picture, in colours of a terminal if `colour`.
+    #[must_use]
+    pub fn render(&self, colour: bool) -> String {
+        // Names of files and keys may hold anything; what is not printable must not reach a terminal.
+        let title = printable(&self.problem.to_string());
+        let file = printable(&self.file);
+        let expected = self.problem.expected();
+        let title = Level::ERROR.primary_title(title);
+        let group = match &self.place {
+            Some(place) if place.text.len() <= LONGEST_LINE => title.element(
+                Snippet::source(&*place.text)
+                    .path(file)
+                    .line_start(place.line)
+                    .annotation(AnnotationKind::Primary.span(place.marked.clone()).label(expected)),
+            ),
+            Some(place) => note(title.element(Origin::path(file).line(place.line).char_column(place.column)), expected),
+            None => note(title.element(Origin::path(file)), expected),
+        };
+        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+        renderer.render(&[group])
+    }
+}
+
+fn note<'a>(group: annotate_snippets::Group<'a>, text: Option<String>) -> annotate_snippets::Group<'a> {
+    match text {
+        Some(text) => group.element(Level::NOTE.message(text)),
+        None => group,
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render(false))
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// Lines that are longer get no picture \[bytes\]: nobody would see the caret.
+const LONGEST_LINE: usize = 4000;
+
+impl Place {
+    /// The line in which `span` starts, with what of it lies in `span`.
+    fn of(text: &str, span: Span) -> Self {
+        let start = floor_char_boundary(text, span.start);
+        let end = floor_char_boundary(text, span.end).max(start);
+        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let line_end = if text[line_start..line_end].ends_with('\r') { line_end - 1 } else { line_end };
+        let line = &text[line_start..line_end];
+        let start = start.min(line_end);
+        Self {
+            line: text[..line_start].matches('\n').count() + 1,
+            column: text[line_start..start].chars().count() + 1,
+            text: line.to_owned(),
+            marked: start - line_start..end.min(line_end) - line_start,
+        }
+    }
+}
+
+/// The last boundary between characters at or before byte `at`.
+fn floor_char_boundary(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
+}
+
+/// `text` with control characters escaped.
+fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { c.escape_default().to_string() } else { c.to_string() }).collect()
+}

@@ -1,0 +1,124 @@
+//! Scene files: text → [`Scene`], or an error that points at the place in the file.
+//!
+//! The file is TOML. Its tables are read key by key and not through serde's derive: serde takes an array where a table
+//! is meant (`beam = [10, 1.3]`), and its messages would have to be taken apart again to name quantity, value and what
+//! is expected. What the *numbers* mean is judged by [`Beam::new`], [`Load::new`] and [`Foundation::checked`] alone; here
+//! their errors only get a place.
+//!
+//! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
+
+mod error;
+mod foundation;
+mod load;
+mod locate;
+mod problem;
+mod survey;
+mod table;
+
+use toml::de::DeTable;
+
+pub use error::FileError;
+pub use problem::{Problem, ReadProblem};
+
+use self::foundation::Given;
+use self::locate::Located;
+use self::survey::Survey;
+use self::table::{Keys, Span};
+use super::{Beam, Foundation, Load, Scene, SceneError, Units};
+
+/// Reads a scene file.
+///
+/// `name` is the file as messages call it, `text` its contents. `read_survey` is called with the text of the key
+/// `foundation.survey`, as it is written there, and hands back what is in that file.
+///
+/// # Errors
+///
+/// Text that is no TOML, keys that are unknown, missing, twice there or of a wrong type, a survey that is none, and every
+/// [`SceneError`], all with line and column. A scene that overflows when it is scaled is refused here as well.
+pub fn parse(
+    name: &str,
+    text: &str,
+    read_survey: impl FnOnce(&str) -> Result<String, ReadProblem>,
+) -> Result<Scene, Box<FileError>> {
+    if text.is_empty() {
+        return Err(Box::new(FileError::whole(name, Problem::Empty)));
+    }
+    let source = Source { name, text };
+    let document = DeTable::parse(text).map_err(|e| source.syntax(&e))?;
+    let parts = read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
+    let (foundation, survey) = match parts.foundation {
+        None => (None, None),
+        Some(Given::Foundation(foundation)) => (Some(foundation), None),
+        Some(Given::Survey { path, span }) => {
+            let unreadable = |problem| source.error(span, Problem::UnreadableSurvey { path: path.clone(), problem });
+            let survey = Survey { name: survey::beside(name, &path), text: read_survey(&path).map_err(unreadable)? };
+            (Some(Foundation::Polyline { points: survey.points()? }), Some(survey))
+        }
+    };
+    let located = Located { source: &source, document: document.get_ref(), survey: survey.as_ref() };
+    let scene = assemble(&parts.beam, parts.load, foundation).map_err(|e| located.error(e))?;
+    Ok(scene.labelled(parts.title, parts.units))
+}
+
+/// A file as messages need it: what it is called and what is in it.
+#[derive(Debug, Clone, Copy)]
+struct Source<'a> {
+    name: &'a str,
+    text: &'a str,
+}
+
+impl Source<'_> {
+    fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
+        Box::new(FileError::at(self.name, self.text, span, problem))
+    }
+
+    fn syntax(&self, error: &toml::de::Error) -> Box<FileError> {
+        let end = self.text.len();
+        let span = error.span().unwrap_or(end..end);
+        let problem = match (error.message(), self.text.get(span.clone())) {
+            // The one error of meaning that the TOML parser finds; it leaves the key to the picture.
+            ("duplicate key", Some(key)) => Problem::KeyTwice { key: key.to_owned() },
+            (message, _) => Problem::Syntax { message: message.trim_end_matches(", expected nothing").to_owned() },
+        };
+        self.error(span, problem)
+    }
+}
+
+/// What a scene file says, its numbers not judged yet.
+struct Parts {
+    title: String,
+    units: Units,
+    beam: BeamKeys,
+    load: load::LoadKeys,
+    foundation: Option<Given>,
+}
+
+struct BeamKeys {
+    length: f64,
+    bending_stiffness: f64,
+}
+
+fn read(document: &DeTable<'_>) -> Result<Parts, table::Error> {
+    let file = Keys::of_file(document, &["title", "beam", "load", "foundation", "units"])?;
+    let beam = file.required_table("beam", &["length", "bending_stiffness"])?;
+    let units = file.table("units", &["length", "force"])?;
+    let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
+    Ok(Parts {
+        title: file.line_of_text("title")?.unwrap_or_default(),
+        units: Units { length: label("length")?, force: label("force")? },
+        beam: BeamKeys {
+            length: beam.required_number("length")?,
+            bending_stiffness: beam.required_number("bending_stiffness")?,
+        },
+        load: load::read(&file)?,
+        foundation: foundation::read(&file)?,
+    })
+}
+
+fn assemble(beam: &BeamKeys, load: load::LoadKeys, foundation: Option<Foundation>) -> Result<Scene, SceneError> {
+    let beam = Beam::new(beam.length, beam.bending_stiffness)?;
+    let load = Load::new(&beam, load.uniform, load.linear, load.point)?;
+    let scene = Scene::new(beam, load, foundation)?;
+    scene.scaled()?;
+    Ok(scene)
+}

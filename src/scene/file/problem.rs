@@ -1,0 +1,183 @@
+//! What can be wrong with a scene file or a survey, besides what it describes.
+
+use std::io::ErrorKind;
+
+use crate::scene::SceneError;
+
+/// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum ReadProblem {
+    /// There is no such file.
+    #[error("there is no such file")]
+    Missing,
+    /// It is a directory.
+    #[error("it is a directory, not a file")]
+    Directory,
+    /// The operating system refused.
+    #[error("it cannot be read ({0})")]
+    Refused(ErrorKind),
+    /// It is larger than any file of this kind should be.
+    #[error("it is larger than {limit} bytes, the most that is read")]
+    TooLarge {
+        /// The limit.
+        limit: u64,
+    },
+    /// It is not text in UTF-8, perhaps not text at all.
+    #[error("it is not a text file: the byte at line {line}, column {column} is not UTF-8")]
+    NotText {
+        /// Line of the first byte that is not UTF-8, from 1.
+        line: usize,
+        /// Its column, in characters, from 1.
+        column: usize,
+    },
+}
+
+/// What is wrong with a file.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Problem {
+    /// The scene file could not be read.
+    #[error("cannot read the scene: {0}")]
+    Unreadable(ReadProblem),
+    /// The survey could not be read.
+    #[error("cannot read the survey {path:?}: {problem}")]
+    UnreadableSurvey {
+        /// As the scene file has it.
+        path: String,
+        /// Why not.
+        problem: ReadProblem,
+    },
+    /// A file without a single byte.
+    #[error("the file is empty")]
+    Empty,
+    /// Not TOML.
+    #[error("not valid TOML: {message}")]
+    Syntax {
+        /// In the words of the TOML parser, which also says what it expected.
+        message: String,
+    },
+    /// A key or a table for the second time.
+    #[error("the key `{key}` is there twice")]
+    KeyTwice {
+        /// The key.
+        key: String,
+    },
+    /// A key that means nothing here.
+    #[error("unknown key {key:?} {}", in_table(table))]
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// Path of the table that it is in.
+        table: String,
+        /// What could be there.
+        known: &'static [&'static str],
+    },
+    /// A key that has to be there.
+    #[error("the key `{key}` is missing {}", in_table(table))]
+    MissingKey {
+        /// The key.
+        key: String,
+        /// Path of the table that it is missing in.
+        table: String,
+        /// What kind of value it takes.
+        expected: &'static str,
+    },
+    /// A value of another type.
+    #[error("`{path}` must be {expected}, but is {found}")]
+    WrongType {
+        /// Path of the value.
+        path: String,
+        /// What is there.
+        found: String,
+        /// What should be.
+        expected: &'static str,
+    },
+    /// A number that no `f64` can hold.
+    #[error("`{path}` is beyond the range of 64-bit floating point")]
+    BeyondRange {
+        /// Path of the number.
+        path: String,
+    },
+    /// A `[foundation]` without a foundation.
+    #[error("[foundation] has none of the keys {}", list(known))]
+    NoFoundationKind {
+        /// What could be there.
+        known: &'static [&'static str],
+    },
+    /// A `[foundation]` with more than one.
+    #[error("[foundation] has {} keys that each give a foundation: {}", found.len(), list(found))]
+    SeveralFoundationKinds {
+        /// What is there.
+        found: Vec<&'static str>,
+    },
+    /// The numbers of the file make no scene. In a survey, `quantity` says how the survey calls the number.
+    #[error("{}", in_words_of_the_file(error, *quantity))]
+    Scene {
+        /// Why not.
+        error: SceneError,
+        /// `x` or `depth` in a survey.
+        quantity: Option<&'static str>,
+    },
+    /// A survey without its header.
+    #[error("a survey must begin with the header `x,depth`, but begins with {found:?}")]
+    SurveyHeader {
+        /// What is there.
+        found: String,
+    },
+    /// A survey without anything in it.
+    #[error("the survey has neither header nor points")]
+    SurveyWithoutHeader,
+    /// A row of a survey that is not a point.
+    #[error("a row of a survey must have 2 fields, x and depth, but this one has {found}")]
+    SurveyFields {
+        /// How many it has.
+        found: usize,
+    },
+    /// A field of a survey that is not a number.
+    #[error("`{quantity}` must be a finite number, but is {found:?}")]
+    SurveyNumber {
+        /// `x` or `depth`.
+        quantity: &'static str,
+        /// What is there.
+        found: String,
+    },
+}
+
+impl Problem {
+    /// What is expected at the place that the message points at, where the message does not say it yet.
+    #[must_use]
+    pub fn expected(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { known: [only], .. } => Some(format!("expected `{only}`")),
+            Self::UnknownKey { known, .. } => Some(format!("expected one of {}", list(known))),
+            Self::MissingKey { key, expected: "a table", .. } => Some(format!("expected a table `[{key}]`")),
+            Self::MissingKey { key, expected, .. } => Some(format!("expected `{key} = …`, {expected}")),
+            Self::BeyondRange { .. } => Some(format!("expected a magnitude of at most {:e}", f64::MAX)),
+            Self::KeyTwice { .. } => Some("expected only once".to_owned()),
+            Self::NoFoundationKind { .. } => Some("expected exactly one of them, or no [foundation] at all".to_owned()),
+            Self::SeveralFoundationKinds { .. } => Some("expected exactly one of them".to_owned()),
+            Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
+            Self::SurveyHeader { .. } | Self::SurveyWithoutHeader => {
+                Some("expected `x,depth`, then one point in each row".to_owned())
+            }
+            _ => None,
+        }
+    }
+}
+
+fn in_table(path: &str) -> String {
+    if path.is_empty() { "in the scene".to_owned() } else { format!("in `{path}`") }
+}
+
+fn list(keys: &[&str]) -> String {
+    let keys: Vec<_> = keys.iter().map(|key| format!("`{key}`")).collect();
+    keys.join(", ")
+}
+
+/// The message of a [`SceneError`], with the name that a number has in a survey where it comes from one.
+fn in_words_of_the_file(error: &SceneError, quantity: Option<&'static str>) -> String {
+    let message = error.to_string();
+    match (error.quantity(), quantity) {
+        (Some(from), Some(to)) => message.replacen(&from.to_string(), to, 1),
+        _ => message,
+    }
+}

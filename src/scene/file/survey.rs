@@ -1,0 +1,104 @@
+//! A survey: the depths of a foundation as CSV, `x,depth`, one point in each row.
+//!
+//! Blank lines and lines that start with `#` are left out, spaces round a field are trimmed, a byte order mark and
+//! Windows line ends are accepted. Nothing is quoted: the fields are numbers.
+
+use std::path::Path;
+
+use super::table::Span;
+use super::{FileError, Problem, Source};
+
+const FIELDS: [&str; 2] = ["x", "depth"];
+
+/// A survey as a file.
+#[derive(Debug)]
+pub(super) struct Survey {
+    pub(super) name: String,
+    pub(super) text: String,
+}
+
+/// A field of a row: its text, trimmed, and where it is.
+type Field<'a> = (&'a str, Span);
+
+impl Survey {
+    /// The points, as many as the file has: whether they make a polyline is for the scene to judge.
+    pub(super) fn points(&self) -> Result<Vec<[f64; 2]>, Box<FileError>> {
+        let mut rows = self.rows();
+        let Some((header, span)) = rows.next() else {
+            return Err(self.error(0..0, Problem::SurveyWithoutHeader));
+        };
+        if !fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
+            return Err(self.error(span, Problem::SurveyHeader { found: excerpt(header) }));
+        }
+        rows.map(|(row, span)| self.point(row, span)).collect()
+    }
+
+    fn point(&self, row: &str, span: Span) -> Result<[f64; 2], Box<FileError>> {
+        let mut given = fields(row, span.start);
+        let (Some(x), Some(depth), None) = (given.next(), given.next(), given.next()) else {
+            let found = fields(row, span.start).count();
+            return Err(self.error(span, Problem::SurveyFields { found }));
+        };
+        Ok([self.number(FIELDS[0], x)?, self.number(FIELDS[1], depth)?])
+    }
+
+    fn number(&self, quantity: &'static str, (text, span): Field<'_>) -> Result<f64, Box<FileError>> {
+        // `1e999` parses as infinity, `nan` and `inf` as what they say: none of them is a level.
+        match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(self.error(span, Problem::SurveyNumber { quantity, found: excerpt(text) })),
+        }
+    }
+
+    /// Name and place of coordinate `axis` of point `index`.
+    pub(super) fn place(&self, index: usize, axis: usize) -> (&'static str, Span) {
+        let end = self.text.len();
+        let row = self.rows().nth(index + 1);
+        let field = row.and_then(|(row, span)| fields(row, span.start).nth(axis));
+        (FIELDS[axis], field.map_or(end..end, |(_, span)| span))
+    }
+
+    /// Where the points end.
+    pub(super) fn last_row(&self) -> Span {
+        self.rows().last().map_or(0..0, |(_, span)| span)
+    }
+
+    /// The lines that say something, trimmed, with their places; the first is the header.
+    fn rows(&self) -> impl Iterator<Item = Field<'_>> {
+        // U+FEFF, the byte order mark, is no white space to `trim`.
+        let start = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        pieces(&self.text[start..], '\n', start).filter(|(line, _)| !line.is_empty() && !line.starts_with('#'))
+    }
+
+    pub(super) fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
+        Source { name: &self.name, text: &self.text }.error(span, problem)
+    }
+}
+
+fn fields(row: &str, start: usize) -> impl Iterator<Item = Field<'_>> {
+    pieces(row, ',', start)
+}
+
+/// Pieces of a text that starts at byte `start` of its file, trimmed.
+fn pieces(text: &str, separator: char, start: usize) -> impl Iterator<Item = Field<'_>> {
+    text.split(separator).scan(start, move |next, piece| {
+        let at = *next + (piece.len() - piece.trim_start().len());
+        *next += piece.len() + separator.len_utf8();
+        let piece = piece.trim();
+        Some((piece, at..at + piece.len()))
+    })
+}
+
+/// The survey `path` as messages call it: beside the scene file `scene`, where it is looked for.
+pub(super) fn beside(scene: &str, path: &str) -> String {
+    Path::new(scene).parent().map_or_else(|| path.to_owned(), |folder| folder.join(path).display().to_string())
+}
+
+/// A field as a message repeats it.
+fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 60;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}

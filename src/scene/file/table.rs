@@ -1,0 +1,159 @@
+//! The keys of one table of a scene file: known ones only, each of its type, each with its path and place.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::Problem;
+
+/// Bytes of the file, from `start` up to `end`.
+pub(super) type Span = std::ops::Range<usize>;
+
+/// What is wrong, and where.
+#[derive(Debug)]
+pub(super) struct Error {
+    pub(super) span: Span,
+    pub(super) problem: Problem,
+}
+
+/// A table whose keys are all known.
+#[derive(Debug)]
+pub(super) struct Keys<'a> {
+    /// Path of the table, for example `load.point[2]`; empty for the file itself.
+    path: String,
+    span: Span,
+    table: &'a DeTable<'a>,
+}
+
+/// A value of a scene file, with its path.
+#[derive(Debug)]
+pub(super) struct Value<'a> {
+    pub(super) path: String,
+    pub(super) value: &'a Spanned<DeValue<'a>>,
+}
+
+impl<'a> Keys<'a> {
+    /// The file itself.
+    pub(super) fn of_file(table: &'a DeTable<'a>, known: &'static [&'static str]) -> Result<Self, Error> {
+        Self { path: String::new(), span: 0..0, table }.checked(known)
+    }
+
+    fn checked(self, known: &'static [&'static str]) -> Result<Self, Error> {
+        // The table is sorted by name; the reader meets the keys in the order of the file.
+        match self.table.keys().filter(|key| !known.contains(&&**key.get_ref())).min_by_key(|key| key.span().start) {
+            None => Ok(self),
+            Some(key) => Err(Error {
+                span: key.span(),
+                problem: Problem::UnknownKey { key: key.get_ref().to_string(), table: self.path, known },
+            }),
+        }
+    }
+
+    /// Where the table is; for `[name]` its header.
+    pub(super) fn span(&self) -> Span {
+        self.span.clone()
+    }
+
+    /// The value of `key`, if it is there.
+    pub(super) fn get(&self, key: &str) -> Option<Value<'a>> {
+        let value = self.table.get(key)?;
+        let path = if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) };
+        Some(Value { path, value })
+    }
+
+    fn required<T>(&self, key: &str, expected: &'static str, value: Option<T>) -> Result<T, Error> {
+        value.ok_or_else(|| Error {
+            span: self.span(),
+            problem: Problem::MissingKey { key: key.to_owned(), table: self.path.clone(), expected },
+        })
+    }
+
+    pub(super) fn number(&self, key: &str) -> Result<Option<f64>, Error> {
+        self.get(key).map(|value| value.number()).transpose()
+    }
+
+    pub(super) fn required_number(&self, key: &str) -> Result<f64, Error> {
+        self.required(key, "a number", self.number(key)?)
+    }
+
+    pub(super) fn table(&self, key: &str, known: &'static [&'static str]) -> Result<Option<Keys<'a>>, Error> {
+        self.get(key).map(|value| value.table(known)).transpose()
+    }
+
+    pub(super) fn required_table(&self, key: &str, known: &'static [&'static str]) -> Result<Keys<'a>, Error> {
+        self.required(key, "a table", self.table(key, known)?)
+    }
+
+    /// The elements of an array, none if the key is missing.
+    pub(super) fn elements(&self, key: &str) -> Result<Vec<Value<'a>>, Error> {
+        self.get(key).map_or(Ok(Vec::new()), |value| value.elements("an array"))
+    }
+
+    pub(super) fn line_of_text(&self, key: &str) -> Result<Option<String>, Error> {
+        self.get(key).map(|value| value.line_of_text()).transpose()
+    }
+}
+
+impl<'a> Value<'a> {
+    pub(super) fn span(&self) -> Span {
+        self.value.span()
+    }
+
+    /// A number, written as an integer or with a decimal point; `nan` and `inf` pass, the scene refuses them.
+    pub(super) fn number(&self) -> Result<f64, Error> {
+        let number = match self.value.get_ref() {
+            DeValue::Float(float) => {
+                let number: Option<f64> = float.as_str().parse().ok();
+                number.filter(|number| number.is_finite() || !float.as_str().contains(|c: char| c.is_ascii_digit()))
+            }
+            // Rounded to the nearest f64, as a decimal point would be.
+            DeValue::Integer(integer) if integer.radix() == 10 => {
+                integer.as_str().parse().ok().filter(|number: &f64| number.is_finite())
+            }
+            #[expect(clippy::cast_precision_loss, reason = "rounded to the nearest f64, as a decimal point would be")]
+            DeValue::Integer(integer) => {
+                i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|number| number as f64)
+            }
+            _ => return Err(self.wrong_type("a number")),
+        };
+        number.ok_or_else(|| Error { span: self.span(), problem: Problem::BeyondRange { path: self.path.clone() } })
+    }
+
+    pub(super) fn table(&self, known: &'static [&'static str]) -> Result<Keys<'a>, Error> {
+        match self.value.get_ref() {
+            DeValue::Table(table) => Keys { path: self.path.clone(), span: self.span(), table }.checked(known),
+            _ => Err(self.wrong_type("a table")),
+        }
+    }
+
+    pub(super) fn elements(&self, expected: &'static str) -> Result<Vec<Value<'a>>, Error> {
+        let DeValue::Array(array) = self.value.get_ref() else {
+            return Err(self.wrong_type(expected));
+        };
+        Ok(array.iter().enumerate().map(|(i, value)| Value { path: format!("{}[{i}]", self.path), value }).collect())
+    }
+
+    /// Text without line breaks or other control characters: it is printed in tables and figures.
+    pub(super) fn line_of_text(&self) -> Result<String, Error> {
+        match self.value.get_ref() {
+            DeValue::String(text) if !text.contains(|c: char| c.is_control()) => Ok(text.to_string()),
+            _ => Err(self.wrong_type("one line of text")),
+        }
+    }
+
+    pub(super) fn wrong_type(&self, expected: &'static str) -> Error {
+        let found = match self.value.get_ref() {
+            DeValue::String(text) if text.chars().nth(LONGEST_QUOTE).is_some() => "a long text".to_owned(),
+            DeValue::String(text) => format!("the text {:?}", &**text),
+            DeValue::Integer(number) => format!("the integer {number}"),
+            DeValue::Float(number) => format!("the number {number}"),
+            DeValue::Boolean(value) => value.to_string(),
+            DeValue::Datetime(_) => "a date or time".to_owned(),
+            DeValue::Array(array) => format!("an array of length {}", array.len()),
+            DeValue::Table(_) => "a table".to_owned(),
+        };
+        Error { span: self.span(), problem: Problem::WrongType { path: self.path.clone(), found, expected } }
+    }
+}
+
+/// Characters of a text that a message repeats; a longer one is in the picture below it anyway.
+const LONGEST_QUOTE: usize = 60;
