@@ -2,80 +2,9 @@
 
 use std::fmt;
 
+pub use crate::methods::Method;
+pub use crate::solvers::Solver;
 use crate::state::ContactState;
-
-/// The three methods of the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Method {
-    /// Complementarity problem by finite differences, (4)–(16).
-    Complementarity,
-    /// Potential energy, no penetration, (17)–(24).
-    Displacement,
-    /// Complementary energy, no tension, (25)–(31).
-    Force,
-}
-
-impl Method {
-    /// All of them, in the order of the paper.
-    pub const ALL: [Self; 3] = [Self::Complementarity, Self::Displacement, Self::Force];
-
-    /// The word that command line, JSON and report use.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Complementarity => "complementarity",
-            Self::Displacement => "displacement",
-            Self::Force => "force",
-        }
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
-    }
-}
-
-/// The solvers of the programme (32).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Solver {
-    /// The paper's own algorithm, as printed; it may stop at a point that is not optimal.
-    FourStep,
-    /// Block principal pivoting with a finite fallback, by hand.
-    ActiveSet,
-    /// Projected successive over-relaxation, by hand.
-    Nsor,
-    /// The interior-point solver `clarabel`.
-    Clarabel,
-    /// The operator-splitting solver `osqp`.
-    Osqp,
-}
-
-impl Solver {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::FourStep, Self::ActiveSet, Self::Nsor, Self::Clarabel, Self::Osqp];
-
-    /// The four that are meant to reach the optimum: all but the paper's four steps.
-    pub const OPTIMAL: [Self; 4] = [Self::ActiveSet, Self::Nsor, Self::Clarabel, Self::Osqp];
-
-    /// The word that command line, JSON and report use.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::FourStep => "four-step",
-            Self::ActiveSet => "active-set",
-            Self::Nsor => "nsor",
-            Self::Clarabel => "clarabel",
-            Self::Osqp => "osqp",
-        }
-    }
-}
-
-impl fmt::Display for Solver {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
-    }
-}
 
 /// Our own verdict on an answer. A solver's own word is never it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -89,7 +89,7 @@ impl Programme for Displacement<'_> {
             k.set_column(j, &nalgebra::DVector::from_vec(self.forces(&unit, &rotations)));
             unit[j] = 0.0;
         }
-        // Symmetric up to rounding; the solvers may rely on it.
+        // Symmetric up to rounding; whoever takes the matrix may rely on it.
         Matrix::Dense((&k + k.transpose()) * 0.5)
     }
 

@@ -7,7 +7,7 @@
 //! h = C p + u − C q,   so  A = C,  b = C q − u    (28)
 //! ```
 //!
-//! `C` (26) is needed by solvers that want a matrix. On a given set of contact nodes the beam is a continuous beam over
+//! `C` (26) is there for whoever wants a matrix. On a given set of contact nodes the beam is a continuous beam over
 //! sinking supports, and Clapeyron's three-moment equations (1857) give the same answer in O(n) and without the condition
 //! number of `C`, which grows like `n⁴`.
 

@@ -11,6 +11,7 @@ mod complementarity;
 mod discrete;
 mod displacement;
 mod force;
+mod method;
 mod mixed;
 mod nodal;
 mod statics;
@@ -19,10 +20,10 @@ pub use complementarity::Complementarity;
 pub use discrete::Discrete;
 pub use displacement::Displacement;
 pub use force::{Force, flexibility};
+pub use method::Method;
 pub use nodal::{Nodal, contact_state, free_beam};
 
 use crate::problem::Programme;
-use crate::route::Method;
 use crate::state::Bending;
 
 impl Method {

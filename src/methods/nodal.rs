@@ -19,7 +19,7 @@ pub struct Nodal {
 /// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
 const NO_FORCE: f64 = 1e-12;
 
-/// The beam under nodal loads with no foundation: `v = C q`, no programme and no solver.
+/// The beam under nodal loads with no foundation: `v = C q`, and no programme to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, bending: Bending) -> Nodal {
     let deflection = discrete.deflection(discrete.interior_loads(), bending);

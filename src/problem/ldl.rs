@@ -80,7 +80,7 @@ mod tests {
         }
         let mut x = [8.0, 18.0, 19.0];
         a.solve(&mut [&mut x]).expect("the matrix is positive definite");
-        assert_eq!(x, [1.0, 2.0, 3.0]);
+        assert_eq!(x.map(f64::to_bits), [1.0_f64, 2.0, 3.0].map(f64::to_bits));
     }
 
     #[test]

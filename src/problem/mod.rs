@@ -8,8 +8,8 @@
 //! optimality   x ≥ 0,  g ≥ 0,  x_i g_i = 0                            (34), (35)
 //! ```
 //!
-//! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows no beam: what a variable
-//! means is the business of [`crate::methods`], how the optimum is found that of [`crate::solvers`].
+//! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows nothing of
+//! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
 mod ldl;
 mod matrix;

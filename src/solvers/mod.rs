@@ -6,9 +6,11 @@ mod clarabel;
 mod four_step;
 mod nsor;
 mod osqp;
+mod solver;
+
+pub use solver::Solver;
 
 use crate::problem::Programme;
-use crate::route::Solver;
 
 /// What a solver hands back. None of it is believed before the judge has seen it.
 #[derive(Debug, Clone, PartialEq)]
