@@ -38,6 +38,7 @@
 
 pub mod certificate;
 pub mod methods;
+pub mod paper;
 pub mod problem;
 pub mod route;
 pub mod scene;

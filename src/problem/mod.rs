@@ -11,9 +11,11 @@
 //! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows nothing of
 //! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
+mod dense;
 mod ldl;
 mod matrix;
 
+pub use dense::Dense;
 pub use ldl::{Band, NotPositiveDefinite};
 pub use matrix::{Matrix, UpperColumns};
 

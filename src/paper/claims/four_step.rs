@@ -1,0 +1,142 @@
+//! "In the example computed here it turned out that the optimum was found directly by this algorithm", the four steps.
+
+use super::{Claim, Verdict};
+use crate::methods::Method;
+use crate::paper::random::{Unevenness, scenes};
+use crate::paper::{INTERVALS, example};
+use crate::route::Status;
+use crate::scene::{Scene, SceneError};
+use crate::solve::{Settings, solve};
+use crate::solvers::Solver;
+
+/// Grids of the example: 4 to this many intervals.
+pub const FINEST: usize = 200;
+/// Random foundations of each kind.
+pub const SCENES: usize = 150;
+/// Seed of the random foundations.
+pub const SEED: u64 = 4;
+
+/// How often the four steps end at the optimum, for one method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Count {
+    /// Which method.
+    pub method: Method,
+    /// Whether they do on the example with 30 intervals.
+    pub on_the_example: bool,
+    /// On how many of the grids of the example.
+    pub grids: usize,
+    /// The smallest number of intervals on which they do not.
+    pub first_failure: Option<usize>,
+    /// On how many of the random foundations of each kind, 30 intervals.
+    pub uneven: [usize; 2],
+    /// End points that are not feasible, on all of these.
+    pub infeasible: usize,
+}
+
+/// What was measured, by method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evidence {
+    /// One count for each method.
+    pub counts: Vec<Count>,
+    /// Grids of the example that were tried.
+    pub grids: usize,
+}
+
+/// Runs the four steps on every grid and every foundation.
+///
+/// # Errors
+///
+/// None for these scenes; the type is that of [`solve`].
+pub fn measure() -> Result<Evidence, SceneError> {
+    let example = example()?;
+    let uneven = [scenes(Unevenness::Wave, SCENES, SEED)?, scenes(Unevenness::Rough, SCENES, SEED)?];
+    let mut counts = Vec::new();
+    for method in Method::ALL {
+        let mut infeasible = 0;
+        let mut optimal = |scene: &Scene, intervals: usize| -> Result<bool, SceneError> {
+            let outcome = solve(scene, &Settings::new(method, Solver::FourStep, intervals))?;
+            let nodes = outcome.state.nodes.unwrap_or_default();
+            // Step 2° looks at the unknown alone: the clearance, or the contact force.
+            let unknown = if method == Method::Force { &nodes.contact_force } else { &nodes.clearance };
+            infeasible += usize::from(!unknown.iter().all(|x| -1e-9 <= *x));
+            Ok(outcome.status == Status::Certified)
+        };
+        let on_the_example = optimal(&example, INTERVALS)?;
+        let grids: Vec<(usize, bool)> =
+            (4..=FINEST).map(|n| Ok((n, optimal(&example, n)?))).collect::<Result<_, SceneError>>()?;
+        let mut count_uneven = [0; 2];
+        for (count, scenes) in count_uneven.iter_mut().zip(&uneven) {
+            for scene in scenes {
+                *count += usize::from(optimal(scene, INTERVALS)?);
+            }
+        }
+        counts.push(Count {
+            method,
+            on_the_example,
+            grids: grids.iter().filter(|(_, optimal)| *optimal).count(),
+            first_failure: grids.iter().find(|(_, optimal)| !optimal).map(|(n, _)| *n),
+            uneven: count_uneven,
+            infeasible,
+        });
+    }
+    Ok(Evidence { counts, grids: FINEST - 3 })
+}
+
+impl Evidence {
+    /// Confirmed for the example, refuted as an algorithm.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let example = self.counts.iter().all(|c| c.on_the_example);
+        let always = self.counts.iter().all(|c| c.grids == self.grids && c.uneven == [SCENES; 2]);
+        match (example, always) {
+            (true, true) => Verdict::Confirmed,
+            (true, false) => Verdict::Qualified,
+            _ => Verdict::Refuted,
+        }
+    }
+
+    /// Whether the end point is always on the edge of the feasible set.
+    #[must_use]
+    pub fn edge_verdict(&self) -> Verdict {
+        if self.counts.iter().all(|c| c.infeasible == 0) { Verdict::Confirmed } else { Verdict::Refuted }
+    }
+
+    pub(super) fn claims(&self) -> [Claim; 2] {
+        let lines: Vec<String> = self
+            .counts
+            .iter()
+            .map(|c| {
+                format!(
+                    "{}: {} of {} grids of the example (first failure: {}), {} of {SCENES} waves, {} of {SCENES} rough polylines",
+                    c.method,
+                    c.grids,
+                    self.grids,
+                    c.first_failure.map_or("none".to_owned(), |n| format!("{n} intervals")),
+                    c.uneven[0],
+                    c.uneven[1],
+                )
+            })
+            .collect();
+        let direct = Claim {
+            name: "four_steps_find_the_optimum",
+            statement: "In the example, the optimum was found directly by the four steps.",
+            verdict: self.verdict(),
+            evidence: format!(
+                "True for the example with 30 intervals by every method, but no property of the algorithm. It ends at the optimum on: {}. \
+                 Elsewhere it stops at a point where a variable that was set to zero has a negative gradient.",
+                lines.join("; "),
+            ),
+        };
+        let runs = self.counts.len() * (1 + self.grids + 2 * SCENES);
+        let edge = Claim {
+            name: "four_steps_reach_the_edge",
+            statement: "The first three steps lead to the edge of the feasible set, from where another algorithm can continue.",
+            verdict: self.edge_verdict(),
+            evidence: format!(
+                "All {runs} runs end with x ≥ 0 up to rounding. Continuing from there is what `active-set` does: it may also release \
+                 variables."
+            ),
+        };
+        [direct, edge]
+    }
+}

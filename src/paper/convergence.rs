@@ -1,0 +1,100 @@
+//! How the methods converge to beam theory on the example, with the observed order.
+
+use super::{example, theory};
+use crate::methods::Method;
+use crate::scene::SceneError;
+use crate::solve::{Settings, solve};
+use crate::solvers::Solver;
+use crate::state::ContactState;
+use crate::verification::observed_order;
+
+/// What converges. Nodal contact pressures do not: see [`super::claims`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Reaction of the left support.
+    EndReaction,
+    /// The first node in contact, which stands for the lift-off point: no grid resolves it better than its spacing.
+    LiftOff,
+    /// Energy `J`.
+    Energy,
+    /// Deflection at an eighth of the span, half-way to the lift-off point.
+    Deflection,
+    /// Resultant of the contact forces on one half of the beam minus `q₀ (l/2 − a)`: the point force at lift-off, which
+    /// neighbouring nodes share.
+    PointForce,
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::EndReaction, Self::LiftOff, Self::Energy, Self::Deflection, Self::PointForce];
+
+    /// Its name in tables.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::EndReaction => "end reaction",
+            Self::LiftOff => "lift-off point",
+            Self::Energy => "energy",
+            Self::Deflection => "deflection at l/8",
+            Self::PointForce => "point force at lift-off",
+        }
+    }
+
+    /// Its value in a discrete state of the example.
+    fn discrete(self, state: &ContactState) -> f64 {
+        let Some(nodes) = &state.nodes else { return f64::NAN };
+        match self {
+            Self::EndReaction => state.reactions.left,
+            Self::LiftOff => state.contacts.first().map_or(f64::NAN, |c| c.from),
+            Self::Energy => state.energy,
+            Self::Deflection => nodes.deflection[(nodes.x.len() + 1) / 8 - 1],
+            Self::PointForce => {
+                // Half the contact, by symmetry, against what the pressure of beam theory carries.
+                let exact = theory();
+                0.5 * (nodes.contact_force.iter().sum::<f64>() - exact.contact_force) + exact.end_force
+            }
+        }
+    }
+
+    /// Its value by beam theory.
+    fn exact(self) -> f64 {
+        let exact = theory();
+        match self {
+            Self::EndReaction => exact.reaction,
+            Self::LiftOff => exact.lift_off.unwrap_or(f64::NAN),
+            Self::Energy => exact.energy,
+            Self::Deflection => exact.deflection(1.25),
+            Self::PointForce => exact.end_force,
+        }
+    }
+}
+
+/// Errors of one quantity by one method on several grids.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Which method.
+    pub method: Method,
+    /// Which quantity.
+    pub quantity: Quantity,
+    /// Number of intervals and relative error.
+    pub errors: Vec<(usize, f64)>,
+    /// Slope of the errors over the spacing.
+    pub order: f64,
+}
+
+/// Errors on grids of `intervals`, each a multiple of 8.
+///
+/// # Errors
+///
+/// None for the example on such grids; the type is that of [`solve`].
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+pub fn series(method: Method, quantity: Quantity, intervals: &[usize]) -> Result<Series, SceneError> {
+    let exact = quantity.exact();
+    let mut errors = Vec::new();
+    for &n in intervals {
+        let outcome = solve(&example()?, &Settings::new(method, Solver::ActiveSet, n))?;
+        errors.push((n, (quantity.discrete(&outcome.state) - exact).abs() / exact.abs()));
+    }
+    let pairs: Vec<(f64, f64)> = errors.iter().map(|&(n, e)| (1.0 / n as f64, e)).collect();
+    Ok(Series { method, quantity, order: observed_order(&pairs), errors })
+}

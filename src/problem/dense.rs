@@ -1,0 +1,50 @@
+//! A programme given by any symmetric positive definite matrix: what the methods become for a body that is not a beam.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use super::{Matrix, NotPositiveDefinite, Programme, Sizes, Stationary};
+
+/// The programme (32) of a dense matrix `A`, shape (n, n), and a vector `b`, length n.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dense {
+    /// `A`, symmetric.
+    pub matrix: DMatrix<f64>,
+    /// `b`.
+    pub linear: DVector<f64>,
+    /// Sizes of `x` and `g`.
+    pub sizes: Sizes,
+}
+
+impl Programme for Dense {
+    fn dimension(&self) -> usize {
+        self.matrix.nrows()
+    }
+
+    fn matrix(&self) -> Matrix {
+        Matrix::Dense(self.matrix.clone())
+    }
+
+    fn linear(&self) -> Vec<f64> {
+        self.linear.as_slice().to_vec()
+    }
+
+    fn gradient(&self, x: &[f64]) -> Vec<f64> {
+        (&self.matrix * DVector::from_column_slice(x) - &self.linear).as_slice().to_vec()
+    }
+
+    fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
+        let chosen: Vec<usize> = (0..free.len()).filter(|&i| free[i]).collect();
+        let face = self.matrix.select_rows(&chosen).select_columns(&chosen);
+        let factor = Cholesky::new(face).ok_or(NotPositiveDefinite { index: 0, pivot: f64::NAN })?;
+        let solved = factor.solve(&self.linear.select_rows(&chosen));
+        let mut x = vec![0.0; free.len()];
+        chosen.iter().zip(solved.iter()).for_each(|(&i, &value)| x[i] = value);
+        let mut gradient = self.gradient(&x);
+        chosen.iter().for_each(|&i| gradient[i] = 0.0);
+        Ok(Stationary { x, gradient })
+    }
+
+    fn sizes(&self) -> Sizes {
+        self.sizes
+    }
+}
