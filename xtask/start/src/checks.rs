@@ -72,7 +72,7 @@ fn c_compiler(machine: &dyn Surroundings) -> Finding {
 }
 
 fn make(machine: &dyn Surroundings) -> Finding {
-    match ["make", "gmake", "ninja"].into_iter().find(|program| machine.succeeds(program, &["--version"])) {
+    match ["make", "gmake"].into_iter().find(|program| machine.succeeds(program, &["--version"])) {
         Some(program) => Finding::Found(program.to_owned()),
         None => Finding::Missing("cmake needs it; install it (`apt-get install make`)".to_owned()),
     }
