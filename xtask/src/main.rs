@@ -1,2 +1,33 @@
-//! Tasks of the repository.
-fn main() {}
+//! The tasks of the repository that need the library: `cargo xtask report`.
+#![expect(clippy::print_stderr, reason = "a command that talks to a person")]
+
+mod report;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = match arguments.as_slice() {
+        ["report"] => report::write(&root, &mut show),
+        ["report", "--check"] => report::check(&root, &mut show),
+        _ => {
+            eprintln!("xtask: unknown task `{}`; `cargo xtask help` lists them", arguments.join(" "));
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// One line per step, on stderr.
+fn show(step: &str) {
+    eprintln!("report: {step}");
+}

@@ -22,20 +22,8 @@ const MECHANICS: [&str; 14] = [
     "methods",
 ];
 
-/// Every name of a solver or of the room they are in.
-const SOLVERS: [&str; 11] = [
-    "solvers",
-    "solver",
-    "four_step",
-    "fourstep",
-    "active_set",
-    "activeset",
-    "nsor",
-    "psor",
-    "clarabel",
-    "osqp",
-    "route",
-];
+/// Every name of a solver.
+const SOLVERS: [&str; 8] = ["four_step", "FourStep", "active_set", "ActiveSet", "nsor", "psor", "clarabel", "osqp"];
 
 /// The rooms that a test below asks about. A room is asked as soon as it has a file; those marked `true` must have one.
 const ROOMS: [(&str, bool); 6] = [
@@ -66,18 +54,26 @@ fn rooms_that_are_built_are_read() {
 
 #[test]
 fn solvers_never_mention_a_beam() {
-    for name in ["src/solvers", "src/problem"] {
-        let found = offenders(&room(name), |line| {
-            first_word_of(line, &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
-        });
-        none(&found, "solvers know algorithms and no beam");
-    }
+    let found = offenders(&room("src/solvers"), |line| {
+        first_word_of(line, &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
+    });
+    none(&found, "solvers know algorithms and no beam, not even in a comment");
+}
+
+#[test]
+fn the_problem_knows_no_beam() {
+    let found = offenders(&room("src/problem"), |line| {
+        first_word_of(code(line), &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
+    });
+    none(&found, "the programme (32) is plain mathematics; only comments may say what it stands for");
 }
 
 #[test]
 fn methods_never_name_a_solver() {
     let found = offenders(&room("src/methods"), |line| {
-        first_word_of(line, &SOLVERS).map(|word| format!("`{word}` is a solver"))
+        let named = first_word_of(line, &SOLVERS);
+        let used = first_word_of(code(line), &["solver", "solvers"]);
+        named.or(used).map(|word| format!("`{word}` is a solver"))
     });
     none(&found, "methods know beams and no algorithm");
 }
@@ -109,7 +105,11 @@ fn reaches_out(line: &str) -> Option<String> {
     let mut previous = "";
     for word in words(code) {
         // `std::fs` as well as `use std::{fmt, fs}`.
-        if WORLD.contains(&word) && (previous == "std" || code.contains("use std::{")) {
+        // The kind of an error is a value: naming it does no I/O.
+        if WORLD.contains(&word)
+            && !code.contains("std::io::ErrorKind")
+            && (previous == "std" || code.contains("use std::{"))
+        {
             return Some(format!("uses `std::{word}`"));
         }
         if CLOCKS.contains(&word) {
@@ -142,7 +142,9 @@ fn reaching_out_is_recognised() {
     ] {
         assert!(reaches_out(line).is_some(), "{line}");
     }
-    for line in ["use std::fmt;", "// std::fs is not used", "let time = 1.0;", "fn print(&self) {}"] {
+    for line in
+        ["use std::fmt;", "// std::fs is not used", "use std::io::ErrorKind;", "let time = 1.0;", "fn print(&self) {}"]
+    {
         assert_eq!(reaches_out(line), None, "{line}");
     }
 }

@@ -1,0 +1,43 @@
+//! The chapters of the report, one module and one template each.
+//!
+//! To add one: `report/chapters/<number>-<name>.md`, a module `<name>` here with `evidence(root)`, and a line in
+//! [`CHAPTERS`]. The numbers give the order; leave gaps. The template sees the values as `{{ <name>.field }}`, with `_`
+//! for `-`, and those of all other chapters as well.
+
+mod discrepancies;
+mod front;
+mod reproduce;
+
+use std::path::Path;
+
+use super::error::Cause;
+use super::evidence::Evidence;
+
+/// The chapters in their order. The first has the title of the report, the others are listed in the contents.
+pub(super) const CHAPTERS: &[Chapter] = &[
+    Chapter { name: "00-front", evidence: front::evidence },
+    Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
+    Chapter { name: "120-reproduce", evidence: reproduce::evidence },
+];
+
+/// One chapter.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Chapter {
+    /// Name of the template in `report/chapters`, without `.md`.
+    pub(super) name: &'static str,
+    /// Computes what the template interpolates, from the repository at the given root.
+    pub(super) evidence: fn(&Path) -> Result<Evidence, Cause>,
+}
+
+impl Chapter {
+    /// The name under which templates see the values: that of the file without its number.
+    pub(super) fn key(&self) -> String {
+        self.name.trim_start_matches(|c: char| c.is_ascii_digit() || c == '-').replace('-', "_")
+    }
+
+    /// The number that orders the chapters.
+    #[cfg(test)]
+    pub(super) fn number(&self) -> Option<u32> {
+        self.name.split_once('-')?.0.parse().ok()
+    }
+}

@@ -1,0 +1,127 @@
+//! The report in the tree is fresh, and the machine notices when it is not.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use super::*;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+#[test]
+fn the_report_is_fresh() {
+    if let Err(error) = check(&root(), &mut |_| ()) {
+        panic!("{error}");
+    }
+}
+
+#[test]
+fn chapters_are_in_the_order_of_their_numbers() {
+    let numbers: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.number()).collect();
+    assert!(numbers.iter().all(Option::is_some), "every name begins with a number: {numbers:?}");
+    assert!(numbers.is_sorted_by(|a, b| a < b), "in order, each number once: {numbers:?}");
+    let keys: BTreeSet<_> = CHAPTERS.iter().map(|chapter| chapter.key()).collect();
+    assert_eq!(keys.len(), CHAPTERS.len(), "each chapter has a name of its own");
+    assert!(!keys.contains("report"), "`report` is the list of files");
+}
+
+#[test]
+fn templates_modules_and_list_are_the_same_set() {
+    let stems = |directory: &str, ending: &str| -> BTreeSet<String> {
+        let listed = files::list(&root(), directory).expect("the directory can be read");
+        let names =
+            listed.iter().filter_map(|path| path.strip_prefix(directory)?.strip_prefix('/')?.strip_suffix(ending));
+        names.map(|name| name.split('/').next().unwrap_or(name).to_owned()).filter(|name| name != "mod").collect()
+    };
+    let names: BTreeSet<_> = CHAPTERS.iter().map(|chapter| chapter.name.to_owned()).collect();
+    let keys: BTreeSet<_> = CHAPTERS.iter().map(|chapter| chapter.key()).collect();
+    assert_eq!(stems("report/chapters", ".md"), names, "templates (left) and CHAPTERS (right)");
+    assert_eq!(stems("xtask/src/report/chapters", ".rs"), keys, "modules (left) and CHAPTERS (right)");
+}
+
+/// A root of its own, with a report that is being changed.
+#[derive(Debug)]
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let place = std::env::temp_dir().join(format!("palkki-{}-{name}", std::process::id()));
+        fs::create_dir_all(place.join("report/figures")).expect("a scratch directory can be made");
+        Self(place)
+    }
+
+    fn put(&self, path: &str, text: &str) {
+        fs::write(self.0.join(path), text).expect("the scratch directory can be written to");
+    }
+
+    /// What a comparison with `rendered` says, a line each.
+    fn stale(&self, rendered: &Rendered) -> Vec<String> {
+        let stale = files::compare(&self.0, rendered).expect("the files can be read");
+        stale.iter().map(|stale| stale.to_string().lines().next().unwrap_or_default().to_owned()).collect()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // What stays is in the directory for temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn rendered(files: &[(&str, &str)]) -> Rendered {
+    files.iter().map(|&(path, text)| (path.to_owned(), text.to_owned())).collect()
+}
+
+#[test]
+fn stale_missing_and_left_over_files_are_named_and_repaired() {
+    let scratch = Scratch::new("repair");
+    let wanted =
+        rendered(&[("README.md", "T = 1.18\n"), ("data/a.csv", "x\n1.0\n"), ("figures/a.svg", "<svg x=\"5\"/>")]);
+    scratch.put("report/README.md", "T = 1.14\n");
+    scratch.put("report/figures/a.svg", "<svg x=\"5\"/>");
+    scratch.put("report/figures/old.svg", "<svg/>");
+    scratch.put("report/by-hand.md", "not ours");
+    assert_eq!(
+        scratch.stale(&wanted),
+        [
+            "stale:     report/README.md, line 1: 1.14 became 1.18, more than one unit of the last printed place",
+            "missing:   report/data/a.csv",
+            "left over: report/figures/old.svg",
+        ],
+        "one of each kind"
+    );
+
+    assert_eq!(files::write(&scratch.0, &wanted).expect("it can be written"), 3, "three changes");
+    assert_eq!(scratch.stale(&wanted), [""; 0], "all fresh");
+    assert_eq!(files::write(&scratch.0, &wanted).expect("it can be written"), 0, "nothing to do");
+    let left = files::list(&scratch.0, "report").expect("it can be listed");
+    let expected = ["README.md", "by-hand.md", "data/a.csv", "figures/a.svg"].map(|path| format!("report/{path}"));
+    assert_eq!(left, expected, "no temporary files, and nothing removed that is not ours");
+}
+
+#[test]
+fn another_processor_may_round_differently() {
+    let scratch = Scratch::new("rounding");
+    scratch.put("report/README.md", "T = 1.18, n = 29\n");
+    scratch.put("report/figures/a.svg", "<svg x=\"5\"/>");
+    let drawn = |readme, svg| scratch.stale(&rendered(&[("README.md", readme), ("figures/a.svg", svg)])).len();
+    assert_eq!(drawn("T = 1.19, n = 29\n", "<svg x=\"6\"/>"), 0, "one unit and one pixel");
+    assert_eq!(drawn("T = 1.20, n = 29\n", "<svg x=\"7\"/>"), 2, "two units and two pixels");
+    assert_eq!(drawn("T = 1.18, n = 30\n", "<svg x=\"5\"/>"), 1, "another integer");
+}
+
+#[test]
+fn a_chapter_that_no_list_names_is_refused() {
+    let scratch = Scratch::new("unknown");
+    fs::create_dir_all(scratch.0.join("report/chapters")).expect("the scratch directory can be written to");
+    scratch.put("report/chapters/99-stray.md", "## Stray\n");
+    let error = render(&scratch.0, &mut |_| ()).expect_err("the chapter is in no list").to_string();
+    assert!(error.starts_with("report/chapters/99-stray.md is no chapter"), "{error}");
+}
+
+#[test]
+fn a_figure_comes_with_its_data() {
+    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), "x\n".to_owned());
+    assert_eq!(evidence.files().keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
+}

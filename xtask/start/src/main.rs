@@ -1,0 +1,45 @@
+//! The front door of `cargo xtask`: answers `doctor` itself and passes everything else on to package `xtask`.
+//!
+//! Package `xtask` needs the library and with it a C compiler and cmake. This one needs nothing, so that `doctor` can say
+//! what is missing on a machine on which nothing else builds.
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command that talks to a person")]
+
+mod checks;
+mod doctor;
+mod surroundings;
+
+use std::process::{Command, ExitCode};
+
+const USAGE: &str = "\
+usage: cargo xtask <task>
+
+  report           compute the paper again and write report/
+  report --check   compute it and compare with report/: names stale, missing and left-over files
+  doctor           what this machine lacks to build and to test, and what to do about it
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.first().map(String::as_str) {
+        None | Some("help" | "--help" | "-h") => {
+            print!("{USAGE}");
+            ExitCode::SUCCESS
+        }
+        Some("doctor") if arguments.len() == 1 => doctor::run(),
+        Some(_) => pass_on(&arguments),
+    }
+}
+
+/// Builds package `xtask`, showing that it does, and runs it with the same arguments.
+fn pass_on(arguments: &[String]) -> ExitCode {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let build = Command::new(&cargo).args(["build", "--package", "xtask", "--locked"]).status();
+    if !build.is_ok_and(|status| status.success()) {
+        eprintln!("xtask: the build failed; `cargo xtask doctor` says what this machine lacks");
+        return ExitCode::FAILURE;
+    }
+    let run =
+        Command::new(&cargo).args(["run", "--quiet", "--package", "xtask", "--locked", "--"]).args(arguments).status();
+    let code = run.ok().and_then(|status| status.code()).and_then(|code| u8::try_from(code).ok());
+    code.map_or(ExitCode::FAILURE, ExitCode::from)
+}
