@@ -38,6 +38,7 @@
 
 pub mod certificate;
 pub mod methods;
+pub mod plot;
 pub mod problem;
 pub mod route;
 pub mod scene;
