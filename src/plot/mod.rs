@@ -1,6 +1,7 @@
 //! Figures as SVG: pure functions from data to text, the same to the byte for the same data, without I/O.
 //!
-//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`solution`] draws a beam in its final position. Deflections and bending
+//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`solution`] draws a beam in its final position, [`paper`]
+//! the figures of the paper, [`study`] convergence and regimes, [`table`] verdicts and bars. Deflections and bending
 //! moments grow downwards; a concentrated force is an arrow with its value, on a scale of forces of its own.
 
 mod axis;
@@ -14,8 +15,11 @@ mod layer;
 mod number;
 mod palette;
 mod panel;
+pub mod paper;
 mod solution;
+pub mod study;
 mod svg;
+pub mod table;
 mod trace;
 
 pub use axis::{Axis, Direction, Scale};
