@@ -7,7 +7,7 @@ use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, PathElement, Polygon, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, RGBColor, ShapeStyle, TextStyle};
+use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
 use super::error::{PlotError, finite};
 use super::palette::{Color, Dash, Marker};
@@ -33,10 +33,12 @@ pub(super) struct Type {
     pub(super) size: f64,
     pub(super) color: Color,
     pub(super) bold: bool,
+    /// Running upwards.
+    pub(super) turned: bool,
 }
 
 impl Type {
-    pub(super) const PLAIN: Self = Self { size: TEXT, color: Color::BLACK, bold: false };
+    pub(super) const PLAIN: Self = Self { size: TEXT, color: Color::BLACK, bold: false, turned: false };
     pub(super) const BOLD: Self = Self { bold: true, ..Self::PLAIN };
     pub(super) const TITLE: Self = Self { size: 46.0, ..Self::BOLD };
 }
@@ -139,13 +141,14 @@ impl<'a> Canvas<'a> {
         )
     }
 
-    /// Words on one line, centred in height at `at`.
+    /// Words on one line, centred across it at `at`.
     pub(super) fn text(&self, text: &str, at: Point, align: Align, kind: Type) -> Result<(), PlotError> {
         if text.is_empty() {
             return Ok(());
         }
         let style = if kind.bold { FontStyle::Bold } else { FontStyle::Normal };
-        let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style);
+        let turn = if kind.turned { FontTransform::Rotate270 } else { FontTransform::None };
+        let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style).transform(turn);
         let across = match align {
             Align::Left => HPos::Left,
             Align::Center => HPos::Center,
@@ -154,7 +157,8 @@ impl<'a> Canvas<'a> {
         let color = rgb(kind.color);
         let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
         // The backend's "centre" puts the base line half an x-height below the point; a digit is taller than an x.
-        let at = [at[0], at[1] + 0.09 * kind.size];
+        let lower = 0.09 * kind.size;
+        let at = if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] };
         Ok(self.area.draw(&Text::new(text, pixel(at)?, style))?)
     }
 }

@@ -160,3 +160,73 @@ fn resultant(nodes: &Nodes, range: std::ops::Range<usize>) -> PointForce {
     let at = if 0.0 < force { moment / force } else { nodes.x[range.start] };
     PointForce { at, force, nodes: range.len() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Curves, contact_forces};
+    use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime};
+
+    /// Place, force and number of nodes of each concentrated force.
+    type Forces = Vec<(f64, f64, usize)>;
+
+    /// A state on unit intervals whose nodes carry `forces`, with the given contacts.
+    fn forces_of(forces: &[f64], contacts: &[[f64; 2]]) -> (Forces, Vec<Vec<[f64; 2]>>) {
+        let x: Vec<f64> = (1_u32..).take(forces.len()).map(f64::from).collect();
+        let nodes = Nodes { x: x.clone(), contact_force: forces.to_vec(), ..Nodes::default() };
+        let contact = |&[from, to]: &[f64; 2]| Contact { from, to, force: 0.0, end_forces: None };
+        let state = ContactState {
+            regime: Regime::Zone,
+            reactions: Reactions::default(),
+            contacts: contacts.iter().map(contact).collect(),
+            deflection: Extremes::default(),
+            moment: Extremes::default(),
+            energy: 0.0,
+            nodes: None,
+        };
+        let places: Vec<f64> = std::iter::once(0.0).chain(x).chain([f64::from(u32::MAX)]).collect();
+        let (pressure, forces) = contact_forces(&state, &nodes, &places);
+        (forces.iter().map(|f| (f.at, f.force, f.nodes)).collect(), pressure)
+    }
+
+    #[test]
+    fn a_short_contact_keeps_its_forces() {
+        let (forces, pressure) = forces_of(&[0.0, 2.0, 0.0, 1.0, 0.0], &[[2.0, 2.0], [4.0, 4.0]]);
+        assert_eq!(forces, [(2.0, 2.0, 1), (4.0, 1.0, 1)]);
+        assert_eq!(pressure, Vec::<Vec<[f64; 2]>>::new());
+    }
+
+    #[test]
+    fn a_long_contact_keeps_its_resultant() {
+        // One open node behind the left end does not part the contact.
+        let nodal = [0.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.5, 1.0, 3.0, 0.0];
+        let (forces, pressure) = forces_of(&nodal, &[[2.0, 3.0], [5.0, 10.0]]);
+        assert_eq!(forces, [(2.25, 4.0, 2), (9.75, 4.0, 2)]);
+        let distributed: f64 =
+            pressure.iter().flatten().collect::<Vec<_>>().chunks(2).map(|p| p[0][1] * (p[1][0] - p[0][0])).sum();
+        let total: f64 = forces.iter().map(|f| f.1).sum::<f64>() + distributed;
+        assert!((total - nodal.iter().sum::<f64>()).abs() < 1e-12, "{total} is left of the contact force");
+    }
+
+    #[test]
+    fn a_peak_inside_a_contact_is_a_force() {
+        let (forces, pressure) = forces_of(&[2.0, 1.0, 1.0, 1.0, 8.0, 1.0, 1.0, 1.0, 2.0], &[[1.0, 9.0]]);
+        assert_eq!(forces[1], (5.0, 8.0, 1));
+        assert_eq!(pressure.len(), 2, "the pressure is parted by the force");
+    }
+
+    #[test]
+    fn a_state_without_nodes_has_no_curves() {
+        let beam = crate::scene::Beam::new(1.0, 1.0).expect("a beam");
+        let scene = crate::scene::Scene::new(beam, crate::scene::Load::default(), None).expect("a scene");
+        let state = ContactState {
+            regime: Regime::None,
+            reactions: Reactions::default(),
+            contacts: Vec::new(),
+            deflection: Extremes::default(),
+            moment: Extremes::default(),
+            energy: 0.0,
+            nodes: None,
+        };
+        assert!(matches!(Curves::of(&scene, &state), Err(super::PlotError::NoNodes)));
+    }
+}

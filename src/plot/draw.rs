@@ -6,7 +6,7 @@ use super::label::{Frame, Label, Labels};
 use super::layer::{Arrows, Layer, LoadSketch, Place, Reference};
 use super::palette::{Color, Dash, Style};
 use super::panel::Axes;
-use super::trace::{Point, sampled};
+use super::trace::{Point, sampled, thinned};
 
 /// Distance of the points that stand for a line when labels are placed.
 const INK: f64 = 9.0;
@@ -36,7 +36,7 @@ pub(super) fn draw(
                 canvas.fill(&outline, *color, 0.25)?;
             }
             canvas.line(&line, *color, 5, Dash::Solid)?;
-            labels.avoid(sampled(&line, INK));
+            labels.avoid(sampled(&thinned(&line), INK));
             Ok(())
         }
         Layer::Arrows(layer) => arrows(canvas, layer, axes, frame, labels),
@@ -112,7 +112,7 @@ fn placed(points: &[Place], axes: &Axes) -> Vec<Point> {
 fn series(canvas: &Canvas<'_>, line: &[Point], style: Style, labels: &mut Labels) -> Result<(), PlotError> {
     if let Some(dash) = style.dash {
         canvas.line(line, style.color, style.width, dash)?;
-        labels.avoid(sampled(line, INK));
+        labels.avoid(sampled(&thinned(line), INK));
     }
     if let Some(marker) = style.marker {
         let mut last: Option<Point> = None;

@@ -2,7 +2,7 @@
 
 use super::canvas::{Align, Canvas, Type, text_width};
 use super::error::PlotError;
-use super::palette::Color;
+use super::palette::{Color, Dash};
 use super::trace::Point;
 
 /// A label that asks for a place.
@@ -45,6 +45,12 @@ pub(super) struct Labels {
     ink: Vec<Point>,
 }
 
+/// Distances between a point and its label, the nearest first.
+const RINGS: [f64; 6] = [12.0, 30.0, 60.0, 100.0, 150.0, 210.0];
+
+/// A label farther from its point than this gets a line to it.
+const FAR: f64 = 45.0;
+
 impl Labels {
     pub(super) fn ask(&mut self, label: Label) {
         if !label.text.is_empty() {
@@ -66,6 +72,11 @@ impl Labels {
                 continue;
             }
             taken.push(frame);
+            // From the point to the nearest point of the label.
+            let near = [label.at[0].clamp(frame.left, frame.right), label.at[1].clamp(frame.top, frame.bottom)];
+            if FAR < (near[0] - label.at[0]).abs().max((near[1] - label.at[1]).abs()) {
+                canvas.line(&[label.at, near], Color::GRAY, 2, Dash::Solid)?;
+            }
             canvas.rectangle([frame.left, frame.top], [frame.right, frame.bottom], Color::WHITE, 0.8)?;
             let middle = [0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom)];
             canvas.text(&label.text, middle, Align::Center, Type { color: label.color, ..Type::PLAIN })?;
@@ -87,7 +98,9 @@ impl Labels {
             .collect();
         let down = if label.below { 1.0 } else { -1.0 };
         let mut best: Option<(f64, Frame)> = None;
-        for (ring, gap) in [12.0, 30.0, 60.0, 100.0, 150.0, 210.0].into_iter().enumerate() {
+        // A label that may be left out stays close to its point; the others may move away and get a line to it.
+        let rings = if label.optional { 2 } else { RINGS.len() };
+        for (ring, &gap) in RINGS[..rings].iter().enumerate() {
             let (side, over) = (0.5 * width + gap, 0.5 * height + gap);
             let places = [
                 (0.0, down * over),

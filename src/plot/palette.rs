@@ -28,6 +28,8 @@ impl Color {
     pub const GRAY: Self = Self(90, 90, 90);
     /// Light grey: grid lines.
     pub const GRID: Self = Self(225, 225, 225);
+    /// Pale grey: areas of beam theory.
+    pub const PALE: Self = Self(190, 190, 190);
     /// Grey of the foundation.
     pub const GROUND: Self = Self(222, 217, 208);
 }
@@ -43,6 +45,8 @@ pub enum Dash {
     Dotted,
     /// Dash and dot in turn.
     DashDot,
+    /// Long dashes with short gaps.
+    LongDashed,
 }
 
 impl Dash {
@@ -53,6 +57,7 @@ impl Dash {
             Self::Dashed => &[30.0, 18.0],
             Self::Dotted => &[6.0, 14.0],
             Self::DashDot => &[34.0, 14.0, 6.0, 14.0],
+            Self::LongDashed => &[60.0, 14.0],
         }
     }
 }
@@ -116,7 +121,7 @@ impl Style {
             Marker::OpenCircle,
             Marker::Plus,
         ];
-        const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Dotted];
+        const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::LongDashed];
         Self {
             color: COLORS[i % COLORS.len()],
             dash: Some(DASHES[i % DASHES.len()]),

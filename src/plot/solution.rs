@@ -236,8 +236,8 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Optio
 }
 
 fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
-    /// With more arrows than this, values are written only where there is room.
-    const CROWD: usize = 8;
+    /// Of more forces than this only the largest are written, and only where there is room.
+    const CROWD: usize = 12;
     /// Length of the arrow of the largest force \[drawing units\].
     const LONGEST: f64 = 280.0;
     let length = scene.beam().length();
@@ -288,8 +288,14 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, P
     } else {
         "contact force".to_owned()
     };
-    let crowd = CROWD < curves.point_forces.len();
-    let contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.at, f.force, crowd)).collect();
+    // Of many forces only the largest are written.
+    let mut by_size: Vec<usize> = (0..curves.point_forces.len()).collect();
+    by_size.sort_by(|&i, &j| curves.point_forces[j].force.abs().total_cmp(&curves.point_forces[i].force.abs()));
+    let crowd = CROWD < by_size.len();
+    let mut contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.at, f.force, crowd)).collect();
+    for &i in by_size.iter().skip(CROWD) {
+        contact[i].text.clear();
+    }
     if !contact.is_empty() {
         panel = panel.with(layer(contact, Color::VERMILLION, &name));
     }

@@ -52,7 +52,7 @@ pub fn convergence(
     }
     let mut description = description.to_owned();
     if 0 < zeros {
-        description.push_str(&format!(" Not shown: {zeros} errors of exactly zero."));
+        description.push_str(&format!(" Errors of exactly zero, not shown: {zeros}."));
     }
     Figure::new(title, description, vec![panel]).svg()
 }
@@ -127,7 +127,8 @@ mod tests {
         let points = [[10.0, 1e-2], [20.0, 2.5e-3], [40.0, 0.0], [80.0, 1.5e-4]];
         let series = ErrorSeries { label: "end reaction", points: &points, order: Some(2.0) };
         let svg = convergence("Errors", "Errors fall.", "error", &[series]).expect("a figure");
-        for text in ["end reaction (order 2.00)", "slope −2.00", "Not shown: 1 errors of exactly zero.", "10⁻⁵"] {
+        for text in ["end reaction (order 2.00)", "slope −2.00", "Errors of exactly zero, not shown: 1.", "10⁻⁵"]
+        {
             assert!(svg.contains(text), "`{text}` is missing");
         }
     }

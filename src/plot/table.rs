@@ -73,8 +73,17 @@ pub fn verdict_map(
     let sheet = f64::from(WIDTH);
     let left = MARGIN + name_width(rows.iter().map(|row| row.0));
     let width = ((sheet - MARGIN - left) / count(columns.len())).min(420.0);
+    // Names that do not fit above their columns run upwards.
+    let longest = |names: &mut dyn Iterator<Item = &str>| {
+        names.fold(0.0_f64, |most, name| most.max(text_width(name, Type::PLAIN)))
+    };
+    let turned = width - 16.0 < longest(&mut columns.iter().flat_map(|c| c.split_whitespace()));
     let headings: Vec<Vec<String>> = columns.iter().map(|c| wrapped(c, width - 16.0, Type::PLAIN)).collect();
-    let heading = LINE * count(headings.iter().map(Vec::len).max().unwrap_or(0)) + 20.0;
+    let heading = if turned {
+        longest(&mut columns.iter().copied()) + 24.0
+    } else {
+        LINE * count(headings.iter().map(Vec::len).max().unwrap_or(0)) + 20.0
+    };
     let top = Heading::of(title).height + heading;
     let below = top + CELL * count(rows.len()) + 50.0;
     let height = below + CELL * count(legend.len()) + MARGIN;
@@ -82,6 +91,11 @@ pub fn verdict_map(
         Heading::of(title).draw(canvas)?;
         for (j, lines) in headings.iter().enumerate() {
             let middle = left + width * (count(j) + 0.5);
+            if turned {
+                let kind = Type { turned, ..Type::PLAIN };
+                canvas.text(columns[j], [middle, top - 16.0], Align::Left, kind)?;
+                continue;
+            }
             for (k, line) in lines.iter().rev().enumerate() {
                 canvas.text(line, [middle, top - 32.0 - LINE * count(k)], Align::Center, Type::PLAIN)?;
             }
