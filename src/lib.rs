@@ -39,6 +39,7 @@
 pub mod certificate;
 pub mod methods;
 pub mod paper;
+pub mod plot;
 pub mod problem;
 pub mod route;
 pub mod scene;

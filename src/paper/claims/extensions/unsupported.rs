@@ -38,7 +38,7 @@ pub fn unknown_rigid_motion() -> Result<Unsupported, SceneError> {
         j if j == n + 1 => -chord(i, 1),
         j => f64::from(u8::from(j == i + 1)),
     });
-    let stiffness = c.try_inverse().map_or_else(|| DMatrix::zeros(n, n), |k| k);
+    let stiffness = c.try_inverse().unwrap_or_else(|| DMatrix::zeros(n, n));
     let free = relative.transpose() * stiffness * &relative;
     let eigenvalues = free.clone().symmetric_eigenvalues();
     let largest = eigenvalues.max();

@@ -1,0 +1,265 @@
+//! Axes: a label with its unit, linear or logarithmic, and which way its numbers grow.
+
+use super::error::{PlotError, finite};
+use super::number::{decade, fixed, power_of_ten, ten_to};
+
+/// How numbers are spread over an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithm; whole decades are shown.
+    Log,
+}
+
+/// Which way the numbers of a vertical axis grow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Upwards.
+    Up,
+    /// Downwards, as deflections do.
+    Down,
+}
+
+/// One axis of a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// What it shows, without the unit; empty if nothing is to be written.
+    pub label: String,
+    /// Unit of the numbers.
+    pub unit: Option<String>,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// Which way the numbers grow; a horizontal axis always grows to the right.
+    pub direction: Direction,
+    /// Numbers that the axis reaches at least, whatever the data.
+    pub include: Vec<f64>,
+    /// Part of the range that is added at either end, so that lines do not run along the frame.
+    pub padding: f64,
+    /// Whether numbers and grid lines are drawn.
+    pub numbers: bool,
+}
+
+impl Axis {
+    /// A linear axis that grows upwards or to the right, without a unit.
+    pub fn new(label: impl Into<String>) -> Self {
+        Self {
+            label: label.into(),
+            unit: None,
+            scale: Scale::Linear,
+            direction: Direction::Up,
+            include: Vec::new(),
+            padding: 0.04,
+            numbers: true,
+        }
+    }
+
+    /// With a unit, if there is one.
+    #[must_use]
+    pub fn unit(self, unit: Option<String>) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// Growing downwards.
+    #[must_use]
+    pub fn down(self) -> Self {
+        Self { direction: Direction::Down, ..self }
+    }
+
+    /// Logarithmic.
+    #[must_use]
+    pub fn log(self) -> Self {
+        Self { scale: Scale::Log, ..self }
+    }
+
+    /// Without numbers: the panel only shows what has a scale of its own, such as forces.
+    #[must_use]
+    pub fn bare(self) -> Self {
+        Self { numbers: false, ..self }
+    }
+
+    /// Reaching at least these numbers.
+    #[must_use]
+    pub fn including(mut self, values: &[f64]) -> Self {
+        self.include.extend_from_slice(values);
+        self
+    }
+
+    /// The axis for `data`, from drawing coordinate `start` (its least number) to `end`, with about `count` labels.
+    pub(super) fn resolve(
+        &self,
+        data: impl Iterator<Item = f64>,
+        [start, end]: [f64; 2],
+        count: f64,
+    ) -> Result<Resolved, PlotError> {
+        let mut range: Option<[f64; 2]> = None;
+        for value in data.chain(self.include.iter().copied()) {
+            let value = finite("a coordinate of the figure", value)?;
+            if self.scale == Scale::Log && value <= 0.0 {
+                return Err(PlotError::NotPositive { what: "a coordinate of the figure", value });
+            }
+            range = Some(range.map_or([value; 2], |[lo, hi]| [lo.min(value), hi.max(value)]));
+        }
+        let [lo, hi] = range.ok_or(PlotError::Empty { what: "a panel" })?;
+        let (lo, hi, ticks, factor) = match self.scale {
+            Scale::Linear => {
+                let [lo, hi] = widened(lo, hi, self.padding);
+                let (ticks, factor) = linear_ticks(lo, hi, count);
+                (lo, hi, ticks, factor)
+            }
+            Scale::Log => {
+                let first = decade(lo);
+                let last = if hi <= ten_to(decade(hi)) && first < decade(hi) { decade(hi) } else { decade(hi) + 1 };
+                let ticks = log_ticks(first, last, count);
+                (f64::from(first), f64::from(last), ticks, 0)
+            }
+        };
+        let (ticks, factor) = if self.numbers { (ticks, factor) } else { (Vec::new(), 0) };
+        let [start, end] = if self.direction == Direction::Down { [end, start] } else { [start, end] };
+        Ok(Resolved { scale: self.scale, lo, hi, start, end, ticks, factor })
+    }
+
+    /// Label and unit, with the power of ten that the numbers along the axis leave out.
+    pub(super) fn heading(&self, factor: i32) -> String {
+        if self.label.is_empty() {
+            return String::new();
+        }
+        let unit = match (&self.unit, factor) {
+            (None, 0) => return self.label.clone(),
+            (None, n) => power_of_ten(n),
+            (Some(unit), 0) => unit.clone(),
+            (Some(unit), n) => format!("{} {unit}", power_of_ten(n)),
+        };
+        format!("{} [{unit}]", self.label)
+    }
+}
+
+/// A labelled place on an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tick {
+    pub(super) value: f64,
+    pub(super) label: String,
+}
+
+/// An axis that knows its numbers and its place on the drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Resolved {
+    scale: Scale,
+    /// Least and greatest number; their decimal logarithms on a logarithmic axis.
+    lo: f64,
+    hi: f64,
+    start: f64,
+    end: f64,
+    pub(super) ticks: Vec<Tick>,
+    /// The labels are to be multiplied by ten to this power.
+    pub(super) factor: i32,
+}
+
+impl Resolved {
+    /// Drawing coordinate of a number.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let value = if self.scale == Scale::Log { libm::log10(value) } else { value };
+        // Halves, so that a range of the whole of f64 does not overflow.
+        let s = (0.5 * value - 0.5 * self.lo) / (0.5 * self.hi - 0.5 * self.lo);
+        self.start + (self.end - self.start) * s
+    }
+}
+
+/// A range with some room at either end, and never empty: equal numbers get as much room as they are large.
+fn widened(lo: f64, hi: f64, padding: f64) -> [f64; 2] {
+    /// Below this part of their magnitude the differences between numbers are rounding, not data.
+    const ROUNDING: f64 = 1e-12;
+    let magnitude = lo.abs().max(hi.abs());
+    let room = if ROUNDING * magnitude < hi - lo {
+        padding * (0.5 * hi - 0.5 * lo) * 2.0
+    } else if f64::MIN_POSITIVE < magnitude {
+        0.5 * magnitude
+    } else {
+        1.0
+    };
+    [(lo - room).max(f64::MIN), (hi + room).min(f64::MAX)]
+}
+
+/// Round numbers in a range, about `count` of them, and the power of ten that their labels leave out.
+fn linear_ticks(lo: f64, hi: f64, count: f64) -> (Vec<Tick>, i32) {
+    // A quarter more than asked for is better than half of it, which the next larger step might leave.
+    let raw = (0.5 * hi - 0.5 * lo) / (0.625 * count);
+    let unit = ten_to(decade(raw));
+    let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * unit).find(|&step| raw <= step).unwrap_or(10.0 * unit);
+    let magnitude = decade(lo.abs().max(hi.abs()));
+    // Numbers from 0.01 up to 99 999 are written out.
+    let factor = if (-2..=4).contains(&magnitude) { 0 } else { 3 * magnitude.div_euclid(3) };
+    let decimals = usize::try_from(factor - decade(step)).unwrap_or(0);
+    let (first, last) = ((lo / step).ceil(), (hi / step).floor());
+    let mut ticks = Vec::new();
+    let mut i = first;
+    // A range far from zero compared with its width cannot be counted in steps; it gets no labels rather than equal ones.
+    while i <= last && ticks.len() < 64 {
+        let value = i * step;
+        ticks.push(Tick { value, label: fixed(value / ten_to(factor), decimals) });
+        i += 1.0;
+    }
+    (ticks, factor)
+}
+
+/// Decades, all of them or every second, third …, so that there are at most about `count`.
+fn log_ticks(first: i32, last: i32, count: f64) -> Vec<Tick> {
+    let mut every = 1;
+    while count < f64::from((last - first) / every) {
+        every += 1;
+    }
+    (first..=last)
+        .filter(|n| n.rem_euclid(every) == 0)
+        .map(|n| Tick { value: ten_to(n), label: power_of_ten(n) })
+        // The decades just beyond the range of f64 have no number.
+        .filter(|tick| 0.0 < tick.value && tick.value < f64::INFINITY)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, PlotError};
+
+    fn labels(axis: &Axis, data: &[f64]) -> Vec<String> {
+        let axis = axis.resolve(data.iter().copied(), [0.0, 100.0], 5.0).expect("finite data");
+        axis.ticks.into_iter().map(|t| t.label).collect()
+    }
+
+    #[test]
+    fn round_numbers_are_labelled() {
+        assert_eq!(labels(&Axis::new("x"), &[0.0, 10.0]), ["0", "2", "4", "6", "8", "10"]);
+        assert_eq!(labels(&Axis::new("x"), &[-0.3, 0.3]), ["−0.2", "0.0", "0.2"]);
+        assert_eq!(labels(&Axis::new("n").log(), &[10.0, 2000.0]), ["10¹", "10²", "10³", "10⁴"]);
+    }
+
+    #[test]
+    fn small_and_large_numbers_share_a_power_of_ten() {
+        let axis = Axis::new("v").unit(Some("m".to_owned()));
+        let resolved = axis.resolve([0.0, 4e-6].into_iter(), [0.0, 1.0], 5.0).expect("finite data");
+        assert_eq!(axis.heading(resolved.factor), "v [10⁻⁶ m]");
+        assert_eq!(labels(&axis, &[0.0, 4e-6]), ["0", "1", "2", "3", "4"]);
+    }
+
+    #[test]
+    fn degenerate_ranges_get_room() {
+        for data in [[0.0; 2], [3.0; 2], [-1e300, 1e308], [f64::MIN, f64::MAX], [5e-324; 2], [1.0, 1.0 + f64::EPSILON]]
+        {
+            let axis = Axis::new("x").resolve(data.into_iter(), [0.0, 100.0], 5.0).expect("finite data");
+            for value in data {
+                let place = axis.place(value);
+                assert!((0.0..=100.0).contains(&place), "{value:e} of {data:?} lies at {place}");
+            }
+            assert!(!axis.ticks.is_empty(), "no labels for {data:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_without_a_place_are_refused() {
+        let nan = Axis::new("x").resolve([1.0, f64::NAN].into_iter(), [0.0, 1.0], 5.0);
+        assert!(matches!(nan, Err(PlotError::NotFinite { .. })), "{nan:?}");
+        let zero = Axis::new("x").log().resolve([1.0, 0.0].into_iter(), [0.0, 1.0], 5.0);
+        assert!(matches!(zero, Err(PlotError::NotPositive { .. })), "{zero:?}");
+        let none = Axis::new("x").resolve([].into_iter(), [0.0, 1.0], 5.0);
+        assert!(matches!(none, Err(PlotError::Empty { .. })), "{none:?}");
+    }
+}

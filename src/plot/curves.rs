@@ -1,0 +1,232 @@
+//! A beam in its final position as curves and forces: what a figure of it needs, wherever it comes from.
+
+use super::error::{PlotError, same_length};
+use super::layer::Place;
+use crate::scene::Scene;
+use crate::state::{ContactState, Extremes, Nodes, Reactions};
+
+/// A concentrated contact force, upwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointForce {
+    /// Where it acts \[length\].
+    pub at: f64,
+    /// Its value \[force\].
+    pub force: f64,
+    /// How many nodal forces it is the resultant of; 1 for a force that stands for itself.
+    pub nodes: usize,
+}
+
+/// The beam in its final position. Curves are joined linearly; a jump is two values at the same place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curves {
+    /// Places of `deflection`, `clearance` and `moment`, from support to support \[length\].
+    pub x: Vec<f64>,
+    /// `v`, positive downwards \[length\].
+    pub deflection: Vec<f64>,
+    /// `h = u − v` \[length\]; infinite where there is no foundation.
+    pub clearance: Vec<f64>,
+    /// `M = −EI v''`, positive with the underside in tension \[force · length\].
+    pub moment: Vec<f64>,
+    /// `[x, V]` with `V = M'` \[force\].
+    pub shear: Vec<Place>,
+    /// `[x, p]`, one list for each stretch of distributed contact pressure \[force / length\].
+    pub pressure: Vec<Vec<Place>>,
+    /// Concentrated contact forces.
+    pub point_forces: Vec<PointForce>,
+    /// Where the beam touches, from and to \[length\].
+    pub contacts: Vec<[f64; 2]>,
+    /// Forces of the supports.
+    pub reactions: Reactions,
+    /// Extremes of the deflection, to be labelled.
+    pub deflection_extremes: Extremes,
+    /// Extremes of the moment, to be labelled.
+    pub moment_extremes: Extremes,
+}
+
+/// Contacts with at most so many nodes are drawn force by force; longer ones by their resultants.
+const SINGLE_FORCES: usize = 5;
+
+/// At each end of a contact this many nodal forces are drawn as one.
+///
+/// A concentrated force at a lift-off point between two nodes is shared by these two; none of the two shares converges
+/// when the grid is refined, their sum does.
+const END_NODES: usize = 2;
+
+/// A nodal force inside a contact that exceeds its neighbours' by this factor is a concentrated force (at a kink of the
+/// foundation, say) and no pressure.
+const PEAK: f64 = 3.0;
+
+impl Curves {
+    /// The curves of a discretised state.
+    ///
+    /// Shear is constant between the nodes, as the discretisation has it. Contact forces are drawn as pressure, force
+    /// per interval, only inside a contact of many nodes; at its ends the outermost nodal forces are drawn as their
+    /// resultant, and in a short contact each nodal force by itself. Together they are the whole contact force.
+    ///
+    /// # Errors
+    ///
+    /// [`PlotError::NoNodes`] for a state without nodes, [`PlotError::LengthMismatch`] for nodes of unequal length.
+    pub fn of(scene: &Scene, state: &ContactState) -> Result<Self, PlotError> {
+        let nodes = state.nodes.as_ref().ok_or(PlotError::NoNodes)?;
+        same_length("the deflections", &nodes.deflection, &nodes.x)?;
+        same_length("the clearances", &nodes.clearance, &nodes.x)?;
+        same_length("the contact forces", &nodes.contact_force, &nodes.x)?;
+        same_length("the moments", &nodes.moment, &nodes.x)?;
+        let length = scene.beam().length();
+        let closed = |values: &[f64], left: f64, right: f64| -> Vec<f64> {
+            std::iter::once(left).chain(values.iter().copied()).chain(std::iter::once(right)).collect()
+        };
+        let x = closed(&nodes.x, 0.0, length);
+        let moment = closed(&nodes.moment, 0.0, 0.0);
+        let shear = x
+            .windows(2)
+            .zip(moment.windows(2))
+            .flat_map(|(x, m)| {
+                let v = (m[1] - m[0]) / (x[1] - x[0]);
+                [[x[0], v], [x[1], v]]
+            })
+            .collect();
+        let (pressure, point_forces) = contact_forces(state, nodes, &x);
+        Ok(Self {
+            deflection: closed(&nodes.deflection, 0.0, 0.0),
+            clearance: closed(&nodes.clearance, scene.depth(0.0), scene.depth(length)),
+            moment,
+            shear,
+            pressure,
+            point_forces,
+            contacts: state.contacts.iter().map(|c| [c.from, c.to]).collect(),
+            reactions: state.reactions,
+            deflection_extremes: state.deflection,
+            moment_extremes: state.moment,
+            x,
+        })
+    }
+}
+
+/// Pressures and concentrated forces of all contacts; `x` has the supports besides the nodes.
+fn contact_forces(state: &ContactState, nodes: &Nodes, x: &[f64]) -> (Vec<Vec<Place>>, Vec<PointForce>) {
+    let mut pressure = Vec::new();
+    let mut forces = Vec::new();
+    for run in runs(state, nodes) {
+        let f = |i: usize| nodes.contact_force[i];
+        let single = |i: usize| PointForce { at: nodes.x[i], force: f(i), nodes: 1 };
+        if run.len() <= SINGLE_FORCES {
+            forces.extend(run.filter(|&i| f(i) != 0.0).map(single));
+            continue;
+        }
+        let inner = run.start + END_NODES..run.end - END_NODES;
+        forces.push(resultant(nodes, run.start..inner.start));
+        let mut steps = Vec::new();
+        for i in inner.clone() {
+            let mut around = [f(i - 2), f(i - 1), f(i + 1), f(i + 2)];
+            around.sort_by(f64::total_cmp);
+            let deep_inside = inner.start < i && i + 1 < inner.end;
+            if deep_inside && PEAK * 0.5 * (around[1] + around[2]) < f(i) {
+                forces.push(single(i));
+                pressure.push(std::mem::take(&mut steps));
+                continue;
+            }
+            // Node i of the interior is node i + 1 with the support; its force belongs to half an interval either side.
+            let (left, right) = (0.5 * (x[i] + x[i + 1]), 0.5 * (x[i + 1] + x[i + 2]));
+            let p = f(i) / (right - left);
+            steps.extend([[left, p], [right, p]]);
+        }
+        pressure.push(steps);
+        forces.push(resultant(nodes, inner.end..run.end));
+    }
+    pressure.retain(|steps: &Vec<Place>| !steps.is_empty());
+    (pressure, forces)
+}
+
+/// Contacts as ranges of nodes; two contacts with no more than one open node between them count as one.
+fn runs(state: &ContactState, nodes: &Nodes) -> Vec<std::ops::Range<usize>> {
+    let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
+    for contact in &state.contacts {
+        let first = nodes.x.partition_point(|&x| x < contact.from);
+        let end = nodes.x.partition_point(|&x| x <= contact.to);
+        match runs.last_mut() {
+            Some(last) if first <= last.end + 1 => last.end = end.max(last.end),
+            _ if first < end => runs.push(first..end),
+            _ => {}
+        }
+    }
+    runs
+}
+
+/// One force for several nodal forces, at their centroid.
+fn resultant(nodes: &Nodes, range: std::ops::Range<usize>) -> PointForce {
+    let force: f64 = range.clone().map(|i| nodes.contact_force[i]).sum();
+    let moment: f64 = range.clone().map(|i| nodes.contact_force[i] * nodes.x[i]).sum();
+    let at = if 0.0 < force { moment / force } else { nodes.x[range.start] };
+    PointForce { at, force, nodes: range.len() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Curves, contact_forces};
+    use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime};
+
+    /// Place, force and number of nodes of each concentrated force.
+    type Forces = Vec<(f64, f64, usize)>;
+
+    /// A state on unit intervals whose nodes carry `forces`, with the given contacts.
+    fn forces_of(forces: &[f64], contacts: &[[f64; 2]]) -> (Forces, Vec<Vec<[f64; 2]>>) {
+        let x: Vec<f64> = (1_u32..).take(forces.len()).map(f64::from).collect();
+        let nodes = Nodes { x: x.clone(), contact_force: forces.to_vec(), ..Nodes::default() };
+        let contact = |&[from, to]: &[f64; 2]| Contact { from, to, force: 0.0, end_forces: None };
+        let state = ContactState {
+            regime: Regime::Zone,
+            reactions: Reactions::default(),
+            contacts: contacts.iter().map(contact).collect(),
+            deflection: Extremes::default(),
+            moment: Extremes::default(),
+            energy: 0.0,
+            nodes: None,
+        };
+        let places: Vec<f64> = std::iter::once(0.0).chain(x).chain([f64::from(u32::MAX)]).collect();
+        let (pressure, forces) = contact_forces(&state, &nodes, &places);
+        (forces.iter().map(|f| (f.at, f.force, f.nodes)).collect(), pressure)
+    }
+
+    #[test]
+    fn a_short_contact_keeps_its_forces() {
+        let (forces, pressure) = forces_of(&[0.0, 2.0, 0.0, 1.0, 0.0], &[[2.0, 2.0], [4.0, 4.0]]);
+        assert_eq!(forces, [(2.0, 2.0, 1), (4.0, 1.0, 1)]);
+        assert_eq!(pressure, Vec::<Vec<[f64; 2]>>::new());
+    }
+
+    #[test]
+    fn a_long_contact_keeps_its_resultant() {
+        // One open node behind the left end does not part the contact.
+        let nodal = [0.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.5, 1.0, 3.0, 0.0];
+        let (forces, pressure) = forces_of(&nodal, &[[2.0, 3.0], [5.0, 10.0]]);
+        assert_eq!(forces, [(2.25, 4.0, 2), (9.75, 4.0, 2)]);
+        let distributed: f64 =
+            pressure.iter().flatten().collect::<Vec<_>>().chunks(2).map(|p| p[0][1] * (p[1][0] - p[0][0])).sum();
+        let total: f64 = forces.iter().map(|f| f.1).sum::<f64>() + distributed;
+        assert!((total - nodal.iter().sum::<f64>()).abs() < 1e-12, "{total} is left of the contact force");
+    }
+
+    #[test]
+    fn a_peak_inside_a_contact_is_a_force() {
+        let (forces, pressure) = forces_of(&[2.0, 1.0, 1.0, 1.0, 8.0, 1.0, 1.0, 1.0, 2.0], &[[1.0, 9.0]]);
+        assert_eq!(forces[1], (5.0, 8.0, 1));
+        assert_eq!(pressure.len(), 2, "the pressure is parted by the force");
+    }
+
+    #[test]
+    fn a_state_without_nodes_has_no_curves() {
+        let beam = crate::scene::Beam::new(1.0, 1.0).expect("a beam");
+        let scene = crate::scene::Scene::new(beam, crate::scene::Load::default(), None).expect("a scene");
+        let state = ContactState {
+            regime: Regime::None,
+            reactions: Reactions::default(),
+            contacts: Vec::new(),
+            deflection: Extremes::default(),
+            moment: Extremes::default(),
+            energy: 0.0,
+            nodes: None,
+        };
+        assert!(matches!(Curves::of(&scene, &state), Err(super::PlotError::NoNodes)));
+    }
+}

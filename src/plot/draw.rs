@@ -1,0 +1,255 @@
+//! From a layer to lines on the drawing.
+
+use super::canvas::{Canvas, TEXT};
+use super::error::{PlotError, finite};
+use super::label::{Frame, Label, Labels};
+use super::layer::{Arrows, Layer, LoadSketch, Place, Reference};
+use super::palette::{Color, Dash, Style};
+use super::panel::Axes;
+use super::trace::{Point, sampled, thinned};
+
+/// Distance of the points that stand for a line when labels are placed.
+const INK: f64 = 9.0;
+/// Least distance of two markers; those in between are left out.
+const MARKER_DISTANCE: f64 = 26.0;
+/// Width of the shaft of an arrow.
+const SHAFT: u32 = 7;
+/// Shortest arrow that a force other than zero gets.
+const SHORTEST: f64 = 14.0;
+
+/// Draws `layer`, and asks for the labels that it wants.
+pub(super) fn draw(
+    canvas: &Canvas<'_>,
+    layer: &Layer,
+    axes: &Axes,
+    frame: &Frame,
+    labels: &mut Labels,
+) -> Result<(), PlotError> {
+    match layer {
+        Layer::Series { points, style, .. } => series(canvas, &placed(points, axes), *style, labels),
+        Layer::Area { points, level, color, .. } => {
+            let line = placed(points, axes);
+            if let (Some(first), Some(last)) = (line.first(), line.last()) {
+                let base = axes.y.place(*level);
+                let ends = [[last[0], base], [first[0], base]];
+                let outline: Vec<Point> = line.iter().copied().chain(ends).collect();
+                canvas.fill(&outline, *color, 0.25)?;
+            }
+            canvas.line(&line, *color, 5, Dash::Solid)?;
+            labels.avoid(sampled(&thinned(&line), INK));
+            Ok(())
+        }
+        Layer::Arrows(layer) => arrows(canvas, layer, axes, frame, labels),
+        Layer::Foundation { points, .. } => foundation(canvas, &placed(points, axes), frame, labels),
+        Layer::Zones { intervals, level, .. } => {
+            for &[from, to] in intervals {
+                zone(canvas, axes.place([from, *level]), axes.place([to, *level]))?;
+            }
+            Ok(())
+        }
+        Layer::Reference { at, text } => {
+            let (line, near) = match *at {
+                Reference::X(x) => {
+                    let x = axes.x.place(x);
+                    ([[x, frame.top], [x, frame.bottom]], [x, frame.top + 0.7 * TEXT])
+                }
+                Reference::Y(y) => {
+                    let y = axes.y.place(y);
+                    ([[frame.left, y], [frame.right, y]], [frame.right - 300.0, y])
+                }
+            };
+            canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;
+            labels.avoid(sampled(&line, INK));
+            labels.ask(Label { text: text.clone(), at: near, color: Color::GRAY, optional: false, below: false });
+            Ok(())
+        }
+        Layer::Note { at, text, dot } => {
+            let at = axes.place(*at);
+            if *dot {
+                canvas.disc(at, 10.0, Color::BLACK)?;
+            }
+            // In the upper half of the frame there is more room below the point.
+            let below = at[1] < 0.5 * (frame.top + frame.bottom);
+            labels.ask(Label { text: text.clone(), at, color: Color::BLACK, optional: false, below });
+            Ok(())
+        }
+        Layer::Supports { at: [left, right] } => {
+            support(canvas, axes.place(*left), false)?;
+            support(canvas, axes.place(*right), true)
+        }
+        Layer::Load(sketch) => load(canvas, sketch, axes, labels),
+    }
+}
+
+/// A sample of a layer for the legend, centred in height at `at`.
+pub(super) fn swatch(canvas: &Canvas<'_>, layer: &Layer, [x, y]: Point) -> Result<(), PlotError> {
+    let ends = [[x, y], [x + 88.0, y]];
+    match layer {
+        Layer::Series { style, .. } => {
+            if let Some(dash) = style.dash {
+                canvas.line(&ends, style.color, style.width, dash)?;
+            }
+            style.marker.map_or(Ok(()), |marker| canvas.mark([x + 44.0, y], marker, style.color))
+        }
+        Layer::Area { color, .. } => {
+            canvas.rectangle([x, y - 16.0], [x + 88.0, y + 16.0], *color, 0.25)?;
+            canvas.line(&[[x, y - 16.0], [x + 88.0, y - 16.0]], *color, 5, Dash::Solid)
+        }
+        Layer::Arrows(arrows) => canvas.arrow([x, y], [x + 88.0, y], arrows.color, SHAFT, arrows.dash),
+        Layer::Foundation { .. } => {
+            canvas.rectangle([x, y - 14.0], [x + 88.0, y + 18.0], Color::GROUND, 1.0)?;
+            canvas.line(&[[x, y - 14.0], [x + 88.0, y - 14.0]], Color::BLACK, 4, Dash::Solid)
+        }
+        Layer::Zones { .. } => zone(canvas, [x, y], [x + 88.0, y]),
+        Layer::Reference { .. } | Layer::Note { .. } | Layer::Supports { .. } | Layer::Load(_) => Ok(()),
+    }
+}
+
+fn placed(points: &[Place], axes: &Axes) -> Vec<Point> {
+    points.iter().map(|&p| axes.place(p)).collect()
+}
+
+fn series(canvas: &Canvas<'_>, line: &[Point], style: Style, labels: &mut Labels) -> Result<(), PlotError> {
+    if let Some(dash) = style.dash {
+        canvas.line(line, style.color, style.width, dash)?;
+        labels.avoid(sampled(&thinned(line), INK));
+    }
+    if let Some(marker) = style.marker {
+        let mut last: Option<Point> = None;
+        for &at in line {
+            let far = last.is_none_or(|last| MARKER_DISTANCE < (at[0] - last[0]).abs().max((at[1] - last[1]).abs()));
+            if far {
+                canvas.mark(at, marker, style.color)?;
+                last = Some(at);
+            }
+        }
+        labels.avoid(line.iter().copied());
+    }
+    Ok(())
+}
+
+fn arrows(
+    canvas: &Canvas<'_>,
+    layer: &Arrows,
+    axes: &Axes,
+    frame: &Frame,
+    labels: &mut Labels,
+) -> Result<(), PlotError> {
+    let full = finite("the force of an arrow of full length", layer.full)?.abs();
+    for arrow in &layer.arrows {
+        let force = finite("the force of an arrow", arrow.force)?;
+        if force == 0.0 || full == 0.0 {
+            continue;
+        }
+        let length = (force.abs() / full * layer.part * (frame.bottom - frame.top)).max(SHORTEST);
+        let tail = axes.place(arrow.at);
+        let tip = [tail[0], tail[1] - length.copysign(force)];
+        canvas.arrow(tail, tip, layer.color, SHAFT, layer.dash)?;
+        labels.avoid(sampled(&[tail, tip], INK));
+        labels.ask(Label {
+            text: arrow.text.clone(),
+            at: tip,
+            color: layer.color,
+            optional: arrow.optional,
+            below: force < 0.0,
+        });
+    }
+    Ok(())
+}
+
+/// Ground below a line, with short strokes along it as on a drawing board.
+fn foundation(canvas: &Canvas<'_>, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
+    let (Some(first), Some(last)) = (line.first(), line.last()) else {
+        return Ok(());
+    };
+    let outline: Vec<Point> = line.iter().copied().chain([[last[0], frame.bottom], [first[0], frame.bottom]]).collect();
+    canvas.fill(&outline, Color::GROUND, 1.0)?;
+    let mut x = first[0] + 24.0;
+    for pair in line.windows(2) {
+        let ([from, y], [to, to_y]) = (pair[0], pair[1]);
+        while from <= x && x < to {
+            let depth = y + (to_y - y) * (x - from) / (to - from);
+            if depth + 26.0 < frame.bottom {
+                canvas.line(&[[x, depth], [x - 20.0, depth + 26.0]], Color::GRAY, 3, Dash::Solid)?;
+            }
+            x += 40.0;
+        }
+    }
+    canvas.line(line, Color::BLACK, 4, Dash::Solid)?;
+    labels.avoid(sampled(line, INK));
+    Ok(())
+}
+
+fn zone(canvas: &Canvas<'_>, from: Point, to: Point) -> Result<(), PlotError> {
+    if to[0] - from[0] < 14.0 {
+        canvas.disc([0.5 * (from[0] + to[0]), from[1]], 13.0, Color::VERMILLION)
+    } else {
+        canvas.line(&[from, to], Color::VERMILLION, 16, Dash::Solid)
+    }
+}
+
+/// A support: a triangle, and below the one that can roll a second line.
+fn support(canvas: &Canvas<'_>, [x, y]: Point, rolls: bool) -> Result<(), PlotError> {
+    let triangle = [[x, y], [x + 26.0, y + 42.0], [x - 26.0, y + 42.0]];
+    canvas.fill(&triangle, Color::WHITE, 1.0)?;
+    canvas.line(&[triangle[0], triangle[1], triangle[2], triangle[0]], Color::BLACK, 4, Dash::Solid)?;
+    let ground = if rolls { y + 52.0 } else { y + 42.0 };
+    canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
+}
+
+fn load(canvas: &Canvas<'_>, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
+    /// Height of the greatest intensity, length of the greatest point load, distance from the beam.
+    const BLOCK: f64 = 90.0;
+    const POINT: f64 = 170.0;
+    const CLEAR: f64 = 16.0;
+    let mut most: f64 = 0.0;
+    let mut least: f64 = 0.0;
+    for p in &sketch.intensity {
+        let q = finite("the intensity of a load", p[1])?;
+        (least, most) = (least.min(q), most.max(q));
+    }
+    let largest = most.max(-least);
+    let beam = axes.y.place(sketch.level);
+    if 0.0 < largest {
+        // A load that acts upwards hangs below the base line, which makes room for it.
+        let base = beam - CLEAR - BLOCK * (-least / largest);
+        let edge = |[x, q]: Place| [axes.x.place(x), base - BLOCK * (q / largest)];
+        let outline: Vec<Point> = sketch.intensity.iter().map(|&p| edge(p)).collect();
+        if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
+            let closed: Vec<Point> = outline.iter().copied().chain([[last[0], base], [first[0], base]]).collect();
+            canvas.fill(&closed, Color::SKY, 0.3)?;
+            canvas.line(&outline, Color::BLUE, 3, Dash::Solid)?;
+            canvas.line(&[[first[0], base], [last[0], base]], Color::BLUE, 3, Dash::Solid)?;
+        }
+        for pair in outline.windows(2) {
+            let ([from, y], [to, to_y]) = (pair[0], pair[1]);
+            let mut x = (from / 80.0).ceil() * 80.0;
+            while x < to {
+                let height = y + (to_y - y) * (x - from) / (to - from);
+                if 20.0 < (height - base).abs() {
+                    canvas.arrow([x, height], [x, base], Color::BLUE, 3, Dash::Solid)?;
+                }
+                x += 80.0;
+            }
+        }
+        for (x, q, text) in &sketch.values {
+            let at = edge([*x, q.max(0.0)]);
+            labels.ask(Label { text: text.clone(), at, color: Color::BLUE, optional: false, below: false });
+        }
+        labels.avoid(sampled(&outline, INK));
+    }
+    let mut greatest: f64 = 0.0;
+    for p in &sketch.points {
+        greatest = greatest.max(finite("a point load", p.1)?.abs());
+    }
+    for (x, force, text) in sketch.points.iter().filter(|p| p.1 != 0.0) {
+        let length = (POINT * (force.abs() / greatest)).max(60.0);
+        let x = axes.x.place(*x);
+        let (near, far) = ([x, beam - 6.0], [x, beam - 6.0 - length]);
+        let (tail, tip) = if 0.0 < *force { (far, near) } else { (near, far) };
+        canvas.arrow(tail, tip, Color::BLACK, SHAFT, Dash::Solid)?;
+        labels.avoid(sampled(&[near, far], INK));
+        labels.ask(Label { text: text.clone(), at: far, color: Color::BLACK, optional: false, below: false });
+    }
+    Ok(())
+}

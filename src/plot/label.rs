@@ -1,0 +1,144 @@
+//! Where labels go: near their point, inside the panel, off each other and off the lines.
+
+use super::canvas::{Align, Canvas, Type, text_width};
+use super::error::PlotError;
+use super::palette::{Color, Dash};
+use super::trace::Point;
+
+/// A label that asks for a place.
+#[derive(Debug, Clone)]
+pub(super) struct Label {
+    pub(super) text: String,
+    /// The point that it belongs to, on the drawing.
+    pub(super) at: Point,
+    pub(super) color: Color,
+    /// Left out rather than printed over another label.
+    pub(super) optional: bool,
+    /// Preferred below its point rather than above.
+    pub(super) below: bool,
+}
+
+/// A rectangle on the drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Frame {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
+}
+
+impl Frame {
+    fn meets(&self, other: &Self) -> bool {
+        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+    }
+
+    fn holds(&self, [x, y]: Point) -> bool {
+        (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
+    }
+}
+
+/// What the labels of one panel must share.
+#[derive(Debug, Default)]
+pub(super) struct Labels {
+    wanted: Vec<Label>,
+    /// Points of lines, which a label had better not cover.
+    ink: Vec<Point>,
+}
+
+/// Distances between a point and its label, the nearest first.
+const RINGS: [f64; 6] = [12.0, 30.0, 60.0, 100.0, 150.0, 210.0];
+
+/// A label farther from its point than this gets a line to it.
+const FAR: f64 = 45.0;
+
+impl Labels {
+    pub(super) fn ask(&mut self, label: Label) {
+        if !label.text.is_empty() {
+            self.wanted.push(label);
+        }
+    }
+
+    pub(super) fn avoid(&mut self, points: impl IntoIterator<Item = Point>) {
+        self.ink.extend(points);
+    }
+
+    /// Writes the labels, first come first served, those that must be written before those that may be left out.
+    pub(super) fn write(mut self, canvas: &Canvas<'_>, bounds: &Frame) -> Result<(), PlotError> {
+        self.wanted.sort_by_key(|label| label.optional);
+        let mut taken: Vec<Frame> = Vec::new();
+        for label in &self.wanted {
+            let frame = self.place(label, bounds, &taken);
+            if label.optional && taken.iter().any(|t| t.meets(&frame)) {
+                continue;
+            }
+            taken.push(frame);
+            // From the point to the nearest point of the label.
+            let near = [label.at[0].clamp(frame.left, frame.right), label.at[1].clamp(frame.top, frame.bottom)];
+            if FAR < (near[0] - label.at[0]).abs().max((near[1] - label.at[1]).abs()) {
+                canvas.line(&[label.at, near], Color::GRAY, 2, Dash::Solid)?;
+            }
+            canvas.rectangle([frame.left, frame.top], [frame.right, frame.bottom], Color::WHITE, 0.8)?;
+            let middle = [0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom)];
+            canvas.text(&label.text, middle, Align::Center, Type { color: label.color, ..Type::PLAIN })?;
+        }
+        Ok(())
+    }
+
+    /// The place around the label's point that covers least.
+    fn place(&self, label: &Label, bounds: &Frame, taken: &[Frame]) -> Frame {
+        /// Covering a label is worse than covering any number of points of lines.
+        const COVERED_LABEL: f64 = 1e4;
+        let kind = Type::PLAIN;
+        let (width, height) = (text_width(&label.text, kind) + 14.0, 1.2 * kind.size);
+        let near: Vec<Point> = self
+            .ink
+            .iter()
+            .copied()
+            .filter(|p| (p[0] - label.at[0]).abs() < width + 400.0 && (p[1] - label.at[1]).abs() < 400.0)
+            .collect();
+        let down = if label.below { 1.0 } else { -1.0 };
+        let mut best: Option<(f64, Frame)> = None;
+        // A label that may be left out stays close to its point; the others may move away and get a line to it.
+        let rings = if label.optional { 2 } else { RINGS.len() };
+        for (ring, &gap) in RINGS[..rings].iter().enumerate() {
+            let (side, over) = (0.5 * width + gap, 0.5 * height + gap);
+            let places = [
+                (0.0, down * over),
+                (side, down * over),
+                (-side, down * over),
+                (side, 0.0),
+                (-side, 0.0),
+                (0.0, -down * over),
+                (side, -down * over),
+                (-side, -down * over),
+            ];
+            for (turn, (dx, dy)) in places.into_iter().enumerate() {
+                let x = clamped(label.at[0] + dx, bounds.left + 0.5 * width, bounds.right - 0.5 * width);
+                let y = clamped(label.at[1] + dy, bounds.top + 0.5 * height, bounds.bottom - 0.5 * height);
+                let frame = Frame {
+                    left: x - 0.5 * width,
+                    top: y - 0.5 * height,
+                    right: x + 0.5 * width,
+                    bottom: y + 0.5 * height,
+                };
+                let covered = taken.iter().filter(|t| t.meets(&frame)).count();
+                let crossed = near.iter().filter(|p| frame.holds(**p)).count() + usize::from(frame.holds(label.at));
+                let cost =
+                    COVERED_LABEL * count(covered) + 3.0 * count(crossed) + 5.0 * count(ring) + 0.5 * count(turn);
+                if best.is_none_or(|(least, _)| cost < least) {
+                    best = Some((cost, frame));
+                }
+            }
+        }
+        best.map_or(*bounds, |(_, frame)| frame)
+    }
+}
+
+/// `value` between `lo` and `hi`; in the middle if there is nothing between them.
+fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
+    if lo <= hi { value.clamp(lo, hi) } else { 0.5 * (lo + hi) }
+}
+
+fn count(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}

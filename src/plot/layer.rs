@@ -1,0 +1,192 @@
+//! What a panel shows, in the numbers of its axes.
+
+use super::palette::{Color, Dash, Style};
+
+/// A point in the numbers of the axes, `[x, y]`.
+pub type Place = [f64; 2];
+
+/// One thing that is drawn in a panel. A label that is empty does not appear in the legend.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Layer {
+    /// A line, markers, or both.
+    Series {
+        /// Points in their order; a vertical step is two points at the same place.
+        points: Vec<Place>,
+        /// Look.
+        style: Style,
+        /// Name in the legend.
+        label: String,
+    },
+    /// The area between a curve and a level.
+    Area {
+        /// The curve.
+        points: Vec<Place>,
+        /// The level.
+        level: f64,
+        /// Colour, drawn light.
+        color: Color,
+        /// Name in the legend.
+        label: String,
+    },
+    /// Concentrated forces.
+    Arrows(Arrows),
+    /// The foundation: a line with hatching, and the ground below it filled.
+    Foundation {
+        /// The line.
+        points: Vec<Place>,
+        /// Name in the legend.
+        label: String,
+    },
+    /// Stretches of contact as thick bars; a single point of contact is a dot.
+    Zones {
+        /// From, to.
+        intervals: Vec<[f64; 2]>,
+        /// Height at which they lie.
+        level: f64,
+        /// Name in the legend.
+        label: String,
+    },
+    /// A dotted line across the panel.
+    Reference {
+        /// Where it crosses.
+        at: Reference,
+        /// Text beside it; not in the legend.
+        text: String,
+    },
+    /// Words at a point.
+    Note {
+        /// The point.
+        at: Place,
+        /// The words.
+        text: String,
+        /// Whether the point gets a dot.
+        dot: bool,
+    },
+    /// The two supports, as triangles below the points.
+    Supports {
+        /// Left and right.
+        at: [Place; 2],
+    },
+    /// Loads, sketched above a level on a scale of their own.
+    Load(LoadSketch),
+}
+
+/// Where a reference line crosses the panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reference {
+    /// A vertical line at this `x`.
+    X(f64),
+    /// A horizontal line at this `y`.
+    Y(f64),
+}
+
+/// Forces as arrows whose length stands for the force and for nothing else, least of all for the spacing of a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arrows {
+    /// The arrows.
+    pub arrows: Vec<Arrow>,
+    /// The force whose arrow has the full length; the same in all layers that are to be compared.
+    pub full: f64,
+    /// The full length as a part of the height of the panel.
+    pub part: f64,
+    /// Colour.
+    pub color: Color,
+    /// How the shaft is drawn.
+    pub dash: Dash,
+    /// Name in the legend.
+    pub label: String,
+}
+
+/// A force, positive upwards on the page whichever way the axis grows. The arrow starts at its place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arrow {
+    /// Where the arrow starts.
+    pub at: Place,
+    /// The force.
+    pub force: f64,
+    /// Its value in words; empty for none.
+    pub text: String,
+    /// Whether the text is left out where there is no room.
+    pub optional: bool,
+}
+
+/// Loads as a shaded block with small arrows, point loads as large arrows. Positive downwards.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadSketch {
+    /// The level that they rest on: the beam.
+    pub level: f64,
+    /// Intensity along the beam, `[x, force per length]`; a step is two points at the same place.
+    pub intensity: Vec<Place>,
+    /// Value of each stretch to be written, `(x, intensity, text)`.
+    pub values: Vec<(f64, f64, String)>,
+    /// Point loads, `(x, force, text)`.
+    pub points: Vec<(f64, f64, String)>,
+}
+
+impl LoadSketch {
+    /// Whether there is anything to draw.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.intensity.iter().all(|p| p[1] == 0.0) && self.points.iter().all(|p| p.1 == 0.0)
+    }
+}
+
+impl Layer {
+    /// Numbers on the x axis that the layer needs.
+    pub(super) fn xs(&self) -> Vec<f64> {
+        match self {
+            Self::Series { points, .. } | Self::Area { points, .. } | Self::Foundation { points, .. } => firsts(points),
+            Self::Arrows(arrows) => arrows.arrows.iter().map(|a| a.at[0]).collect(),
+            Self::Zones { intervals, .. } => intervals.iter().flatten().copied().collect(),
+            Self::Reference { at: Reference::X(x), .. } => vec![*x],
+            Self::Reference { at: Reference::Y(_), .. } => Vec::new(),
+            Self::Note { at, .. } => vec![at[0]],
+            Self::Supports { at } => firsts(at),
+            Self::Load(load) => {
+                let mut xs = firsts(&load.intensity);
+                xs.extend(load.points.iter().map(|p| p.0));
+                xs
+            }
+        }
+    }
+
+    /// Numbers on the y axis that the layer needs.
+    pub(super) fn ys(&self) -> Vec<f64> {
+        match self {
+            Self::Series { points, .. } | Self::Foundation { points, .. } => seconds(points),
+            Self::Area { points, level, .. } => {
+                let mut ys = seconds(points);
+                ys.push(*level);
+                ys
+            }
+            Self::Arrows(arrows) => arrows.arrows.iter().map(|a| a.at[1]).collect(),
+            Self::Zones { level, .. } => vec![*level],
+            Self::Reference { at: Reference::Y(y), .. } => vec![*y],
+            Self::Reference { at: Reference::X(_), .. } => Vec::new(),
+            Self::Note { at, .. } => vec![at[1]],
+            Self::Supports { at } => seconds(at),
+            Self::Load(load) => vec![load.level],
+        }
+    }
+
+    /// Name in the legend, if the layer appears there.
+    pub(super) fn legend(&self) -> Option<&str> {
+        let label = match self {
+            Self::Series { label, .. }
+            | Self::Area { label, .. }
+            | Self::Foundation { label, .. }
+            | Self::Zones { label, .. } => label,
+            Self::Arrows(arrows) => &arrows.label,
+            Self::Reference { .. } | Self::Note { .. } | Self::Supports { .. } | Self::Load(_) => return None,
+        };
+        Some(label.as_str()).filter(|label| !label.is_empty())
+    }
+}
+
+fn firsts(points: &[Place]) -> Vec<f64> {
+    points.iter().map(|p| p[0]).collect()
+}
+
+fn seconds(points: &[Place]) -> Vec<f64> {
+    points.iter().map(|p| p[1]).collect()
+}

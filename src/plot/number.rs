@@ -1,0 +1,97 @@
+//! Numbers as a reader wants them in a figure: few digits, a real minus sign, powers of ten as such.
+
+/// Digits of a value that is written beside the point that it belongs to.
+pub(super) const DIGITS: usize = 4;
+
+/// `value` to `digits` significant digits, without trailing zeros; `2.5·10⁻⁷` where that is shorter.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let Some((mantissa, exponent)) = scientific.split_once('e') else {
+        return scientific;
+    };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if (-3..=5).contains(&exponent) {
+        let decimals = usize::try_from(-exponent).map_or_else(
+            |_| digits.saturating_sub(1).saturating_sub(exponent.unsigned_abs() as usize),
+            |small| digits - 1 + small,
+        );
+        typeset(trimmed(&format!("{value:.decimals$}")))
+    } else {
+        format!("{}·{}", typeset(trimmed(mantissa)), power_of_ten(exponent))
+    }
+}
+
+/// `value` with a fixed number of decimals, as the labels along an axis are written.
+#[must_use]
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
+    typeset(&format!("{value:.decimals$}"))
+}
+
+/// `10ⁿ`, with raised digits.
+#[must_use]
+pub(super) fn power_of_ten(exponent: i32) -> String {
+    let digits = exponent.to_string();
+    let raised = digits.chars().map(|c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        _ => '⁰',
+    });
+    "10".chars().chain(raised).collect()
+}
+
+/// `10ⁿ` as the nearest `f64`. Reading it from text rounds correctly everywhere, which `powi` does not promise.
+pub(super) fn ten_to(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
+}
+
+/// The largest `n` with `10ⁿ ≤ |value|`, for a finite value that is not zero.
+pub(super) fn decade(value: f64) -> i32 {
+    let scientific = format!("{value:e}");
+    scientific.split_once('e').and_then(|(_, n)| n.parse().ok()).unwrap_or(0)
+}
+
+/// The text without zeros that only follow a decimal point.
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A minus sign in place of the hyphen, and no minus before zero.
+fn typeset(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
+        Some(rest) => format!("−{rest}"),
+        None => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{decade, fixed, significant, ten_to};
+
+    #[test]
+    fn numbers_are_written_for_a_reader() {
+        assert_eq!(significant(1.182_177_011, 4), "1.182");
+        assert_eq!(significant(-0.5, 4), "−0.5");
+        assert_eq!(significant(9.999_96, 4), "10");
+        assert_eq!(significant(123_456.0, 4), "123456");
+        assert_eq!(significant(0.0, 4), "0");
+        assert_eq!(significant(-1e-300, 3), "−1·10⁻³⁰⁰");
+        assert_eq!(significant(0.001_234_5, 3), "0.00123");
+        assert_eq!(fixed(-0.0, 1), "0.0");
+    }
+
+    #[test]
+    fn decades_hold_at_their_borders() {
+        assert_eq!([decade(1.0), decade(0.999), decade(10.0), decade(-1e-5), decade(5e-324)], [0, -1, 1, -5, -324]);
+        assert_eq!(ten_to(-3).to_bits(), 1e-3_f64.to_bits());
+    }
+}

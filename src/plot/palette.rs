@@ -1,0 +1,132 @@
+//! Colours that stay apart for colour-blind readers, and dashes and markers that stay apart without any colour.
+//!
+//! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), without their yellow, which is too
+//! light for a line on white.
+
+/// A colour: red, green, blue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Color(pub u8, pub u8, pub u8);
+
+impl Color {
+    /// Black: text, beam, axes.
+    pub const BLACK: Self = Self(0, 0, 0);
+    /// Blue: what is computed.
+    pub const BLUE: Self = Self(0, 114, 178);
+    /// Vermillion: contact and contact forces.
+    pub const VERMILLION: Self = Self(213, 94, 0);
+    /// Bluish green.
+    pub const GREEN: Self = Self(0, 158, 115);
+    /// Reddish purple.
+    pub const PURPLE: Self = Self(204, 121, 167);
+    /// Orange.
+    pub const ORANGE: Self = Self(230, 159, 0);
+    /// Sky blue.
+    pub const SKY: Self = Self(86, 180, 233);
+    /// White: the paper.
+    pub const WHITE: Self = Self(255, 255, 255);
+    /// Dark grey: secondary text, beam theory.
+    pub const GRAY: Self = Self(90, 90, 90);
+    /// Light grey: grid lines.
+    pub const GRID: Self = Self(225, 225, 225);
+    /// Pale grey: areas of beam theory.
+    pub const PALE: Self = Self(190, 190, 190);
+    /// Grey of the foundation.
+    pub const GROUND: Self = Self(222, 217, 208);
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dash {
+    /// Unbroken: what is computed.
+    Solid,
+    /// Dashed: beam theory.
+    Dashed,
+    /// Dotted: guides and borders.
+    Dotted,
+    /// Dash and dot in turn.
+    DashDot,
+    /// Long dashes with short gaps.
+    LongDashed,
+}
+
+impl Dash {
+    /// Lengths of strokes and gaps in turn \[drawing units\]; empty for an unbroken line.
+    pub(super) fn pattern(self) -> &'static [f64] {
+        match self {
+            Self::Solid => &[],
+            Self::Dashed => &[30.0, 18.0],
+            Self::Dotted => &[6.0, 14.0],
+            Self::DashDot => &[34.0, 14.0, 6.0, 14.0],
+            Self::LongDashed => &[60.0, 14.0],
+        }
+    }
+}
+
+/// The shape drawn at each point of a series.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names are the shapes")]
+pub enum Marker {
+    Circle,
+    OpenCircle,
+    Square,
+    Triangle,
+    Diamond,
+    Cross,
+    Plus,
+}
+
+/// The look of one series.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Style {
+    /// Colour of line and markers.
+    pub color: Color,
+    /// How the points are joined; not at all if `None`.
+    pub dash: Option<Dash>,
+    /// What marks the points, if anything.
+    pub marker: Option<Marker>,
+    /// Width of the line \[drawing units\].
+    pub width: u32,
+}
+
+impl Style {
+    /// An unbroken line of one colour.
+    #[must_use]
+    pub fn solid(color: Color) -> Self {
+        Self { color, dash: Some(Dash::Solid), marker: None, width: 6 }
+    }
+
+    /// Beam theory, dashed in every figure as in the paper.
+    #[must_use]
+    pub fn theory() -> Self {
+        Self { color: Color::GRAY, dash: Some(Dash::Dashed), marker: None, width: 5 }
+    }
+
+    /// Markers without a line.
+    #[must_use]
+    pub fn marks(color: Color, marker: Marker) -> Self {
+        Self { color, dash: None, marker: Some(marker), width: 4 }
+    }
+
+    /// The look of series `i` among several: no two of the first seven share a colour or a marker.
+    #[must_use]
+    pub fn of_series(i: usize) -> Self {
+        const COLORS: [Color; 7] =
+            [Color::BLUE, Color::VERMILLION, Color::GREEN, Color::PURPLE, Color::ORANGE, Color::SKY, Color::BLACK];
+        const MARKERS: [Marker; 7] = [
+            Marker::Circle,
+            Marker::Square,
+            Marker::Triangle,
+            Marker::Diamond,
+            Marker::Cross,
+            Marker::OpenCircle,
+            Marker::Plus,
+        ];
+        const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::LongDashed];
+        Self {
+            color: COLORS[i % COLORS.len()],
+            dash: Some(DASHES[i % DASHES.len()]),
+            marker: Some(MARKERS[i % MARKERS.len()]),
+            width: 5,
+        }
+    }
+}
