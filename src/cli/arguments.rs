@@ -82,10 +82,10 @@ pub(super) struct Solve {
     #[arg(long, value_name = "SOLVER", value_enum)]
     pub(super) solver: Option<SolverArgument>,
     /// Equal intervals of a discretised method, at least 2 [default: 30]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = intervals)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals)]
     pub(super) intervals: Option<usize>,
     /// Scaled residual at which an iterative solver may stop; the check is not loosened by it [default: 1e-10]
-    #[arg(long, value_name = "EPS", allow_negative_numbers = true, value_parser = tolerance)]
+    #[arg(long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance)]
     pub(super) tolerance: Option<f64>,
     /// Print the nodes: in a table always, in JSON also those of more than 10000 intervals
     #[arg(long)]
@@ -105,7 +105,7 @@ pub(super) struct Compare {
     #[command(flatten)]
     pub(super) common: Common,
     /// Equal intervals of the discretised methods, at least 2
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = intervals, default_value_t = DEFAULT_INTERVALS)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, default_value_t = DEFAULT_INTERVALS)]
     pub(super) intervals: usize,
 }
 

@@ -55,7 +55,7 @@ fn read(path: &Path) -> Result<String, ReadProblem> {
     let refused = |error: io::Error| match error.kind() {
         io::ErrorKind::NotFound => ReadProblem::Missing,
         io::ErrorKind::IsADirectory => ReadProblem::Directory,
-        kind => ReadProblem::Refused(kind),
+        kind => ReadProblem::Refused { reason: kind.to_string() },
     };
     let file = File::open(path).map_err(refused)?;
     if file.metadata().map_err(refused)?.is_dir() {

@@ -32,18 +32,18 @@ fn how(answer: &Answer) -> String {
         Some(intervals) => format!("{}, {intervals} intervals", answer.method),
         None => answer.method.to_owned(),
     };
-    let residual = answer.residual.map_or_else(String::new, |r| format!("residual {}", magnitude(r)));
+    let residual = answer.residual.map_or_else(String::new, |r| format!(" (residual {})", magnitude(r)));
     let status = match answer.status {
-        Status::Certified => format!("{} {residual}", answer.status),
-        Status::NotCertified => format!("{}: the answer fails our check, {residual}", answer.status),
+        Status::Certified => format!("{}{residual}", answer.status),
+        Status::NotCertified => format!("{}: the answer fails our check{residual}", answer.status),
         Status::NotConverged => {
-            format!("{}: the solver gave up, and what it had fails our check, {residual}", answer.status)
+            format!("{}: the solver gave up, and what it had fails our check{residual}", answer.status)
         }
     };
     list(&[
         ("method", method),
         ("solver", format!("{}, which says: {}", answer.solver, answer.solver_status)),
-        ("status", status.trim_end().to_owned()),
+        ("status", status),
         ("regime", answer.state.regime.word().to_owned()),
         ("unknowns", answer.unknowns.to_string()),
         ("iterations", answer.iterations.to_string()),

@@ -3,6 +3,7 @@
 mod support;
 
 mod bad_input;
+mod command_line;
 mod invariants;
 mod scene_file;
 mod words;

@@ -1,11 +1,9 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
-use std::io::ErrorKind;
-
 use crate::scene::SceneError;
 
 /// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ReadProblem {
     /// There is no such file.
     #[error("there is no such file")]
@@ -14,8 +12,11 @@ pub enum ReadProblem {
     #[error("it is a directory, not a file")]
     Directory,
     /// The operating system refused.
-    #[error("it cannot be read ({0})")]
-    Refused(ErrorKind),
+    #[error("it cannot be read ({reason})")]
+    Refused {
+        /// In the words of the operating system.
+        reason: String,
+    },
     /// It is larger than any file of this kind should be.
     #[error("it is larger than {limit} bytes, the most that is read")]
     TooLarge {

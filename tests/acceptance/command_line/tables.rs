@@ -1,0 +1,101 @@
+//! Tables, as a person reads them.
+
+use palkki::route::{Method, Solver};
+
+use super::{Folder, RIDGE};
+
+/// A table without what changes from run to run and from processor to processor.
+fn steady(text: &str) -> String {
+    let shaky = ["  seconds", "  status", "  what remains", "  iterations"];
+    let lines = text.lines().filter(|line| !shaky.iter().any(|start| line.starts_with(start)));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Four intervals with contact at all three nodes, to be checked by hand: `p_1 = q − 2 EI u / Δ⁴`, `p_2 = q + 2 EI u / Δ⁴`.
+#[test]
+fn table_of_solve() {
+    let folder = Folder::new("table");
+    let run = folder.run("solve example.toml --method complementarity --intervals 4 --nodes");
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    insta::assert_snapshot!(steady(&run.out), @"
+    Example
+    =======
+
+      method      complementarity, 4 intervals
+      solver      active-set, which says: optimal
+      regime      zone
+      unknowns    3
+
+    Equilibrium
+                           force
+      loads                   10  down
+      left support   1.333333333  up
+      right support  1.333333333  up
+      contact        7.333333333  up
+
+    Contacts
+            from   to        force
+      zone   2.5  7.5  7.333333333
+
+    Extremes
+                                 value   at
+      largest deflection             1  2.5
+      least deflection               0    0
+      largest moment      0.2083333333  2.5
+      least moment                   0    0
+      energy J            -7.416666667
+
+    Nodes
+      node    x  deflection  clearance  contact force        moment
+         1  2.5           1          0    2.333333333  0.2083333333
+         2    5           1          0    2.666666667             0
+         3  7.5           1          0    2.333333333  0.2083333333
+    ");
+}
+
+#[test]
+fn table_with_units_and_without_contact() {
+    let folder = Folder::new("table_units");
+    folder.write("high.toml", RIDGE.replace("uniform = 1", "uniform = 0.001"));
+    let run = folder.run("solve high.toml --method force --intervals 2");
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    insta::assert_snapshot!(steady(&run.out), @"
+    high.toml
+    =========
+
+      method      force, 2 intervals
+      solver      active-set, which says: optimal
+      regime      none
+      unknowns    1
+
+    Equilibrium
+                     force [kN]
+      loads                0.01  down
+      left support        0.005  up
+      right support       0.005  up
+      contact                 0  up
+
+    Contacts: none
+
+    Extremes
+                                value  at [m]
+      largest deflection [m]     0.08       5
+      least deflection [m]          0       0
+      largest moment [kN m]    0.0125       5
+      least moment [kN m]           0       0
+      energy J [kN m]         -0.0002
+    ");
+}
+
+#[test]
+fn table_of_compare_has_a_row_for_each_route() {
+    let run = Folder::new("table_compare").run("compare example.toml --intervals 6");
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    for method in Method::ALL {
+        for solver in Solver::ALL {
+            let rows =
+                run.out.lines().filter(|line| line.split_whitespace().take(2).eq([method.word(), solver.word()]));
+            assert_eq!(rows.count(), 1, "{method} × {solver} in\n{}", run.out);
+        }
+    }
+}
