@@ -1,7 +1,7 @@
 //! "If in the force method there is no tension between the supports either, or in the displacement method the clearance is
 //! positive between the supports too, the structural quantity stiffness D is bounded from above and from below."
 
-use super::{Claim, Verdict};
+use super::{Claim, Verdict, words::bound};
 use crate::methods::Method;
 use crate::paper::{INTERVALS, PRINTED_USEFUL_INTERVALS, example, theory};
 use crate::scene::SceneError;
@@ -79,10 +79,10 @@ impl Evidence {
             verdict: self.verdict(),
             evidence: format!(
                 "The condition is essential and does not hold as the methods stand: with constraints at the nodes only, both have \
-                 the same energy (the two differ by less than {:.0e}), and the beam dips below the foundation between them: {}. One \
+                 the same energy (the two differ by less than {}), and the beam dips below the foundation between them: {}. One \
                  number on one side is no bracket. Bounds need a deflection made admissible between the \
                  nodes.",
-                self.grids.iter().map(|g| g.difference).fold(1e-15, f64::max),
+                bound(self.grids.iter().map(|g| g.difference).fold(0.0, f64::max)),
                 self.grids.iter().map(line).collect::<Vec<_>>().join("; "),
             ),
         }

@@ -12,6 +12,7 @@ pub mod printed;
 pub mod recommendation;
 pub mod same_result;
 pub mod usable;
+mod words;
 
 use crate::scene::SceneError;
 

@@ -1,6 +1,6 @@
 //! "As is well known, cubic shape functions lead to the exact solution of a beam if load and contact pressure are point-like."
 
-use super::{Claim, Verdict};
+use super::{Claim, Verdict, words::bound};
 use crate::methods::Method;
 use crate::paper::beam;
 use crate::scene::{Foundation, Load, PointLoad, Scene, SceneError};
@@ -73,9 +73,9 @@ impl Evidence {
             verdict: self.verdict(),
             evidence: format!(
                 "Against the textbook formula for a point load on a node, 2 to 40 intervals: deflections at the nodes agree \
-                 to {:.0e}, the moment under the load to {:.0e}. Finite differences on the same grids are off by up to {:.0} %.",
-                self.deflection,
-                self.moment,
+                 to {}, the moment under the load to {}. Finite differences on the same grids are off by up to {:.0} %.",
+                bound(self.deflection),
+                bound(self.moment),
                 100.0 * self.deflection_by_differences,
             ),
         }

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::{Claim, Verdict, same_result};
+use super::{Claim, Verdict, same_result, words::bound};
 use crate::methods::{Discrete, Method};
 use crate::paper::{INTERVALS, example};
 use crate::problem::{Dense, Matrix, Programme, Stationary};
@@ -97,9 +97,13 @@ impl Evidence {
     pub(super) fn claim(&self) -> Claim {
         let line = |d: &Digits| {
             format!(
-                "with {} intervals (condition number {:.0e}) contact forces are off by {:.0e} of the load with K, \
-                 {:.0e} with C, {:.0e} in mixed form",
-                d.intervals, d.condition, d.with_stiffness, d.with_flexibility, d.without_matrix
+                "with {} intervals (condition number of order {}) contact forces are off by less than {} of the load \
+                 with K, {} with C, {} in mixed form",
+                d.intervals,
+                bound(d.condition / 3.0),
+                bound(d.with_stiffness),
+                bound(d.with_flexibility),
+                bound(d.without_matrix),
             )
         };
         Claim {
@@ -107,9 +111,9 @@ impl Evidence {
             statement: "Force or displacement method, whichever matrix is easier to compute; C can often be found in closed form.",
             verdict: self.verdict(),
             evidence: format!(
-                "C in closed form (26) is the inverse of the condensed K (largest entry of K C − I: {:.0e}). But neither matrix is \
+                "C in closed form (26) is the inverse of the condensed K (largest entry of K C − I: below {}). But neither matrix is \
                  needed: against the three-moment equations on a known contact set, {}; {}.",
-                self.closed_form,
+                bound(self.closed_form),
                 line(&self.digits[0]),
                 line(&self.digits[1]),
             ),

@@ -1,6 +1,6 @@
 //! "Force and displacement method lead to entirely the same result here."
 
-use super::{Claim, Verdict};
+use super::{Claim, Verdict, words::bound};
 use crate::methods::{Discrete, Method};
 use crate::paper::random::{Unevenness, scenes};
 use crate::paper::{INTERVALS, example};
@@ -91,13 +91,13 @@ impl Evidence {
             statement: "Force and displacement method lead to entirely the same result.",
             verdict: self.verdict(),
             evidence: format!(
-                "The two programmes are dual: K C = I (largest entry of K C − I with n = 29: {:.0e}). On the example and {} \
-                 random uneven foundations with 30 intervals nodal deflections differ by at most {:.0e} of the largest one, \
-                 contact forces by at most {:.0e} of the load.",
-                self.inverse,
+                "The two programmes are dual: K C = I (largest entry of K C − I with n = 29: below {}). On the example and {} \
+                 random uneven foundations with 30 intervals nodal deflections differ by less than {} of the largest one, \
+                 contact forces by less than {} of the load.",
+                bound(self.inverse),
                 self.scenes - 1,
-                self.deflection,
-                self.contact_force,
+                bound(self.deflection),
+                bound(self.contact_force),
             ),
         }
     }

@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::methods::{Method, flexibility};
-use crate::paper::claims::{Claim, Verdict};
+use crate::paper::claims::{Claim, Verdict, words::bound};
 use crate::paper::{INTERVALS, beam, scene_over};
 use crate::problem::{Dense, Sizes};
 use crate::scene::{Foundation, SceneError};
@@ -70,9 +70,10 @@ impl Curved {
             verdict: self.verdict(),
             evidence: format!(
                 "Exactly the same if its ends are supported: only u − w₀ enters. A ski with a camber of {CAMBER} u₀ over a flat base \
-                 and a straight beam over the equivalent foundation, {INTERVALS} intervals: contact forces differ by at most {:.0e} \
+                 and a straight beam over the equivalent foundation, {INTERVALS} intervals: contact forces differ by less than {} \
                  of the load (resultant {:.4}).",
-                self.difference, self.contact_force
+                bound(self.difference),
+                self.contact_force
             ),
         }
     }

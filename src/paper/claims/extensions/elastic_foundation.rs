@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::methods::flexibility;
 use crate::paper::beam;
-use crate::paper::claims::{Claim, Verdict};
+use crate::paper::claims::{Claim, Verdict, words::bound};
 use crate::problem::{Dense, Sizes, residual};
 use crate::scene::SceneError;
 use crate::solvers::Solver;
@@ -70,8 +70,9 @@ impl Springs {
             verdict: self.verdict(),
             evidence: format!(
                 "The force method with the flexibility of springs added to the diagonal of C, {INTERVALS} intervals: scaled residual \
-                 {:.0e}, deflection at mid-span {:+.1e} from the series solution of a beam on an elastic foundation.",
-                self.residual, self.deflection
+                 below {}, deflection at mid-span within {} of the series solution of a beam on an elastic foundation.",
+                bound(self.residual.max(f64::EPSILON)),
+                bound(self.deflection)
             ),
         }
     }
