@@ -82,10 +82,7 @@ impl Programme for Complementarity<'_> {
     /// Deflections of the free nodes from `EI v'''' = q`, with `v = u` at the others.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
         let held = mixed::solve(self.0, Bending::AtNodes, free)?;
-        Ok(Stationary {
-            x: self.0.clearances(&held.deflection),
-            gradient: held.contact_force.iter().map(|p| p / self.0.spacing).collect(),
-        })
+        Ok(Stationary { x: held.clearance, gradient: held.contact_force.iter().map(|p| p / self.0.spacing).collect() })
     }
 
     fn sizes(&self) -> Sizes {

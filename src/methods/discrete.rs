@@ -8,6 +8,8 @@ use crate::state::Bending;
 /// Nodal data of a scene on a grid. The scene is dimensionless and has a foundation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Discrete {
+    /// The grid.
+    pub grid: Grid,
     /// Number `N` of intervals.
     pub intervals: usize,
     /// Spacing `Δ`.
@@ -29,6 +31,7 @@ impl Discrete {
     pub fn new(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         let grid = Grid::uniform(scene, intervals)?;
         Ok(Self {
+            grid,
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),

@@ -105,7 +105,7 @@ impl Programme for Displacement<'_> {
     /// Deflections of the free nodes with `v = u` at the others.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
         let held = mixed::solve(self.0, Bending::Between, free)?;
-        Ok(Stationary { x: self.0.clearances(&held.deflection), gradient: held.contact_force })
+        Ok(Stationary { x: held.clearance, gradient: held.contact_force })
     }
 
     fn sizes(&self) -> Sizes {

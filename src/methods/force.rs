@@ -130,7 +130,7 @@ impl Programme for Force<'_> {
     ///
     /// then contact forces from the jumps of the shear force, clearances from the closed cubic of each interval.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        let Discrete { spacing, stiffness, loads, depths, intervals } = self.0;
+        let Discrete { spacing, stiffness, loads, depths, intervals, .. } = self.0;
         let supports: Vec<usize> =
             std::iter::once(0).chain((1..*intervals).filter(|&i| free[i - 1])).chain([*intervals]).collect();
         let spans: Vec<Span> = supports.windows(2).map(|s| Span::new(s[0], s[1], loads, *spacing)).collect();

@@ -36,8 +36,7 @@ pub fn free_beam(discrete: &Discrete, bending: Bending) -> Nodal {
 pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
     let Discrete { intervals, spacing, stiffness, .. } = *discrete;
     let loads = discrete.interior_loads();
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    let place = |i: usize| spacing * intervals as f64 * i as f64 / intervals as f64;
+    let place = |i: usize| discrete.grid.place(i);
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     let share = |i: usize| i as f64 / intervals as f64;
 
