@@ -2,6 +2,7 @@
 
 use std::process::Command;
 
+use palkki::scene::file::ReadProblem;
 use palkki::verification::numdiff;
 
 use super::text::{files, root, rust_files, words};
@@ -76,6 +77,14 @@ fn the_readme_shows_what_is_printed() {
         shown += 1;
     }
     assert!(0 < shown, "the README shows the command line");
+}
+
+#[test]
+fn the_scene_of_the_readme_is_one() {
+    let readme = document("README.md");
+    let scene = readme.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap_or_default();
+    let parsed = palkki::scene::file::parse("README.md", scene, |_| Err(ReadProblem::Missing));
+    assert!(parsed.is_ok(), "{parsed:?}\n{scene}");
 }
 
 #[test]

@@ -4,8 +4,15 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What no commit contains: build products and git's own files.
-const NOT_OURS: [&str; 2] = ["target", ".git"];
+/// Hidden files and directories that belong to the repository; others are somebody's own, or git's.
+const HIDDEN: [&str; 4] = [".cargo", ".ci", ".github", ".gitignore"];
+
+/// True for what no commit contains: hidden files, and directories that cargo has marked as its products.
+fn is_not_ours(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let hidden = name.starts_with('.') && !HIDDEN.contains(&name.as_ref());
+    hidden || name == "target" || path.join("CACHEDIR.TAG").exists()
+}
 
 /// The root of the repository.
 pub(super) fn root() -> PathBuf {
@@ -25,8 +32,7 @@ fn collect(path: &Path, ending: &str, found: &mut BTreeMap<String, String>) {
         let entries = fs::read_dir(path).unwrap_or_else(|e| panic!("cannot list {}: {e}", path.display()));
         for entry in entries {
             let entry = entry.unwrap_or_else(|e| panic!("cannot list {}: {e}", path.display())).path();
-            let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            if !NOT_OURS.contains(&name.as_str()) {
+            if !is_not_ours(&entry) {
                 collect(&entry, ending, found);
             }
         }

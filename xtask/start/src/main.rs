@@ -35,7 +35,8 @@ fn pass_on(arguments: &[String]) -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let build = Command::new(&cargo).args(["build", "--package", "xtask", "--locked"]).status();
     if !build.is_ok_and(|status| status.success()) {
-        eprintln!("xtask: the build failed; `cargo xtask doctor` says what this machine lacks");
+        eprintln!("\nxtask: the build failed. What `cargo xtask doctor` says of this machine:\n");
+        doctor::run();
         return ExitCode::FAILURE;
     }
     let run =
