@@ -38,7 +38,6 @@ fn state(forces: &[f64], clearance: f64) -> ContactState {
             contact_force: forces.to_vec(),
             moment: x.iter().map(|x| 0.05 * x * (LENGTH - x)).collect(),
             x,
-            ..Nodes::default()
         }),
     }
 }
@@ -110,7 +109,6 @@ fn nothing_at_all_can_be_drawn() {
         clearance: vec![f64::INFINITY],
         contact_force: vec![0.0],
         moment: vec![0.0],
-        ..Nodes::default()
     });
     assert!(solution(&scene, &state).expect("a figure").ends_with("</svg>\n"));
 }
