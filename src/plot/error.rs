@@ -1,6 +1,10 @@
 //! What can be wrong with the data of a figure.
 
+use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::drawing::DrawingAreaErrorKind;
+
+/// What goes wrong in plotters' SVG backend; drawing to a string, nothing should.
+type BackendError = DrawingAreaErrorKind<<SVGBackend<'static> as DrawingBackend>::ErrorType>;
 
 /// Why a figure was not drawn.
 #[derive(Debug, thiserror::Error)]
@@ -42,7 +46,7 @@ pub enum PlotError {
     NoNodes,
     /// The drawing library failed.
     #[error("the figure could not be drawn: {0}")]
-    Backend(#[from] DrawingAreaErrorKind<std::io::Error>),
+    Backend(#[from] BackendError),
 }
 
 /// `value` if it is finite.

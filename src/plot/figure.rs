@@ -73,3 +73,47 @@ impl Figure {
 pub(super) fn whole(height: f64) -> u32 {
     height.ceil().clamp(1.0, 1e6) as u32
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Figure, PlotError};
+    use crate::plot::{Axis, Layer, Panel, Style};
+
+    fn panel(i: usize) -> Panel {
+        let label = format!("series {i}");
+        let points = vec![[0.0, 0.0], [1.0, 1.0]];
+        Panel::new(Axis::new("x"), Axis::new("y")).with(Layer::Series { points, style: Style::of_series(i), label })
+    }
+
+    #[test]
+    fn a_figure_without_a_panel_or_a_point_is_refused() {
+        let none = Figure::new("", "", Vec::new()).svg();
+        assert!(matches!(none, Err(PlotError::Empty { what: "a figure" })), "no panel");
+        let empty = Figure::new("", "", vec![Panel::new(Axis::new("x"), Axis::new("y"))]).svg();
+        assert!(matches!(empty, Err(PlotError::Empty { what: "a panel" })), "no point");
+    }
+
+    #[test]
+    fn panels_stand_side_by_side() {
+        let height = |columns: usize| {
+            let figure = Figure { columns, ..Figure::new("title", "words", vec![panel(0), panel(1)]) };
+            let svg = figure.svg().expect("a figure");
+            assert!(svg.contains("series 0") && svg.contains("series 1"), "a panel is missing");
+            svg.split("height=\"")
+                .nth(1)
+                .and_then(|rest| rest.split('"').next()?.parse::<u32>().ok())
+                .expect("a height")
+        };
+        assert!(height(2) < height(1), "two columns need less height than one");
+    }
+
+    #[test]
+    fn series_differ_without_their_colours() {
+        let styles: Vec<Style> = (0..7).map(Style::of_series).collect();
+        for (i, a) in styles.iter().enumerate() {
+            for b in &styles[..i] {
+                assert!(a.color != b.color && a.marker != b.marker, "{a:?} and {b:?}");
+            }
+        }
+    }
+}

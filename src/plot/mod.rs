@@ -16,6 +16,7 @@ mod number;
 mod palette;
 mod panel;
 pub mod paper;
+mod sampled;
 mod solution;
 pub mod study;
 mod svg;

@@ -1,0 +1,204 @@
+//! The panels of a solution, one below the other.
+
+use super::ground::Ground;
+use super::sketch::sketch;
+use super::units::{UnitLabels, with_unit};
+use crate::plot::axis::Axis;
+use crate::plot::curves::Curves;
+use crate::plot::error::{PlotError, finite};
+use crate::plot::layer::{Arrow, Arrows, Layer, Place};
+use crate::plot::palette::{Color, Dash, Style};
+use crate::plot::panel::Panel;
+use crate::scene::Scene;
+use crate::state::Extremes;
+
+fn zip(x: &[f64], y: &[f64]) -> Vec<Place> {
+    x.iter().zip(y).map(|(&x, &y)| [x, y]).collect()
+}
+
+fn along(scene: &Scene, units: &UnitLabels) -> Axis {
+    Axis { padding: 0.03, ..Axis::new("").unit(units.length.clone()).including(&[0.0, scene.beam().length()]) }
+}
+
+/// An extreme, labelled with its value and its place.
+fn extreme(name: &str, at: f64, value: f64, unit: Option<&String>, length: Option<&String>) -> Layer {
+    let text = format!("{name} = {} at x = {}", with_unit(value, unit), with_unit(at, length));
+    Layer::Note { at: [at, value], text, dot: true }
+}
+
+/// Labels for both extremes, each only if it stands out from zero.
+fn extremes(name: &str, e: &Extremes, unit: Option<&String>, length: Option<&String>) -> Result<Vec<Layer>, PlotError> {
+    /// A value below this part of the other extreme lies on the zero line of the drawing.
+    const VISIBLE: f64 = 0.02;
+    for value in [e.max, e.max_at, e.min, e.min_at] {
+        finite("an extreme or its place", value)?;
+    }
+    let most = e.max.abs().max(e.min.abs());
+    let mut notes = Vec::new();
+    if VISIBLE * most < e.max {
+        notes.push(extreme(name, e.max_at, e.max, unit, length));
+    }
+    if e.min < -VISIBLE * most {
+        notes.push(extreme(name, e.min_at, e.min, unit, length));
+    }
+    Ok(notes)
+}
+
+fn zero_line(scene: &Scene) -> Layer {
+    let points = vec![[0.0, 0.0], [scene.beam().length(), 0.0]];
+    let style = Style { width: 3, ..Style::solid(Color::BLACK) };
+    Layer::Series { points, style, label: String::new() }
+}
+
+pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) -> Result<Panel, PlotError> {
+    let length = scene.beam().length();
+    let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
+    let mut panel = Panel::new(along(scene, units), y).tall(640.0);
+    if !ground.line.is_empty() {
+        panel = panel.with(Layer::Foundation { points: ground.line.clone(), label: "foundation u(x)".to_owned() });
+    }
+    let sketch = sketch(scene, curves, units);
+    let load = !sketch.is_empty();
+    // For a block of load and its value, and for the longer arrows of point loads.
+    let headroom = match (load, sketch.points.is_empty()) {
+        (false, _) => 40.0,
+        (true, true) => 190.0,
+        (true, false) => 280.0,
+    };
+    panel = panel
+        .with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] })
+        .with(Layer::Series {
+            points: zip(&curves.x, &curves.deflection),
+            style: Style { width: 9, ..Style::solid(Color::BLACK) },
+            label: "beam v(x)".to_owned(),
+        })
+        .room(headroom, 30.0);
+    if load {
+        panel = panel.with(Layer::Load(sketch));
+    }
+    for note in extremes("v", &curves.deflection_extremes, units.length.as_ref(), units.length.as_ref())? {
+        panel = panel.with(note);
+    }
+    Ok(panel)
+}
+
+/// No panel where there is no foundation.
+pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Option<Panel>, PlotError> {
+    if scene.foundation().is_none() {
+        return Ok(None);
+    }
+    let points = zip(&curves.x, &curves.clearance);
+    let most = Extremes::of(points.iter().map(|p| (p[0], p[1])));
+    finite("a clearance above a foundation", most.max)?;
+    let y = Axis::new("clearance h = u − v").unit(units.length.clone()).including(&[0.0]);
+    let mut panel = Panel::new(along(scene, units), y).tall(330.0).room(50.0, 20.0).with(Layer::Series {
+        points,
+        style: Style::solid(Color::BLUE),
+        label: String::new(),
+    });
+    if !curves.contacts.is_empty() {
+        let intervals = curves.contacts.clone();
+        panel = panel.with(Layer::Zones { intervals, level: 0.0, label: "contact".to_owned() });
+    }
+    if curves.contacts.is_empty() {
+        panel = panel.with(extreme("h", most.min_at, most.min, units.length.as_ref(), units.length.as_ref()));
+    } else if 0.0 < most.max {
+        panel = panel.with(extreme("h", most.max_at, most.max, units.length.as_ref(), units.length.as_ref()));
+    }
+    Ok(Some(panel))
+}
+
+pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
+    /// Of more forces than this only the largest are written, and only where there is room.
+    const CROWD: usize = 12;
+    /// Length of the arrow of the largest force \[drawing units\].
+    const LONGEST: f64 = 280.0;
+    let length = scene.beam().length();
+    let distributed = curves.pressure.iter().any(|zone| !zone.is_empty());
+    let y = if distributed {
+        Axis::new("contact pressure p, and forces as arrows").unit(units.pressure.clone()).including(&[0.0])
+    } else {
+        Axis::new("contact forces and reactions, as arrows").including(&[0.0]).bare()
+    };
+    let reactions = [(0.0, curves.reactions.left), (length, curves.reactions.right)];
+    let all = || curves.point_forces.iter().map(|f| f.force).chain(reactions.map(|r| r.1));
+    // A number that is not finite must reach the check when it is drawn, which `max` would hide.
+    let full = all().fold(0.0_f64, |most, f| if f.is_finite() { most.max(f.abs()) } else { f });
+    // Arrows that point downwards, at a support that holds the beam down, need room of their own.
+    let down = if 0.0 < full { LONGEST * all().fold(0.0_f64, |most, f| most.max(-f)) / full } else { 0.0 };
+    let height = 430.0 + down;
+    let above = if distributed { 150.0 } else { 330.0 };
+    let mut panel = Panel::new(along(scene, units), y).tall(height).room(above, 50.0 + down);
+    for (i, zone) in curves.pressure.iter().enumerate() {
+        let label = if i == 0 { "contact pressure" } else { "" };
+        panel = panel.with(Layer::Area {
+            points: zone.clone(),
+            level: 0.0,
+            color: Color::VERMILLION,
+            label: label.to_owned(),
+        });
+    }
+    let arrow = |at: f64, force: f64, optional: bool| Arrow {
+        at: [at, 0.0],
+        force,
+        text: with_unit(force, units.force.as_ref()),
+        optional,
+    };
+    let layer = |arrows: Vec<Arrow>, color: Color, label: &str| {
+        Layer::Arrows(Arrows {
+            arrows,
+            full,
+            part: LONGEST / height,
+            color,
+            dash: Dash::Solid,
+            label: label.to_owned(),
+        })
+    };
+    panel = panel.with(zero_line(scene));
+    let shared = curves.point_forces.iter().map(|f| f.nodes).max().unwrap_or(1);
+    let name = if 1 < shared {
+        format!("contact force (at the ends of a zone: {shared} nodes as one)")
+    } else {
+        "contact force".to_owned()
+    };
+    // Of many forces only the largest are written.
+    let mut by_size: Vec<usize> = (0..curves.point_forces.len()).collect();
+    by_size.sort_by(|&i, &j| curves.point_forces[j].force.abs().total_cmp(&curves.point_forces[i].force.abs()));
+    let crowd = CROWD < by_size.len();
+    let mut contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.at, f.force, crowd)).collect();
+    for &i in by_size.iter().skip(CROWD) {
+        contact[i].text.clear();
+    }
+    if !contact.is_empty() {
+        panel = panel.with(layer(contact, Color::VERMILLION, &name));
+    }
+    let supports = reactions.map(|(at, force)| arrow(at, force, false)).to_vec();
+    Ok(panel.with(layer(supports, Color::BLACK, "reaction")))
+}
+
+pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
+    let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down().including(&[0.0]);
+    let mut panel = Panel::new(along(scene, units), y).tall(400.0).room(50.0, 50.0).with(zero_line(scene));
+    panel = panel.with(Layer::Area {
+        points: zip(&curves.x, &curves.moment),
+        level: 0.0,
+        color: Color::BLUE,
+        label: String::new(),
+    });
+    for note in extremes("M", &curves.moment_extremes, units.moment.as_ref(), units.length.as_ref())? {
+        panel = panel.with(note);
+    }
+    Ok(panel)
+}
+
+pub(super) fn shear(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
+    let y = Axis::new("shear force V = dM/dx").unit(units.force.clone()).including(&[0.0]);
+    let mut panel = Panel::new(along(scene, units), y).tall(400.0).room(50.0, 50.0).with(zero_line(scene));
+    panel =
+        panel.with(Layer::Area { points: curves.shear.clone(), level: 0.0, color: Color::GREEN, label: String::new() });
+    let ends = Extremes::of(curves.shear.iter().map(|p| (p[0], p[1])));
+    for note in extremes("V", &ends, units.force.as_ref(), units.length.as_ref())? {
+        panel = panel.with(note);
+    }
+    Ok(panel)
+}
