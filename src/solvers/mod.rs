@@ -48,6 +48,12 @@ impl Solver {
     }
 }
 
+/// The active set from a guess of the face: `free[i]` is false where `x_i = 0` is expected.
+#[must_use]
+pub fn active_set_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
+    active_set::solve_from(programme, free)
+}
+
 /// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
 /// 32 MB, and its factors as much again.
 const LARGEST_MATRIX: usize = 2000;
