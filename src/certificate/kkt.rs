@@ -10,8 +10,18 @@ use crate::state::{Bending, ContactState, Nodes};
 /// integral quantity.
 pub const CERTIFIED_RESIDUAL: f64 = 1e-9;
 
-/// Violations of (4), (5), (8) by a state, all dimensionless: forces are measured by the sum `P` of all loads or all contact
-/// forces, whichever is larger; lengths by the largest deflection `D`, or depth in contact.
+/// Rounding, as a share of what is certified: sixteen units in the last place of the largest length in the scene.
+///
+/// Contact forces are rounded numbers, and half a unit in the last place of each moves the beam by that share of the
+/// deflection `P l³ / 48 EI` that all of them together would cause. Where the foundation lies so close that the beam moves
+/// less than that, a smaller measure would judge the representation of numbers, not the answer.
+const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
+
+/// Violations of (4), (5), (8) by a state, all dimensionless.
+///
+/// Forces are measured by `P`, the sum of all loads or of all contact forces, whichever is larger; in a scene without
+/// loads by the force `48 EI u / l³` that bends the beam to the largest depth. Lengths are measured by `D`, the largest
+/// deflection or depth in contact, in a scene without loads the largest depth, and never by less than rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kkt {
     /// Feasibility: `max(v_i − u_i) / D`, the deepest penetration at a node.
@@ -40,9 +50,15 @@ impl Kkt {
         let (v, p) = (&nodes.deflection, &nodes.contact_force);
 
         let sum = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).sum::<f64>();
-        let force = nonzero(sum(&mut loads.iter().copied()).max(sum(&mut p.iter().copied())));
+        let length = scene.beam().length();
+        let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
+        let load = sum(&mut loads.iter().copied());
+        let deepest = worst(depths.iter().map(|u| u.abs()).filter(|u| u.is_finite()));
+        let idle = if load == 0.0 { deepest } else { 0.0 };
+        let force = nonzero(load.max(sum(&mut p.iter().copied())).max(idle / flexibility));
         let in_contact = depths.iter().zip(p).filter(|(_, p)| **p != 0.0).map(|(u, _)| u.abs());
-        let depth = nonzero(worst(v.iter().map(|v| v.abs()).chain(in_contact)));
+        let moved = worst(v.iter().map(|v| v.abs()).chain(in_contact)).max(idle);
+        let depth = nonzero(moved.max(ROUNDING * flexibility * force));
 
         let clearance = || depths.iter().zip(v).map(|(u, v)| u - v);
         let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes);
