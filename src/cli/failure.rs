@@ -27,9 +27,9 @@ pub(super) enum Failure {
     /// There is nothing to write into the file of `--csv`.
     #[error("this answer has no values along the beam to write")]
     NoTable,
-    /// There is no figure.
-    #[error("--plot is not available yet")]
-    NoPlot,
+    /// The figure could not be drawn.
+    #[error("cannot draw this answer: {0}")]
+    Plot(#[from] palkki::plot::PlotError),
     /// A place to which no file can be written.
     #[error("cannot write {path:?}: {problem}")]
     NoPlace {

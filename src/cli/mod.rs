@@ -19,6 +19,7 @@ mod text;
 use std::process::ExitCode;
 
 use clap::{CommandFactory as _, Parser as _};
+use palkki::plot::{self, Curves};
 use palkki::route::Status;
 
 use self::answer::{Answer, Route};
@@ -79,7 +80,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
         files.stage(path, &csv::table(&answer)?)?;
     }
     if let Some(path) = &arguments.plot {
-        files.stage(path, &plot(&input, &answer)?)?;
+        files.stage(path, &figure(&input, &answer)?)?;
     }
     let text = match arguments.common.format {
         Format::Text => text::solve(&input, &answer, arguments.nodes),
@@ -91,9 +92,13 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
 }
 
 /// The figure of `--plot`.
-fn plot(_input: &Input, _answer: &Answer) -> Result<String, Failure> {
-    // The one call site of the figures.
-    Err(Failure::NoPlot)
+fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
+    let curves = Curves::of(&input.scene, &answer.state)?;
+    let subtitle = match answer.intervals {
+        Some(intervals) => format!("{} method, {}, {intervals} intervals", answer.method, answer.solver),
+        None => "beam theory".to_owned(),
+    };
+    Ok(plot::curves(&input.scene, &curves, &subtitle)?)
 }
 
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {

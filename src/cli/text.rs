@@ -91,9 +91,10 @@ fn contacts(contacts: &[Contact], labels: &Labels) -> String {
         })
         .collect();
     let (from, to, force) = (labels.length("from"), labels.length("to"), labels.force("force"));
+    let at_ends = [labels.force("force at from"), labels.force("force at to")];
     let mut header = vec!["", &from, &to, &force];
     if ends {
-        header.extend(["of it at from", "at to"]);
+        header.extend(at_ends.iter().map(String::as_str));
     }
     table("Contacts", &header, &rows)
 }

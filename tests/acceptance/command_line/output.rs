@@ -92,3 +92,14 @@ fn a_full_disk_behind_standard_output_is_a_failure() {
     assert_eq!(output.status.code(), Some(2));
     assert!(output.stderr.starts_with(b"error: cannot print the answer: "), "it says why");
 }
+
+#[test]
+fn a_plot_is_written_and_says_what_it_shows() {
+    let folder = Folder::new("plot");
+    let run = folder.run("solve example.toml --method displacement --intervals 12 --csv nodes.csv --plot beam.svg");
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
+    let svg = folder.read("beam.svg");
+    assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"), "a whole figure");
+    assert!(svg.contains("Example: displacement method, active-set, 12 intervals"), "its title names the answer");
+    assert!(folder.read("nodes.csv").lines().count() == 12, "and the table is written as well");
+}
