@@ -79,7 +79,7 @@ impl fmt::Display for Support {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// A number that has to be positive is not.
-    #[error("`{quantity}` must be positive and finite, but is {value}")]
+    #[error("`{quantity}` must be positive and finite, but is {}", shown(*value))]
     NotPositive {
         /// Which number.
         quantity: Quantity,
@@ -87,7 +87,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A number is `nan` or infinite.
-    #[error("`{quantity}` must be finite, but is {value}")]
+    #[error("`{quantity}` must be finite, but is {}", shown(*value))]
     NotFinite {
         /// Which number.
         quantity: Quantity,
@@ -95,7 +95,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A place is not on the beam.
-    #[error("`{quantity}` must lie on the beam, between 0 and {length}, but is {value}")]
+    #[error("`{quantity}` must lie on the beam, between 0 and {}, but is {}", shown(*length), shown(*value))]
     OutsideBeam {
         /// Which place.
         quantity: Quantity,
@@ -105,7 +105,7 @@ pub enum SceneError {
         length: f64,
     },
     /// A line load that ends where it starts, or before.
-    #[error("`{quantity}` must be greater than the start of the load, {from}, but is {to}")]
+    #[error("`{quantity}` must be greater than the start of the load, {}, but is {}", shown(*from), shown(*to))]
     EmptyLoad {
         /// The end of the load.
         quantity: Quantity,
@@ -124,7 +124,11 @@ pub enum SceneError {
         count: usize,
     },
     /// Points of a polyline that run backwards.
-    #[error("`{quantity}` must not be less than the place of the point before it, {previous}, but is {value}")]
+    #[error(
+        "`{quantity}` must not be less than the place of the point before it, {}, but is {}",
+        shown(*previous),
+        shown(*value)
+    )]
     PointsRunBack {
         /// The place that is too small.
         quantity: Quantity,
@@ -134,7 +138,7 @@ pub enum SceneError {
         previous: f64,
     },
     /// More than two points of a polyline at the same place.
-    #[error("`{quantity}` is the third point at x = {value}: two points make a step, more have no meaning")]
+    #[error("`{quantity}` is the third point at x = {}: two points make a step, more have no meaning", shown(*value))]
     ThreePointsAtOnePlace {
         /// The third of them.
         quantity: Quantity,
@@ -142,7 +146,11 @@ pub enum SceneError {
         value: f64,
     },
     /// A polyline that does not reach from support to support.
-    #[error("a foundation given by points must reach from 0 to {length}, but `{quantity}` is {value}")]
+    #[error(
+        "a foundation given by points must reach from 0 to {}, but `{quantity}` is {}",
+        shown(*length),
+        shown(*value)
+    )]
     PointsDoNotCover {
         /// The first or the last place.
         quantity: Quantity,
@@ -153,8 +161,10 @@ pub enum SceneError {
     },
     /// A foundation that would push a support upwards: the problem has no solution.
     #[error(
-        "the foundation must not lie above a support, but its depth at the {support} support (x = {at}) is {depth}; \
-         no deflection satisfies the supports and the foundation"
+        "the foundation must not lie above a support, but its depth at the {support} support (x = {}) is {}; \
+         no deflection satisfies the supports and the foundation",
+        shown(*at),
+        shown(*depth)
     )]
     AboveSupport {
         /// Which support.
@@ -165,7 +175,7 @@ pub enum SceneError {
         depth: f64,
     },
     /// Numbers that are finite by themselves and not together.
-    #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {value})")]
+    #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", shown(*value))]
     Overflow {
         /// Where it shows.
         quantity: Quantity,
@@ -198,6 +208,16 @@ impl SceneError {
             Self::NoCoefficients | Self::TooFewPoints { .. } | Self::AboveSupport { .. } => Some(Quantity::Foundation),
             Self::TooFewIntervals { .. } => None,
         }
+    }
+}
+
+/// A number as a message has it: with a power of ten where a row of zeros would have to be counted.
+fn shown(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&size) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }
 

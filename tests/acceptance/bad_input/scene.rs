@@ -16,6 +16,17 @@ fn not_positive() {
 }
 
 #[test]
+fn not_positive_and_too_long_to_write_out() {
+    insta::assert_snapshot!(message("length = 10.0", "length = -1e300"), @"
+    error: `beam.length` must be positive and finite, but is -1e300
+     --> scene.toml:5:10
+      |
+    5 | length = -1e300
+      |          ^^^^^^
+    ");
+}
+
+#[test]
 fn not_positive_because_zero() {
     insta::assert_snapshot!(message("bending_stiffness = 1.3", "bending_stiffness = 0"), @"
     error: `beam.bending_stiffness` must be positive and finite, but is 0
