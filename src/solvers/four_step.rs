@@ -20,9 +20,15 @@
 use super::Answer;
 use crate::problem::Programme;
 
+/// Largest dimension for which the four steps are tried: they take up to n solves of O(n) operations each.
+const LARGEST: usize = 10_000;
+
 /// Runs the four steps.
 pub(super) fn solve(programme: &dyn Programme) -> Answer {
     let n = programme.dimension();
+    if LARGEST < n {
+        return Answer::refused(n, format!("not tried: up to {n} solves, {LARGEST} is the limit of this solver"));
+    }
     let mut free = vec![true; n];
     let mut steps = 0;
     loop {

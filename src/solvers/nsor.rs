@@ -26,6 +26,9 @@ const FIRST_ROUND: usize = 50;
 /// Sweeps between two looks at the residual.
 const SWEEPS_PER_LOOK: usize = 10;
 
+/// Operations of a sweep besides the multiplications: some for each variable, and its share of a look.
+const OVERHEAD: usize = 40;
+
 /// Budget of a run in multiplications: a few seconds on any machine. The limit on sweeps follows from it, so that the
 /// answer does not depend on a clock.
 const MULTIPLICATIONS: usize = 1 << 30;
@@ -36,7 +39,8 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         return refusal;
     }
     let relaxation = Relaxation { programme, matrix: programme.matrix(), linear: programme.linear() };
-    let limit = (MULTIPLICATIONS / relaxation.matrix.entries()).max(FACTORS.len() * SWEEPS_PER_LOOK);
+    let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * programme.dimension()))
+        .max(FACTORS.len() * SWEEPS_PER_LOOK);
     let start = |factor| Candidate { factor, x: vec![0.0; programme.dimension()], residual: f64::INFINITY };
     let mut race = FACTORS.map(start).to_vec();
     let (mut sweeps, mut round) = (0, FIRST_ROUND);
