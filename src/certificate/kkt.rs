@@ -20,8 +20,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 /// Violations of (4), (5), (8) by a state, all dimensionless.
 ///
 /// Forces are measured by `P`, the sum of all loads or of all contact forces, whichever is larger; in a scene without
-/// loads by the force `48 EI u / l³` that bends the beam to the largest depth. Lengths are measured by `D`, the largest
-/// deflection or depth in contact, in a scene without loads the largest depth, and never by less than rounding.
+/// loads by the force `48 EI u / l³` that bends the beam to the ground. Lengths are measured by `D`, the largest deflection,
+/// in a scene without loads not less than the way to the ground, and never by less than rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kkt {
     /// Feasibility: `max(v_i − u_i) / D`, the deepest penetration at a node.
@@ -53,11 +53,10 @@ impl Kkt {
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
         let load = sum(&mut loads.iter().copied());
-        let deepest = worst(depths.iter().map(|u| u.abs()).filter(|u| u.is_finite()));
-        let idle = if load == 0.0 { deepest } else { 0.0 };
+        let idle = if load == 0.0 { within_reach(&depths) } else { 0.0 };
         let force = nonzero(load.max(sum(&mut p.iter().copied())).max(idle / flexibility));
-        let in_contact = depths.iter().zip(p).filter(|(_, p)| **p != 0.0).map(|(u, _)| u.abs());
-        let moved = worst(v.iter().map(|v| v.abs()).chain(in_contact)).max(idle);
+        // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
+        let moved = worst(v.iter().map(|v| v.abs())).max(idle);
         let depth = nonzero(moved.max(ROUNDING * flexibility * force));
 
         let clearance = || depths.iter().zip(v).map(|(u, v)| u - v);
@@ -96,6 +95,13 @@ impl Kkt {
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.
 fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |worst, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+}
+
+/// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
+/// Zero where there is no ground.
+fn within_reach(depths: &[f64]) -> f64 {
+    let highest = depths.iter().copied().fold(f64::INFINITY, f64::min);
+    if highest.is_finite() { highest.abs() } else { 0.0 }
 }
 
 /// A divisor: 1 where there is nothing to measure by.

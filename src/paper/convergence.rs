@@ -47,7 +47,10 @@ impl Quantity {
             Self::EndReaction => state.reactions.left,
             Self::LiftOff => state.contacts.first().map_or(f64::NAN, |c| c.from),
             Self::Energy => state.energy,
-            Self::Deflection => nodes.deflection[(nodes.x.len() + 1) / 8 - 1],
+            Self::Deflection => {
+                let node = ((nodes.x.len() + 1) / 8).checked_sub(1);
+                node.and_then(|k| nodes.deflection.get(k)).copied().unwrap_or(f64::NAN)
+            }
             Self::PointForce => {
                 // Half the contact, by symmetry, against what the pressure of beam theory carries.
                 let exact = theory();

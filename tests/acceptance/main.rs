@@ -2,8 +2,18 @@
 
 mod support;
 
+mod agreement;
 mod bad_input;
+mod claims;
+mod closed_form;
 mod command_line;
+mod exact;
 mod invariants;
+mod judge;
+mod matrices;
+mod order;
+mod properties;
 mod scene_file;
+mod scenes;
+mod tables;
 mod words;

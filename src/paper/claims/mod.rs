@@ -52,28 +52,76 @@ pub struct Claim {
     pub evidence: String,
 }
 
+/// The evidence behind every claim.
+#[derive(Debug, Clone, PartialEq)]
+#[expect(missing_docs, reason = "each field is the evidence of the module of its name")]
+pub struct Ledger {
+    pub printed: printed::Evidence,
+    pub same_result: same_result::Evidence,
+    pub point_forces: point_forces::Evidence,
+    pub usable: usable::Evidence,
+    pub four_step: four_step::Evidence,
+    pub nsor: nsor::Evidence,
+    pub recommendation: recommendation::Evidence,
+    pub bounds: bounds::Evidence,
+    pub any_body: extensions::Taut,
+    pub elastic_foundation: extensions::Springs,
+    pub unknown_rigid_motion: extensions::Unsupported,
+    pub curved_beam: extensions::Curved,
+}
+
+/// Measures everything that the claims need, each thing once.
+///
+/// # Errors
+///
+/// None for the scenes of the paper; the type is that of [`crate::solve`].
+pub fn measure() -> Result<Ledger, SceneError> {
+    Ok(Ledger {
+        printed: printed::measure()?,
+        same_result: same_result::measure()?,
+        point_forces: point_forces::measure()?,
+        usable: usable::measure()?,
+        four_step: four_step::measure()?,
+        nsor: nsor::measure()?,
+        recommendation: recommendation::measure()?,
+        bounds: bounds::measure()?,
+        any_body: extensions::any_body(),
+        elastic_foundation: extensions::elastic_foundation()?,
+        unknown_rigid_motion: extensions::unknown_rigid_motion()?,
+        curved_beam: extensions::curved_beam()?,
+    })
+}
+
 /// All claims, in the order of the paper's argument.
 ///
 /// # Errors
 ///
 /// None for the scenes of the paper; the type is that of [`crate::solve`].
 pub fn all() -> Result<Vec<Claim>, SceneError> {
-    let [shape, pressure] = usable::measure()?.claims();
-    let [direct, edge] = four_step::measure()?.claims();
-    Ok(vec![
-        printed::measure()?.claim(),
-        same_result::measure()?.claim(),
-        point_forces::measure()?.claim(),
-        shape,
-        pressure,
-        direct,
-        edge,
-        nsor::measure()?.claim(),
-        recommendation::measure()?.claim(),
-        bounds::measure()?.claim(),
-        extensions::any_body().claim(),
-        extensions::elastic_foundation()?.claim(),
-        extensions::unknown_rigid_motion()?.claim(),
-        extensions::curved_beam()?.claim(),
-    ])
+    Ok(measure()?.claims())
+}
+
+impl Ledger {
+    /// The claims with their verdicts, in the order of the paper's argument.
+    #[must_use]
+    pub fn claims(&self) -> Vec<Claim> {
+        let [shape, pressure] = self.usable.claims();
+        let [direct, edge] = self.four_step.claims();
+        vec![
+            self.printed.claim(),
+            self.same_result.claim(),
+            self.point_forces.claim(),
+            shape,
+            pressure,
+            direct,
+            edge,
+            self.nsor.claim(),
+            self.recommendation.claim(),
+            self.bounds.claim(),
+            self.any_body.claim(),
+            self.elastic_foundation.claim(),
+            self.unknown_rigid_motion.claim(),
+            self.curved_beam.claim(),
+        ]
+    }
 }

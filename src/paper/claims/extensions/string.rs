@@ -6,7 +6,7 @@ use crate::paper::claims::{Claim, Verdict, words::bound};
 use crate::problem::{Dense, Sizes, residual};
 use crate::solvers::Solver;
 
-/// A taut string of span 10 under tension 50 and a unit load, above a flat foundation at depth 1: touched or not, the
+/// A taut string of span 10 under tension 10 and a unit load, above a flat foundation at depth 1: touched or not, the
 /// programme (32) with another `K`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taut {

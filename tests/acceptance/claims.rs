@@ -1,0 +1,178 @@
+//! The claims ledger: every verdict, and the numbers behind it. One test for each claim, called by the claim's name.
+
+use std::collections::BTreeSet;
+use std::sync::OnceLock;
+
+use palkki::paper::claims::{Ledger, Verdict, four_step, measure};
+use palkki::route::Method;
+
+/// The evidence. Measuring it takes seconds: once is enough.
+fn ledger() -> &'static Ledger {
+    static LEDGER: OnceLock<Ledger> = OnceLock::new();
+    LEDGER.get_or_init(|| measure().expect("the scenes of the paper are well posed"))
+}
+
+/// Half a unit of the last digit that the paper prints.
+const PRINTED: f64 = 0.005;
+
+#[test]
+fn printed_numbers() {
+    let e = &ledger().printed;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    assert!((e.reaction_by_theory - 1.18).abs() < PRINTED, "{e:?}");
+    assert!((e.first_force - 1.14).abs() < PRINTED, "{e:?}");
+    // The other two candidates for what "the reaction" may be do not round to what is printed.
+    assert!(PRINTED < (e.end_reaction - 1.14).abs(), "{e:?}");
+    assert!(PRINTED < (e.first_force_by_differences - 1.14).abs(), "{e:?}");
+    assert!((e.first_place - 7.0 / 3.0).abs() < 1e-12, "{e:?}");
+}
+
+#[test]
+fn same_result() {
+    let e = &ledger().same_result;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    // The claim is about at least two hundred uneven foundations, and holds with digits to spare.
+    assert!(200 < e.scenes, "{e:?}");
+    assert!(e.deflection < 1e-10 && e.contact_force < 1e-10, "{e:?}");
+    assert!(e.inverse < 1e-8, "{e:?}");
+}
+
+#[test]
+fn exact_for_point_forces() {
+    let e = &ledger().point_forces;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    // Finite differences are not exact, so that the comparison means something.
+    assert!(1e6 * e.deflection.max(e.moment) < e.deflection_by_differences, "{e:?}");
+}
+
+#[test]
+fn usable_shape() {
+    let e = &ledger().usable;
+    // Within one per cent on 30 intervals; on 20 the end reaction and the moment are not.
+    assert_eq!(e.verdict(), Verdict::Qualified);
+    let [paper, coarse, fine] = &e.grids;
+    assert_eq!([paper, coarse].map(|g| g.intervals), [30, 20], "the grids of the paper");
+    for grid in [paper, fine] {
+        assert!(grid.end_reaction.abs() < 0.01 && grid.moment.abs() < 0.01 && grid.deflection < 0.01, "{grid:?}");
+    }
+    assert!(0.01 < coarse.end_reaction && coarse.end_reaction < 0.03 && coarse.deflection < 0.01, "{coarse:?}");
+}
+
+#[test]
+fn usable_pressure() {
+    let e = &ledger().usable;
+    // On the paper's grid nodal forces deviate by less than q₀Δ itself; but contacts have holes, and nothing converges.
+    assert_eq!(e.pressure_verdict(), Verdict::Qualified);
+    let [paper, coarse, _] = &e.grids;
+    assert!(paper.first_force.abs() < 0.05 && 0.5 < coarse.first_force.abs(), "{paper:?} {coarse:?}");
+    assert!((0.5..1.0).contains(&paper.pressure), "{paper:?}");
+    assert!(e.grids_looked_at < 2 * e.grids_with_holes, "{} of {}", e.grids_with_holes, e.grids_looked_at);
+}
+
+#[test]
+fn four_steps_find_the_optimum() {
+    let e = &ledger().four_step;
+    assert_eq!(e.verdict(), Verdict::Qualified);
+    for count in &e.counts {
+        assert!(count.on_the_example, "{count:?}");
+        assert!(count.uneven.iter().any(|optimal| *optimal < four_step::SCENES), "{count:?}");
+    }
+    let by = |method| e.counts.iter().find(|c| c.method == method).expect("every method is counted");
+    // The paper's own method fails on finer grids of the paper's own example.
+    assert!(by(Method::Displacement).grids < e.grids, "{:?}", by(Method::Displacement));
+    assert!(by(Method::Displacement).first_failure.is_some_and(|n| 30 < n), "{:?}", by(Method::Displacement));
+}
+
+#[test]
+fn four_steps_reach_the_edge() {
+    let e = &ledger().four_step;
+    assert_eq!(e.edge_verdict(), Verdict::Confirmed);
+    assert!(e.counts.iter().all(|count| count.infeasible == 0), "{e:?}");
+}
+
+#[test]
+fn nsor_for_large_n() {
+    let e = &ledger().nsor;
+    assert_eq!(e.verdict(), Verdict::Refuted);
+    for count in &e.counts {
+        // Sweeps grow faster than n² for every matrix, and there are no grids on which that is hidden.
+        assert!(count.converged && 2.0 < count.exponent, "{count:?}");
+        assert!(count.active_set_solves < 40, "{count:?}");
+    }
+    let force = e.counts.iter().find(|c| c.method == Method::Force).expect("every method is counted");
+    assert!(20_000 < force.on_the_paper_grid(), "tens of thousands of sweeps on C: {force:?}");
+    assert!(!force.converged_at_300, "{force:?}");
+}
+
+#[test]
+fn whichever_matrix_is_easier() {
+    let e = &ledger().recommendation;
+    assert_eq!(e.verdict(), Verdict::Qualified);
+    let [paper, fine] = &e.digits;
+    // cond(K) grows like n⁴: from 30 to 200 intervals by about 2000.
+    let growth = fine.condition / paper.condition;
+    assert!((1500.0..2500.0).contains(&growth), "{growth}");
+    assert!(fine.without_matrix < fine.with_stiffness && fine.without_matrix < fine.with_flexibility, "{fine:?}");
+}
+
+#[test]
+fn bounded_from_both_sides() {
+    let e = &ledger().bounds;
+    assert_eq!(e.verdict(), Verdict::Qualified);
+    for grid in &e.grids {
+        assert!(grid.difference < 1e-9, "both methods have the same energy: {grid:?}");
+        assert!(0.0 < grid.penetration, "the beam dips between the nodes: {grid:?}");
+        assert!(grid.energy < 0.0, "and the energy is above the exact one, which is negative: {grid:?}");
+    }
+}
+
+#[test]
+fn any_elastic_body() {
+    let e = ledger().any_body;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    // Second order on 200 intervals.
+    assert!(e.end_reaction.abs() < 1e-3 && e.residual < 1e-12, "{e:?}");
+}
+
+#[test]
+fn elastic_foundation() {
+    let e = ledger().elastic_foundation;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    assert!(e.deflection.abs() < 1e-3 && e.residual < 1e-12, "{e:?}");
+}
+
+#[test]
+fn unknown_rigid_motion() {
+    let e = ledger().unknown_rigid_motion;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    assert_eq!((e.rigid_motions, e.first_step_works), (2, false), "a translation and a rotation");
+}
+
+#[test]
+fn curved_beam() {
+    let e = ledger().curved_beam;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    assert!(e.difference < 1e-10 && 0.0 < e.contact_force, "{e:?}");
+}
+
+#[test]
+fn every_claim_has_its_test() {
+    let claims: BTreeSet<&str> = ledger().claims().iter().map(|claim| claim.name).collect();
+    let about_all = ["every_claim_has_its_test", "words_and_numbers_of_a_claim_belong_together"];
+    let lines: Vec<&str> = include_str!("claims.rs").lines().collect();
+    let tests: BTreeSet<&str> = lines
+        .windows(2)
+        .filter(|pair| pair[0] == "#[test]")
+        .filter_map(|pair| pair[1].strip_prefix("fn ")?.strip_suffix("() {"))
+        .filter(|name| !about_all.contains(name))
+        .collect();
+    assert_eq!(claims, tests, "claims in src/paper/claims (left) and tests in this file (right)");
+}
+
+#[test]
+fn words_and_numbers_of_a_claim_belong_together() {
+    for claim in ledger().claims() {
+        assert!(claim.statement.ends_with('.') && claim.evidence.ends_with(['.', ')']), "{claim:?}");
+        assert!(claim.evidence.contains(|c: char| c.is_ascii_digit()), "evidence has numbers: {claim:?}");
+    }
+}

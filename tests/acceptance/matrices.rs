@@ -1,0 +1,222 @@
+//! The matrices against each other, against (26), against beam formulas; structured solves against dense ones.
+
+use nalgebra::{DMatrix, DVector};
+use palkki::methods::{Discrete, Method, flexibility};
+use palkki::paper::random::Random;
+use palkki::problem::{Dense, Matrix, Programme};
+use palkki::scene::{Beam, Foundation, Grid, LinearLoad, Load, PointLoad, Scene};
+use palkki::verification::observed_order;
+
+use crate::scenes::{apart, example, largest, report, uniform};
+
+/// A matrix as numbers in rows and columns.
+fn dense(programme: &dyn Programme) -> DMatrix<f64> {
+    match programme.matrix() {
+        Matrix::Dense(a) => a,
+        banded @ Matrix::Pentadiagonal(_) => {
+            let n = banded.dimension();
+            DMatrix::from_fn(n, n, |i, j| banded.entry(i, j))
+        }
+    }
+}
+
+fn discrete(scene: &Scene, intervals: usize) -> Discrete {
+    let scaled = scene.scaled().expect("numbers in range");
+    Discrete::new(&scaled.scene, intervals).expect("enough intervals")
+}
+
+/// Rounding of `K C` per unit of the condition number, which is about `n⁴/10`: a few units in the last place.
+fn product_rounding(intervals: usize) -> f64 {
+    let n = f64::from(u32::try_from(intervals).expect("a few hundred"));
+    f64::EPSILON * n * n * n * n
+}
+
+#[test]
+fn stiffness_and_flexibility_are_inverse() {
+    for intervals in [2, 3, 4, 10, 30, 100] {
+        let discrete = discrete(&example(), intervals);
+        let k = dense(Method::Displacement.programme(&discrete).as_ref());
+        let c = dense(Method::Force.programme(&discrete).as_ref());
+        let n = intervals - 1;
+        let error = (k * c - DMatrix::identity(n, n)).amax();
+        assert!(error <= product_rounding(intervals), "{intervals} intervals: K C − I has an entry of {error:.1e}");
+    }
+}
+
+/// Six multiplications and a few additions on each side.
+const FEW_OPERATIONS: f64 = 1e-14;
+
+#[test]
+fn eq_26_is_the_deflection_under_a_unit_force() {
+    let (l, ei) = (7.0, 3.0);
+    for n in [1_u32, 2, 5, 29, 99] {
+        let place = |i: u32| l * f64::from(i) / f64::from(n + 1);
+        for i in 1..=n {
+            for j in 1..=n {
+                // v(x) = b x (l² − b² − x²) / (6 EI l) for x ≤ a = l − b.
+                let (x, a) = (place(i.min(j)), place(i.max(j)));
+                let b = l - a;
+                let v = b * x * (l * l - b * b - x * x) / (6.0 * ei * l);
+                let c = flexibility(l, ei, n as usize, i as usize, j as usize);
+                // The formula with b subtracts numbers of size l²: its own rounding is measured by that.
+                let size = b * x * l / (6.0 * ei);
+                assert!((c - v).abs() <= FEW_OPERATIONS * size, "n = {n}, c_{i},{j} = {c} and not {v}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_force_method_stores_eq_26() {
+    let scene = uniform(1.5, 1.25, 1.0, Foundation::Flat { depth: 0.01 });
+    for intervals in [2, 7, 30] {
+        let discrete = discrete(&scene, intervals);
+        let c = dense(Method::Force.programme(&discrete).as_ref());
+        for ((i, j), entry) in c
+            .row_iter()
+            .enumerate()
+            .flat_map(|(i, r)| r.iter().enumerate().map(|(j, e)| ((i, j), *e)).collect::<Vec<_>>())
+        {
+            let expected = flexibility(1.5, 1.25, intervals - 1, i + 1, j + 1);
+            assert!((entry - expected).abs() <= FEW_OPERATIONS * expected, "c_{},{}", i + 1, j + 1);
+        }
+    }
+}
+
+/// The slope over four halvings; the next term of the error is Δ²(kπ/l)²/40 of the first, one per cent on the coarsest grid.
+const ORDER_SLACK: f64 = 0.02;
+
+/// On `v = sin(kπx/l)`, which has `v = v'' = 0` at both ends, `A v → EI v''''` with order 2 up to the nodes beside the supports.
+#[test]
+fn the_difference_operator_is_of_second_order() {
+    for wave in [1.0, 2.0, 3.0] {
+        let errors: Vec<(f64, f64)> = [32_u32, 64, 128, 256]
+            .iter()
+            .map(|&intervals| {
+                let discrete = discrete(&example(), intervals as usize);
+                let length = discrete.spacing * f64::from(intervals);
+                let number = wave * std::f64::consts::PI / length;
+                let v: Vec<f64> = (1..intervals).map(|i| (number * discrete.spacing * f64::from(i)).sin()).collect();
+                let a = Method::Complementarity.programme(&discrete).matrix();
+                let fourth = discrete.stiffness * number * number * number * number;
+                let error = (0..v.len()).map(|i| (a.row_times(i, &v) / fourth - v[i]).abs()).fold(0.0, f64::max);
+                (discrete.spacing, error)
+            })
+            .collect();
+        let order = observed_order(&errors);
+        assert!((order - 2.0).abs() < ORDER_SLACK, "k = {wave}: observed order {order:.3}");
+    }
+}
+
+/// `Cholesky` on a dense face against the structured solve, in units of the sizes: what the condition number of the dense
+/// matrix, up to 10⁵ at 24 intervals, leaves of 16 digits.
+const DENSE: f64 = 1e-9;
+
+#[test]
+fn structured_solves_agree_with_dense_ones_on_any_face() {
+    let mut random = Random::new(26);
+    for (name, scene) in report() {
+        for method in Method::ALL {
+            let discrete = discrete(&scene, 24);
+            let programme = method.programme(&discrete);
+            let sizes = programme.sizes();
+            let other = Dense { matrix: dense(programme.as_ref()), linear: programme.linear().into(), sizes };
+            for share in [0.0, 0.2, 0.5, 0.8, 1.0] {
+                let free: Vec<bool> = (0..23).map(|_| random.between(0.0, 1.0) < share).collect();
+                let a = programme.stationary(&free).expect("a definite face");
+                let b = other.stationary(&free).expect("a definite face");
+                let bound = |values: &[f64]| DENSE * largest(values).max(1e-3);
+                let scale = |values: &[f64], size: f64| values.iter().map(|v| v / size).collect::<Vec<_>>();
+                let (x, y) = (scale(&a.x, sizes.x), scale(&b.x, sizes.x));
+                assert!(apart(&x, &y) <= bound(&y), "{name} {method}: x differs by {:.1e}", apart(&x, &y));
+                let (g, h) = (scale(&a.gradient, sizes.gradient), scale(&b.gradient, sizes.gradient));
+                assert!(apart(&g, &h) <= bound(&h), "{name} {method}: g differs by {:.1e}", apart(&g, &h));
+                for (i, free) in free.iter().enumerate() {
+                    let held = if *free { a.gradient[i] } else { a.x[i] };
+                    assert!(held.abs() <= DENSE * if *free { sizes.gradient } else { sizes.x }, "{name} {method} {i}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn eq_33_is_the_product_with_the_matrix() {
+    let mut random = Random::new(33);
+    for (name, scene) in report() {
+        for method in Method::ALL {
+            let discrete = discrete(&scene, 24);
+            let programme = method.programme(&discrete);
+            let sizes = programme.sizes();
+            let x: Vec<f64> = (0..23).map(|_| sizes.x * random.between(-1.0, 1.0)).collect();
+            let product = dense(programme.as_ref()) * DVector::from_column_slice(&x);
+            let expected: Vec<f64> = product.iter().zip(programme.linear()).map(|(ax, b)| ax - b).collect();
+            // Cancellation is measured by the largest term of the sum, |A| |x|.
+            let terms = dense(programme.as_ref()).abs() * DVector::from_column_slice(&x).abs();
+            let size = terms.amax() + largest(&programme.linear());
+            let error = apart(&programme.gradient(&x), &expected) / size;
+            assert!(error <= FEW_OPERATIONS * 23.0, "{name} {method}: gradient off by {error:.1e}");
+        }
+    }
+}
+
+/// Resultant force and moment about the left support of nodal loads.
+fn resultants(beam: &Beam, load: &Load, intervals: usize) -> (f64, f64) {
+    let scene = Scene::new(*beam, load.clone(), None).expect("a scene");
+    let grid = Grid::uniform(&scene, intervals).expect("enough intervals");
+    let forces = grid.nodal_loads(load);
+    assert_eq!(forces.len(), intervals + 1, "a load on every node");
+    (forces.iter().sum(), forces.iter().enumerate().map(|(i, f)| f * grid.place(i)).sum())
+}
+
+#[test]
+fn nodal_loads_keep_force_and_moment() {
+    let l = 9.0;
+    let beam = Beam::new(l, 1.0).expect("a beam");
+    let trapezoid = |from: f64, to: f64, start: f64, end: f64| {
+        let load = Load::new(&beam, 0.0, vec![LinearLoad { from, to, start, end }], Vec::new());
+        let span = to - from;
+        let force = 0.5 * (start + end) * span;
+        (load, force, force * from + (start + 2.0 * end) * span * span / 6.0)
+    };
+    let point =
+        |at: f64, force: f64| (Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at, force }]), force, force * at);
+    let cases = [
+        ("uniform", (Load::uniform_on(&beam, 2.5), 2.5 * l, 2.5 * l * l / 2.0)),
+        ("a trapezoid over the whole beam", trapezoid(0.0, l, 1.0, -3.0)),
+        ("a trapezoid across many nodes", trapezoid(0.7, 8.1, 0.5, 2.0)),
+        ("a trapezoid inside one interval", trapezoid(4.51, 4.52, 100.0, 300.0)),
+        ("a trapezoid from node to node", trapezoid(3.0, 6.0, 0.0, 4.0)),
+        ("a force on a node", point(3.0, 2.0)),
+        ("a force between nodes", point(4.321, -2.0)),
+        ("a force on the left support", point(0.0, 2.0)),
+        ("a force on the right support", point(l, 2.0)),
+        ("a force beside a support", point(l - 1e-9, 2.0)),
+    ];
+    for (name, (load, force, moment)) in cases {
+        let load = load.expect("a load on the beam");
+        for intervals in [2, 3, 9, 31, 1000] {
+            let (f, m) = resultants(&beam, &load, intervals);
+            let size = load.magnitude(l);
+            assert!((f - force).abs() <= 1e-13 * size, "{name}, {intervals} intervals: force {f} and not {force}");
+            assert!(
+                (m - moment).abs() <= 1e-13 * size * l,
+                "{name}, {intervals} intervals: moment {m} and not {moment}"
+            );
+        }
+    }
+}
+
+#[test]
+fn nodal_loads_are_those_of_the_paper_and_of_the_lever() {
+    let beam = Beam::new(9.0, 1.0).expect("a beam");
+    let of = |load: &Load, intervals| {
+        let scene = Scene::new(beam, load.clone(), None).expect("a scene");
+        Grid::uniform(&scene, intervals).expect("enough intervals").nodal_loads(load)
+    };
+    let uniform = of(&Load::uniform_on(&beam, 2.0).expect("a load"), 9);
+    assert!(apart(&uniform, &[1.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 1.0]) <= 0.0, "q_i = q₀Δ: {uniform:?}");
+    let point = vec![PointLoad { at: 3.75, force: 4.0 }];
+    let point = of(&Load::new(&beam, 0.0, Vec::new(), point).expect("a load"), 3);
+    assert!(apart(&point, &[0.0, 3.0, 1.0, 0.0]) <= 0.0, "the law of the lever: {point:?}");
+}

@@ -1,0 +1,126 @@
+//! More load where the beam lies on the ground anyway, no contact, contact everywhere, deeper ground.
+
+use palkki::route::{Method, Outcome, Solver, Status};
+use palkki::scene::{Foundation, PointLoad};
+use palkki::state::Regime;
+
+use super::{Parts, ROUNDING, some};
+use crate::scenes::{apart, largest, nodes, run, scene, uniform};
+
+const INTERVALS: usize = 40;
+
+fn solved(parts: &Parts, method: Method) -> Outcome {
+    let outcome = run(&parts.scene(), method, Solver::ActiveSet, INTERVALS);
+    assert_eq!(outcome.status, Status::Certified, "{method}: {parts:?}");
+    outcome
+}
+
+/// A load on a node in contact goes straight into the ground: the force there grows by it, and nothing else changes.
+#[test]
+fn load_on_a_part_in_contact_bends_nothing() {
+    let mut tried = 0;
+    for parts in some(20, 6) {
+        for method in Method::ALL {
+            let before = solved(&parts, method);
+            let a = nodes(&before);
+            let Some(node) = a.contact_force.iter().rposition(|p| 0.0 < *p) else { continue };
+            tried += 1;
+            let added = 0.7 * parts.uniform * parts.length;
+            let mut heavier = parts.clone();
+            heavier.point.push(PointLoad { at: a.x[node], force: added });
+            let after = solved(&heavier, method);
+            let b = nodes(&after);
+            let mut expected = a.contact_force.clone();
+            expected[node] += added;
+            let load = heavier.scene().load().magnitude(parts.length);
+            assert!(apart(&b.contact_force, &expected) <= ROUNDING * load, "{method}: {parts:?}");
+            assert!(apart(&b.clearance, &a.clearance) <= ROUNDING * largest(&a.deflection), "{method}: {parts:?}");
+            let reactions = (before.state.reactions.left - after.state.reactions.left).abs();
+            assert!(reactions <= ROUNDING * load, "{method}: reactions move by {reactions:e}");
+        }
+    }
+    assert!(30 < tried, "most scenes touch, {tried} were tried");
+}
+
+#[test]
+fn ground_out_of_reach_is_not_touched() {
+    for mut parts in some(10, 7) {
+        // The depths are at most a fifth of the free deflection under the uniform part of the load, all loads below three times it.
+        parts.points.iter_mut().for_each(|p| p[1] *= 1e4);
+        for method in Method::ALL {
+            let outcome = solved(&parts, method);
+            assert_eq!(outcome.state.regime, Regime::None, "{method}: {parts:?}");
+            assert!(outcome.state.contacts.is_empty(), "{method}: {parts:?}");
+            assert!(largest(&nodes(&outcome).contact_force) <= 0.0, "{method}: {parts:?}");
+        }
+    }
+}
+
+/// On ground at the level of the supports the beam lies everywhere, and every node carries its own load.
+#[test]
+fn ground_at_the_level_of_the_supports_carries_everything() {
+    for method in Method::ALL {
+        let outcome = run(&uniform(8.0, 2.0, 3.0, Foundation::Flat { depth: 0.0 }), method, Solver::ActiveSet, 16);
+        assert_eq!(outcome.status, Status::Certified, "{method}");
+        assert!(apart(&nodes(&outcome).contact_force, &[1.5; 15]) <= 1.5 * ROUNDING, "q₀Δ = 1.5 on every node");
+        assert!(largest(&nodes(&outcome).deflection) <= 0.0, "{method}: nothing bends");
+        assert_eq!(outcome.state.regime, Regime::Zone, "{method}");
+    }
+}
+
+/// Ground with the shape of the free beam, raised by half: the deflection is that shape, and each node carries half its load.
+#[test]
+fn ground_in_the_shape_of_the_beam_carries_its_share() {
+    let (l, ei, q) = (8.0, 2.0, 3.0);
+    // ½ q x (l³ − 2 l x² + x³)/(24 EI), and no more.
+    let c = 0.5 * q / (24.0 * ei);
+    let shape = Foundation::Polynomial { coefficients: vec![0.0, c * l * l * l, 0.0, -2.0 * c * l, c] };
+    // The fourth difference of a polynomial of degree 4 is its derivative, so that finite differences reproduce it exactly:
+    // all but the nodes beside the supports, where v_{−1} = −v_1 leaves out v''''. The energy methods have no such luck.
+    let outcome = run(&uniform(l, ei, q, shape), Method::Complementarity, Solver::ActiveSet, 16);
+    assert_eq!(outcome.status, Status::Certified);
+    let p = &nodes(&outcome).contact_force;
+    let inner = vec![0.5 * q * l / 16.0; 13];
+    assert!(apart(&p[1..14], &inner) <= ROUNDING * q * l, "half of q₀Δ inside: {p:?}");
+}
+
+/// In a parabolic dish the beam that follows the ground carries `q − EI u'''' = q`: its own load on every node, inside.
+#[test]
+fn a_beam_that_follows_a_dish_is_carried_by_it() {
+    let dish = scene("dish");
+    for method in Method::ALL {
+        let outcome = run(&dish, method, Solver::ActiveSet, 100);
+        assert_eq!(outcome.status, Status::Certified, "{method}");
+        let nodes = nodes(&outcome);
+        let inside = |i: &usize| (40..=60).contains(i);
+        for i in (0..nodes.x.len()).filter(inside) {
+            // q₀Δ = 0.1; the moment is EI · 0.24, that of the dish.
+            assert!(
+                (nodes.contact_force[i] - 0.1).abs() <= 1e-8,
+                "{method}: {} at {}",
+                nodes.contact_force[i],
+                nodes.x[i]
+            );
+            let moment = 0.24 * dish.beam().bending_stiffness();
+            assert!((nodes.moment[i] - moment).abs() <= 1e-8, "{method}: {} at {}", nodes.moment[i], nodes.x[i]);
+        }
+    }
+}
+
+/// More room lowers the energy: the minimum is taken over a larger set.
+#[test]
+fn deeper_ground_means_less_energy() {
+    for parts in some(10, 8) {
+        for method in Method::ALL {
+            let mut previous = f64::INFINITY;
+            for deeper in [0.0, 0.01, 0.1, 0.5, 2.0, 10.0] {
+                let mut lower = parts.clone();
+                let depth = largest(&parts.points.iter().map(|p| p[1]).collect::<Vec<_>>());
+                lower.points.iter_mut().for_each(|p| p[1] += deeper * depth);
+                let energy = solved(&lower, method).state.energy;
+                assert!(energy <= previous, "{method}: {energy} after {previous}");
+                previous = energy;
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Many random uneven foundations: the active set always ends, at a state that the judge certifies.
+
+use palkki::methods::Discrete;
+use palkki::paper::random::{Random, Unevenness, scenes};
+use palkki::route::{Method, Solver, Status};
+use palkki::scene::{Foundation, Scene};
+use palkki::state::Regime;
+
+use super::some;
+use crate::scenes::{nodes, run, uniform};
+
+/// All the random scenes there are: waves, rough polylines, and both with all kinds of load.
+fn all() -> Vec<Scene> {
+    let mut all = Vec::new();
+    for kind in Unevenness::ALL {
+        all.extend(scenes(kind, 60, 11).expect("depths are positive"));
+    }
+    all.extend(some(60, 12).iter().map(super::Parts::scene));
+    all
+}
+
+#[test]
+fn the_active_set_is_certified_on_every_uneven_scene() {
+    let mut random = Random::new(13);
+    let mut failures = Vec::new();
+    let mut touched = 0;
+    for (k, scene) in all().iter().enumerate() {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 200")]
+        let intervals = random.between(11.0, 202.0) as usize;
+        for method in Method::ALL {
+            let outcome = run(scene, method, Solver::ActiveSet, intervals);
+            touched += usize::from(outcome.state.regime != Regime::None);
+            if outcome.status != Status::Certified || !outcome.solver_claims_success {
+                failures.push(format!(
+                    "scene {k}, {method}, {intervals} intervals: {}, residual {:.1e}, {}",
+                    outcome.status, outcome.residual, outcome.solver_status
+                ));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    assert!(500 < touched, "the scenes have contacts, {touched} of 540 do");
+}
+
+/// A triangular hump above the ground of the example.
+fn hump() -> Scene {
+    let points = vec![[0.0, 1.0], [5.0, 0.2], [10.0, 1.0]];
+    uniform(10.0, 500.0 / 384.0, 1.0, Foundation::Polyline { points })
+}
+
+/// Smooth waves of many lengths: instances on which exchanges of all violators at once are known to cycle.
+#[test]
+fn the_active_set_is_certified_on_instances_that_are_known_to_cycle() {
+    let mut hard = vec![hump()];
+    hard.extend((1..12).map(|k| {
+        let wavelength = 10.0 / (0.5 + f64::from(k));
+        let wave = Foundation::Cosine { mean: 1.0, amplitude: 0.5, wavelength, phase: 0.3 };
+        uniform(10.0, 500.0 / 384.0, 1.0, wave)
+    }));
+    for (k, scene) in hard.iter().enumerate() {
+        for method in Method::ALL {
+            let outcome = run(scene, method, Solver::ActiveSet, 300);
+            assert_eq!(outcome.status, Status::Certified, "{k}, {method}: {:.1e}", outcome.residual);
+        }
+    }
+}
+
+/// A triangular hump on 1000 intervals makes full exchanges wander for ever. The descent has to end them by every method.
+/// Certified is what the three-moment equations find; the other two have lost too many digits on a grid so fine.
+#[test]
+fn the_active_set_ends_where_full_exchanges_wander() {
+    for method in Method::ALL {
+        let outcome = run(&hump(), method, Solver::ActiveSet, 1000);
+        assert!(outcome.solver_claims_success, "{method}: {}", outcome.solver_status);
+        if method == Method::Force {
+            assert_eq!(outcome.status, Status::Certified, "{method}: {:.1e}", outcome.residual);
+        }
+    }
+}
+
+/// Wherever the four steps stop, no variable is negative and the free ones have no gradient: on the edge, and stationary there.
+#[test]
+fn four_steps_end_at_stationary_points_of_a_face() {
+    for scene in &all()[..] {
+        let scaled = scene.scaled().expect("numbers in range");
+        let discrete = Discrete::new(&scaled.scene, 30).expect("enough intervals");
+        for method in Method::ALL {
+            let programme = method.programme(&discrete);
+            let sizes = programme.sizes();
+            let answer = Solver::FourStep.run(programme.as_ref(), 0.0);
+            assert!(answer.claims_success, "{method}: {}", answer.words);
+            // Anew, from x alone.
+            let gradient = programme.gradient(&answer.x);
+            for (x, g) in answer.x.iter().zip(gradient) {
+                assert!(0.0 <= *x, "{method}: x = {x:e}");
+                assert!(*x <= 0.0 || g.abs() <= STATIONARY * sizes.gradient, "{method}: x = {x:e}, g = {g:e}");
+            }
+        }
+    }
+}
+
+/// The gradient is computed again from clearances that have been rounded: `A` multiplies that by up to `10⁶` of its sizes.
+const STATIONARY: f64 = 1e-8;
+
+#[test]
+fn energy_methods_have_the_same_contacts() {
+    for scene in all().iter().take(90) {
+        let [a, b] = [Method::Displacement, Method::Force].map(|method| run(scene, method, Solver::ActiveSet, 30));
+        let touches = |outcome| nodes(outcome).contact_force.iter().map(|p: &f64| 0.0 < *p).collect::<Vec<_>>();
+        assert_eq!(touches(&a), touches(&b), "nodes in contact");
+    }
+}

@@ -1,0 +1,73 @@
+//! The scenes that the numerical evidence is taken from: those of the report, and small ones made on the spot.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use palkki::route::{Method, Outcome, Solver};
+use palkki::scene::file::{ReadProblem, parse};
+use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::state::Nodes;
+use palkki::{Settings, solve};
+
+/// The directory of the report's scenes.
+fn directory() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("report/scenes")
+}
+
+/// The scene `report/scenes/<name>.toml`.
+#[track_caller]
+pub(crate) fn scene(name: &str) -> Scene {
+    let path = directory().join(name).with_extension("toml");
+    let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("cannot read {name}: {e}"));
+    parse(name, &text, |survey| fs::read_to_string(directory().join(survey)).map_err(|_| ReadProblem::Missing))
+        .unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// All scenes of the report by name, in the order of the alphabet.
+pub(crate) fn report() -> Vec<(String, Scene)> {
+    let entries = fs::read_dir(directory()).expect("the scenes of the report are there");
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.expect("the directory can be listed").path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+        .filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()))
+        .collect();
+    names.sort();
+    names.into_iter().map(|name| (name.clone(), scene(&name))).collect()
+}
+
+/// The example of the paper.
+pub(crate) fn example() -> Scene {
+    palkki::paper::example().expect("the example is well posed")
+}
+
+/// A beam of length `l` and stiffness `ei` under a uniform load.
+pub(crate) fn uniform(l: f64, ei: f64, load: f64, foundation: Foundation) -> Scene {
+    let beam = Beam::new(l, ei).expect("length and stiffness are positive");
+    let load = Load::uniform_on(&beam, load).expect("the load is finite");
+    Scene::new(beam, load, Some(foundation)).expect("the scene is well posed")
+}
+
+/// Solves by one route with the default tolerance.
+#[track_caller]
+pub(crate) fn run(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Outcome {
+    solve(scene, &Settings::new(method, solver, intervals)).unwrap_or_else(|e| panic!("{method} {solver}: {e}"))
+}
+
+/// The nodal values of an outcome.
+#[track_caller]
+pub(crate) fn nodes(outcome: &Outcome) -> &Nodes {
+    outcome.state.nodes.as_ref().expect("a discretised method has nodes")
+}
+
+/// The largest difference of two lists of equal length; infinite for NaN.
+#[track_caller]
+pub(crate) fn apart(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len(), "lists of equal length");
+    let differences = a.iter().zip(b).map(|(a, b)| if a.total_cmp(b).is_eq() { 0.0 } else { (a - b).abs() });
+    differences.fold(0.0, |most: f64, d| if d.is_nan() { f64::INFINITY } else { most.max(d) })
+}
+
+/// The largest magnitude in a list.
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
+}
