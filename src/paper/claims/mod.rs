@@ -52,28 +52,87 @@ pub struct Claim {
     pub evidence: String,
 }
 
+/// Everything that is measured for the ledger, so that tables and figures can quote the numbers behind the words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ledger {
+    /// The two printed numbers.
+    pub printed: printed::Evidence,
+    /// Force and displacement method against each other.
+    pub same_result: same_result::Evidence,
+    /// Cubic elements under point forces.
+    pub point_forces: point_forces::Evidence,
+    /// Shape and pressure on coarse grids.
+    pub usable: usable::Evidence,
+    /// The four steps, on many grids and foundations.
+    pub four_step: four_step::Evidence,
+    /// Sweeps of NSOR.
+    pub nsor: nsor::Evidence,
+    /// Digits with and without the matrices.
+    pub recommendation: recommendation::Evidence,
+    /// Energies and penetration.
+    pub bounds: bounds::Evidence,
+    /// A body that is no beam.
+    pub any_body: extensions::Taut,
+    /// Springs for a foundation.
+    pub elastic_foundation: extensions::Springs,
+    /// No supports.
+    pub unknown_rigid_motion: extensions::Unsupported,
+    /// A ski.
+    pub curved_beam: extensions::Curved,
+}
+
+impl Ledger {
+    /// Measures everything. It takes some seconds, most of them for NSOR.
+    ///
+    /// # Errors
+    ///
+    /// None for the scenes of the paper; the type is that of [`crate::solve`].
+    pub fn measure() -> Result<Self, SceneError> {
+        Ok(Self {
+            printed: printed::measure()?,
+            same_result: same_result::measure()?,
+            point_forces: point_forces::measure()?,
+            usable: usable::measure()?,
+            four_step: four_step::measure()?,
+            nsor: nsor::measure()?,
+            recommendation: recommendation::measure()?,
+            bounds: bounds::measure()?,
+            any_body: extensions::any_body(),
+            elastic_foundation: extensions::elastic_foundation()?,
+            unknown_rigid_motion: extensions::unknown_rigid_motion()?,
+            curved_beam: extensions::curved_beam()?,
+        })
+    }
+
+    /// All claims with their verdicts, in the order of the paper's argument.
+    #[must_use]
+    pub fn claims(&self) -> Vec<Claim> {
+        let [shape, pressure] = self.usable.claims();
+        let [direct, edge] = self.four_step.claims();
+        vec![
+            self.printed.claim(),
+            self.same_result.claim(),
+            self.point_forces.claim(),
+            shape,
+            pressure,
+            direct,
+            edge,
+            self.nsor.claim(),
+            self.recommendation.claim(),
+            self.bounds.claim(),
+            self.any_body.claim(),
+            self.elastic_foundation.claim(),
+            self.unknown_rigid_motion.claim(),
+            self.curved_beam.claim(),
+        ]
+    }
+}
+
 /// All claims, in the order of the paper's argument.
 ///
 /// # Errors
 ///
-/// None for the scenes of the paper; the type is that of [`crate::solve`].
+/// As [`Ledger::measure`].
 pub fn all() -> Result<Vec<Claim>, SceneError> {
-    let [shape, pressure] = usable::measure()?.claims();
-    let [direct, edge] = four_step::measure()?.claims();
-    Ok(vec![
-        printed::measure()?.claim(),
-        same_result::measure()?.claim(),
-        point_forces::measure()?.claim(),
-        shape,
-        pressure,
-        direct,
-        edge,
-        nsor::measure()?.claim(),
-        recommendation::measure()?.claim(),
-        bounds::measure()?.claim(),
-        extensions::any_body().claim(),
-        extensions::elastic_foundation()?.claim(),
-        extensions::unknown_rigid_motion()?.claim(),
-        extensions::curved_beam()?.claim(),
-    ])
+    Ok(Ledger::measure()?.claims())
 }
