@@ -3,13 +3,13 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-use palkki::paper::claims::{Ledger, Verdict, four_step, measure};
+use palkki::paper::claims::{Ledger, Verdict, four_step};
 use palkki::route::Method;
 
 /// The evidence. Measuring it takes seconds: once is enough.
 fn ledger() -> &'static Ledger {
     static LEDGER: OnceLock<Ledger> = OnceLock::new();
-    LEDGER.get_or_init(|| measure().expect("the scenes of the paper are well posed"))
+    LEDGER.get_or_init(|| Ledger::measure().expect("the scenes of the paper are well posed"))
 }
 
 /// Half a unit of the last digit that the paper prints.

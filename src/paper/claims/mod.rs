@@ -52,57 +52,59 @@ pub struct Claim {
     pub evidence: String,
 }
 
-/// The evidence behind every claim.
+/// Everything that is measured for the ledger, so that tables and figures can quote the numbers behind the words.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(missing_docs, reason = "each field is the evidence of the module of its name")]
 pub struct Ledger {
+    /// The two printed numbers.
     pub printed: printed::Evidence,
+    /// Force and displacement method against each other.
     pub same_result: same_result::Evidence,
+    /// Cubic elements under point forces.
     pub point_forces: point_forces::Evidence,
+    /// Shape and pressure on coarse grids.
     pub usable: usable::Evidence,
+    /// The four steps, on many grids and foundations.
     pub four_step: four_step::Evidence,
+    /// Sweeps of NSOR.
     pub nsor: nsor::Evidence,
+    /// Digits with and without the matrices.
     pub recommendation: recommendation::Evidence,
+    /// Energies and penetration.
     pub bounds: bounds::Evidence,
+    /// A body that is no beam.
     pub any_body: extensions::Taut,
+    /// Springs for a foundation.
     pub elastic_foundation: extensions::Springs,
+    /// No supports.
     pub unknown_rigid_motion: extensions::Unsupported,
+    /// A ski.
     pub curved_beam: extensions::Curved,
 }
 
-/// Measures everything that the claims need, each thing once.
-///
-/// # Errors
-///
-/// None for the scenes of the paper; the type is that of [`crate::solve`].
-pub fn measure() -> Result<Ledger, SceneError> {
-    Ok(Ledger {
-        printed: printed::measure()?,
-        same_result: same_result::measure()?,
-        point_forces: point_forces::measure()?,
-        usable: usable::measure()?,
-        four_step: four_step::measure()?,
-        nsor: nsor::measure()?,
-        recommendation: recommendation::measure()?,
-        bounds: bounds::measure()?,
-        any_body: extensions::any_body(),
-        elastic_foundation: extensions::elastic_foundation()?,
-        unknown_rigid_motion: extensions::unknown_rigid_motion()?,
-        curved_beam: extensions::curved_beam()?,
-    })
-}
-
-/// All claims, in the order of the paper's argument.
-///
-/// # Errors
-///
-/// None for the scenes of the paper; the type is that of [`crate::solve`].
-pub fn all() -> Result<Vec<Claim>, SceneError> {
-    Ok(measure()?.claims())
-}
-
 impl Ledger {
-    /// The claims with their verdicts, in the order of the paper's argument.
+    /// Measures everything. It takes some seconds, most of them for NSOR.
+    ///
+    /// # Errors
+    ///
+    /// None for the scenes of the paper; the type is that of [`crate::solve`].
+    pub fn measure() -> Result<Self, SceneError> {
+        Ok(Self {
+            printed: printed::measure()?,
+            same_result: same_result::measure()?,
+            point_forces: point_forces::measure()?,
+            usable: usable::measure()?,
+            four_step: four_step::measure()?,
+            nsor: nsor::measure()?,
+            recommendation: recommendation::measure()?,
+            bounds: bounds::measure()?,
+            any_body: extensions::any_body(),
+            elastic_foundation: extensions::elastic_foundation()?,
+            unknown_rigid_motion: extensions::unknown_rigid_motion()?,
+            curved_beam: extensions::curved_beam()?,
+        })
+    }
+
+    /// All claims with their verdicts, in the order of the paper's argument.
     #[must_use]
     pub fn claims(&self) -> Vec<Claim> {
         let [shape, pressure] = self.usable.claims();
@@ -124,4 +126,13 @@ impl Ledger {
             self.curved_beam.claim(),
         ]
     }
+}
+
+/// All claims, in the order of the paper's argument.
+///
+/// # Errors
+///
+/// As [`Ledger::measure`].
+pub fn all() -> Result<Vec<Claim>, SceneError> {
+    Ok(Ledger::measure()?.claims())
 }
