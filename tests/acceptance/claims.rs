@@ -66,6 +66,8 @@ fn usable_pressure() {
     let [paper, coarse, _] = &e.grids;
     assert!(paper.first_force.abs() < 0.05 && 0.5 < coarse.first_force.abs(), "{paper:?} {coarse:?}");
     assert!((0.5..1.0).contains(&paper.pressure), "{paper:?}");
+    let (intervals, worst) = e.worst_pressure;
+    assert!(5.0 < worst, "on {intervals} intervals a nodal force is off by {worst} q₀Δ");
     assert!(e.grids_looked_at < 2 * e.grids_with_holes, "{} of {}", e.grids_with_holes, e.grids_looked_at);
 }
 

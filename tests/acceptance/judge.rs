@@ -9,6 +9,14 @@ use crate::scenes::{example, report, run, scene, uniform};
 
 /// The state that the active set finds.
 #[track_caller]
+fn correct_on(scene: &Scene, intervals: usize) -> ContactState {
+    let outcome = run(scene, Method::Force, Solver::ActiveSet, intervals);
+    assert_eq!(outcome.status, Status::Certified);
+    outcome.state
+}
+
+/// As [`correct_on`], on 30 intervals by any method.
+#[track_caller]
 fn correct(scene: &Scene, method: Method) -> ContactState {
     let outcome = run(scene, method, Solver::ActiveSet, 30);
     assert_eq!(outcome.status, Status::Certified, "{method}");
@@ -135,4 +143,17 @@ fn a_deep_pit_does_not_loosen_the_measure() {
     nodes.contact_force[25] = 1e-20;
     let kkt = Kkt::of(&pit, &state).expect("nodes");
     assert!(!kkt.holds(), "a free beam passes through ground at depth 1: {kkt:?}");
+}
+
+/// Without loads nothing moves. A pull must not hide behind a pit that is deep enough to make any force look small.
+#[test]
+fn a_deep_pit_does_not_loosen_the_measure_of_an_idle_beam() {
+    let points = [[0.0, 1.0], [5.0, 1.0], [5.2, 1e9], [5.4, 1.0], [10.0, 1.0]].to_vec();
+    let pit = uniform(10.0, 500.0 / 384.0, 0.0, Foundation::Polyline { points });
+    let idle = correct_on(&pit, 50);
+    assert!(passes(&pit, &idle), "a beam without load does not move");
+    let mut broken = idle;
+    let nodes = broken.nodes.as_mut().expect("nodes");
+    nodes.contact_force[24] = -1.0;
+    assert!(!passes(&pit, &broken), "a pull of 1 on a beam without load");
 }
