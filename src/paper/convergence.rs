@@ -85,19 +85,35 @@ pub struct Series {
     pub order: f64,
 }
 
-/// Errors on grids of `intervals`, each a multiple of 8.
+/// Errors of every quantity on grids of `intervals`, each a multiple of 8.
 ///
 /// # Errors
 ///
 /// None for the example on such grids; the type is that of [`solve`].
-#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+pub fn all(method: Method, intervals: &[usize]) -> Result<Vec<Series>, SceneError> {
+    let states = intervals.iter().map(|&n| Ok((n, state(method, n)?))).collect::<Result<Vec<_>, SceneError>>()?;
+    Ok(Quantity::ALL.into_iter().map(|quantity| of(method, quantity, &states)).collect())
+}
+
+/// Errors of one quantity on grids of `intervals`, each a multiple of 8.
+///
+/// # Errors
+///
+/// As [`all`].
 pub fn series(method: Method, quantity: Quantity, intervals: &[usize]) -> Result<Series, SceneError> {
+    let states = intervals.iter().map(|&n| Ok((n, state(method, n)?))).collect::<Result<Vec<_>, SceneError>>()?;
+    Ok(of(method, quantity, &states))
+}
+
+fn state(method: Method, intervals: usize) -> Result<ContactState, SceneError> {
+    Ok(solve(&example()?, &Settings::new(method, Solver::ActiveSet, intervals))?.state)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+fn of(method: Method, quantity: Quantity, states: &[(usize, ContactState)]) -> Series {
     let exact = quantity.exact();
-    let mut errors = Vec::new();
-    for &n in intervals {
-        let outcome = solve(&example()?, &Settings::new(method, Solver::ActiveSet, n))?;
-        errors.push((n, (quantity.discrete(&outcome.state) - exact).abs() / exact.abs()));
-    }
+    let errors: Vec<(usize, f64)> =
+        states.iter().map(|(n, state)| (*n, (quantity.discrete(state) - exact).abs() / exact.abs())).collect();
     let pairs: Vec<(f64, f64)> = errors.iter().map(|&(n, e)| (1.0 / n as f64, e)).collect();
-    Ok(Series { method, quantity, order: observed_order(&pairs), errors })
+    Series { method, quantity, order: observed_order(&pairs), errors }
 }

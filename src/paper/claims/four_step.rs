@@ -17,7 +17,7 @@ pub const SCENES: usize = 150;
 pub const SEED: u64 = 4;
 
 /// How often the four steps end at the optimum, for one method.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Count {
     /// Which method.
     pub method: Method,
@@ -25,6 +25,8 @@ pub struct Count {
     pub on_the_example: bool,
     /// On how many of the grids of the example.
     pub grids: usize,
+    /// Number of intervals of each grid of the example, and whether they do on it.
+    pub by_grid: Vec<(usize, bool)>,
     /// The smallest number of intervals on which they do not.
     pub first_failure: Option<usize>,
     /// On how many of the random foundations of each kind, 30 intervals.
@@ -75,6 +77,7 @@ pub fn measure() -> Result<Evidence, SceneError> {
             on_the_example,
             grids: grids.iter().filter(|(_, optimal)| *optimal).count(),
             first_failure: grids.iter().find(|(_, optimal)| !optimal).map(|(n, _)| *n),
+            by_grid: grids,
             uneven: count_uneven,
             infeasible,
         });

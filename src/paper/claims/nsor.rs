@@ -11,6 +11,9 @@ use crate::verification::observed_order;
 /// Grids on which sweeps are counted.
 pub const GRIDS: [usize; 5] = [10, 15, 20, 30, 40];
 
+/// A fine grid.
+pub const FINE: usize = 300;
+
 /// Sweeps of NSOR for one method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Count {
@@ -24,7 +27,7 @@ pub struct Count {
     pub exponent: f64,
     /// Solves of the active set on the finest of the grids, for comparison.
     pub active_set_solves: usize,
-    /// Whether NSOR converges on 300 intervals within its budget.
+    /// Whether NSOR converges on [`FINE`] intervals within its budget.
     pub converged_at_300: bool,
 }
 
@@ -59,7 +62,7 @@ pub fn measure() -> Result<Evidence, SceneError> {
             converged,
             exponent: observed_order(&pairs),
             active_set_solves: run(method, Solver::ActiveSet, GRIDS[GRIDS.len() - 1])?.iterations,
-            converged_at_300: run(method, Solver::Nsor, 300)?.solver_claims_success,
+            converged_at_300: run(method, Solver::Nsor, FINE)?.solver_claims_success,
         });
     }
     Ok(Evidence { counts })
@@ -87,12 +90,13 @@ impl Evidence {
         }
     }
 
+    #[expect(clippy::cast_precision_loss, reason = "counts of sweeps")]
     pub(super) fn claim(&self) -> Claim {
         let line = |c: &Count| {
             format!(
-                "{}: {} sweeps on {INTERVALS} intervals, growing like n^{:.1}, {} on 300 intervals",
+                "{}: {:.1} thousand sweeps on {INTERVALS} intervals, growing like n^{:.1}, {} on {FINE} intervals",
                 c.method,
-                c.on_the_paper_grid(),
+                1e-3 * c.on_the_paper_grid() as f64,
                 c.exponent,
                 if c.converged_at_300 { "converged" } else { "not converged within its budget" },
             )

@@ -22,7 +22,6 @@ impl Evidence {
     }
 
     /// With a figure and the numbers that it draws: `figures/<name>.svg` and `data/<name>.csv`.
-    #[allow(dead_code, reason = "until the first chapter draws a figure")]
     pub(crate) fn figure(self, name: &str, svg: String, csv: String) -> Self {
         let mut with = self.data(name, csv);
         with.files.insert(format!("figures/{name}.svg"), svg);
@@ -30,7 +29,6 @@ impl Evidence {
     }
 
     /// With numbers that no figure draws: `data/<name>.csv`.
-    #[allow(dead_code, reason = "until the first chapter has data")]
     pub(crate) fn data(mut self, name: &str, csv: String) -> Self {
         self.files.insert(format!("data/{name}.csv"), csv);
         self

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
 
 use serde::Serialize;
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::files;
+use crate::report::study::Study;
 
 /// The line that opens a block.
 const OPENING: &str = "// Discrepancy: ";
@@ -41,10 +41,10 @@ enum BlockError {
     Twice { file: String, line: usize, id: String, other: String },
 }
 
-pub(super) fn evidence(root: &Path) -> Result<Evidence, Cause> {
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut sources = BTreeMap::new();
-    for path in files::list(root, "src")?.into_iter().filter(|path| path.ends_with(".rs")) {
-        let text = fs::read_to_string(root.join(&path))?;
+    for path in files::list(study.root, "src")?.into_iter().filter(|path| path.ends_with(".rs")) {
+        let text = fs::read_to_string(study.root.join(&path))?;
         sources.insert(path, text);
     }
     Ok(Evidence::new(Values { entries: collect(&sources)? }))

@@ -1,11 +1,10 @@
 //! The first screen: what the report is.
 
-use std::path::Path;
-
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
+use crate::report::study::Study;
 
 /// Nothing of its own: it quotes the other chapters.
-pub(super) fn evidence(_: &Path) -> Result<Evidence, Cause> {
+pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     Ok(Evidence::new(()))
 }

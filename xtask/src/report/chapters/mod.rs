@@ -1,21 +1,24 @@
 //! The chapters of the report, one module and one template each.
 //!
-//! To add one: `report/chapters/<number>-<name>.md`, a module `<name>` here with `evidence(root)`, and a line in
+//! To add one: `report/chapters/<number>-<name>.md`, a module `<name>` here with `evidence(study)`, and a line in
 //! [`CHAPTERS`]. The numbers give the order; leave gaps. The template sees the values as `{{ <name>.field }}`, with `_`
 //! for `-`, and those of all other chapters as well.
 
+mod claims;
 mod discrepancies;
+mod figures;
 mod front;
 mod reproduce;
 
-use std::path::Path;
-
 use super::error::Cause;
 use super::evidence::Evidence;
+use super::study::Study;
 
 /// The chapters in their order. The first has the title of the report, the others are listed in the contents.
 pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "00-front", evidence: front::evidence },
+    Chapter { name: "40-figures", evidence: figures::evidence },
+    Chapter { name: "80-claims", evidence: claims::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];
@@ -25,8 +28,8 @@ pub(super) const CHAPTERS: &[Chapter] = &[
 pub(super) struct Chapter {
     /// Name of the template in `report/chapters`, without `.md`.
     pub(super) name: &'static str,
-    /// Computes what the template interpolates, from the repository at the given root.
-    pub(super) evidence: fn(&Path) -> Result<Evidence, Cause>,
+    /// Computes what the template interpolates.
+    pub(super) evidence: fn(&Study<'_>) -> Result<Evidence, Cause>,
 }
 
 impl Chapter {

@@ -1,13 +1,13 @@
 //! How to reproduce: what the lock file and the tree say about themselves.
 
 use std::fs;
-use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::files;
+use crate::report::study::Study;
 
 /// The crates whose versions can change a number or a drawing of the report.
 const NUMERICAL: [&str; 6] = ["nalgebra", "clarabel", "osqp", "libm", "plotters", "insta"];
@@ -56,10 +56,10 @@ struct NotOneVersion {
     count: usize,
 }
 
-pub(super) fn evidence(root: &Path) -> Result<Evidence, Cause> {
-    let manifest: Manifest = toml::from_str(&fs::read_to_string(root.join("Cargo.toml"))?)?;
-    let lock: Lock = toml::from_str(&fs::read_to_string(root.join("Cargo.lock"))?)?;
-    let scenes = files::list(root, "report/scenes")?;
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let manifest: Manifest = toml::from_str(&fs::read_to_string(study.root.join("Cargo.toml"))?)?;
+    let lock: Lock = toml::from_str(&fs::read_to_string(study.root.join("Cargo.lock"))?)?;
+    let scenes = files::list(study.root, "report/scenes")?;
     let scenes = scenes.iter().filter_map(|path| path.strip_prefix("report/scenes/")).map(str::to_owned).collect();
     let rust_version = manifest.workspace.package.rust_version;
     Ok(Evidence::new(Values { rust_version, versions: versions(lock)?, scenes }))

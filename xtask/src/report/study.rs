@@ -1,0 +1,29 @@
+//! What several chapters rest on, computed once.
+
+use std::cell::OnceCell;
+use std::path::Path;
+
+use palkki::paper::claims::Ledger;
+use palkki::scene::SceneError;
+
+use super::error::Cause;
+
+/// The repository, and what was measured for more than one chapter.
+#[derive(Debug)]
+pub(crate) struct Study<'a> {
+    /// Root of the repository.
+    pub(super) root: &'a Path,
+    ledger: OnceCell<Result<Ledger, SceneError>>,
+}
+
+impl<'a> Study<'a> {
+    /// Nothing is computed yet.
+    pub(super) fn new(root: &'a Path) -> Self {
+        Self { root, ledger: OnceCell::new() }
+    }
+
+    /// What the claims of the paper are judged by.
+    pub(super) fn ledger(&self) -> Result<&Ledger, Cause> {
+        self.ledger.get_or_init(Ledger::measure).as_ref().map_err(|&error| error.into())
+    }
+}
