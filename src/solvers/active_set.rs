@@ -27,6 +27,13 @@ const ROUNDING: f64 = 1e-12;
 /// Rounds of full exchange without fewer violators before the descent: the usual choice for block pivoting is around ten.
 const PATIENCE: usize = 10;
 
+/// What it is set to.
+pub(super) fn words() -> String {
+    format!(
+        "descent after {PATIENCE} exchanges without progress; a sign counts from {ROUNDING:e} of the variable's size"
+    )
+}
+
 /// Solves from the face on which every variable is free, as the paper's algorithm does.
 pub(super) fn solve(programme: &dyn Programme) -> Answer {
     solve_from(programme, vec![true; programme.dimension()])

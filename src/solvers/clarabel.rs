@@ -37,6 +37,15 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
     }
 }
 
+/// What it is set to.
+pub(super) fn words(tolerance: f64) -> String {
+    let set = settings(tolerance);
+    format!(
+        "gap and feasibility {:.0e}, at most {} iterations, one thread, no equilibration: the programme is dimensionless already",
+        set.tol_gap_abs, set.max_iter,
+    )
+}
+
 /// Solves with clarabel.
 pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     if let Some(refusal) = too_large(programme) {

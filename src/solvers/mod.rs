@@ -54,6 +54,20 @@ pub fn active_set_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
     active_set::solve_from(programme, free)
 }
 
+impl Solver {
+    /// What the solver is set to when it is asked for `tolerance`, in words.
+    #[must_use]
+    pub fn settings(self, tolerance: f64) -> String {
+        match self {
+            Self::FourStep => "nothing to set; at most n rounds".to_owned(),
+            Self::ActiveSet => active_set::words(),
+            Self::Nsor => nsor::words(tolerance),
+            Self::Clarabel => clarabel::words(tolerance),
+            Self::Osqp => osqp::words(tolerance),
+        }
+    }
+}
+
 /// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
 /// 32 MB, and its factors as much again.
 const LARGEST_MATRIX: usize = 2000;

@@ -33,6 +33,18 @@ const OVERHEAD: usize = 40;
 /// answer does not depend on a clock.
 const MULTIPLICATIONS: usize = 1 << 30;
 
+/// What it is set to.
+pub(super) fn words(tolerance: f64) -> String {
+    format!(
+        "ω from a race of {} factors from {:.2} to {:.2}; stops at a scaled residual of {tolerance:.0e}, looked at every \
+         {SWEEPS_PER_LOOK} sweeps; a budget of {} million multiplications",
+        FACTORS.len(),
+        FACTORS[0],
+        FACTORS[FACTORS.len() - 1],
+        MULTIPLICATIONS / 1_000_000,
+    )
+}
+
 /// Runs NSOR until the scaled residual is at most `tolerance`, or the budget is used up.
 pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     if let Some(refusal) = too_large(programme) {

@@ -18,20 +18,38 @@ const INFINITY: f64 = 1e30;
 /// Budget of a run in multiplications: the limit on iterations follows from it, so that no clock is needed.
 const MULTIPLICATIONS: usize = 1 << 31;
 
+/// The step size ρ is adapted, and the end looked for, every so many iterations. By default a clock decides.
+const INTERVAL: u32 = 25;
+
+/// Rounds of iterative refinement when an answer is polished.
+const REFINEMENTS: u32 = 20;
+
+/// Limits between which the budget puts the number of iterations.
+const ITERATIONS: [usize; 2] = [1000, 200_000];
+
+/// What it is set to.
+pub(super) fn words(tolerance: f64) -> String {
+    let [least, most] = ITERATIONS;
+    format!(
+        "absolute residual {tolerance:.0e}, relative none; ρ adapted every {INTERVAL} iterations, so that no clock decides; polished \
+         with {REFINEMENTS} refinements; {least} to {most} iterations, by a budget of {} million multiplications",
+        MULTIPLICATIONS / 1_000_000,
+    )
+}
+
 /// Settings chosen for accuracy and for the same bits on every run.
 fn settings(tolerance: f64, entries: usize) -> Settings {
-    let iterations = (MULTIPLICATIONS / entries.max(1)).clamp(1000, 200_000);
+    let iterations = (MULTIPLICATIONS / entries.max(1)).clamp(ITERATIONS[0], ITERATIONS[1]);
     Settings::default()
         .verbose(false)
         .eps_abs(tolerance)
         .eps_rel(0.0)
         .max_iter(u32::try_from(iterations).unwrap_or(u32::MAX))
-        // By default the interval is taken from a clock.
         .adaptive_rho(true)
-        .adaptive_rho_interval(Some(25))
-        .check_termination(Some(25))
+        .adaptive_rho_interval(Some(INTERVAL))
+        .check_termination(Some(INTERVAL))
         .polish(true)
-        .polish_refine_iter(20)
+        .polish_refine_iter(REFINEMENTS)
 }
 
 /// Solves with osqp.

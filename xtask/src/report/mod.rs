@@ -14,6 +14,7 @@ mod evidence;
 mod files;
 mod links;
 mod numbers;
+mod scenes;
 mod study;
 mod template;
 mod verdict;

@@ -44,6 +44,11 @@ fn sci(value: f64, places: usize) -> Result<String, Error> {
     Ok(format!("{mantissa}·10{}", Superscript(exponent)))
 }
 
+/// `10ⁿ`
+pub(super) fn power(exponent: i32) -> String {
+    format!("10{}", Superscript(&exponent.to_string()))
+}
+
 /// `{{ x | percent(1) }}`: a fraction in percent, `3.4 %`.
 fn percent(value: f64, places: usize) -> Result<String, Error> {
     fixed(100.0 * value, places).map(|number| format!("{number} %"))
@@ -123,6 +128,7 @@ mod tests {
         check(sci(-4.0e12, 0), "-4·10¹²");
         check(sci(1.0, 1), "1.0·10⁰");
         check(sci(-0.0, 1), "0");
+        assert_eq!([power(6), power(-11)], ["10⁶", "10⁻¹¹"]);
     }
 
     #[test]

@@ -8,7 +8,10 @@ mod claims;
 mod discrepancies;
 mod figures;
 mod front;
+mod methods;
+mod problem;
 mod reproduce;
+mod solvers;
 
 use super::error::Cause;
 use super::evidence::Evidence;
@@ -17,6 +20,9 @@ use super::study::Study;
 /// The chapters in their order. The first has the title of the report, the others are listed in the contents.
 pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "00-front", evidence: front::evidence },
+    Chapter { name: "10-problem", evidence: problem::evidence },
+    Chapter { name: "20-methods", evidence: methods::evidence },
+    Chapter { name: "30-solvers", evidence: solvers::evidence },
     Chapter { name: "40-figures", evidence: figures::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },

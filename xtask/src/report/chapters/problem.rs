@@ -1,0 +1,91 @@
+//! The problem, its notation and a sketch.
+
+use palkki::plot::{Arrow, Arrows, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, Style, significant};
+use palkki::plot::{Axis, PlotError};
+use palkki::route::{Method, Solver};
+use palkki::scene::{Foundation, Scene};
+use palkki::{Settings, solve};
+use serde::Serialize;
+
+use crate::report::csv::{csv, fixed};
+use crate::report::error::Cause;
+use crate::report::evidence::Evidence;
+use crate::report::scenes;
+use crate::report::study::Study;
+
+/// A multiple of 20, so that the kinks of the scene are nodes.
+const INTERVALS: usize = 240;
+
+#[derive(Debug, Serialize)]
+struct Values {
+    title: String,
+    intervals: usize,
+}
+
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let scene = scenes::read(study.root, "ridge")?;
+    let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
+    let curves = Curves::of(&scene, &state)?;
+    let rows = curves
+        .x
+        .iter()
+        .zip(&curves.deflection)
+        .map(|(&x, &v)| vec![fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
+    let table = csv(&["x", "u", "v"], rows);
+    let values = Values { title: scene.title().to_owned(), intervals: INTERVALS };
+    Ok(Evidence::new(values).figure("problem", sketch(&scene, &curves)?, table))
+}
+
+fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
+    let l = scene.beam().length();
+    let ground = match scene.foundation() {
+        Some(Foundation::Polyline { points }) => points.clone(),
+        _ => Vec::new(),
+    };
+    let deflected: Vec<[f64; 2]> = curves.x.iter().zip(&curves.deflection).map(|(&x, &v)| [x, v]).collect();
+    let at = |x: f64| deflected.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
+    let arrow = |force: f64, at: [f64; 2]| Arrow { at, force, text: significant(force, 3), optional: true };
+    let contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
+    let reactions = vec![arrow(curves.reactions.left, [0.0, 0.0]), arrow(curves.reactions.right, [l, 0.0])];
+    let full = contact.iter().chain(&reactions).fold(0.0_f64, |most, a| most.max(a.force));
+    let arrows = |arrows: Vec<Arrow>, color: Color, label: &str| {
+        Layer::Arrows(Arrows { arrows, full, part: 0.34, color, dash: Dash::Solid, label: label.to_owned() })
+    };
+    let load = LoadSketch {
+        level: 0.0,
+        intensity: vec![[0.0, scene.load().uniform()], [l, scene.load().uniform()]],
+        values: Vec::new(),
+        points: Vec::new(),
+    };
+    let note = |at: [f64; 2], text: &str| Layer::Note { at, text: text.to_owned(), dot: true };
+    let lifted = 0.09 * l;
+    let x = Axis { padding: 0.03, ..Axis::new("x, from the left support to the right one at l").including(&[0.0, l]) };
+    let panel = Panel::new(x, Axis::new("downwards: depth u(x), deflection v(x)").down().including(&[0.0]))
+        .tall(700.0)
+        .room(220.0, 40.0)
+        .with(Layer::Foundation { points: ground, label: "rigid foundation, u(x)".to_owned() })
+        .with(Layer::Load(load))
+        .with(Layer::Series {
+            points: vec![[0.0, 0.0], [l, 0.0]],
+            style: Style { width: 3, ..Style::theory() },
+            label: "line of the supports".to_owned(),
+        })
+        .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
+        .with(Layer::Series {
+            points: deflected.clone(),
+            style: Style::solid(Color::BLUE),
+            label: "beam, v(x)".to_owned(),
+        })
+        .with(Layer::Series {
+            points: vec![[lifted, at(lifted)], [lifted, scene.depth(lifted)]],
+            style: Style { dash: Some(Dash::Dotted), ..Style::solid(Color::BLACK) },
+            label: String::new(),
+        })
+        .with(note([lifted, 0.5 * (at(lifted) + scene.depth(lifted))], "clearance h = u − v"))
+        .with(arrows(contact, Color::VERMILLION, "contact forces"))
+        .with(arrows(reactions, Color::GREEN, "reactions"));
+    let description = "A beam on two supports, loaded from above, bends down to a foundation that is flat but for one ridge. It \
+                       touches the flat ground on one stretch on either side and the ridge between them; elsewhere there is a \
+                       clearance. Arrows show the concentrated contact forces and the reactions of the supports.";
+    Figure::new("A beam above an uneven foundation", description, vec![panel]).svg()
+}
