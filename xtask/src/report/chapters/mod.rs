@@ -4,7 +4,9 @@
 //! [`CHAPTERS`]. The numbers give the order; leave gaps. The template sees the values as `{{ <name>.field }}`, with `_`
 //! for `-`, and those of all other chapters as well.
 
+mod agreement;
 mod claims;
+mod convergence;
 mod discrepancies;
 mod figures;
 mod front;
@@ -24,6 +26,8 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "20-methods", evidence: methods::evidence },
     Chapter { name: "30-solvers", evidence: solvers::evidence },
     Chapter { name: "40-figures", evidence: figures::evidence },
+    Chapter { name: "50-agreement", evidence: agreement::evidence },
+    Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
