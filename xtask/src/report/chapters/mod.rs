@@ -13,6 +13,7 @@ mod front;
 mod methods;
 mod problem;
 mod reproduce;
+mod scenes;
 mod solvers;
 
 use super::error::Cause;
@@ -28,6 +29,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "40-figures", evidence: figures::evidence },
     Chapter { name: "50-agreement", evidence: agreement::evidence },
     Chapter { name: "60-convergence", evidence: convergence::evidence },
+    Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
