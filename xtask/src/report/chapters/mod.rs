@@ -12,6 +12,7 @@ mod figures;
 mod front;
 mod methods;
 mod problem;
+mod recommendation;
 mod reproduce;
 mod scenes;
 mod solvers;
@@ -31,6 +32,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },
+    Chapter { name: "90-recommendation", evidence: recommendation::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];

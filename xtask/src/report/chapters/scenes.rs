@@ -59,6 +59,8 @@ struct Row {
     routes: usize,
     four_step: usize,
     four_step_routes: usize,
+    /// Routes meant to reach the optimum that the judge does not certify, and whether they claim success.
+    failed: Vec<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -94,17 +96,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 }
 
 fn row(root: &Path, name: String, scene: &Scene, state: &ContactState) -> Result<Row, Cause> {
-    let count = |solvers: &[Solver]| -> Result<[usize; 2], Cause> {
-        let mut counts = [0, 0];
-        for method in Method::ALL {
-            for &solver in solvers {
-                let status = solve(scene, &Settings::new(method, solver, COARSE))?.status;
-                counts = [counts[0] + usize::from(status == Status::Certified), counts[1] + 1];
-            }
-        }
-        Ok(counts)
-    };
-    let ([certified, routes], [four_step, four_step_routes]) = (count(&Solver::OPTIMAL)?, count(&[Solver::FourStep])?);
+    let ([certified, routes], failed) = judged(scene, &Solver::OPTIMAL)?;
+    let ([four_step, four_step_routes], _) = judged(scene, &[Solver::FourStep])?;
     let unit = |label: Option<&String>| label.map_or_else(String::new, |label| format!(" {label}"));
     let units = scene.units();
     let moment = units.force.as_ref().zip(units.length.as_ref()).map(|(force, length)| format!("{force}·{length}"));
@@ -134,7 +127,25 @@ fn row(root: &Path, name: String, scene: &Scene, state: &ContactState) -> Result
         routes,
         four_step,
         four_step_routes,
+        failed,
     })
+}
+
+/// How many routes are certified, how many there are, and which are not.
+fn judged(scene: &Scene, solvers: &[Solver]) -> Result<([usize; 2], Vec<String>), Cause> {
+    let mut counts = [0, 0];
+    let mut failed = Vec::new();
+    for method in Method::ALL {
+        for &solver in solvers {
+            let outcome = solve(scene, &Settings::new(method, solver, COARSE))?;
+            counts = [counts[0] + usize::from(outcome.status == Status::Certified), counts[1] + 1];
+            if outcome.status != Status::Certified {
+                let word = if outcome.solver_claims_success { "success" } else { "failure" };
+                failed.push(format!("{solver} on the {method} method (it reports {word})"));
+            }
+        }
+    }
+    Ok((counts, failed))
 }
 
 /// The comment at the head of a scene file.
