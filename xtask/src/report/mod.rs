@@ -14,6 +14,7 @@ mod evidence;
 mod files;
 mod links;
 mod numbers;
+mod rational;
 mod scenes;
 mod study;
 mod template;

@@ -8,6 +8,8 @@ use palkki::paper::claims::nsor::{FINE, GRIDS};
 use palkki::paper::claims::{Claim, Ledger, Verdict};
 use serde::Serialize;
 
+pub(super) use self::first_screen::worst;
+pub(super) use self::studies::thousands;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::study::Study;

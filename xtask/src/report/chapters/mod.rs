@@ -4,13 +4,17 @@
 //! [`CHAPTERS`]. The numbers give the order; leave gaps. The template sees the values as `{{ <name>.field }}`, with `_`
 //! for `-`, and those of all other chapters as well.
 
+mod agreement;
 mod claims;
+mod convergence;
 mod discrepancies;
 mod figures;
 mod front;
 mod methods;
 mod problem;
+mod recommendation;
 mod reproduce;
+mod scenes;
 mod solvers;
 
 use super::error::Cause;
@@ -24,7 +28,11 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "20-methods", evidence: methods::evidence },
     Chapter { name: "30-solvers", evidence: solvers::evidence },
     Chapter { name: "40-figures", evidence: figures::evidence },
+    Chapter { name: "50-agreement", evidence: agreement::evidence },
+    Chapter { name: "60-convergence", evidence: convergence::evidence },
+    Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },
+    Chapter { name: "90-recommendation", evidence: recommendation::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];

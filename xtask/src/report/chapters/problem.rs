@@ -45,7 +45,10 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let deflected: Vec<[f64; 2]> = curves.x.iter().zip(&curves.deflection).map(|(&x, &v)| [x, v]).collect();
     let at = |x: f64| deflected.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
     let arrow = |force: f64, at: [f64; 2]| Arrow { at, force, text: significant(force, 3), optional: true };
-    let contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
+    // Small ones are what a grid makes of a point force that falls between its nodes.
+    let largest = curves.point_forces.iter().fold(0.0_f64, |most, f| most.max(f.force));
+    let large = curves.point_forces.iter().filter(|f| 0.1 * largest < f.force);
+    let contact: Vec<Arrow> = large.map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
     let reactions = vec![arrow(curves.reactions.left, [0.0, 0.0]), arrow(curves.reactions.right, [l, 0.0])];
     let full = contact.iter().chain(&reactions).fold(0.0_f64, |most, a| most.max(a.force));
     let arrows = |arrows: Vec<Arrow>, color: Color, label: &str| {
@@ -58,7 +61,7 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
         points: Vec::new(),
     };
     let note = |at: [f64; 2], text: &str| Layer::Note { at, text: text.to_owned(), dot: true };
-    let lifted = 0.09 * l;
+    let lifted = 0.05 * l;
     let x = Axis { padding: 0.03, ..Axis::new("x, from the left support to the right one at l").including(&[0.0, l]) };
     let panel = Panel::new(x, Axis::new("downwards: depth u(x), deflection v(x)").down().including(&[0.0]))
         .tall(700.0)

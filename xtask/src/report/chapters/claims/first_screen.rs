@@ -1,5 +1,6 @@
 //! The ledger in the words of the verdict table: one line for each claim.
 
+use palkki::paper::claims::usable::Errors;
 use palkki::paper::claims::{Claim, Ledger};
 use palkki::paper::{PRINTED_FORCE, PRINTED_REACTION};
 
@@ -43,6 +44,11 @@ pub(super) fn rows(ledger: &Ledger, claims: &[Claim]) -> Result<Vec<Row>, Cause>
     Ok(rows)
 }
 
+/// The worst of the errors that a designer looks at.
+pub(in crate::report::chapters) fn worst(errors: &Errors) -> f64 {
+    errors.end_reaction.abs().max(errors.moment.abs()).max(errors.deflection)
+}
+
 /// Anchor and evidence in a few words; none for the printed numbers, which have lines of their own.
 fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, String)>, NoLine> {
     let percent = |e: f64| format!("{:.2} %", 100.0 * e.abs());
@@ -63,20 +69,22 @@ fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, Str
         "usable_shape" => (
             "usable-shape",
             format!(
-                "largest deflection error {} on {}, {} on {} intervals",
-                percent(paper.deflection),
+                "worst of deflection, end reaction and moment: {} on {}, {} on {} intervals",
+                percent(worst(paper)),
                 paper.intervals,
-                percent(coarse.deflection),
+                percent(worst(coarse)),
                 coarse.intervals
             ),
         ),
         "usable_pressure" => (
             "usable-pressure",
             format!(
-                "nodal forces off by up to {:.0} % on {}, {:.0} % on {} intervals: resultants converge, nodal forces do not",
-                100.0 * paper.pressure,
+                "first contact force off by {} on {}, {} on {} and {} on {} intervals: resultants converge, nodal forces do not",
+                percent(paper.first_force),
                 paper.intervals,
-                100.0 * fine.pressure,
+                percent(coarse.first_force),
+                coarse.intervals,
+                percent(fine.first_force),
                 fine.intervals
             ),
         ),
@@ -113,10 +121,7 @@ fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, Str
             "bounded-from-both-sides",
             "both methods have the same energy and the beam dips between the nodes: no bracket yet".to_owned(),
         ),
-        "any_elastic_body" => (
-            "any-elastic-body",
-            format!("a taut string: end reaction within {}", percent(ledger.any_body.end_reaction)),
-        ),
+        "any_elastic_body" => ("any-elastic-body", "a taut string comes out like its closed form".to_owned()),
         "elastic_foundation" => (
             "elastic-foundation",
             format!(

@@ -65,7 +65,7 @@ pub(super) fn successes(found: &four_step::Evidence) -> Result<Drawn, PlotError>
 }
 
 /// A count in thousands.
-pub(super) fn thousands(count: usize) -> f64 {
+pub(in crate::report::chapters) fn thousands(count: usize) -> f64 {
     1e-3 * number(count)
 }
 

@@ -52,7 +52,8 @@ enum End {
 
 impl End {
     fn of(outcome: &Outcome) -> Self {
-        let clear = !(outcome.residual <= CLEARLY * CERTIFIED_RESIDUAL);
+        // The judge makes NaN infinite.
+        let clear = CLEARLY * CERTIFIED_RESIDUAL < outcome.residual;
         match (outcome.solver_claims_success, clear) {
             (true, true) => Self::Wrong,
             (false, true) => Self::GaveUp,
