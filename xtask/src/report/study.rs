@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 use std::path::Path;
 
-use palkki::paper::claims::{Ledger, measure};
+use palkki::paper::claims::Ledger;
 use palkki::scene::SceneError;
 
 use super::error::Cause;
@@ -24,6 +24,6 @@ impl<'a> Study<'a> {
 
     /// What the claims of the paper are judged by.
     pub(super) fn ledger(&self) -> Result<&Ledger, Cause> {
-        self.ledger.get_or_init(measure).as_ref().map_err(|&error| error.into())
+        self.ledger.get_or_init(Ledger::measure).as_ref().map_err(|&error| error.into())
     }
 }
