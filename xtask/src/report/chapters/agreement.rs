@@ -27,6 +27,8 @@ struct Values {
     tolerances: Vec<tolerance::Reason>,
     /// Whether every route agrees with the authority, and with every other route of the same model.
     all_agree: bool,
+    /// Whether every route keeps to a tenth of its tolerance.
+    margin: bool,
     pairs: usize,
     pairs_agree: usize,
 }
@@ -58,6 +60,9 @@ struct Row {
     left_reaction: String,
     tolerance: String,
     agrees: &'static str,
+    /// The largest difference from the authority, over the tolerance.
+    #[serde(skip)]
+    share: f64,
 }
 
 /// A route with what is compared.
@@ -102,6 +107,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         theory: Theory { end_force: exact.end_force, reaction: exact.reaction },
         all_agree: rows.iter().all(|row| row.agrees == "yes"),
         norm: tolerances.norm,
+        margin: rows.iter().all(|row| row.share <= 0.1),
         tolerances: tolerances.reasons(),
         energy,
         differences,
@@ -148,6 +154,7 @@ fn row(run: &Run, authority: &Authority, tolerances: &Tolerances) -> Row {
         left_reaction: fixed(reaction, places),
         tolerance: tolerances.printed(run.solver),
         agrees: if error <= allowed { "yes" } else { "no" },
+        share: error / allowed,
     }
 }
 

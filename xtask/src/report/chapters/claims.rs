@@ -3,9 +3,9 @@
 mod first_screen;
 mod studies;
 
-use palkki::paper::claims::four_step::SCENES;
-use palkki::paper::claims::nsor::{FINE, GRIDS};
-use palkki::paper::claims::{Claim, Ledger, Verdict};
+use palkki::paper::claims::four_step::FINEST;
+use palkki::paper::claims::nsor::GRIDS;
+use palkki::paper::claims::{Claim, Verdict};
 use serde::Serialize;
 
 pub(super) use self::first_screen::worst;
@@ -21,8 +21,9 @@ struct Values {
     confirmed: usize,
     qualified: usize,
     refuted: usize,
-    four_step: FourStep,
-    nsor: Nsor,
+    /// What the two figures cover.
+    four_step: Grids,
+    nsor: Grids,
     /// Lines of the verdict table: the printed numbers, the other claims.
     numbers: Vec<Row>,
     verdicts: Vec<Row>,
@@ -38,51 +39,23 @@ struct Entry {
 }
 
 #[derive(Debug, Serialize)]
-struct FourStep {
-    grids: usize,
-    finest: usize,
-    scenes: usize,
-    methods: Vec<Successes>,
-}
-
-#[derive(Debug, Serialize)]
-struct Successes {
-    method: &'static str,
-    grids: usize,
-    waves: usize,
-    rough: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct Nsor {
+struct Grids {
     coarsest: usize,
     finest: usize,
-    fine: usize,
-    /// Methods for which it does not converge on the fine grid.
-    fails: usize,
-    methods: Vec<Growth>,
-}
-
-#[derive(Debug, Serialize)]
-struct Growth {
-    method: &'static str,
-    exponent: f64,
-    /// Thousands of sweeps on the paper's grid.
-    thousands: f64,
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
     let claims = ledger.claims();
     let count = |verdict| claims.iter().filter(|claim| claim.verdict == verdict).count();
-    let (four_step, nsor) = (four_step(ledger), nsor(ledger));
+    let by_grid = ledger.four_step.counts.iter().flat_map(|count| &count.by_grid).map(|(n, _)| *n);
     let values = Values {
         entries: claims.iter().map(entry).collect(),
         confirmed: count(Verdict::Confirmed),
         qualified: count(Verdict::Qualified),
         refuted: count(Verdict::Refuted),
-        four_step,
-        nsor,
+        four_step: Grids { coarsest: by_grid.min().unwrap_or(0), finest: FINEST },
+        nsor: Grids { coarsest: GRIDS[0], finest: GRIDS[GRIDS.len() - 1] },
         numbers: first_screen::numbers(ledger),
         verdicts: first_screen::rows(ledger, &claims)?,
     };
@@ -95,9 +68,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     ))
 }
 
-/// `usable_shape` as a heading.
+/// `usable_shape` as a heading, `Usable shape`.
 fn heading(claim: &Claim) -> String {
-    claim.name.replace('_', " ")
+    let words = claim.name.replace('_', " ").replace("nsor", "NSOR");
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn entry(claim: &Claim) -> Entry {
@@ -106,37 +81,5 @@ fn entry(claim: &Claim) -> Entry {
         statement: claim.statement,
         verdict: claim.verdict.word(),
         evidence: claim.evidence.clone(),
-    }
-}
-
-fn four_step(ledger: &Ledger) -> FourStep {
-    let found = &ledger.four_step;
-    let methods = found.counts.iter().map(|c| Successes {
-        method: c.method.word(),
-        grids: c.grids,
-        waves: c.uneven[0],
-        rough: c.uneven[1],
-    });
-    FourStep {
-        grids: found.grids,
-        finest: palkki::paper::claims::four_step::FINEST,
-        scenes: SCENES,
-        methods: methods.collect(),
-    }
-}
-
-fn nsor(ledger: &Ledger) -> Nsor {
-    let counts = &ledger.nsor.counts;
-    let methods = counts.iter().map(|c| Growth {
-        method: c.method.word(),
-        exponent: c.exponent,
-        thousands: studies::thousands(c.on_the_paper_grid()),
-    });
-    Nsor {
-        coarsest: GRIDS[0],
-        finest: GRIDS[GRIDS.len() - 1],
-        fine: FINE,
-        fails: counts.iter().filter(|c| !c.converged_at_300).count(),
-        methods: methods.collect(),
     }
 }

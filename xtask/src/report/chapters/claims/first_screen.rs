@@ -23,8 +23,8 @@ pub(super) fn numbers(ledger: &Ledger) -> Vec<Row> {
         section: "printed-numbers",
     };
     vec![
-        number("point force at lift-off by beam theory", printed.reaction_by_theory, PRINTED_REACTION),
-        number("its estimate on 30 intervals, n = 29", printed.first_force, PRINTED_FORCE),
+        number("Point force at lift-off by beam theory", printed.reaction_by_theory, PRINTED_REACTION),
+        number("Its estimate on 30 intervals, n = 29", printed.first_force, PRINTED_FORCE),
     ]
 }
 
@@ -52,7 +52,7 @@ pub(in crate::report::chapters) fn worst(errors: &Errors) -> f64 {
 /// Anchor and evidence in a few words; none for the printed numbers, which have lines of their own.
 fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, String)>, NoLine> {
     let percent = |e: f64| format!("{:.2} %", 100.0 * e.abs());
-    let [paper, coarse, fine] = &ledger.usable.grids;
+    let [paper, coarse, _] = &ledger.usable.grids;
     let four = &ledger.four_step;
     let fewest = |of: &dyn Fn(usize) -> usize| (0..four.counts.len()).map(of).min().unwrap_or(0);
     let most_sweeps = ledger.nsor.counts.iter().max_by_key(|c| c.on_the_paper_grid());
@@ -79,19 +79,17 @@ fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, Str
         "usable_pressure" => (
             "usable-pressure",
             format!(
-                "first contact force off by {} on {}, {} on {} and {} on {} intervals: resultants converge, nodal forces do not",
-                percent(paper.first_force),
+                "nodal forces off by up to {:.0} % on {} intervals and {:.0} % on {}: resultants converge, they do not",
+                100.0 * paper.pressure,
                 paper.intervals,
-                percent(coarse.first_force),
-                coarse.intervals,
-                percent(fine.first_force),
-                fine.intervals
+                100.0 * ledger.usable.worst_pressure.1,
+                ledger.usable.worst_pressure.0
             ),
         ),
         "four_steps_find_the_optimum" => (
             "four-steps-find-the-optimum",
             format!(
-                "true there; at worst on {} of {} other grids, and {} of {} uneven foundations",
+                "true there; the weakest method succeeds on {} of {} grids, and on {} of {} uneven foundations",
                 fewest(&|i| four.counts[i].grids),
                 four.grids,
                 fewest(&|i| four.counts[i].uneven.iter().sum()),
