@@ -1,0 +1,169 @@
+//! Newton's method for the lift-off positions: a tridiagonal system, one equation for each node.
+//!
+//! Moving a contact at which `h = h' = 0` by `δx` turns the end of the span by `δh' = −h'' δx` and moves the place at which
+//! `h''` is read; turning an edge by `δv'` turns the end by `δh' = −δv'`. The other end answers by the slope-deflection
+//! equations of [`super::span`].
+
+use super::given::Given;
+use super::list::{Kind, List};
+use super::span::{Hold, Span};
+
+/// How it went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Run {
+    /// Steps taken.
+    pub(super) steps: usize,
+    /// True if the last step was at the level of rounding.
+    pub(super) converged: bool,
+}
+
+/// Quadratic convergence needs 5 steps from a good start; a start that needs more than this is no start.
+const STEPS: usize = 40;
+/// A step below this fraction of the beam is rounding.
+const ROUNDING: f64 = 1e-15;
+/// From here on convergence is quadratic, and a step that shrinks no more is rounding too.
+const QUADRATIC: f64 = 1e-9;
+/// Two neighbours that share a span may come this much closer in one step.
+const APPROACH: f64 = 0.45;
+
+/// Moves the nodes of `list` until all equations hold.
+pub(super) fn solve(given: &Given, list: &mut List) -> Run {
+    let mut last = f64::INFINITY;
+    for steps in 0..STEPS {
+        if list.nodes.is_empty() {
+            return Run { steps, converged: true };
+        }
+        let Some(step) = newton_step(given, list) else {
+            return Run { steps, converged: false };
+        };
+        let (size, limited) = apply(given, list, &step);
+        if !limited && (size <= ROUNDING || (size <= QUADRATIC && 0.25 * last <= size)) {
+            return Run { steps: steps + 1, converged: true };
+        }
+        last = size;
+    }
+    Run { steps: STEPS, converged: false }
+}
+
+/// How `h''` at the two ends of a span answers to the two nodes beside it: `[end][node]`.
+fn response(list: &List, left: Option<usize>, right: Option<usize>, span: &Span) -> [[f64; 2]; 2] {
+    let l = span.length();
+    // δh' of each end for a unit of its unknown, and how fast h'' changes under a moving end.
+    let turn = |node: Option<usize>, end: &[f64; 4]| match node.map(|i| list.nodes[i].kind) {
+        None => (0.0, 0.0),
+        Some(Kind::Edge(_)) => (-1.0, 0.0),
+        Some(_) => (-end[2], end[3]),
+    };
+    let (turn_a, carry_a) = turn(left, &span.at_a);
+    let (turn_b, carry_b) = turn(right, &span.at_b);
+    let hinged = |hold: Hold| matches!(hold, Hold::Hinged { .. });
+    match (hinged(span.a.hold), hinged(span.b.hold)) {
+        (false, false) => {
+            [[carry_a - 4.0 * turn_a / l, -2.0 * turn_b / l], [2.0 * turn_a / l, carry_b + 4.0 * turn_b / l]]
+        }
+        (true, false) => [[0.0, 0.0], [0.0, carry_b + 3.0 * turn_b / l]],
+        (false, true) => [[carry_a - 3.0 * turn_a / l, 0.0], [0.0, 0.0]],
+        (true, true) => [[0.0; 2]; 2],
+    }
+}
+
+/// The equations of all nodes, and how they depend on the nodes to the left, here, to the right.
+fn equations(given: &Given, list: &List) -> Vec<([f64; 3], f64)> {
+    let n = list.nodes.len();
+    let mut rows = vec![([0.0; 3], 0.0); n];
+    for (i, span) in list.spans(given) {
+        let (left, right) = (i.checked_sub(1), (i < n).then_some(i));
+        let answer = response(list, left, right, &span);
+        if let Some(node) = left {
+            // A zone's end reads h'' to its right, a point the difference from left to right.
+            let sign = if list.nodes[node].kind == Kind::ZoneEnd { 1.0 } else { -1.0 };
+            let (row, value) = &mut rows[node];
+            row[1] += sign * answer[0][0];
+            row[2] += sign * answer[0][1];
+            *value += sign * (span.at_a[2] - profile_curvature(given, list, node, span.a.cell));
+        }
+        if let Some(node) = right {
+            let (row, value) = &mut rows[node];
+            row[0] += answer[1][0];
+            row[1] += answer[1][1];
+            *value += span.at_b[2] - profile_curvature(given, list, node, span.b.cell);
+        }
+    }
+    rows
+}
+
+/// `u''` beside an edge, where `v''` has to be compared; elsewhere `h''` will do.
+fn profile_curvature(given: &Given, list: &List, node: usize, cell: usize) -> f64 {
+    match list.nodes[node].kind {
+        Kind::Edge(_) => given.derivative(cell, list.nodes[node].x, 2),
+        _ => 0.0,
+    }
+}
+
+/// The largest residual of the equations: a jump of `v''`.
+pub(super) fn residual(given: &Given, list: &List) -> f64 {
+    // A NaN is never small.
+    equations(given, list).iter().fold(0.0, |most: f64, (_, r)| if r.abs() <= most { most } else { r.abs() })
+}
+
+/// Newton's step; [`None`] if the system is singular.
+fn newton_step(given: &Given, list: &List) -> Option<Vec<f64>> {
+    let mut rows = equations(given, list);
+    // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
+    // slope-deflection equations are diagonally dominant.
+    let n = rows.len();
+    for i in 0..n {
+        let ([_, pivot, upper], value) = rows[i];
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        if i + 1 < n {
+            let (row, right) = &mut rows[i + 1];
+            let factor = row[0] / pivot;
+            row[1] -= factor * upper;
+            *right -= factor * value;
+        }
+    }
+    let mut step = vec![0.0; n];
+    for i in (0..n).rev() {
+        let ([_, pivot, upper], value) = rows[i];
+        let beyond = if i + 1 < n { upper * step[i + 1] } else { 0.0 };
+        step[i] = -(value + beyond) / pivot;
+        if !step[i].is_finite() {
+            return None;
+        }
+    }
+    Some(step)
+}
+
+/// Takes the step as far as every node stays on its piece of the profile and spans keep a length. Returns its largest
+/// relative size and whether it was limited.
+fn apply(given: &Given, list: &mut List, step: &[f64]) -> (f64, bool) {
+    let places: Vec<f64> = list.nodes.iter().map(|n| n.x).collect();
+    let (mut size, mut limited) = (0.0_f64, false);
+    for (i, &step) in step.iter().enumerate() {
+        let node = list.nodes[i];
+        if let Kind::Edge(_) = node.kind {
+            list.nodes[i].slope += step;
+            continue;
+        }
+        let (mut lo, mut hi) = given.reach(node.cell);
+        let x = node.x;
+        // Halfway to a break of the profile, which is no place for a contact of this kind.
+        (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));
+        if !list.in_zone_before(i) {
+            let left = i.checked_sub(1).map_or(0.0, |i| places[i]);
+            lo = lo.max(x - APPROACH * (x - left));
+        }
+        if !list.in_zone_before(i + 1) {
+            let right = places.get(i + 1).copied().unwrap_or(given.length);
+            hi = hi.min(x + APPROACH * (right - x));
+        }
+        let wanted = x + step;
+        let taken = wanted.clamp(lo.min(x), hi.max(x));
+        limited |= (taken - wanted).abs() > ROUNDING * given.length;
+        list.nodes[i].x = taken;
+        size = size.max(step.abs() / given.length);
+    }
+    (size, limited)
+}

@@ -1,0 +1,204 @@
+//! What to try next when a list of contacts fails its check.
+
+use super::given::Given;
+use super::guess::{add_zones, edge_node};
+use super::list::{AtSupport, Kind, List, Node};
+use super::verify::{Checked, Fault};
+
+/// The list with its faults mended as far as each of them tells what to do.
+pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked: &Checked) -> List {
+    let n = list.nodes.len();
+    let mut supports = list.supports;
+    let mut keep = vec![true; n];
+    // Replacements and additions; sorted by place in the end.
+    let mut added: Vec<Vec<Node>> = Vec::new();
+    let mut nodes = list.nodes.clone();
+
+    for fault in &checked.faults {
+        match *fault {
+            Fault::Inverted { start } => {
+                let x = 0.5 * (nodes[start].x + nodes[start + 1].x);
+                (keep[start], keep[start + 1]) = (false, false);
+                added.push(vec![Node { kind: Kind::Smooth, x, slope: 0.0, cell: given.cell_from(x) }]);
+            }
+            Fault::Tension { node, .. } => match nodes[node].kind {
+                Kind::Smooth | Kind::Edge(_) => keep[node] = false,
+                // The end of a zone that pulls: it has to move outwards.
+                Kind::ZoneStart => {
+                    let left = node.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
+                    nodes[node].x -= 0.3 * (nodes[node].x - left).min(nodes[node].x - given.reach(nodes[node].cell).0);
+                }
+                Kind::ZoneEnd => {
+                    let right = list.nodes.get(node + 1).map_or(given.length, |n| n.x);
+                    let x = nodes[node].x;
+                    nodes[node].x += 0.3 * (right - x).min(given.reach(nodes[node].cell).1 - x);
+                }
+            },
+            Fault::Pull { zone, .. } => {
+                let from = zone.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
+                let to = list.nodes.get(zone).map_or(given.length, |n| n.x);
+                match zone.checked_sub(1) {
+                    Some(i) => keep[i] = false,
+                    None => supports[0] = AtSupport::Free,
+                }
+                match keep.get_mut(zone) {
+                    Some(kept) => *kept = false,
+                    None => supports[1] = AtSupport::Free,
+                }
+                let mut parts = List::free();
+                add_zones(given, lifting, from, to, &mut parts);
+                for support in 0..2 {
+                    if parts.supports[support] == AtSupport::Zone {
+                        supports[support] = AtSupport::Zone;
+                    }
+                }
+                added.push(parts.nodes);
+            }
+            Fault::Couple { support, .. } => {
+                if list.supports[support] == AtSupport::Zone {
+                    // The beam has to lift off before it reaches the support.
+                    let node = if support == 0 { 0 } else { n.saturating_sub(1) };
+                    let far = list.nodes.get(node).map_or(given.length, |n| n.x);
+                    let (kind, x) = if support == 0 {
+                        (Kind::ZoneStart, 0.3 * far)
+                    } else {
+                        (Kind::ZoneEnd, 0.7 * given.length + 0.3 * far)
+                    };
+                    added.push(vec![Node { kind, x, slope: 0.0, cell: given.cell_from(x) }]);
+                }
+                supports[support] = AtSupport::Free;
+            }
+            Fault::Penetration { span, at, .. } => penetrated(
+                given,
+                list,
+                checked,
+                span,
+                at,
+                &mut Edit { supports: &mut supports, keep: &mut keep, added: &mut added },
+            ),
+            Fault::Residual { .. } => {}
+        }
+    }
+    let mut all: Vec<Node> = nodes.into_iter().zip(&keep).filter(|(_, kept)| **kept).map(|(node, _)| node).collect();
+    all.extend(added.into_iter().flatten());
+    all.sort_by(|a, b| a.x.total_cmp(&b.x));
+    consistent(given, List { supports, nodes: all })
+}
+
+/// What a repair may change.
+struct Edit<'a> {
+    supports: &'a mut [AtSupport; 2],
+    keep: &'a mut Vec<bool>,
+    added: &'a mut Vec<Vec<Node>>,
+}
+
+/// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
+fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, edit: &mut Edit<'_>) {
+    let Some((_, span)) = checked.spans.iter().find(|(j, _)| *j == i) else {
+        return;
+    };
+    let n = list.nodes.len();
+    // A support at the level of the foundation, which the beam leaves too steeply.
+    for (support, end, turn) in [(0, span.a, span.at_a[1]), (1, span.b, -span.at_b[1])] {
+        let here = if support == 0 { i == 0 } else { i == n };
+        if here && list.supports[support] == AtSupport::Free && given.starts_at_zero(support) && turn < 0.0 {
+            let curved = given.derivative(end.cell, end.x, 2);
+            edit.supports[support] = AtSupport::Clamped;
+            if curved <= 0.0 {
+                start_zone_at_support(given, support, 0.1 * span.length(), edit);
+            }
+            return;
+        }
+        if here && list.supports[support] == AtSupport::Clamped && (at - end.x).abs() < 0.5 * span.length() {
+            start_zone_at_support(given, support, 0.1 * span.length(), edit);
+            return;
+        }
+    }
+    // A point into which the profile bulges from both sides carries a zone.
+    for (node, end, bend) in [(i.checked_sub(1), span.a, span.at_a[2]), ((i < n).then_some(i), span.b, span.at_b[2])] {
+        if let Some(node) = node
+            && list.nodes[node].kind == Kind::Smooth
+            && bend < 0.0
+            && (at - end.x).abs() < 0.5 * span.length()
+        {
+            if edit.keep[node] {
+                edit.keep[node] = false;
+                let room = nearest(given, list, node);
+                let half = (-2.0 * bend / checked.forces[node].abs()).min(0.3 * room);
+                let (from, to) = (end.x - half, end.x + half);
+                edit.added.push(vec![
+                    Node { kind: Kind::ZoneStart, x: from, slope: 0.0, cell: list.nodes[node].cell },
+                    Node { kind: Kind::ZoneEnd, x: to, slope: 0.0, cell: list.nodes[node].cell },
+                ]);
+            }
+            return;
+        }
+    }
+    // Beside a zone that ends in tension the zone has to move, which the tension says already.
+    for node in [i.checked_sub(1), (i < n).then_some(i)].into_iter().flatten() {
+        let zone = matches!(list.nodes[node].kind, Kind::ZoneStart | Kind::ZoneEnd);
+        if zone && checked.forces[node] < 0.0 && (at - list.nodes[node].x).abs() < 0.5 * span.length() {
+            return;
+        }
+    }
+    let near = 1e-6 * span.length();
+    let edge = (span.a.cell + 1..=span.b.cell).find(|&j| given.is_edge(j) && (given.joints[j].x - at).abs() <= near);
+    edit.added.push(vec![match edge {
+        Some(joint) => edge_node(given, joint),
+        None => Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: given.cell_from(at) },
+    }]);
+}
+
+/// Distance to the nearest neighbour or break of the profile.
+fn nearest(given: &Given, list: &List, node: usize) -> f64 {
+    let x = list.nodes[node].x;
+    let (lo, hi) = given.reach(list.nodes[node].cell);
+    let left = node.checked_sub(1).map_or(lo, |i| list.nodes[i].x.max(lo));
+    let right = list.nodes.get(node + 1).map_or(hi, |n| n.x.min(hi));
+    (x - left).min(right - x)
+}
+
+/// A zone from a support over `length`.
+fn start_zone_at_support(given: &Given, support: usize, length: f64, edit: &mut Edit<'_>) {
+    edit.supports[support] = AtSupport::Zone;
+    let (kind, x) = if support == 0 { (Kind::ZoneEnd, length) } else { (Kind::ZoneStart, given.length - length) };
+    let last = given.cells.len() - 1;
+    edit.added.push(vec![Node { kind, x, slope: 0.0, cell: if support == 0 { 0 } else { last } }]);
+}
+
+/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours at
+/// the same place.
+fn consistent(given: &Given, list: List) -> List {
+    let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
+    let mut supports = list.supports;
+    let mut inside = supports[0] == AtSupport::Zone;
+    for node in list.nodes {
+        let twin = |last: &Node| node.x - last.x <= f64::EPSILON * given.length;
+        match node.kind {
+            Kind::ZoneStart if inside => {}
+            Kind::ZoneStart => {
+                inside = true;
+                nodes.push(node);
+            }
+            Kind::ZoneEnd if inside => {
+                inside = false;
+                nodes.push(node);
+            }
+            Kind::ZoneEnd => {}
+            Kind::Smooth | Kind::Edge(_) if inside || nodes.last().is_some_and(twin) => {}
+            Kind::Smooth | Kind::Edge(_) => nodes.push(node),
+        }
+    }
+    if inside && supports[1] != AtSupport::Zone {
+        // The zone that was opened last has no end.
+        match nodes.iter().rposition(|n| n.kind == Kind::ZoneStart) {
+            Some(i) => {
+                nodes.remove(i);
+            }
+            None => supports[0] = AtSupport::Free,
+        }
+    } else if !inside && supports[1] == AtSupport::Zone {
+        supports[1] = AtSupport::Free;
+    }
+    List { supports, nodes }
+}

@@ -1,0 +1,151 @@
+//! A span: the beam between two neighbouring contacts, or a support and a contact, in closed form.
+//!
+//! It is computed in the clearance `h = u − v`, not in `v`: at a contact `h` and, where the profile is smooth, `h'` vanish
+//! exactly, so that even a tiny gap between two contacts is resolved to its last digits. With `g = u'''' − q`,
+//!
+//! ```text
+//! h'''' = g + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the joints inside
+//! h''(a) = −6 (η_a − η_b)/ℓ² − (4 φ_a + 2 φ_b)/ℓ + G_a,     G_a = ∫ g w_a + Σ (−S w_a''' + J w_a'' − P w_a)
+//! h''(b) =  6 (η_a − η_b)/ℓ² + (2 φ_a + 4 φ_b)/ℓ + G_b,     w_a = t (ℓ − t)²/ℓ²,  w_b = t² (ℓ − t)/ℓ²
+//! ```
+//!
+//! with `η = h` and `φ = h'` at the two ends, `ℓ = b − a`, `t = x − a`: the slope-deflection equations, `G` the fixed-end
+//! moments.
+
+use super::given::Given;
+
+/// How a span begins or ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Hold {
+    /// `h` and `h'` are given: a contact, or a support at which the beam is clamped.
+    Clamped {
+        /// `h`.
+        height: f64,
+        /// `h'`.
+        slope: f64,
+    },
+    /// `h` and `h''` are given: a simple support, `v = v'' = 0`.
+    Hinged {
+        /// `h`.
+        height: f64,
+        /// `h''`.
+        curvature: f64,
+    },
+}
+
+/// One end of a span: where, in which cell, and how it is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct End {
+    /// Where.
+    pub(super) x: f64,
+    /// The cell of the span that ends there.
+    pub(super) cell: usize,
+    /// How it is held.
+    pub(super) hold: Hold,
+}
+
+/// The clearance of a span at its two ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Span {
+    /// Left end.
+    pub(super) a: End,
+    /// Right end.
+    pub(super) b: End,
+    /// `h, h', h'', h'''` at the left end.
+    pub(super) at_a: [f64; 4],
+    /// `h, h', h'', h'''` at the right end.
+    pub(super) at_b: [f64; 4],
+}
+
+/// Fixed-end moments `G` and shear forces of the drive over a span.
+struct FixedEnd {
+    moment: [f64; 2],
+    shear: [f64; 2],
+}
+
+impl Span {
+    /// The span between two ends.
+    pub(super) fn between(given: &Given, a: End, b: End) -> Self {
+        let l = b.x - a.x;
+        let fixed = fixed_end(given, &a, &b);
+        let (height_a, height_b) = (a.hold.height(), b.hold.height());
+        let chord = 6.0 * (height_a - height_b) / (l * l);
+        // h'' at the ends for φ_a = φ_b = 0.
+        let (rest_a, rest_b) = (fixed.moment[0] - chord, fixed.moment[1] + chord);
+        let (slope_a, slope_b) = match (a.hold, b.hold) {
+            (Hold::Clamped { slope: left, .. }, Hold::Clamped { slope: right, .. }) => (left, right),
+            (Hold::Hinged { curvature, .. }, Hold::Clamped { slope, .. }) => {
+                (0.25 * l * (rest_a - curvature) - 0.5 * slope, slope)
+            }
+            (Hold::Clamped { slope, .. }, Hold::Hinged { curvature, .. }) => {
+                (slope, 0.25 * l * (curvature - rest_b) - 0.5 * slope)
+            }
+            (Hold::Hinged { curvature: left, .. }, Hold::Hinged { curvature: right, .. }) => {
+                // 4 φ_a + 2 φ_b = ℓ (rest_a − left),  2 φ_a + 4 φ_b = ℓ (right − rest_b).
+                let (first, second) = (l * (rest_a - left), l * (right - rest_b));
+                ((2.0 * first - second) / 6.0, (2.0 * second - first) / 6.0)
+            }
+        };
+        let curvature_a = match a.hold {
+            Hold::Clamped { .. } => rest_a - (4.0 * slope_a + 2.0 * slope_b) / l,
+            Hold::Hinged { curvature, .. } => curvature,
+        };
+        let curvature_b = match b.hold {
+            Hold::Clamped { .. } => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
+            Hold::Hinged { curvature, .. } => curvature,
+        };
+        let across = (curvature_b - curvature_a) / l;
+        Self {
+            a,
+            b,
+            at_a: [height_a, slope_a, curvature_a, across - fixed.shear[0]],
+            at_b: [height_b, slope_b, curvature_b, across + fixed.shear[1]],
+        }
+    }
+
+    /// Its length `ℓ`.
+    pub(super) fn length(&self) -> f64 {
+        self.b.x - self.a.x
+    }
+}
+
+impl Hold {
+    /// `h`.
+    pub(super) fn height(self) -> f64 {
+        match self {
+            Self::Clamped { height, .. } | Self::Hinged { height, .. } => height,
+        }
+    }
+}
+
+/// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
+fn fixed_end(given: &Given, a: &End, b: &End) -> FixedEnd {
+    let l = b.x - a.x;
+    let (mut moment, mut shear) = ([0.0; 2], [0.0; 2]);
+    let mut add = |x: f64, force: f64| {
+        let (s, r) = ((x - a.x) / l, (b.x - x) / l);
+        moment[0] += force * s * r * r * l;
+        moment[1] += force * s * s * r * l;
+        shear[0] += force * r;
+        shear[1] += force * s;
+    };
+    for cell in a.cell..=b.cell {
+        let (lo, hi) = (given.cells[cell].lo.max(a.x), given.cells[cell].hi.min(b.x));
+        if lo < hi {
+            for (x, weight) in given.load_rule.points(lo, hi) {
+                add(x, weight * given.drive(cell, x));
+            }
+        }
+    }
+    for joint in &given.joints[a.cell + 1..=b.cell] {
+        if joint.force != 0.0 {
+            add(joint.x, -joint.force);
+        }
+    }
+    for joint in &given.joints[a.cell + 1..=b.cell] {
+        let s = (joint.x - a.x) / l;
+        moment[0] += (joint.kink * (6.0 * s - 4.0) - 6.0 * joint.step / l) / l;
+        moment[1] += (joint.kink * (2.0 - 6.0 * s) + 6.0 * joint.step / l) / l;
+    }
+    FixedEnd { moment, shear }
+}
