@@ -188,6 +188,11 @@ impl Given {
         depth <= ROUNDING * self.magnitude
     }
 
+    /// The joints between cell `first` and cell `last`.
+    pub(super) fn joints_between(&self, first: usize, last: usize) -> &[Joint] {
+        self.joints.get(first + 1..=last).unwrap_or_default()
+    }
+
     /// True if the smooth piece of the profile ends at joint `i`.
     pub(super) fn breaks_at(&self, i: usize) -> bool {
         0 < i && i < self.cells.len() && self.cells[i - 1].shape != self.cells[i].shape

@@ -3,6 +3,7 @@
 use super::chain::{Chain, Guess};
 use super::given::Given;
 use super::list::{AtSupport, Kind, List, Node};
+use super::repair::consistent;
 
 /// The list that a chain with about `intervals` links suggests.
 pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> List {
@@ -24,7 +25,7 @@ pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> Lis
             i += 1;
         }
     }
-    list
+    consistent(given, list)
 }
 
 /// Sample places: all joints, and cells cut into parts of about equal length.

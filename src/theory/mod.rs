@@ -15,6 +15,7 @@
 
 mod bernstein;
 mod chain;
+mod cosine;
 mod exact;
 mod flat;
 mod gauss;

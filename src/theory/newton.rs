@@ -100,10 +100,18 @@ fn profile_curvature(given: &Given, list: &List, node: usize, cell: usize) -> f6
     }
 }
 
-/// The largest residual of the equations: a jump of `v''`.
-pub(super) fn residual(given: &Given, list: &List) -> f64 {
+/// How far the equations are from holding: the largest jump of `v''`, and the largest fraction of the beam by which a
+/// contact would have to move, which for steep profiles is rounding of its place long before the jump is small.
+pub(super) fn residual(given: &Given, list: &List) -> (f64, f64) {
     // A NaN is never small.
-    equations(given, list).iter().fold(0.0, |most: f64, (_, r)| if r.abs() <= most { most } else { r.abs() })
+    let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
+    let jump = equations(given, list).iter().map(|(_, r)| *r).fold(0.0, most);
+    let step = newton_step(given, list).unwrap_or_default();
+    if step.len() < list.nodes.len() {
+        return (jump, f64::INFINITY);
+    }
+    let moves = list.nodes.iter().zip(&step).filter(|(n, _)| !matches!(n.kind, Kind::Edge(_)));
+    (jump, moves.map(|(_, step)| step / given.length).fold(0.0, most))
 }
 
 /// Newton's step; [`None`] if the system is singular.

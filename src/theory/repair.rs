@@ -166,28 +166,43 @@ fn start_zone_at_support(given: &Given, support: usize, length: f64, edit: &mut 
     edit.added.push(vec![Node { kind, x, slope: 0.0, cell: if support == 0 { 0 } else { last } }]);
 }
 
-/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours at
-/// the same place.
-fn consistent(given: &Given, list: List) -> List {
+/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
+/// leave no span between them.
+pub(super) fn consistent(given: &Given, list: List) -> List {
+    // A gap of this width between two contacts cannot be told from none.
+    let least = 16.0 * f64::EPSILON * given.length;
     let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
     let mut supports = list.supports;
     let mut inside = supports[0] == AtSupport::Zone;
     for node in list.nodes {
-        let twin = |last: &Node| node.x - last.x <= f64::EPSILON * given.length;
+        let before = nodes.last().map_or(0.0, |n| n.x);
+        let gap = least < node.x - before;
         match node.kind {
-            Kind::ZoneStart if inside => {}
-            Kind::ZoneStart => {
-                inside = true;
-                nodes.push(node);
-            }
-            Kind::ZoneEnd if inside => {
+            Kind::ZoneStart | Kind::Smooth | Kind::Edge(_) if inside => {}
+            Kind::ZoneEnd if !inside => {}
+            Kind::ZoneEnd => {
                 inside = false;
                 nodes.push(node);
             }
-            Kind::ZoneEnd => {}
-            Kind::Smooth | Kind::Edge(_) if inside || nodes.last().is_some_and(twin) => {}
-            Kind::Smooth | Kind::Edge(_) => nodes.push(node),
+            _ if gap => {
+                inside = node.kind == Kind::ZoneStart;
+                nodes.push(node);
+            }
+            Kind::ZoneStart if nodes.last().is_some_and(|n| n.kind == Kind::ZoneEnd) => {
+                // Two zones that meet are one.
+                nodes.pop();
+                inside = true;
+            }
+            Kind::ZoneStart => {
+                nodes.pop();
+                inside = true;
+                nodes.push(node);
+            }
+            Kind::Smooth | Kind::Edge(_) => {}
         }
+    }
+    while nodes.last().is_some_and(|n| given.length - n.x <= least) {
+        inside = nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
     }
     if inside && supports[1] != AtSupport::Zone {
         // The zone that was opened last has no end.

@@ -1,5 +1,8 @@
 //! One smooth piece of a foundation profile: its depth and all derivatives.
 
+/// A full turn, `2π`.
+const FULL: f64 = 2.0 * std::f64::consts::PI;
+
 /// A smooth piece of the profile `u(x)`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Shape {
@@ -23,7 +26,35 @@ pub(super) enum Shape {
     },
 }
 
+/// The waves `A cos(ωx + φ)` of a cosine profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Wave {
+    /// `A`.
+    pub(super) amplitude: f64,
+    /// `ω`.
+    pub(super) number: f64,
+    wavelength: f64,
+    phase: f64,
+}
+
+impl Wave {
+    /// `ωx + φ`.
+    pub(super) fn angle(&self, x: f64) -> f64 {
+        FULL * (x / self.wavelength) + self.phase
+    }
+}
+
 impl Shape {
+    /// The waves, if it is a cosine.
+    pub(super) fn wave(&self) -> Option<Wave> {
+        match *self {
+            Self::Polynomial { .. } => None,
+            Self::Cosine { amplitude, wavelength, phase, .. } => {
+                Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase })
+            }
+        }
+    }
+
     /// A straight line through two points.
     pub(super) fn line([x0, u0]: [f64; 2], [x1, u1]: [f64; 2]) -> Self {
         Self::Polynomial { origin: x0, coefficients: vec![u0, (u1 - u0) / (x1 - x0)] }
@@ -43,8 +74,8 @@ impl Shape {
         match self {
             Self::Polynomial { origin, coefficients } => shifted(coefficients, x - origin, out),
             Self::Cosine { mean, amplitude, wavelength, phase } => {
-                let wave = 2.0 * std::f64::consts::PI / wavelength;
-                let angle = 2.0 * std::f64::consts::PI * (x / wavelength) + phase;
+                let wave = FULL / wavelength;
+                let angle = FULL * (x / wavelength) + phase;
                 let (sine, cosine) = (amplitude * libm::sin(angle), amplitude * libm::cos(angle));
                 let mut factor = 1.0;
                 for (j, c) in out.iter_mut().enumerate() {

@@ -101,7 +101,7 @@ mod tests {
             }
             for i in 0..=20 {
                 let x = 0.5 * f64::from(i);
-                check(exact.deflection(x), closed.deflection(x));
+                assert!((exact.deflection(x) - closed.deflection(x)).abs() <= DIGITS * closed.deflection(0.5 * l));
                 assert!((exact.moment(x) - closed.moment(x)).abs() < 1e-11);
             }
         }

