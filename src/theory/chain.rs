@@ -34,9 +34,11 @@ pub(super) struct Guess {
 }
 
 impl Guess {
-    /// True if sample `i` is more in contact than not.
+    /// True if sample `i` is more in contact than not, and not by a force that is rounding.
     pub(super) fn touches(&self, i: usize) -> bool {
-        self.clearance[i] < self.force[i]
+        /// Of the mean force of a sample.
+        const ROUNDING: f64 = 1e-5;
+        self.clearance[i] < self.force[i] && ROUNDING < self.force[i]
     }
 }
 

@@ -4,6 +4,7 @@ use super::chain::{Chain, Guess};
 use super::given::Given;
 use super::list::{AtSupport, Kind, List, Node};
 use super::repair::consistent;
+use super::span::{End, Hold, Span};
 
 /// The list that a chain with about `intervals` links suggests.
 pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> List {
@@ -19,6 +20,15 @@ pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> Lis
             let first = i;
             while i < n && guess.touches(i) {
                 i += 1;
+            }
+            #[cfg(feature = "trace")]
+            {
+                eprintln!("run {} .. {} ({} samples)", x[first + 1], x[i], i - first);
+                if i - first < 9 {
+                    eprintln!("     {:?}", &guess.force[first..i]);
+                } else {
+                    eprintln!("     {:?} .. {:?}", &guess.force[first..first + 4], &guess.force[i - 4..i]);
+                }
             }
             add_run(given, lifting, &x, &guess, first..i, &mut list);
         } else {
@@ -120,7 +130,17 @@ fn add_stretch(
         // The force of an edge spreads to its neighbours.
         if beside_edge == [false; 2] {
             let (force, moment) = run.fold((0.0, 0.0), |(f, m), i| (f + guess.force[i], m + guess.force[i] * x[i + 1]));
-            let place = moment / force;
+            let mut place = moment / force;
+            // Contact beside a support that lies just above the foundation, closer to it than any sample: from h'' linear
+            // between u'' at the support and as much again at the contact, depth = u'' x²/2.
+            let closest = |depth: f64, bend: f64| if 0.0 < bend { (2.0 * depth / bend).sqrt() } else { f64::INFINITY };
+            let last = given.cells.len() - 1;
+            if place <= x[2] {
+                place = place.min(closest(given.derivative(0, 0.0, 0), given.derivative(0, 0.0, 2)));
+            } else if x[n - 1] <= place {
+                let (depth, bend) = (given.derivative(last, given.length, 0), given.derivative(last, given.length, 2));
+                place = place.max(given.length - closest(depth, bend));
+            }
             let cell = given.cell_from(place);
             list.nodes.push(Node { kind: Kind::Smooth, x: place, slope: 0.0, cell });
         }
@@ -134,36 +154,89 @@ fn add_stretch(
         list.supports[1] = AtSupport::Clamped;
         return;
     }
-    let from = if touches_left { 0.0 } else { x[run.start + 1] };
-    let to = if touches_right { given.length } else { x[run.end] };
-    add_zones(given, lifting, from, to, list);
+    let from = if touches_left { 0.0 } else { lift_off(x, guess, run.clone().take(4)) };
+    let to = if touches_right { given.length } else { lift_off(x, guess, run.clone().rev().take(4)) };
+    let resolution = 2.0 * (x[run.end] - x[run.start + 1]) / f64::from(u32::try_from(run.len()).unwrap_or(u32::MAX));
+    add_zones(given, lifting, [from, to], resolution, list);
 }
 
-/// Adds a zone, split where the pressure in it would be negative.
-pub(super) fn add_zones(given: &Given, lifting: &[(f64, f64)], from: f64, to: f64, list: &mut List) {
+/// Where the concentrated force at the end of a zone acts, from the end samples of its run: what they have more than the
+/// innermost of them.
+fn lift_off(x: &[f64], guess: &Guess, samples: impl Iterator<Item = usize>) -> f64 {
+    let samples: Vec<usize> = samples.collect();
+    let inner = samples.last().map_or(0.0, |&i| guess.force[i]);
+    let outer = samples.first().map_or(0.0, |&i| x[i + 1]);
+    let (mut sum, mut moment) = (0.0, 0.0);
+    for &i in &samples {
+        let more = (guess.force[i] - inner).max(0.0);
+        sum += more;
+        moment += more * x[i + 1];
+    }
+    if 0.0 < sum { moment / sum } else { outer }
+}
+
+/// Adds a zone; where its pressure would be negative it is split, and the beam rests on points under point loads there,
+/// and at an end of the zone that lies there by more than `resolution`.
+pub(super) fn add_zones(given: &Given, lifting: &[(f64, f64)], [from, to]: [f64; 2], resolution: f64, list: &mut List) {
     let mut start = from;
-    let mut parts = Vec::new();
     for &(lo, hi) in lifting.iter().filter(|l| from <= l.1 && l.0 <= to) {
-        // The beam lifts off over more than the stretch that pushes it up.
-        let margin = 0.25 * (hi - lo).max(0.02 * given.length);
-        if start < lo - margin {
-            parts.push((start, lo - margin));
+        if hi < start {
+            continue;
         }
-        start = hi + margin;
+        let inside = [from < lo, hi < to];
+        let gap = if inside == [true; 2] { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
+        if start < gap[0] {
+            add_zone(given, start, gap[0], list);
+        } else if 0.0 < from && from + resolution < hi && !inside[0] {
+            add_point(given, from, list);
+        }
+        for load in given.joints.iter().filter(|j| lo < j.x && j.x < hi && from < j.x && j.x < to && 0.0 < j.force) {
+            add_point(given, load.x, list);
+        }
+        start = gap[1];
+        if to < given.length && lo + resolution < to && to <= hi {
+            add_point(given, to, list);
+        }
     }
     if start < to {
-        parts.push((start, to));
+        add_zone(given, start, to, list);
     }
-    for (from, to) in parts {
-        if from <= 0.0 {
-            list.supports[0] = AtSupport::Zone;
-        } else {
-            list.nodes.push(Node { kind: Kind::ZoneStart, x: from, slope: 0.0, cell: given.cell_from(from) });
+}
+
+/// A gap that is somewhat too wide, around a stretch that lifts the beam off between two zones.
+///
+/// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
+/// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
+fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
+    /// Each try is wider by this factor.
+    const WIDER: f64 = 1.3;
+    const TRIES: u32 = 40;
+    let end = |x: f64, cell: usize| End { x, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0 } };
+    let mut margin = (0.1 * (hi - lo)).max(1e-4 * given.length);
+    for _ in 0..TRIES {
+        let (from, to) = ((lo - margin).max(least), (hi + margin).min(most));
+        let span = Span::between(given, end(from, given.cell_from(from)), end(to, given.cell_to(to)));
+        if span.at_a[2] + span.at_b[2] <= 0.0 || (from <= least && most <= to) {
+            return [from, to];
         }
-        if given.length <= to {
-            list.supports[1] = AtSupport::Zone;
-        } else {
-            list.nodes.push(Node { kind: Kind::ZoneEnd, x: to, slope: 0.0, cell: given.cell_to(to) });
-        }
+        margin *= WIDER;
+    }
+    [least, most]
+}
+
+fn add_point(given: &Given, x: f64, list: &mut List) {
+    list.nodes.push(Node { kind: Kind::Smooth, x, slope: 0.0, cell: given.cell_from(x) });
+}
+
+fn add_zone(given: &Given, from: f64, to: f64, list: &mut List) {
+    if from <= 0.0 {
+        list.supports[0] = AtSupport::Zone;
+    } else {
+        list.nodes.push(Node { kind: Kind::ZoneStart, x: from, slope: 0.0, cell: given.cell_from(from) });
+    }
+    if given.length <= to {
+        list.supports[1] = AtSupport::Zone;
+    } else {
+        list.nodes.push(Node { kind: Kind::ZoneEnd, x: to, slope: 0.0, cell: given.cell_to(to) });
     }
 }

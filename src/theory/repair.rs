@@ -46,7 +46,7 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                     None => supports[1] = AtSupport::Free,
                 }
                 let mut parts = List::free();
-                add_zones(given, lifting, from, to, &mut parts);
+                add_zones(given, lifting, [from, to], 0.0, &mut parts);
                 for support in 0..2 {
                     if parts.supports[support] == AtSupport::Zone {
                         supports[support] = AtSupport::Zone;
@@ -70,6 +70,7 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
             }
             Fault::Penetration { span, at, .. } => penetrated(
                 given,
+                lifting,
                 list,
                 checked,
                 span,
@@ -93,7 +94,15 @@ struct Edit<'a> {
 }
 
 /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
-fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, edit: &mut Edit<'_>) {
+fn penetrated(
+    given: &Given,
+    lifting: &[(f64, f64)],
+    list: &List,
+    checked: &Checked,
+    i: usize,
+    at: f64,
+    edit: &mut Edit<'_>,
+) {
     let Some((_, span)) = checked.spans.iter().find(|(j, _)| *j == i) else {
         return;
     };
@@ -119,6 +128,7 @@ fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, 
         if let Some(node) = node
             && list.nodes[node].kind == Kind::Smooth
             && bend < 0.0
+            && !lifting.iter().any(|l| l.0 < end.x && end.x < l.1)
             && (at - end.x).abs() < 0.5 * span.length()
         {
             if edit.keep[node] {
@@ -169,14 +179,17 @@ fn start_zone_at_support(given: &Given, support: usize, length: f64, edit: &mut 
 /// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them.
 pub(super) fn consistent(given: &Given, list: List) -> List {
-    // A gap of this width between two contacts cannot be told from none.
+    // A gap of this width between two contacts cannot be told from none; one between two zones is more likely the
+    // solution without a gap, which the equations have as well.
+    let closed = 1e-7 * given.length;
     let least = 16.0 * f64::EPSILON * given.length;
     let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
     let mut supports = list.supports;
     let mut inside = supports[0] == AtSupport::Zone;
     for node in list.nodes {
         let before = nodes.last().map_or(0.0, |n| n.x);
-        let gap = least < node.x - before;
+        let between_zones = node.kind == Kind::ZoneStart && nodes.last().is_some_and(|n| n.kind == Kind::ZoneEnd);
+        let gap = (if between_zones { closed } else { least }) < node.x - before;
         match node.kind {
             Kind::ZoneStart | Kind::Smooth | Kind::Edge(_) if inside => {}
             Kind::ZoneEnd if !inside => {}

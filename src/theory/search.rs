@@ -76,6 +76,16 @@ pub(super) fn search(given: &Given) -> Found {
             lists += 1;
             let checked = check(given, &lifting, &list);
             let next = mended(given, &lifting, &list, &checked);
+            #[cfg(feature = "trace")]
+            {
+                eprintln!("links {links} run {run:?} worst {:e} supports {:?}", checked.worst, list.supports);
+                for (t, n) in tried.last().unwrap().nodes.iter().zip(&list.nodes) {
+                    eprintln!("   {:?} {} -> {} {}", n.kind, t.x, n.x, n.slope);
+                }
+                for f in &checked.faults {
+                    eprintln!("      {f:?}");
+                }
+            }
             best = best.better(Found { list, checked, steps, lists, converged: run.converged });
             if best.certified() {
                 return best;
