@@ -67,7 +67,10 @@ fn response(list: &List, left: Option<usize>, right: Option<usize>, span: &Span)
     }
 }
 
-/// The equations of all nodes, and how they depend on the nodes to the left, here, to the right.
+/// The equations of all nodes, `h''(x−) − h''(x+) = 0` with zero for the side of a zone (and `−v''` for `h''` at an edge),
+/// and how they depend on the nodes to the left, here, to the right.
+///
+/// At the solution the middle one is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
 fn equations(given: &Given, list: &List) -> Vec<([f64; 3], f64)> {
     let n = list.nodes.len();
     let mut rows = vec![([0.0; 3], 0.0); n];
@@ -75,12 +78,10 @@ fn equations(given: &Given, list: &List) -> Vec<([f64; 3], f64)> {
         let (left, right) = (i.checked_sub(1), (i < n).then_some(i));
         let answer = response(list, left, right, &span);
         if let Some(node) = left {
-            // A zone's end reads h'' to its right, a point the difference from left to right.
-            let sign = if list.nodes[node].kind == Kind::ZoneEnd { 1.0 } else { -1.0 };
             let (row, value) = &mut rows[node];
-            row[1] += sign * answer[0][0];
-            row[2] += sign * answer[0][1];
-            *value += sign * (span.at_a[2] - profile_curvature(given, list, node, span.a.cell));
+            row[1] -= answer[0][0];
+            row[2] -= answer[0][1];
+            *value -= span.at_a[2] - profile_curvature(given, list, node, span.a.cell);
         }
         if let Some(node) = right {
             let (row, value) = &mut rows[node];
@@ -120,6 +121,10 @@ fn newton_step(given: &Given, list: &List) -> Option<Vec<f64>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
     let n = rows.len();
+    for (row, _) in &mut rows {
+        // The wrong sign leads to a root that pulls or penetrates: uphill from there.
+        row[1] = -row[1].abs();
+    }
     for i in 0..n {
         let ([_, pivot, upper], value) = rows[i];
         if pivot == 0.0 || !pivot.is_finite() {

@@ -123,6 +123,18 @@ fn penetrated(
             return;
         }
     }
+    // An edge that the beam leaves on the wrong side: it touches the slope beside it instead.
+    for (node, end, turn) in [(i.checked_sub(1), span.a, span.at_a[1]), ((i < n).then_some(i), span.b, -span.at_b[1])] {
+        if let Some(node) = node
+            && matches!(list.nodes[node].kind, Kind::Edge(_))
+            && turn < 0.0
+            && (at - end.x).abs() < 0.5 * span.length()
+        {
+            edit.keep[node] = false;
+            edit.added.push(vec![Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: end.cell }]);
+            return;
+        }
+    }
     // A point into which the profile bulges from both sides carries a zone.
     for (node, end, bend) in [(i.checked_sub(1), span.a, span.at_a[2]), ((i < n).then_some(i), span.b, span.at_b[2])] {
         if let Some(node) = node
@@ -157,6 +169,43 @@ fn penetrated(
         Some(joint) => edge_node(given, joint),
         None => Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: given.cell_from(at) },
     }]);
+}
+
+/// Joins the contacts on both sides of every span in which nothing drives the beam away from a profile that it follows:
+/// it rests there without pressure, and where exactly is nowhere to be found.
+pub(super) fn joined(given: &Given, mut list: List) -> List {
+    let smooth = |node: &Node| !matches!(node.kind, Kind::Edge(_));
+    let n = list.nodes.len();
+    let mut keep = vec![true; n];
+    for (i, span) in list.spans(given) {
+        let idle = span.at_a.iter().chain(&span.at_b).all(|&h| h == 0.0);
+        let inside = given.joints_between(span.a.cell, span.b.cell);
+        if !idle || inside.iter().any(|j| j.force != 0.0 || j.kink != 0.0 || j.step != 0.0) {
+            continue;
+        }
+        let (left, right) = (i.checked_sub(1), (i < n).then_some(i));
+        let can_join = |node: Option<usize>, support: usize| match node {
+            Some(node) => smooth(&list.nodes[node]),
+            None => list.supports[support] == AtSupport::Free && given.starts_at_zero(support),
+        };
+        if !can_join(left, 0) || !can_join(right, 1) || (left.is_none() && right.is_none()) {
+            continue;
+        }
+        match left {
+            Some(node) if list.nodes[node].kind == Kind::Smooth => list.nodes[node].kind = Kind::ZoneStart,
+            Some(node) => keep[node] = false,
+            None => list.supports[0] = AtSupport::Zone,
+        }
+        match right {
+            // A point with idle spans on both sides is inside the zone.
+            Some(node) if list.nodes[node].kind == Kind::Smooth => list.nodes[node].kind = Kind::ZoneEnd,
+            Some(node) => keep[node] = false,
+            None => list.supports[1] = AtSupport::Zone,
+        }
+    }
+    let mut kept = keep.into_iter();
+    list.nodes.retain(|_| kept.next().unwrap_or(true));
+    list
 }
 
 /// Distance to the nearest neighbour or break of the profile.

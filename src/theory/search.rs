@@ -5,7 +5,7 @@ use super::guess;
 use super::list::{AtSupport, List};
 use super::newton;
 use super::pressure::lifting;
-use super::repair::mended;
+use super::repair::{joined, mended};
 use super::verify::{Checked, check};
 
 /// Links of the chains that guesses come from. The first is enough for most scenes; the last resolves contacts that are
@@ -71,6 +71,7 @@ pub(super) fn search(given: &Given) -> Found {
                 break;
             }
             tried.push(list.clone());
+            list = joined(given, list);
             let run = newton::solve(given, &mut list);
             steps += run.steps;
             lists += 1;
