@@ -173,7 +173,7 @@ impl Exact {
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         let (piece, _) = self.piece(x, true);
-        if piece.clearance.is_some() || !self.founded {
+        if piece.state.is_some() || !self.founded {
             return 0.0;
         }
         let at = (x / self.scale.length).clamp(piece.lo, piece.hi);

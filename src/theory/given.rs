@@ -61,6 +61,8 @@ pub(super) struct Given {
     pub(super) load_rule: Gauss,
     /// Exact for energies.
     pub(super) energy_rule: Gauss,
+    /// Magnitudes of all loads together.
+    pub(super) total_load: f64,
     /// Largest `|u|`, by a bound.
     pub(super) magnitude: f64,
 }
@@ -126,6 +128,7 @@ impl Given {
             terms,
             load_rule: Gauss::exact_to(if degree.is_some() { profile.saturating_sub(4).max(1) + 3 } else { profile }),
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
+            total_load: load.magnitude(length) / stiffness,
             magnitude: foundation.magnitude(length),
         }
     }
@@ -133,6 +136,14 @@ impl Given {
     /// Taylor coefficients of the profile of `cell` at `x`.
     pub(super) fn profile(&self, cell: usize, x: f64, out: &mut [f64]) {
         self.shapes[self.cells[cell].shape].taylor(x, out);
+    }
+
+    /// `u, u', u'', u'''` at `x` in `cell`.
+    pub(super) fn derivatives(&self, cell: usize, x: f64) -> [f64; 4] {
+        let mut taylor = [0.0; 4];
+        self.profile(cell, x, &mut taylor);
+        let [u, u1, u2, u3] = taylor;
+        [u, u1, 2.0 * u2, 6.0 * u3]
     }
 
     /// `u^{(order)}(x)` in `cell`, for an order up to 4.
@@ -186,6 +197,12 @@ impl Given {
         const ROUNDING: f64 = 4.0 * f64::EPSILON;
         let depth = if support == 0 { self.derivative(0, 0.0, 0) } else { self.depth(self.length) };
         depth <= ROUNDING * self.magnitude
+    }
+
+    /// Point load exactly at `x`.
+    pub(super) fn force_at(&self, x: f64) -> f64 {
+        let joint = self.joints.partition_point(|j| j.x < x);
+        self.joints.get(joint).filter(|j| j.x <= x).map_or(0.0, |j| j.force)
     }
 
     /// The joints between cell `first` and cell `last`.
@@ -246,6 +263,9 @@ fn without_straight_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     /// The rounding of a decimal depth, twice, and that of the interpolation.
     const ROUNDING: f64 = 8.0 * f64::EPSILON;
     let magnitude = points.iter().fold(0.0_f64, |most, p| most.max(p[1].abs()));
+    // A step of no height is no step.
+    let mut points = points.to_vec();
+    points.dedup();
     let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     for (i, &p) in points.iter().enumerate() {
         if let (Some(&before), Some(&after)) = (kept.last(), points.get(i + 1))

@@ -21,15 +21,6 @@ pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> Lis
             while i < n && guess.touches(i) {
                 i += 1;
             }
-            #[cfg(feature = "trace")]
-            {
-                eprintln!("run {} .. {} ({} samples)", x[first + 1], x[i], i - first);
-                if i - first < 9 {
-                    eprintln!("     {:?}", &guess.force[first..i]);
-                } else {
-                    eprintln!("     {:?} .. {:?}", &guess.force[first..first + 4], &guess.force[i - 4..i]);
-                }
-            }
             add_run(given, lifting, &x, &guess, first..i, &mut list);
         } else {
             i += 1;
@@ -183,18 +174,18 @@ pub(super) fn add_zones(given: &Given, lifting: &[(f64, f64)], [from, to]: [f64;
         if hi < start {
             continue;
         }
-        let inside = [from < lo, hi < to];
-        let gap = if inside == [true; 2] { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
+        let inside = from < lo && hi < to;
+        let gap = if inside { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
         if start < gap[0] {
             add_zone(given, start, gap[0], list);
-        } else if 0.0 < from && from + resolution < hi && !inside[0] {
+        } else if 0.0 < from && from + resolution < hi {
             add_point(given, from, list);
         }
-        for load in given.joints.iter().filter(|j| lo < j.x && j.x < hi && from < j.x && j.x < to && 0.0 < j.force) {
+        for load in given.joints.iter().filter(|j| lo <= j.x && j.x <= hi && from < j.x && j.x < to && 0.0 < j.force) {
             add_point(given, load.x, list);
         }
         start = gap[1];
-        if to < given.length && lo + resolution < to && to <= hi {
+        if to < given.length && lo + resolution < to && to <= start {
             add_point(given, to, list);
         }
     }
@@ -208,20 +199,27 @@ pub(super) fn add_zones(given: &Given, lifting: &[(f64, f64)], [from, to]: [f64;
 /// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
 /// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
 fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
-    /// Each try is wider by this factor.
+    /// Each try is wider by this factor, on the side that is too narrow.
     const WIDER: f64 = 1.3;
-    const TRIES: u32 = 40;
+    /// From a hundred-millionth of the beam to the whole of it, on either side.
+    const TRIES: u32 = 150;
     let end = |x: f64, cell: usize| End { x, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0 } };
-    let mut margin = (0.1 * (hi - lo)).max(1e-4 * given.length);
+    let mut margin = [(0.1 * (hi - lo)).max(1e-8 * given.length); 2];
+    let mut gap = [lo, hi];
     for _ in 0..TRIES {
-        let (from, to) = ((lo - margin).max(least), (hi + margin).min(most));
-        let span = Span::between(given, end(from, given.cell_from(from)), end(to, given.cell_to(to)));
-        if span.at_a[2] + span.at_b[2] <= 0.0 || (from <= least && most <= to) {
-            return [from, to];
+        gap = [(lo - margin[0]).max(least), (hi + margin[1]).min(most)];
+        let span = Span::between(given, end(gap[0], given.cell_from(gap[0])), end(gap[1], given.cell_to(gap[1])));
+        let narrow = [0.0 < span.at_a[2] && least < gap[0], 0.0 < span.at_b[2] && gap[1] < most];
+        if narrow == [false; 2] {
+            break;
         }
-        margin *= WIDER;
+        for side in 0..2 {
+            if narrow[side] {
+                margin[side] *= WIDER;
+            }
+        }
     }
-    [least, most]
+    gap
 }
 
 fn add_point(given: &Given, x: f64, list: &mut List) {

@@ -17,8 +17,8 @@ pub(super) struct Run {
     pub(super) converged: bool,
 }
 
-/// Quadratic convergence needs 5 steps from a good start; a start that needs more than this is no start.
-const STEPS: usize = 40;
+/// Quadratic convergence needs 5 steps from a good start, and bisection 50 from one beside a point load; more is no start.
+const STEPS: usize = 60;
 /// A step below this fraction of the beam is rounding.
 const ROUNDING: f64 = 1e-15;
 /// From here on convergence is quadratic, and a step that shrinks no more is rounding too.
@@ -29,20 +29,62 @@ const APPROACH: f64 = 0.45;
 /// Moves the nodes of `list` until all equations hold.
 pub(super) fn solve(given: &Given, list: &mut List) -> Run {
     let mut last = f64::INFINITY;
+    let mut brackets = vec![Bracket::EVERYWHERE; list.nodes.len()];
     for steps in 0..STEPS {
         if list.nodes.is_empty() {
             return Run { steps, converged: true };
         }
-        let Some(step) = newton_step(given, list) else {
+        let rows = equations(given, list);
+        for ((bracket, node), (_, value)) in brackets.iter_mut().zip(&list.nodes).zip(&rows) {
+            bracket.narrow(node.x, *value);
+        }
+        let Some(step) = newton_step(rows) else {
             return Run { steps, converged: false };
         };
-        let (size, limited) = apply(given, list, &step);
+        let (size, limited) = apply(given, list, &step, &mut brackets);
         if !limited && (size <= ROUNDING || (size <= QUADRATIC && 0.25 * last <= size)) {
             return Run { steps: steps + 1, converged: true };
         }
         last = size;
     }
     Run { steps: STEPS, converged: false }
+}
+
+/// Between which places the root of a node's equation must lie, as long as its neighbours do not move much.
+#[derive(Debug, Clone, Copy)]
+struct Bracket {
+    lo: f64,
+    hi: f64,
+}
+
+impl Bracket {
+    const EVERYWHERE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+
+    /// Takes notice of the value at `x` of an equation that falls from left to right.
+    fn narrow(&mut self, x: f64, value: f64) {
+        if 0.0 < value {
+            self.lo = x;
+        } else {
+            self.hi = x;
+        }
+        if self.hi <= self.lo {
+            // The neighbours have moved.
+            *self = if 0.0 < value { Self { lo: x, ..Self::EVERYWHERE } } else { Self { hi: x, ..Self::EVERYWHERE } };
+        }
+    }
+
+    /// Where to go instead of `wanted`: the middle, if it lies outside. Beside a point load Newton's method would jump
+    /// from one side to the other for ever.
+    fn keep(&mut self, wanted: f64, rounding: f64) -> f64 {
+        if self.hi - self.lo <= rounding {
+            *self = Self::EVERYWHERE;
+        }
+        if self.lo <= wanted && wanted <= self.hi || !(self.lo.is_finite() && self.hi.is_finite()) {
+            wanted
+        } else {
+            0.5 * (self.lo + self.hi)
+        }
+    }
 }
 
 /// How `h''` at the two ends of a span answers to the two nodes beside it: `[end][node]`.
@@ -74,6 +116,12 @@ fn response(list: &List, left: Option<usize>, right: Option<usize>, span: &Span)
 fn equations(given: &Given, list: &List) -> Vec<([f64; 3], f64)> {
     let n = list.nodes.len();
     let mut rows = vec![([0.0; 3], 0.0); n];
+    for (node, (row, _)) in list.nodes.iter().zip(&mut rows) {
+        // A load just here is in neither span, but moving on in either direction would put it into one of them.
+        if !matches!(node.kind, Kind::Edge(_)) {
+            row[1] -= given.force_at(node.x).max(0.0);
+        }
+    }
     for (i, span) in list.spans(given) {
         let (left, right) = (i.checked_sub(1), (i < n).then_some(i));
         let answer = response(list, left, right, &span);
@@ -107,7 +155,7 @@ pub(super) fn residual(given: &Given, list: &List) -> (f64, f64) {
     // A NaN is never small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
     let jump = equations(given, list).iter().map(|(_, r)| *r).fold(0.0, most);
-    let step = newton_step(given, list).unwrap_or_default();
+    let step = newton_step(equations(given, list)).unwrap_or_default();
     if step.len() < list.nodes.len() {
         return (jump, f64::INFINITY);
     }
@@ -116,8 +164,7 @@ pub(super) fn residual(given: &Given, list: &List) -> (f64, f64) {
 }
 
 /// Newton's step; [`None`] if the system is singular.
-fn newton_step(given: &Given, list: &List) -> Option<Vec<f64>> {
-    let mut rows = equations(given, list);
+fn newton_step(mut rows: Vec<([f64; 3], f64)>) -> Option<Vec<f64>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
     let n = rows.len();
@@ -151,7 +198,7 @@ fn newton_step(given: &Given, list: &List) -> Option<Vec<f64>> {
 
 /// Takes the step as far as every node stays on its piece of the profile and spans keep a length. Returns its largest
 /// relative size and whether it was limited.
-fn apply(given: &Given, list: &mut List, step: &[f64]) -> (f64, bool) {
+fn apply(given: &Given, list: &mut List, step: &[f64], brackets: &mut [Bracket]) -> (f64, bool) {
     let places: Vec<f64> = list.nodes.iter().map(|n| n.x).collect();
     let (mut size, mut limited) = (0.0_f64, false);
     for (i, &step) in step.iter().enumerate() {
@@ -173,7 +220,8 @@ fn apply(given: &Given, list: &mut List, step: &[f64]) -> (f64, bool) {
             hi = hi.min(x + APPROACH * (right - x));
         }
         let wanted = x + step;
-        let taken = wanted.clamp(lo.min(x), hi.max(x));
+        let bounded = brackets[i].keep(wanted, ROUNDING * given.length);
+        let taken = bounded.clamp(lo.min(x), hi.max(x));
         limited |= (taken - wanted).abs() > ROUNDING * given.length;
         list.nodes[i].x = taken;
         size = size.max(step.abs() / given.length);

@@ -1,7 +1,7 @@
 //! The beam by pieces: over each part of a cell it is one polynomial, and so is (or nearly so, for a cosine) the clearance.
 
 use super::given::Given;
-use super::span::Span;
+use super::span::{Span, difference};
 
 /// A part of a cell over which the beam is one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,14 +14,23 @@ pub(super) struct Piece {
     pub(super) anchor: f64,
     /// The cell.
     pub(super) cell: usize,
-    /// `h, h', h'', h'''` at the anchor; [`None`] inside a zone, where the beam is the profile.
-    pub(super) clearance: Option<[f64; 4]>,
+    /// What is known at the anchor; [`None`] inside a zone, where the beam is the profile.
+    pub(super) state: Option<State>,
+}
+
+/// Beam and clearance at a place, with three derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct State {
+    /// `v, v', v'', v'''`.
+    pub(super) beam: [f64; 4],
+    /// `h, h', h'', h'''`: beside a contact more accurate than `u − v`.
+    pub(super) clearance: [f64; 4],
 }
 
 impl Piece {
     /// Taylor coefficients of the clearance `h` at the anchor.
     pub(super) fn clearance(&self, given: &Given, out: &mut [f64]) {
-        let Some([h, h1, h2, h3]) = self.clearance else {
+        let Some(State { clearance: [h, h1, h2, h3], .. }) = self.state else {
             return out.fill(0.0);
         };
         given.profile(self.cell, self.anchor, out);
@@ -32,16 +41,11 @@ impl Piece {
 
     /// Taylor coefficients of the deflection `v` at the anchor.
     pub(super) fn deflection(&self, given: &Given, out: &mut [f64]) {
-        given.profile(self.cell, self.anchor, out);
-        if let Some([h, h1, h2, h3]) = self.clearance {
-            out[0] -= h;
-            out[1] -= h1;
-            out[2] -= h2 / 2.0;
-            out[3] -= h3 / 6.0;
-            out[4] = given.load(self.cell, self.anchor) / 24.0;
-            out[5] = given.cells[self.cell].load_slope / 120.0;
-            out[6..].fill(0.0);
-        }
+        let Some(State { beam, .. }) = self.state else {
+            return given.profile(self.cell, self.anchor, out);
+        };
+        out.fill(0.0);
+        out[..6].copy_from_slice(&beam_taylor(given, self.cell, self.anchor, &beam));
     }
 
     /// A place `s ≥ 0` away from the anchor.
@@ -75,54 +79,54 @@ pub(super) fn derivatives(taylor: &[f64], t: f64) -> [f64; 4] {
     [work[0], work[1], 2.0 * work[2], 6.0 * work[3]]
 }
 
+/// Taylor coefficients of a beam under the load of `cell` at `x`.
+fn beam_taylor(given: &Given, cell: usize, x: f64, [v, v1, v2, v3]: &[f64; 4]) -> [f64; 6] {
+    [*v, *v1, v2 / 2.0, v3 / 6.0, given.load(cell, x) / 24.0, given.cells[cell].load_slope / 120.0]
+}
+
 /// The pieces of a span, from left to right: computed from both ends up to its middle.
 pub(super) fn pieces_of(given: &Given, span: &Span, out: &mut Vec<Piece>) {
     let middle = 0.5 * (span.a.x + span.b.x);
-    let mut taylor = vec![0.0; given.terms];
-    let mut state = span.at_a;
+    let mut state = State { beam: span.beam_a, clearance: span.at_a };
     let mut cell = span.a.cell;
     let mut from = span.a.x;
     loop {
         let end = given.cells[cell].hi;
         let last = middle <= end || span.b.cell <= cell;
         let to = if last { middle } else { end };
-        let piece = Piece { lo: from, hi: to, anchor: from, cell, clearance: Some(state) };
-        out.push(piece);
+        out.push(Piece { lo: from, hi: to, anchor: from, cell, state: Some(state) });
         if last {
             break;
         }
-        piece.clearance(given, &mut taylor);
-        state = derivatives(&taylor, to - from);
+        state = carried(given, &state, [from, to], [cell, cell + 1], given.joints[cell + 1].force);
         cell += 1;
-        let joint = &given.joints[cell];
-        state[0] += joint.step;
-        state[1] += joint.kink;
-        state[3] -= joint.force;
         from = to;
     }
     let meeting = out.len();
-    let mut state = span.at_b;
+    let mut state = State { beam: span.beam_b, clearance: span.at_b };
     let mut right = span.b.cell;
     let mut to = span.b.x;
     loop {
         let start = given.cells[right].lo;
         let last = right <= cell || start <= middle;
         let from = if last { middle } else { start };
-        let piece = Piece { lo: from, hi: to, anchor: to, cell: right, clearance: Some(state) };
-        out.push(piece);
+        out.push(Piece { lo: from, hi: to, anchor: to, cell: right, state: Some(state) });
         if last {
             break;
         }
-        piece.clearance(given, &mut taylor);
-        state = derivatives(&taylor, from - to);
-        let joint = &given.joints[right];
-        state[0] -= joint.step;
-        state[1] -= joint.kink;
-        state[3] += joint.force;
+        state = carried(given, &state, [to, from], [right, right - 1], -given.joints[right].force);
         right -= 1;
         to = from;
     }
     out[meeting..].reverse();
+}
+
+/// The state carried on through a cell to its other end, and over the joint there into the next cell; `v'''` jumps by the
+/// load on the joint.
+fn carried(given: &Given, state: &State, [from, to]: [f64; 2], [cell, next]: [usize; 2], jump: f64) -> State {
+    let mut beam = derivatives(&beam_taylor(given, cell, from, &state.beam), to - from);
+    beam[3] += jump;
+    State { beam, clearance: difference(&given.derivatives(next, to), &beam) }
 }
 
 /// The pieces of a zone, in which the beam is the profile.
@@ -130,7 +134,7 @@ pub(super) fn pieces_of_zone(given: &Given, from: f64, to: f64, out: &mut Vec<Pi
     for cell in given.cell_from(from)..=given.cell_to(to) {
         let (lo, hi) = (given.cells[cell].lo.max(from), given.cells[cell].hi.min(to));
         if lo < hi {
-            out.push(Piece { lo, hi, anchor: lo, cell, clearance: None });
+            out.push(Piece { lo, hi, anchor: lo, cell, state: None });
         }
     }
 }

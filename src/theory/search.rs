@@ -5,7 +5,7 @@ use super::guess;
 use super::list::{AtSupport, List};
 use super::newton;
 use super::pressure::lifting;
-use super::repair::{joined, mended};
+use super::repair::{consistent, joined, mended};
 use super::verify::{Checked, check};
 
 /// Links of the chains that guesses come from. The first is enough for most scenes; the last resolves contacts that are
@@ -73,20 +73,11 @@ pub(super) fn search(given: &Given) -> Found {
             tried.push(list.clone());
             list = joined(given, list);
             let run = newton::solve(given, &mut list);
+            list = consistent(given, list);
             steps += run.steps;
             lists += 1;
             let checked = check(given, &lifting, &list);
             let next = mended(given, &lifting, &list, &checked);
-            #[cfg(feature = "trace")]
-            {
-                eprintln!("links {links} run {run:?} worst {:e} supports {:?}", checked.worst, list.supports);
-                for (t, n) in tried.last().unwrap().nodes.iter().zip(&list.nodes) {
-                    eprintln!("   {:?} {} -> {} {}", n.kind, t.x, n.x, n.slope);
-                }
-                for f in &checked.faults {
-                    eprintln!("      {f:?}");
-                }
-            }
             best = best.better(Found { list, checked, steps, lists, converged: run.converged });
             if best.certified() {
                 return best;

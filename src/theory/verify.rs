@@ -71,6 +71,10 @@ pub(super) struct Checked {
     pub(super) worst: f64,
 }
 
+/// Deflections, forces and moments are measured against their largest, but at least against this part of what the loads
+/// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
+const AT_REST: f64 = 1e-3;
+
 /// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
 pub(super) const TOLERANCE: f64 = 1e-12;
 
@@ -158,24 +162,21 @@ impl Scale {
             }
         }
         let force = forces.iter().chain(shear).fold(0.0_f64, |most, f| most.max(f.abs()));
-        // Without loads and contact all of them are zero, and so is every violation.
-        Self { depth, force: force.max(moment / given.length), moment }
+        // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
+        let (l, load) = (given.length, AT_REST * given.total_load);
+        Self {
+            depth: depth.max(load * l * l * l / 384.0).max(AT_REST * given.magnitude),
+            force: force.max(moment / l).max(load),
+            moment: moment.max(load * l / 8.0),
+        }
     }
 }
 
 /// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
 fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Vec<f64>, [f64; 2]) {
     let third = |cell: usize, x: f64| given.derivative(cell, x, 3);
-    let mut forces: Vec<f64> = list
-        .nodes
-        .iter()
-        .map(|node| {
-            let joint = given.joints.partition_point(|j| j.x < node.x);
-            let load = given.joints.get(joint).filter(|j| j.x <= node.x).map_or(0.0, |j| j.force);
-            // A profile with edges is made of straight lines: u''' is the same on both sides of every node.
-            load
-        })
-        .collect();
+    // A profile with edges is made of straight lines: u''' is the same on both sides of every node.
+    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x)).collect();
     let last = given.cells.len() - 1;
     let mut shear = [-third(0, 0.0), -third(last, given.length)];
     for (i, span) in spans {

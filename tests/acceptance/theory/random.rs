@@ -114,3 +114,62 @@ fn polyline(random: &mut Random, l: f64, depth: f64, steps: bool) -> Foundation 
     points.push([l, base + depth * random.between(0.0, 1.0)]);
     Foundation::Polyline { points }
 }
+
+/// Scene number `i` of a series on a lattice: few places, depths and loads to choose from, so that ties, symmetry, depth 0
+/// at the supports, straight stretches without load and loads on edges are the rule.
+pub fn on_lattice(i: u64) -> Scene {
+    let mut random = Random::new(0x1a77_1ce0 + i);
+    let parts = [4, 6, 8][random.below(3)];
+    let length = [1.0, 8.0, 10.0][random.below(3)];
+    let beam = Beam::new(length, [1.0, 0.01, 500.0 / 384.0][random.below(3)]).expect("a beam");
+    #[expect(clippy::cast_precision_loss, reason = "small numbers")]
+    let place = |k: usize| length * k as f64 / parts as f64;
+    let uniform = [0.0, 1.0, 1.0, -1.0][random.below(4)];
+    let linear: Vec<LinearLoad> = (0..random.below(3))
+        .map(|_| {
+            let from = random.below(parts);
+            let to = from + 1 + random.below(parts - from);
+            let intensity = [-1.0, 0.0, 1.0, 2.0];
+            let (start, end) = (intensity[random.below(4)], intensity[random.below(4)]);
+            LinearLoad { from: place(from), to: place(to), start, end }
+        })
+        .collect();
+    let point: Vec<PointLoad> = (0..random.below(3))
+        .map(|_| PointLoad { at: place(random.below(parts + 1)), force: length * [-0.5, 0.5, 1.0][random.below(3)] })
+        .collect();
+    let load = Load::new(&beam, uniform, linear, point).expect("a load");
+    let unit = length * length * length * length / 384.0 / beam.bending_stiffness();
+    let depth = unit * [1e-6, 0.01, 0.5, 1.0][random.below(4)];
+    let foundation = match random.below(5) {
+        0 => Foundation::Flat { depth: depth * [0.0, 1.0, 5.0][random.below(3)] },
+        1 => {
+            let amplitude = depth * [1.0, -1.0][random.below(2)];
+            let wavelength = [length, 0.5 * length, 2.0 * length, 0.25 * length][random.below(4)];
+            // At a crest or a trough at the left support, and at depth 0 or above it.
+            let mean = depth * [1.0, 1.5][random.below(2)];
+            Foundation::Cosine { mean, amplitude, wavelength, phase: 0.0 }
+        }
+        2 => {
+            // c x (l − x), a dish or (with its constant) a crest.
+            let c = depth * [4.0, -4.0, 1.0][random.below(3)] / (length * length);
+            let constant = depth * [0.0, 1.0][random.below(2)];
+            Foundation::Polynomial { coefficients: vec![constant, c * length, -c] }
+        }
+        _ => {
+            let mut points = Vec::new();
+            for k in 0..=parts {
+                let inner = 0 < k && k < parts;
+                if inner && random.below(3) == 0 {
+                    continue;
+                }
+                let depths = if inner { [-0.5, 0.0, 0.5, 1.0] } else { [0.0, 0.0, 0.5, 1.0] };
+                points.push([place(k), depth * depths[random.below(4)]]);
+                if inner && random.below(4) == 0 {
+                    points.push([place(k), depth * depths[random.below(4)]]);
+                }
+            }
+            Foundation::Polyline { points }
+        }
+    };
+    Scene::new(beam, load, Some(foundation)).expect("a well-posed scene").labelled(format!("lattice {i}"), Default::default())
+}
