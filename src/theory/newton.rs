@@ -38,7 +38,7 @@ pub(super) fn solve(given: &Given, list: &mut List) -> Run {
         for ((bracket, node), (_, value)) in brackets.iter_mut().zip(&list.nodes).zip(&rows) {
             bracket.narrow(node.x, *value);
         }
-        let Some(step) = newton_step(rows) else {
+        let Some(step) = newton_step(list, rows, given.length) else {
             return Run { steps, converged: false };
         };
         let (size, limited) = apply(given, list, &step, &mut brackets);
@@ -155,7 +155,7 @@ pub(super) fn residual(given: &Given, list: &List) -> (f64, f64) {
     // A NaN is never small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
     let jump = equations(given, list).iter().map(|(_, r)| *r).fold(0.0, most);
-    let step = newton_step(equations(given, list)).unwrap_or_default();
+    let step = newton_step(list, equations(given, list), given.length).unwrap_or_default();
     if step.len() < list.nodes.len() {
         return (jump, f64::INFINITY);
     }
@@ -164,13 +164,15 @@ pub(super) fn residual(given: &Given, list: &List) -> (f64, f64) {
 }
 
 /// Newton's step; [`None`] if the system is singular.
-fn newton_step(mut rows: Vec<([f64; 3], f64)>) -> Option<Vec<f64>> {
+fn newton_step(list: &List, mut rows: Vec<([f64; 3], f64)>, length: f64) -> Option<Vec<f64>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
     let n = rows.len();
-    for (row, _) in &mut rows {
-        // The wrong sign leads to a root that pulls or penetrates: uphill from there.
-        row[1] = -row[1].abs();
+    for ((row, value), _) in rows.iter_mut().zip(&list.nodes).filter(|(_, node)| !matches!(node.kind, Kind::Edge(_))) {
+        // The wrong sign leads to a root that pulls or penetrates: uphill from there. Beside a stretch without load the
+        // slope may vanish; no step is longer than the beam.
+        let slope = row[1].abs().max(value.abs() / length);
+        row[1] = if slope == 0.0 { -1.0 } else { -slope };
     }
     for i in 0..n {
         let ([_, pivot, upper], value) = rows[i];
