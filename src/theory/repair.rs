@@ -107,6 +107,12 @@ fn penetrated(
         return;
     };
     let n = list.nodes.len();
+    let near = 1e-6 * span.length();
+    let edge = (span.a.cell + 1..=span.b.cell).find(|&j| given.is_edge(j) && (given.joints[j].x - at).abs() <= near);
+    if let Some(joint) = edge {
+        edit.added.push(vec![edge_node(given, joint)]);
+        return;
+    }
     // A support at the level of the foundation, which the beam leaves too steeply.
     for (support, end, turn) in [(0, span.a, span.at_a[1]), (1, span.b, -span.at_b[1])] {
         let here = if support == 0 { i == 0 } else { i == n };
@@ -163,12 +169,7 @@ fn penetrated(
             return;
         }
     }
-    let near = 1e-6 * span.length();
-    let edge = (span.a.cell + 1..=span.b.cell).find(|&j| given.is_edge(j) && (given.joints[j].x - at).abs() <= near);
-    edit.added.push(vec![match edge {
-        Some(joint) => edge_node(given, joint),
-        None => Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: given.cell_from(at) },
-    }]);
+    edit.added.push(vec![Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: given.cell_from(at) }]);
 }
 
 /// Joins the contacts on both sides of every span in which nothing drives the beam away from a profile that it follows:
