@@ -57,6 +57,14 @@ pub enum Violation {
         /// How much, positive \[force\].
         force: f64,
     },
+    /// At a point of contact the foundation is bent less than the beam.
+    #[error("the moment at the contact at x = {at} is {moment} less than the foundation can leave room for")]
+    Bulge {
+        /// Where \[length\].
+        at: f64,
+        /// `EI (v'' − u'')`, positive \[force · length\].
+        moment: f64,
+    },
     /// A zone has negative pressure.
     #[error("the foundation pulls between x = {from} and x = {to}")]
     Pull {
@@ -216,6 +224,9 @@ fn in_units(fault: &Fault, given: &Given, list: &List, scale: &Scale, stiffness:
         Fault::Penetration { at, depth, .. } => Violation::Penetration { at: place(at), depth: depth * scale.depth },
         Fault::Tension { node, force } => {
             Violation::Tension { at: place(list.nodes[node].x), force: -force * stiffness * scale.force }
+        }
+        Fault::Bulge { node, bend } => {
+            Violation::Bulge { at: place(list.nodes[node].x), moment: -bend * stiffness * scale.moment() }
         }
         Fault::Pull { from, to, .. } => Violation::Pull { from: place(from), to: place(to) },
         Fault::Inverted { start } => {

@@ -15,6 +15,7 @@
 
 mod bernstein;
 mod chain;
+pub mod closed;
 mod cosine;
 mod exact;
 mod flat;

@@ -34,6 +34,19 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                     nodes[node].x += 0.3 * (right - x).min(given.reach(nodes[node].cell).1 - x);
                 }
             },
+            // The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
+            Fault::Bulge { node, bend } => {
+                let Node { x, cell, .. } = list.nodes[node];
+                if keep[node] && !lifting.iter().any(|l| l.0 < x && x < l.1) {
+                    keep[node] = false;
+                    // The moment falls to that of the profile over this length.
+                    let half = (-2.0 * bend / checked.forces[node].abs()).min(0.3 * nearest(given, list, node));
+                    added.push(vec![
+                        Node { kind: Kind::ZoneStart, x: x - half, slope: 0.0, cell },
+                        Node { kind: Kind::ZoneEnd, x: x + half, slope: 0.0, cell },
+                    ]);
+                }
+            }
             Fault::Pull { zone, .. } => {
                 let from = zone.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
                 let to = list.nodes.get(zone).map_or(given.length, |n| n.x);
@@ -70,7 +83,6 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
             }
             Fault::Penetration { span, at, .. } => penetrated(
                 given,
-                lifting,
                 list,
                 checked,
                 span,
@@ -94,15 +106,7 @@ struct Edit<'a> {
 }
 
 /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
-fn penetrated(
-    given: &Given,
-    lifting: &[(f64, f64)],
-    list: &List,
-    checked: &Checked,
-    i: usize,
-    at: f64,
-    edit: &mut Edit<'_>,
-) {
+fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, edit: &mut Edit<'_>) {
     let Some((_, span)) = checked.spans.iter().find(|(j, _)| *j == i) else {
         return;
     };
@@ -141,24 +145,9 @@ fn penetrated(
             return;
         }
     }
-    // A point into which the profile bulges from both sides carries a zone.
-    for (node, end, bend) in [(i.checked_sub(1), span.a, span.at_a[2]), ((i < n).then_some(i), span.b, span.at_b[2])] {
-        if let Some(node) = node
-            && list.nodes[node].kind == Kind::Smooth
-            && bend < 0.0
-            && !lifting.iter().any(|l| l.0 < end.x && end.x < l.1)
-            && (at - end.x).abs() < 0.5 * span.length()
-        {
-            if edit.keep[node] {
-                edit.keep[node] = false;
-                let room = nearest(given, list, node);
-                let half = (-2.0 * bend / checked.forces[node].abs()).min(0.3 * room);
-                let (from, to) = (end.x - half, end.x + half);
-                edit.added.push(vec![
-                    Node { kind: Kind::ZoneStart, x: from, slope: 0.0, cell: list.nodes[node].cell },
-                    Node { kind: Kind::ZoneEnd, x: to, slope: 0.0, cell: list.nodes[node].cell },
-                ]);
-            }
+    // A point that bulges, or that becomes a zone, is mended by itself.
+    for node in [i.checked_sub(1), (i < n).then_some(i)].into_iter().flatten() {
+        if !edit.keep[node] && (at - list.nodes[node].x).abs() < 0.5 * span.length() {
             return;
         }
     }

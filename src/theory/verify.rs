@@ -26,6 +26,13 @@ pub(super) enum Fault {
         /// The force, negative.
         force: f64,
     },
+    /// A point at which the profile is bent less than the beam, `u'' < v''`: beside it the beam would lie below.
+    Bulge {
+        /// Index of the node.
+        node: usize,
+        /// `h''`, negative.
+        bend: f64,
+    },
     /// A zone that would have to pull at the beam.
     Pull {
         /// Index of the node to the right of the zone.
@@ -118,6 +125,11 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
         judge(-force, scale.force, Fault::Tension { node, force });
     }
     for (i, span) in &spans {
+        for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(*i), span.at_b[2])] {
+            if let Some(node) = node.filter(|&node| list.nodes.get(node).is_some_and(|n| n.kind == Kind::Smooth)) {
+                judge(-bend, scale.moment, Fault::Bulge { node, bend });
+            }
+        }
         let found = penetration(given, &pieces, span, TOLERANCE * scale.depth);
         let (at, depth) = found.unwrap_or((span.a.x, 0.0));
         judge(depth, scale.depth, Fault::Penetration { span: *i, at, depth });
@@ -125,8 +137,8 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
     for (i, &(from, to)) in (0..=list.nodes.len()).filter(|&i| list.in_zone_before(i)).zip(&zones) {
         for &(lo, hi) in lifting.iter().filter(|l| l.0 < to && from < l.1 || from < l.0 && l.0 < to) {
             let (lo, hi) = (lo.max(from), hi.min(to));
-            let pull = resultant_of_lifting(given, lo, hi);
-            judge(pull, scale.force, Fault::Pull { zone: i, from: lo, to: hi });
+            let pull = mean_pull(given, lo, hi);
+            judge(pull, scale.force / given.length, Fault::Pull { zone: i, from: lo, to: hi });
         }
     }
     for support in 0..2 {
@@ -208,18 +220,24 @@ fn penetration(given: &Given, pieces: &[Piece], span: &Span, floor: f64) -> Opti
     worst
 }
 
-/// Upward resultant of load and profile over a stretch in which a zone would pull.
-fn resultant_of_lifting(given: &Given, lo: f64, hi: f64) -> f64 {
+/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, spread over
+/// the beam, if there is one.
+fn mean_pull(given: &Given, lo: f64, hi: f64) -> f64 {
+    let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
+    let inside = given.joints.iter().filter(|j| lo <= j.x && j.x <= hi);
+    let point = -inside.map(|j| j.force.min(0.0)).sum::<f64>() / given.length;
+    if hi <= lo {
+        return point;
+    }
     let mut sum = 0.0;
-    for cell in given.cell_from(lo)..=given.cell_to(hi).max(given.cell_from(lo)) {
+    for cell in first..=last {
         let c = &given.cells[cell];
         let (from, to) = (c.lo.max(lo), c.hi.min(hi));
         if from < to {
             sum += given.load_rule.integral(from, to, |x| given.drive(cell, x).max(0.0));
         }
     }
-    let inside = given.joints.iter().filter(|j| lo <= j.x && j.x <= hi);
-    sum - inside.map(|j| j.force.min(0.0)).sum::<f64>()
+    point.max(sum / (hi - lo)).max(given.drive(first, lo)).max(given.drive(last, hi))
 }
 
 /// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.

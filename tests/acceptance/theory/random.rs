@@ -42,7 +42,9 @@ pub fn scene(i: u64) -> Scene {
     let deflection = 5.0 / 384.0 * load.magnitude(length) * length * length * length / stiffness;
     let depth = deflection * 10.0_f64.powf(random.between(-3.0, 0.3));
     let foundation = foundation(&mut random, length, depth);
-    Scene::new(beam, load, Some(foundation)).expect("a well-posed scene").labelled(format!("random {i}"), Default::default())
+    Scene::new(beam, load, Some(foundation))
+        .expect("a well-posed scene")
+        .labelled(format!("random {i}"), Default::default())
 }
 
 fn load(random: &mut Random, beam: &Beam) -> Load {
@@ -171,5 +173,7 @@ pub fn on_lattice(i: u64) -> Scene {
             Foundation::Polyline { points }
         }
     };
-    Scene::new(beam, load, Some(foundation)).expect("a well-posed scene").labelled(format!("lattice {i}"), Default::default())
+    Scene::new(beam, load, Some(foundation))
+        .expect("a well-posed scene")
+        .labelled(format!("lattice {i}"), Default::default())
 }
