@@ -201,10 +201,10 @@ pub(super) fn add_zones(given: &Given, lifting: &[(f64, f64)], [from, to]: [f64;
 fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
     /// Each try is wider by this factor, on the side that is too narrow.
     const WIDER: f64 = 1.3;
-    /// From a hundred-millionth of the beam to the whole of it, on either side.
+    /// From a thousand-millionth of the beam to the whole of it, on either side.
     const TRIES: u32 = 150;
     let end = |x: f64, cell: usize| End { x, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0 } };
-    let mut margin = [(0.1 * (hi - lo)).max(1e-8 * given.length); 2];
+    let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
     let mut gap = [lo, hi];
     for _ in 0..TRIES {
         gap = [(lo - margin[0]).max(least), (hi + margin[1]).min(most)];

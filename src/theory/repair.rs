@@ -220,7 +220,7 @@ fn start_zone_at_support(given: &Given, support: usize, length: f64, edit: &mut 
 pub(super) fn consistent(given: &Given, list: List) -> List {
     // A gap of this width between two contacts cannot be told from none; one between two zones is more likely the
     // solution without a gap, which the equations have as well.
-    let closed = 1e-7 * given.length;
+    let closed = 1e-11 * given.length;
     let least = 16.0 * f64::EPSILON * given.length;
     let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
     let mut supports = list.supports;
