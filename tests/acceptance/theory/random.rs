@@ -177,3 +177,52 @@ pub fn on_lattice(i: u64) -> Scene {
         .expect("a well-posed scene")
         .labelled(format!("lattice {i}"), Default::default())
 }
+
+/// Scene number `i` of a series of rough scenes: surveys of up to 200 points, up to a hundred waves, polynomials up to
+/// degree 12, a dozen loads, foundations up to ten million times shallower than the free deflection.
+pub fn rough(i: u64) -> Scene {
+    let mut random = Random::new(0x0000_b0b0 + i);
+    let length = random.between(1.0, 20.0);
+    let stiffness = 10.0_f64.powf(random.between(-2.0, 4.0));
+    let beam = Beam::new(length, stiffness).expect("a beam");
+    let (few, many) = (random.below(12), random.below(12));
+    let linear: Vec<LinearLoad> = (0..few)
+        .map(|_| {
+            let (a, b) = (random.between(0.0, length), random.between(0.0, length));
+            let (start, end) = (random.between(-1.0, 2.0), random.between(-1.0, 2.0));
+            LinearLoad { from: a.min(b), to: a.max(b), start, end }
+        })
+        .collect();
+    let point: Vec<PointLoad> = (0..many)
+        .map(|_| PointLoad { at: random.between(0.0, length), force: length * random.between(-0.05, 0.1) })
+        .collect();
+    let load = Load::new(&beam, random.between(-0.5, 2.0), linear, point).expect("a load");
+    let deflection = 5.0 / 384.0 * load.magnitude(length) * length * length * length / stiffness;
+    let depth = deflection * 10.0_f64.powf(random.between(-7.0, 0.0));
+    let foundation = match random.below(3) {
+        0 => {
+            let wavelength = length * 10.0_f64.powf(random.between(-2.0, -0.7));
+            let amplitude = depth * 10.0_f64.powf(random.between(-4.0, 0.0));
+            Foundation::Cosine { mean: depth, amplitude, wavelength, phase: random.between(0.0, 6.0) }
+        }
+        1 => {
+            let degree = 5 + random.below(8);
+            let mut coefficients: Vec<f64> = (0..=degree)
+                .map(|j| depth * random.between(-9.0, 9.0) / length.powi(i32::try_from(j).expect("a small number")))
+                .collect();
+            let shape = Foundation::Polynomial { coefficients: coefficients.clone() };
+            coefficients[0] += depth * random.between(0.0, 1.0) - shape.depth(0.0).min(shape.depth(length));
+            Foundation::Polynomial { coefficients }
+        }
+        _ => {
+            let count = 10 + random.below(190);
+            let amplitude = depth * 10.0_f64.powf(random.between(-4.0, 0.0));
+            #[expect(clippy::cast_precision_loss, reason = "small numbers")]
+            let points = (0..=count)
+                .map(|k| [length * (k as f64 / count as f64), depth + amplitude * random.between(-1.0, 1.0)])
+                .collect();
+            Foundation::Polyline { points }
+        }
+    };
+    Scene::new(beam, load, Some(foundation)).expect("a well-posed scene").labelled(format!("rough {i}"), Default::default())
+}
