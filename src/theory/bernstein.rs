@@ -66,7 +66,7 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
             let bar = best.map_or(floor, |(_, value)| value);
             // A NaN is below every floor.
             if let Some(&value) = value
-                && !(bar <= value)
+                && (value < bar || value.is_nan())
             {
                 best = Some((at, value));
             }

@@ -145,8 +145,8 @@ impl Penta {
     fn factored(&self, extra: &[f64]) -> Self {
         let n = self.main.len();
         let mut f = Self { main: vec![0.0; n], first: vec![0.0; n], second: vec![0.0; n] };
-        for i in 0..n {
-            let mut d = self.main[i] + extra[i];
+        for (i, extra) in extra.iter().enumerate() {
+            let mut d = self.main[i] + extra;
             let mut e = self.first[i];
             if 0 < i {
                 d -= f.first[i - 1] * f.first[i - 1] * f.main[i - 1];

@@ -21,8 +21,8 @@ pub(super) struct Run {
 const STEPS: usize = 60;
 /// A step below this fraction of the beam is rounding.
 const ROUNDING: f64 = 1e-15;
-/// From here on convergence is quadratic, and a step that shrinks no more is rounding too.
-const QUADRATIC: f64 = 1e-9;
+/// A step below this one that shrinks no more is rounding too.
+const NEARLY: f64 = 1e-12;
 /// Two neighbours that share a span may come this much closer in one step.
 const APPROACH: f64 = 0.45;
 
@@ -42,7 +42,7 @@ pub(super) fn solve(given: &Given, list: &mut List) -> Run {
             return Run { steps, converged: false };
         };
         let (size, limited) = apply(given, list, &step, &mut brackets);
-        if !limited && (size <= ROUNDING || (size <= QUADRATIC && 0.25 * last <= size)) {
+        if !limited && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size)) {
             return Run { steps: steps + 1, converged: true };
         }
         last = size;

@@ -60,9 +60,9 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                 }
                 let mut parts = List::free();
                 add_zones(given, lifting, [from, to], 0.0, &mut parts);
-                for support in 0..2 {
-                    if parts.supports[support] == AtSupport::Zone {
-                        supports[support] = AtSupport::Zone;
+                for (support, part) in supports.iter_mut().zip(parts.supports) {
+                    if part == AtSupport::Zone {
+                        *support = AtSupport::Zone;
                     }
                 }
                 added.push(parts.nodes);

@@ -37,10 +37,9 @@ impl Found {
 
     /// The better of two: one that is certified, one that converged, the one that violates less.
     fn better(self, other: Self) -> Self {
-        let rank = |f: &Self| (f.certified(), f.converged, -f.checked.worst);
-        let (a, b) = (rank(&self), rank(&other));
-        let worse = a.0 < b.0 || a.0 == b.0 && (a.1 < b.1 || a.1 == b.1 && a.2 < b.2);
-        if worse { other } else { self }
+        let rank = |f: &Self| u8::from(f.certified()) + u8::from(f.converged);
+        let better = rank(&self).cmp(&rank(&other)).then(other.checked.worst.total_cmp(&self.checked.worst));
+        if better.is_lt() { other } else { self }
     }
 }
 

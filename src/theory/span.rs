@@ -72,8 +72,12 @@ impl Span {
         let (profile_a, profile_b) = (given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x));
         let chord = 6.0 * profile_a[0].abs().max(profile_b[0].abs()) / (l * l);
         if chord < profile_a[2].abs().max(profile_b[2].abs()) {
-            let holds = [a.hold.of_beam(&profile_a), b.hold.of_beam(&profile_b)];
-            let [beam_a, beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
+            // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
+            let rise = given.shapes[given.cells[a.cell].shape].rise(a.x, b.x);
+            let raised = |u: &[f64; 4], height| [height, u[1], u[2], u[3]];
+            let holds = [a.hold.of_beam(&raised(&profile_a, 0.0)), b.hold.of_beam(&raised(&profile_b, rise))];
+            let [mut beam_a, mut beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
+            (beam_a[0], beam_b[0]) = (profile_a[0] - a.hold.height(), profile_b[0] - b.hold.height());
             let (mut at_a, mut at_b) = (difference(&profile_a, &beam_a), difference(&profile_b, &beam_b));
             for (end, at) in [(&a, &mut at_a), (&b, &mut at_b)] {
                 // What is given is known without rounding.

@@ -69,9 +69,9 @@ fn incline_lifts_off_differently_at_its_ends() {
         ] {
             let state = solved(l, ei, q, &[], foundation).state;
             let found = [state.reactions.left, state.reactions.right];
-            for side in 0..2 {
-                let error = (found[side] - closed.reactions[side]).abs();
-                assert!(error <= DIGITS * q * l, "reaction {side} off by {error:e} for {depths:?}");
+            for (found, expected) in found.iter().zip(closed.reactions) {
+                let error = (found - expected).abs();
+                assert!(error <= DIGITS * q * l, "reaction off by {error:e} for {depths:?}");
             }
             check("contact force", state.contact_force(), closed.contact_force);
             if 0.0 < depths[0] + depths[1] {

@@ -3,10 +3,10 @@
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 /// The generator "splitmix64" (Steele, Lea, Flood 2014): same numbers everywhere, no crate to change under us.
-pub struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(seed)
     }
 
@@ -19,20 +19,20 @@ impl Random {
     }
 
     /// Evenly between `lo` and `hi`.
-    pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
+    pub(crate) fn between(&mut self, lo: f64, hi: f64) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
         let unit = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         lo + (hi - lo) * unit
     }
 
     /// One of `0 … count − 1`.
-    pub fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         usize::try_from(self.next() % count as u64).expect("a small number")
     }
 }
 
 /// Scene number `i` of the series.
-pub fn scene(i: u64) -> Scene {
+pub(crate) fn scene(i: u64) -> Scene {
     let mut random = Random::new(0x5eed_0000 + i);
     let length = random.between(1.0, 20.0);
     let stiffness = 10.0_f64.powf(random.between(-2.0, 4.0));
@@ -119,7 +119,7 @@ fn polyline(random: &mut Random, l: f64, depth: f64, steps: bool) -> Foundation 
 
 /// Scene number `i` of a series on a lattice: few places, depths and loads to choose from, so that ties, symmetry, depth 0
 /// at the supports, straight stretches without load and loads on edges are the rule.
-pub fn on_lattice(i: u64) -> Scene {
+pub(crate) fn on_lattice(i: u64) -> Scene {
     let mut random = Random::new(0x1a77_1ce0 + i);
     let parts = [4, 6, 8][random.below(3)];
     let length = [1.0, 8.0, 10.0][random.below(3)];
@@ -180,7 +180,7 @@ pub fn on_lattice(i: u64) -> Scene {
 
 /// Scene number `i` of a series of rough scenes: surveys of up to 200 points, up to a hundred waves, polynomials up to
 /// degree 12, a dozen loads, foundations up to ten million times shallower than the free deflection.
-pub fn rough(i: u64) -> Scene {
+pub(crate) fn rough(i: u64) -> Scene {
     let mut random = Random::new(0x0000_b0b0 + i);
     let length = random.between(1.0, 20.0);
     let stiffness = 10.0_f64.powf(random.between(-2.0, 4.0));
@@ -224,5 +224,7 @@ pub fn rough(i: u64) -> Scene {
             Foundation::Polyline { points }
         }
     };
-    Scene::new(beam, load, Some(foundation)).expect("a well-posed scene").labelled(format!("rough {i}"), Default::default())
+    Scene::new(beam, load, Some(foundation))
+        .expect("a well-posed scene")
+        .labelled(format!("rough {i}"), Default::default())
 }

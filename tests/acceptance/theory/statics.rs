@@ -12,6 +12,9 @@ use super::random;
 
 /// Certified answers keep every condition to 12 digits of the largest quantity; sums over the forces cost two or three.
 const DIGITS: f64 = 1e-9;
+/// On short waves a unit in the last place of a contact's position turns the beam by u'' times as much, and a stiff span of
+/// a hundredth of the beam answers with a ten-thousand-millionth of the force.
+const ROUGH_DIGITS: f64 = 1e-8;
 /// Places at which conditions are looked at.
 const SAMPLES: u32 = 400;
 
@@ -77,36 +80,37 @@ fn pressure_moment(scene: &Scene, exact: &Exact, from: f64, to: f64, x: f64) -> 
 }
 
 /// Looks at every condition of a certified answer; how many of them is not the point, that none fails is.
-fn judge(scene: &Scene, exact: &Exact) -> Result<(), String> {
+fn judge(scene: &Scene, exact: &Exact, digits: f64) -> Result<(), String> {
     let l = scene.beam().length();
     let state = &exact.state;
     let force = scene.load().magnitude(l).max(state.reactions.left.abs()).max(state.contact_force());
     // A beam that rests on a foundation at depth 0 has no deflection to measure by.
-    let at_rest = 1e-6 * force * l * l * l / scene.beam().bending_stiffness();
-    let depth = state.deflection.max.abs().max(state.deflection.min.abs()).max(at_rest * DIGITS);
+    let bend = force * l * l * l / scene.beam().bending_stiffness();
+    let at_rest = 1e-9 * bend.max(scene.foundation().map_or(0.0, |f| f.magnitude(l)));
+    let depth = state.deflection.max.abs().max(state.deflection.min.abs()).max(at_rest);
     let moment = state.moment.max.abs().max(state.moment.min.abs()).max(0.01 * force * l);
     for i in 0..=SAMPLES {
         let x = l * f64::from(i) / f64::from(SAMPLES);
         let below = exact.deflection(x) - scene.depth(x);
-        if DIGITS * depth < below {
+        if digits * depth < below {
             return Err(format!("penetration by {below:e} at {x}"));
         }
         let off = exact.moment(x) - moment_by_statics(scene, exact, x);
-        if DIGITS * moment < off.abs() {
+        if digits * moment < off.abs() {
             return Err(format!("moment off by {off:e} of {moment:e} at {x}"));
         }
-        if exact.pressure(x) < -DIGITS * force / l {
+        if exact.pressure(x) < -digits * force / l {
             return Err(format!("pressure {:e} at {x}", exact.pressure(x)));
         }
     }
     for c in &state.contacts {
         for x in [c.from, c.to, 0.5 * (c.from + c.to)] {
-            if DIGITS * depth.max(exact.clearance(x).abs() * 1e-3) < (exact.deflection(x) - scene.depth(x)).abs() {
+            if digits * depth.max(exact.clearance(x).abs() * 1e-3) < (exact.deflection(x) - scene.depth(x)).abs() {
                 return Err(format!("contact at {x} does not touch"));
             }
         }
         let ends = c.end_forces.unwrap_or([c.force; 2]);
-        if ends.iter().any(|&f| f < -DIGITS * force) {
+        if ends.iter().any(|&f| f < -digits * force) {
             return Err(format!("contact at {} pulls: {ends:?}", c.from));
         }
     }
@@ -114,21 +118,21 @@ fn judge(scene: &Scene, exact: &Exact) -> Result<(), String> {
         + scene.load().linear().iter().map(|q| 0.5 * (q.start + q.end) * (q.to - q.from)).sum::<f64>()
         + scene.load().point().iter().map(|p| p.force).sum::<f64>();
     let rest = state.reactions.left + state.reactions.right + state.contact_force() - load;
-    if DIGITS * force < rest.abs() {
+    if digits * force < rest.abs() {
         return Err(format!("equilibrium off by {rest:e}"));
     }
     Ok(())
 }
 
 /// Judges `count` scenes of a series; returns how many were certified, and what went wrong with the others.
-fn series(count: u64, scene: impl Fn(u64) -> Scene) -> (u64, Vec<String>) {
+fn series(count: u64, digits: f64, scene: impl Fn(u64) -> Scene) -> (u64, Vec<String>) {
     let (mut certified, mut wrong) = (0, Vec::new());
     for i in 0..count {
         let scene = scene(i);
         let exact = solve(&scene).expect("an answer");
         if exact.status == Status::Certified {
             certified += 1;
-            if let Err(why) = judge(&scene, &exact) {
+            if let Err(why) = judge(&scene, &exact, digits) {
                 wrong.push(format!("{}: {why}", scene.title()));
             }
         }
@@ -139,23 +143,32 @@ fn series(count: u64, scene: impl Fn(u64) -> Scene) -> (u64, Vec<String>) {
 #[test]
 fn random_scenes_are_solved_and_pass_statics() {
     const COUNT: u64 = 300;
-    let (certified, wrong) = series(COUNT, random::scene);
+    let (certified, wrong) = series(COUNT, DIGITS, random::scene);
     assert_eq!(wrong, Vec::<String>::new());
-    assert_eq!(certified, COUNT, "the whole series of 20 000 is certified");
+    assert_eq!(certified, COUNT, "all of a series of 20 000 are certified");
 }
 
 #[test]
 fn scenes_on_a_lattice_are_solved_and_pass_statics() {
     const COUNT: u64 = 300;
-    let (certified, wrong) = series(COUNT, random::on_lattice);
+    let (certified, wrong) = series(COUNT, DIGITS, random::on_lattice);
     assert_eq!(wrong, Vec::<String>::new());
-    assert_eq!(certified, COUNT, "all but one of the series of 20 000 are certified");
+    assert_eq!(certified, COUNT, "all of a series of 20 000 are certified");
+}
+
+#[test]
+fn rough_scenes_are_solved_and_pass_statics() {
+    const COUNT: u64 = 40;
+    let (certified, wrong) = series(COUNT, ROUGH_DIGITS, random::rough);
+    assert_eq!(wrong, Vec::<String>::new());
+    assert_eq!(certified, COUNT, "all but 5 of a series of 4000 are certified");
 }
 
 #[test]
 fn a_scene_that_is_not_solved_says_so() {
-    // Lattice scene 15648 is the first of its series for which no list passes.
-    let exact = solve(&random::on_lattice(15_648)).expect("an answer");
+    // The first of the rough series for which no list passes: the survey of a saw with 66 contacts.
+    let exact = solve(&random::rough(2317)).expect("an answer");
     assert_ne!(exact.status, Status::Certified, "it is solved now: look for another one");
     assert!(!exact.violations.is_empty());
+    assert!(0.0 < exact.residual);
 }
