@@ -73,6 +73,12 @@ pub enum Violation {
         /// To where \[length\].
         to: f64,
     },
+    /// A zone goes over a kink or a step.
+    #[error("a zone of contact goes over the break of the foundation at x = {at}, which no beam can follow")]
+    Broken {
+        /// Where \[length\].
+        at: f64,
+    },
     /// A zone ends before it starts.
     #[error("a zone of contact starts at x = {from} and ends at x = {to}, before it")]
     Inverted {
@@ -229,6 +235,7 @@ fn in_units(fault: &Fault, given: &Given, list: &List, scale: &Scale, stiffness:
             Violation::Bulge { at: place(list.nodes[node].x), moment: -bend * stiffness * scale.moment() }
         }
         Fault::Pull { from, to, .. } => Violation::Pull { from: place(from), to: place(to) },
+        Fault::Broken { joint, .. } => Violation::Broken { at: place(given.joints[joint].x) },
         Fault::Inverted { start } => {
             Violation::Inverted { from: place(list.nodes[start].x), to: place(list.nodes[start + 1].x) }
         }

@@ -48,24 +48,19 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                 }
             }
             Fault::Pull { zone, .. } => {
-                let from = zone.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
-                let to = list.nodes.get(zone).map_or(given.length, |n| n.x);
-                match zone.checked_sub(1) {
-                    Some(i) => keep[i] = false,
-                    None => supports[0] = AtSupport::Free,
+                let [from, to] = without_zone(given, list, zone, &mut supports, &mut keep);
+                added.push(zones_between(given, lifting, [from, to], &mut supports));
+            }
+            // On each side of the break the zone ends somewhat before it.
+            Fault::Broken { zone, joint } => {
+                const SHORTER: f64 = 0.1;
+                let [from, to] = without_zone(given, list, zone, &mut supports, &mut keep);
+                let x = given.joints[joint].x;
+                added.push(zones_between(given, lifting, [from, x - SHORTER * (x - from)], &mut supports));
+                if given.is_edge(joint) {
+                    added.push(vec![edge_node(given, joint)]);
                 }
-                match keep.get_mut(zone) {
-                    Some(kept) => *kept = false,
-                    None => supports[1] = AtSupport::Free,
-                }
-                let mut parts = List::free();
-                add_zones(given, lifting, [from, to], 0.0, &mut parts);
-                for (support, part) in supports.iter_mut().zip(parts.supports) {
-                    if part == AtSupport::Zone {
-                        *support = AtSupport::Zone;
-                    }
-                }
-                added.push(parts.nodes);
+                added.push(zones_between(given, lifting, [x + SHORTER * (to - x), to], &mut supports));
             }
             Fault::Couple { support, .. } => {
                 if list.supports[support] == AtSupport::Zone {
@@ -96,6 +91,32 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
     all.extend(added.into_iter().flatten());
     all.sort_by(|a, b| a.x.total_cmp(&b.x));
     consistent(given, List { supports, nodes: all })
+}
+
+/// Takes a zone out of the list; returns from where to where it went.
+fn without_zone(given: &Given, list: &List, zone: usize, supports: &mut [AtSupport; 2], keep: &mut [bool]) -> [f64; 2] {
+    match zone.checked_sub(1) {
+        Some(i) => keep[i] = false,
+        None => supports[0] = AtSupport::Free,
+    }
+    match keep.get_mut(zone) {
+        Some(kept) => *kept = false,
+        None => supports[1] = AtSupport::Free,
+    }
+    let from = zone.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
+    [from, list.nodes.get(zone).map_or(given.length, |n| n.x)]
+}
+
+/// The nodes of zones between two places, split where they would pull.
+fn zones_between(given: &Given, lifting: &[(f64, f64)], ends: [f64; 2], supports: &mut [AtSupport; 2]) -> Vec<Node> {
+    let mut parts = List::free();
+    add_zones(given, lifting, ends, 0.0, &mut parts);
+    for (support, part) in supports.iter_mut().zip(parts.supports) {
+        if part == AtSupport::Zone {
+            *support = AtSupport::Zone;
+        }
+    }
+    parts.nodes
 }
 
 /// What a repair may change.

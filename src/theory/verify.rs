@@ -42,6 +42,13 @@ pub(super) enum Fault {
         /// To where.
         to: f64,
     },
+    /// A zone that goes over a kink or a step, which no beam can follow.
+    Broken {
+        /// Index of the node to the right of the zone.
+        zone: usize,
+        /// The joint.
+        joint: usize,
+    },
     /// A zone that ends before it starts.
     Inverted {
         /// Index of the node at which it starts.
@@ -97,6 +104,14 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
     for (i, pair) in list.nodes.windows(2).enumerate() {
         if pair[0].kind == Kind::ZoneStart && pair[1].x < pair[0].x {
             faults.push(Fault::Inverted { start: i });
+            worst = f64::INFINITY;
+        }
+    }
+    for (i, &(from, to)) in (0..=list.nodes.len()).filter(|&i| list.in_zone_before(i)).zip(&zones) {
+        let broken =
+            (0..given.joints.len()).find(|&j| given.breaks_at(j) && from < given.joints[j].x && given.joints[j].x < to);
+        if let Some(joint) = broken {
+            faults.push(Fault::Broken { zone: i, joint });
             worst = f64::INFINITY;
         }
     }

@@ -83,10 +83,14 @@ fn pressure_moment(scene: &Scene, exact: &Exact, from: f64, to: f64, x: f64) -> 
 fn judge(scene: &Scene, exact: &Exact, digits: f64) -> Result<(), String> {
     let l = scene.beam().length();
     let state = &exact.state;
-    let force = scene.load().magnitude(l).max(state.reactions.left.abs()).max(state.contact_force());
-    // A beam that rests on a foundation at depth 0 has no deflection to measure by.
+    // A beam without load that rests on its foundation has nothing but rounding to measure by.
+    let flat = scene.foundation().map_or(0.0, |f| f.magnitude(l));
+    let force = (1e-3 * flat * scene.beam().bending_stiffness() / (l * l * l))
+        .max(scene.load().magnitude(l))
+        .max(state.reactions.left.abs())
+        .max(state.contact_force());
     let bend = force * l * l * l / scene.beam().bending_stiffness();
-    let at_rest = 1e-9 * bend.max(scene.foundation().map_or(0.0, |f| f.magnitude(l)));
+    let at_rest = (1e-9 * bend).max(1e-6 * flat);
     let depth = state.deflection.max.abs().max(state.deflection.min.abs()).max(at_rest);
     let moment = state.moment.max.abs().max(state.moment.min.abs()).max(0.01 * force * l);
     for i in 0..=SAMPLES {
