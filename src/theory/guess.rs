@@ -98,7 +98,7 @@ fn add_run(
 pub(super) fn edge_node(given: &Given, joint: usize) -> Node {
     let x = given.joints[joint].x;
     let slope = 0.5 * (given.derivative(joint - 1, x, 1) + given.derivative(joint, x, 1));
-    Node { kind: Kind::Edge(joint), x, slope, cell: joint }
+    Node { slope, ..Node::new(Kind::Edge(joint), x, joint) }
 }
 
 /// Adds a point or zones for a run of samples on one smooth piece of the profile.
@@ -133,7 +133,7 @@ fn add_stretch(
                 place = place.max(given.length - closest(depth, bend));
             }
             let cell = given.cell_from(place);
-            list.nodes.push(Node { kind: Kind::Smooth, x: place, slope: 0.0, cell });
+            list.nodes.push(Node::new(Kind::Smooth, place, cell));
         }
         return;
     }
@@ -203,7 +203,7 @@ fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f6
     const WIDER: f64 = 1.3;
     /// From a thousand-millionth of the beam to the whole of it, on either side.
     const TRIES: u32 = 150;
-    let end = |x: f64, cell: usize| End { x, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0 } };
+    let end = |x: f64, cell: usize| End { x, rest: 0.0, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0 } };
     let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
     let mut gap = [lo, hi];
     for _ in 0..TRIES {
@@ -223,18 +223,18 @@ fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f6
 }
 
 fn add_point(given: &Given, x: f64, list: &mut List) {
-    list.nodes.push(Node { kind: Kind::Smooth, x, slope: 0.0, cell: given.cell_from(x) });
+    list.nodes.push(Node::new(Kind::Smooth, x, given.cell_from(x)));
 }
 
 fn add_zone(given: &Given, from: f64, to: f64, list: &mut List) {
     if from <= 0.0 {
         list.supports[0] = AtSupport::Zone;
     } else {
-        list.nodes.push(Node { kind: Kind::ZoneStart, x: from, slope: 0.0, cell: given.cell_from(from) });
+        list.nodes.push(Node::new(Kind::ZoneStart, from, given.cell_from(from)));
     }
     if given.length <= to {
         list.supports[1] = AtSupport::Zone;
     } else {
-        list.nodes.push(Node { kind: Kind::ZoneEnd, x: to, slope: 0.0, cell: given.cell_to(to) });
+        list.nodes.push(Node::new(Kind::ZoneEnd, to, given.cell_to(to)));
     }
 }

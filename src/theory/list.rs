@@ -33,6 +33,9 @@ pub(super) struct Node {
     pub(super) x: f64,
     /// Slope `v'` of the beam at an edge; not used elsewhere.
     pub(super) slope: f64,
+    /// What its place is beyond `x`, less than a unit in the last place of `x`: where contacts lie close together on a
+    /// curved profile, their forces feel it.
+    pub(super) rest: f64,
     /// A cell of the smooth piece of the profile on which it lies; for an edge the one to its right.
     pub(super) cell: usize,
 }
@@ -95,7 +98,7 @@ impl List {
             return support(given, 0.0, 0, self.supports[0]);
         };
         let cell = given.cell_from(node.x);
-        End { x: node.x, cell, hold: node.hold(given, cell) }
+        End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
     }
 
     fn right_end(&self, given: &Given, i: usize) -> End {
@@ -103,11 +106,22 @@ impl List {
             return support(given, given.length, given.cells.len() - 1, self.supports[1]);
         };
         let cell = given.cell_to(node.x);
-        End { x: node.x, cell, hold: node.hold(given, cell) }
+        End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
     }
 }
 
 impl Node {
+    /// A node at `x`.
+    pub(super) fn new(kind: Kind, x: f64, cell: usize) -> Self {
+        Self { kind, x, slope: 0.0, rest: 0.0, cell }
+    }
+
+    /// Moves it to the sum of `x` and `rest`, of which `x` is much the larger.
+    pub(super) fn move_to(&mut self, x: f64, rest: f64) {
+        self.x = x + rest;
+        self.rest = rest - (self.x - x);
+    }
+
     /// How the node holds a span that lies in `cell` beside it.
     fn hold(&self, given: &Given, cell: usize) -> Hold {
         match self.kind {
@@ -130,5 +144,5 @@ fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
         }
         AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0 },
     };
-    End { x, cell, hold }
+    End { x, rest: 0.0, cell, hold }
 }

@@ -122,6 +122,8 @@ fn equations(given: &Given, list: &List) -> Vec<([f64; 3], f64)> {
             row[1] -= given.force_at(node.x).max(0.0);
         }
     }
+    // v'' to the right and to the left of a node, where spans were solved in v.
+    let mut in_beam = vec![[None; 2]; n];
     for (i, span) in list.spans(given) {
         let (left, right) = (i.checked_sub(1), (i < n).then_some(i));
         let answer = response(list, left, right, &span);
@@ -130,12 +132,19 @@ fn equations(given: &Given, list: &List) -> Vec<([f64; 3], f64)> {
             row[1] -= answer[0][0];
             row[2] -= answer[0][1];
             *value -= span.at_a[2] - profile_curvature(given, list, node, span.a.cell);
+            in_beam[node][0] = span.in_beam.then_some(span.beam_a[2]);
         }
         if let Some(node) = right {
             let (row, value) = &mut rows[node];
             row[0] += answer[1][0];
             row[1] += answer[1][1];
             *value += span.at_b[2] - profile_curvature(given, list, node, span.b.cell);
+            in_beam[node][1] = span.in_beam.then_some(span.beam_b[2]);
+        }
+    }
+    for ((_, value), sides) in rows.iter_mut().zip(in_beam) {
+        if let [Some(right), Some(left)] = sides {
+            *value = right - left;
         }
     }
     rows
@@ -222,10 +231,14 @@ fn apply(given: &Given, list: &mut List, step: &[f64], brackets: &mut [Bracket])
             hi = hi.min(x + APPROACH * (right - x));
         }
         let wanted = x + step;
-        let bounded = brackets[i].keep(wanted, ROUNDING * given.length);
-        let taken = bounded.clamp(lo.min(x), hi.max(x));
-        limited |= (taken - wanted).abs() > ROUNDING * given.length;
-        list.nodes[i].x = taken;
+        let bounded = brackets[i].keep(wanted, ROUNDING * given.length).clamp(lo.min(x), hi.max(x));
+        let short = ROUNDING * given.length < (bounded - wanted).abs();
+        limited |= short;
+        if short {
+            list.nodes[i].move_to(bounded, 0.0);
+        } else {
+            list.nodes[i].move_to(x, node.rest + step);
+        }
         size = size.max(step.abs() / given.length);
     }
     (size, limited)

@@ -19,7 +19,7 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
             Fault::Inverted { start } => {
                 let x = 0.5 * (nodes[start].x + nodes[start + 1].x);
                 (keep[start], keep[start + 1]) = (false, false);
-                added.push(vec![Node { kind: Kind::Smooth, x, slope: 0.0, cell: given.cell_from(x) }]);
+                added.push(vec![Node::new(Kind::Smooth, x, given.cell_from(x))]);
             }
             Fault::Tension { node, .. } => match nodes[node].kind {
                 Kind::Smooth | Kind::Edge(_) => keep[node] = false,
@@ -42,8 +42,8 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                     // The moment falls to that of the profile over this length.
                     let half = (-2.0 * bend / checked.forces[node].abs()).min(0.3 * nearest(given, list, node));
                     added.push(vec![
-                        Node { kind: Kind::ZoneStart, x: x - half, slope: 0.0, cell },
-                        Node { kind: Kind::ZoneEnd, x: x + half, slope: 0.0, cell },
+                        Node::new(Kind::ZoneStart, x - half, cell),
+                        Node::new(Kind::ZoneEnd, x + half, cell),
                     ]);
                 }
             }
@@ -72,7 +72,7 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                     } else {
                         (Kind::ZoneEnd, 0.7 * given.length + 0.3 * far)
                     };
-                    added.push(vec![Node { kind, x, slope: 0.0, cell: given.cell_from(x) }]);
+                    added.push(vec![Node::new(kind, x, given.cell_from(x))]);
                 }
                 supports[support] = AtSupport::Free;
             }
@@ -162,7 +162,7 @@ fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, 
             && (at - end.x).abs() < 0.5 * span.length()
         {
             edit.keep[node] = false;
-            edit.added.push(vec![Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: end.cell }]);
+            edit.added.push(vec![Node::new(Kind::Smooth, at, end.cell)]);
             return;
         }
     }
@@ -179,7 +179,7 @@ fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, 
             return;
         }
     }
-    edit.added.push(vec![Node { kind: Kind::Smooth, x: at, slope: 0.0, cell: given.cell_from(at) }]);
+    edit.added.push(vec![Node::new(Kind::Smooth, at, given.cell_from(at))]);
 }
 
 /// Joins the contacts on both sides of every span in which nothing drives the beam away from a profile that it follows:
@@ -233,7 +233,7 @@ fn start_zone_at_support(given: &Given, support: usize, length: f64, edit: &mut 
     edit.supports[support] = AtSupport::Zone;
     let (kind, x) = if support == 0 { (Kind::ZoneEnd, length) } else { (Kind::ZoneStart, given.length - length) };
     let last = given.cells.len() - 1;
-    edit.added.push(vec![Node { kind, x, slope: 0.0, cell: if support == 0 { 0 } else { last } }]);
+    edit.added.push(vec![Node::new(kind, x, if support == 0 { 0 } else { last })]);
 }
 
 /// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that

@@ -39,6 +39,8 @@ pub(super) enum Hold {
 pub(super) struct End {
     /// Where.
     pub(super) x: f64,
+    /// What its place is beyond `x`.
+    pub(super) rest: f64,
     /// The cell of the span that ends there.
     pub(super) cell: usize,
     /// How it is held.
@@ -60,6 +62,8 @@ pub(super) struct Span {
     pub(super) beam_a: [f64; 4],
     /// `v, v', v'', v'''` at the right end.
     pub(super) beam_b: [f64; 4],
+    /// True if it was solved in `v`: the derivatives of `v` are the accurate ones then, those of `h` are differences.
+    pub(super) in_beam: bool,
 }
 
 impl Span {
@@ -74,8 +78,9 @@ impl Span {
         if chord < profile_a[2].abs().max(profile_b[2].abs()) {
             // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
             let rise = given.shapes[given.cells[a.cell].shape].rise(a.x, b.x);
-            let raised = |u: &[f64; 4], height| [height, u[1], u[2], u[3]];
-            let holds = [a.hold.of_beam(&raised(&profile_a, 0.0)), b.hold.of_beam(&raised(&profile_b, rise))];
+            let beyond = |u: &[f64; 4], rest: f64, rise: f64| [rise + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
+            let holds =
+                [a.hold.of_beam(&beyond(&profile_a, a.rest, 0.0)), b.hold.of_beam(&beyond(&profile_b, b.rest, rise))];
             let [mut beam_a, mut beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
             (beam_a[0], beam_b[0]) = (profile_a[0] - a.hold.height(), profile_b[0] - b.hold.height());
             let (mut at_a, mut at_b) = (difference(&profile_a, &beam_a), difference(&profile_b, &beam_b));
@@ -86,11 +91,11 @@ impl Span {
                     Hold::Hinged { height, curvature } => (at[0], at[2]) = (height, curvature),
                 }
             }
-            return Self { a, b, at_a, at_b, beam_a, beam_b };
+            return Self { a, b, at_a, at_b, beam_a, beam_b, in_beam: true };
         }
         let [at_a, at_b] = solve(l, [a.hold, b.hold], &fixed_end(given, &a, &b, Drive::Clearance));
         let (beam_a, beam_b) = (difference(&profile_a, &at_a), difference(&profile_b, &at_b));
-        Self { a, b, at_a, at_b, beam_a, beam_b }
+        Self { a, b, at_a, at_b, beam_a, beam_b, in_beam: false }
     }
 
     /// Its length `ℓ`.
