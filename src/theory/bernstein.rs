@@ -6,6 +6,9 @@
 
 /// Intervals are halved at most this often: 2⁻⁴⁸ of the interval is its last digits.
 const DEPTH: usize = 48;
+/// Parts of an interval that are looked at, at most; a few dozen are the rule. It guards against a polynomial that runs
+/// along the floor within its rounding.
+const PARTS: usize = 4000;
 
 /// Bernstein coefficients of `Σ a_j t^j` on `[0, w]`.
 ///
@@ -46,7 +49,8 @@ fn halves(b: &[f64]) -> (Vec<f64>, Vec<f64>) {
 /// The least value of `Σ a_j t^j` on `[0, w]` with its place, if it lies below `floor` anywhere; [`None`] is a proof that
 /// it does not.
 ///
-/// The value found is the least up to a thousandth of how far it lies below zero.
+/// The value found is the least up to a thousandth of how far it lies below zero. Where no proof is found within a bounded
+/// number of parts, the bound that remains is returned as if it were a value.
 pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(f64, f64)> {
     /// How much of a violation is not worth another halving: it is reported and repaired, not used as a number.
     const CLOSE: f64 = 1e-3;
@@ -56,7 +60,9 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
     }
     let mut best: Option<(f64, f64)> = None;
     let mut open = vec![(whole, 0.0, width, 0)];
+    let mut parts = 0;
     while let Some((b, lo, hi, depth)) = open.pop() {
+        parts += 1;
         let bar = best.map_or(floor, |(_, value)| value);
         let slack = best.map_or(0.0, |(_, value)| CLOSE * value.abs());
         if b.iter().all(|&b| bar - slack <= b) {
@@ -70,6 +76,10 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
             {
                 best = Some((at, value));
             }
+        }
+        if PARTS < parts {
+            let bound = b.iter().fold(f64::INFINITY, |least, &b| least.min(b));
+            return best.or(Some((lo, bound)));
         }
         if depth < DEPTH && b.iter().all(|b| b.is_finite()) {
             let (left, right) = halves(&b);
@@ -85,12 +95,14 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
 pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
     let mut found = Vec::new();
     let mut open = vec![(bernstein(monomial, width), 0.0, width, 0)];
+    let mut parts = 0;
     while let Some((b, lo, hi, depth)) = open.pop() {
+        parts += 1;
         match variations(&b) {
             0 => {}
             1 => found.push(bracketed(monomial, lo, hi)),
             // Rounding decides below this width: an odd number of changes is one, an even number none.
-            many if DEPTH <= depth => {
+            many if DEPTH <= depth || PARTS < parts => {
                 if many % 2 == 1 {
                     found.push(0.5 * (lo + hi));
                 }

@@ -190,7 +190,7 @@ impl Exact {
         if piece.state.is_some() || !self.founded {
             return 0.0;
         }
-        let at = (x / self.scale.length).clamp(piece.lo, piece.hi);
+        let at = (x / self.scale.length).max(piece.lo).min(piece.hi);
         -self.given.drive(piece.cell, at) * self.stiffness * self.scale.force / self.scale.length
     }
 
@@ -211,7 +211,7 @@ impl Exact {
         let i =
             if right { self.pieces.partition_point(|p| p.hi <= x) } else { self.pieces.partition_point(|p| p.hi < x) };
         let piece = &self.pieces[i.min(self.pieces.len() - 1)];
-        (piece, x.clamp(piece.lo, piece.hi) - piece.anchor)
+        (piece, x.max(piece.lo).min(piece.hi) - piece.anchor)
     }
 
     /// `v, v', v'', v'''` at `x`, dimensionless.

@@ -231,7 +231,7 @@ fn apply(given: &Given, list: &mut List, step: &[f64], brackets: &mut [Bracket])
             hi = hi.min(x + APPROACH * (right - x));
         }
         let wanted = x + step;
-        let bounded = brackets[i].keep(wanted, ROUNDING * given.length).clamp(lo.min(x), hi.max(x));
+        let bounded = brackets[i].keep(wanted, ROUNDING * given.length).max(lo.min(x)).min(hi.max(x));
         let short = ROUNDING * given.length < (bounded - wanted).abs();
         limited |= short;
         if short {

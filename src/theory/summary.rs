@@ -101,7 +101,7 @@ fn energy(given: &Given, pieces: &[Piece]) -> f64 {
         let i = pieces.partition_point(|p| p.hi < joint.x).min(pieces.len() - 1);
         let piece = &pieces[i];
         piece.deflection(given, &mut taylor);
-        sum -= joint.force * derivatives(&taylor, joint.x.clamp(piece.lo, piece.hi) - piece.anchor)[0];
+        sum -= joint.force * derivatives(&taylor, joint.x.max(piece.lo).min(piece.hi) - piece.anchor)[0];
     }
     sum
 }

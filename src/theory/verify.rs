@@ -128,6 +128,10 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
         }
     }
 
+    if pieces.is_empty() {
+        // Nothing but zones that end before they start.
+        pieces_of_zone(given, 0.0, given.length, &mut pieces);
+    }
     let (forces, shear) = forces(given, list, &spans);
     let scale = Scale::of(given, &pieces, &forces, &shear);
     let mut judge = |violation: f64, scale: f64, fault: Fault| {
