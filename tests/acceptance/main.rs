@@ -16,4 +16,5 @@ mod properties;
 mod scene_file;
 mod scenes;
 mod tables;
+mod theory;
 mod words;

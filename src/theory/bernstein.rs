@@ -1,0 +1,212 @@
+//! Signs, least values and roots of a polynomial on an interval, guaranteed by its Bernstein form.
+//!
+//! On `[0, w]` write `Σ a_j t^j = Σ b_k B_k(t)` with the Bernstein polynomials `B_k ≥ 0`, `Σ B_k = 1`. The polynomial lies
+//! between the least and the greatest `b_k`, equals `b_0` and `b_n` at the ends, and has at most as many roots inside as
+//! the `b_k` have changes of sign. Halving the interval (de Casteljau) makes all three statements sharp.
+
+/// Intervals are halved at most this often: 2⁻⁴⁸ of the interval is its last digits.
+const DEPTH: usize = 48;
+/// Parts of an interval that are looked at, at most; a few dozen are the rule. It guards against a polynomial that runs
+/// along the floor within its rounding.
+const PARTS: usize = 4000;
+
+/// Bernstein coefficients of `Σ a_j t^j` on `[0, w]`.
+///
+/// ```text
+/// b_k = Σ_{j ≤ k} C(k, j) / C(n, j) a_j w^j
+/// ```
+#[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+fn bernstein(monomial: &[f64], width: f64) -> Vec<f64> {
+    let n = monomial.len().saturating_sub(1);
+    // c_j = a_j w^j / C(n, j); then b_k = Σ_j C(k, j) c_j by the scheme of repeated sums.
+    let mut b = Vec::with_capacity(monomial.len());
+    let mut factor = 1.0;
+    for (j, a) in monomial.iter().enumerate() {
+        b.push(a * factor);
+        factor *= width * (j + 1) as f64 / (n - j).max(1) as f64;
+    }
+    for pass in 0..n {
+        for k in (pass + 1..=n).rev() {
+            b[k] += b[k - 1];
+        }
+    }
+    b
+}
+
+/// Both halves of a Bernstein form, by de Casteljau's scheme.
+fn halves(b: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let mut right = b.to_vec();
+    let mut left = Vec::with_capacity(b.len());
+    for pass in 0..b.len() {
+        left.push(right[0]);
+        for k in 0..b.len() - 1 - pass {
+            right[k] = 0.5 * (right[k] + right[k + 1]);
+        }
+    }
+    (left, right)
+}
+
+/// The least value of `Σ a_j t^j` on `[0, w]` with its place, if it lies below `floor` anywhere; [`None`] is a proof that
+/// it does not.
+///
+/// The value found is the least up to a thousandth of how far it lies below zero. Where no proof is found within a bounded
+/// number of parts, the bound that remains is returned as if it were a value.
+pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(f64, f64)> {
+    /// How much of a violation is not worth another halving: it is reported and repaired, not used as a number.
+    const CLOSE: f64 = 1e-3;
+    let whole = bernstein(monomial, width);
+    if whole.iter().all(|&b| floor <= b) {
+        return None;
+    }
+    let mut best: Option<(f64, f64)> = None;
+    let mut open = vec![(whole, 0.0, width, 0)];
+    let mut parts = 0;
+    while let Some((b, lo, hi, depth)) = open.pop() {
+        parts += 1;
+        let bar = best.map_or(floor, |(_, value)| value);
+        let slack = best.map_or(0.0, |(_, value)| CLOSE * value.abs());
+        if b.iter().all(|&b| bar - slack <= b) {
+            continue;
+        }
+        for (at, value) in [(lo, b.first()), (hi, b.last())] {
+            let bar = best.map_or(floor, |(_, value)| value);
+            // A NaN is below every floor.
+            if let Some(&value) = value
+                && (value < bar || value.is_nan())
+            {
+                best = Some((at, value));
+            }
+        }
+        if PARTS < parts {
+            let bound = b.iter().fold(f64::INFINITY, |least, &b| least.min(b));
+            return best.or(Some((lo, bound)));
+        }
+        if depth < DEPTH && b.iter().all(|b| b.is_finite()) {
+            let (left, right) = halves(&b);
+            let middle = 0.5 * (lo + hi);
+            open.push((right, middle, hi, depth + 1));
+            open.push((left, lo, middle, depth + 1));
+        }
+    }
+    best
+}
+
+/// The places inside `[0, w]` at which `Σ a_j t^j` changes its sign (or happens to be exactly zero), from left to right.
+pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
+    let mut found = Vec::new();
+    let mut open = vec![(bernstein(monomial, width), 0.0, width, 0)];
+    let mut parts = 0;
+    while let Some((b, lo, hi, depth)) = open.pop() {
+        parts += 1;
+        match variations(&b) {
+            0 => {}
+            1 => found.push(bracketed(monomial, lo, hi)),
+            // Rounding decides below this width: an odd number of changes is one, an even number none.
+            many if DEPTH <= depth || PARTS < parts => {
+                if many % 2 == 1 {
+                    found.push(0.5 * (lo + hi));
+                }
+            }
+            _ => {
+                let (left, right) = halves(&b);
+                let middle = 0.5 * (lo + hi);
+                // A root exactly at the middle shows in neither half.
+                if left.last() == Some(&0.0) {
+                    found.push(middle);
+                }
+                open.push((right, middle, hi, depth + 1));
+                open.push((left, lo, middle, depth + 1));
+            }
+        }
+    }
+    found.sort_by(f64::total_cmp);
+    found.dedup();
+    found
+}
+
+/// Changes of sign in a sequence, zeros left out.
+fn variations(b: &[f64]) -> usize {
+    let mut signs = b.iter().filter(|&&b| b != 0.0 && !b.is_nan()).map(|&b| 0.0 < b);
+    let Some(mut last) = signs.next() else {
+        return 0;
+    };
+    signs.filter(|&sign| std::mem::replace(&mut last, sign) != sign).count()
+}
+
+/// `Σ a_j t^j`.
+pub(super) fn value(monomial: &[f64], t: f64) -> f64 {
+    monomial.iter().rev().fold(0.0, |sum, &a| sum * t + a)
+}
+
+/// The one root in `[lo, hi]`, by bisection and, once it is faster, Newton's method inside the bracket.
+#[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+fn bracketed(monomial: &[f64], mut lo: f64, mut hi: f64) -> f64 {
+    let slope: Vec<f64> = monomial.iter().enumerate().skip(1).map(|(j, &a)| a * j as f64).collect();
+    let mut low_sign = value(monomial, lo);
+    if low_sign == 0.0 {
+        // The sign just inside.
+        low_sign = value(&slope, lo);
+    }
+    let mut t = 0.5 * (lo + hi);
+    // Newton's method needs a handful of steps; bisection alone would need one for each bit.
+    for _ in 0..100 {
+        let f = value(monomial, t);
+        if f == 0.0 {
+            return t;
+        }
+        if (0.0 < f) == (0.0 < low_sign) {
+            lo = t;
+        } else {
+            hi = t;
+        }
+        let newton = t - f / value(&slope, t);
+        let next = if lo < newton && newton < hi { newton } else { 0.5 * (lo + hi) };
+        if (next - t).abs() <= f64::EPSILON * hi.abs() {
+            return next;
+        }
+        t = next;
+    }
+    t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROUNDING: f64 = 1e-13;
+
+    /// Coefficients of `Π (t − r)`.
+    fn with_roots(roots: &[f64]) -> Vec<f64> {
+        let mut c = vec![1.0];
+        for r in roots {
+            let mut next = vec![0.0; c.len() + 1];
+            for (j, a) in c.iter().enumerate() {
+                next[j + 1] += a;
+                next[j] -= r * a;
+            }
+            c = next;
+        }
+        c
+    }
+
+    #[test]
+    fn sign_changes_are_the_odd_roots_inside() {
+        let roots = [-0.5, 0.1, 0.125, 0.5, 0.9, 1.3];
+        let found = sign_changes(&with_roots(&roots), 1.0);
+        assert_eq!(found.len(), 4, "{found:?}");
+        for (found, root) in found.iter().zip(&roots[1..]) {
+            assert!((found - root).abs() < ROUNDING, "{found} for {root}");
+        }
+        assert_eq!(sign_changes(&with_roots(&[0.3, 0.3]), 1.0), Vec::<f64>::new());
+    }
+
+    #[test]
+    fn the_least_value_is_found_or_proved_harmless() {
+        // (t − 0.3)² − 0.01 has its least value −0.01 at 0.3.
+        let p = [0.08, -0.6, 1.0];
+        let (at, least) = lowest_below(&p, 1.0, -1e-12).expect("it is negative between 0.2 and 0.4");
+        assert!((at - 0.3).abs() < 0.01 && (least + 0.01).abs() < 1e-4, "{least} at {at}");
+        assert_eq!(lowest_below(&[0.0901, -0.6, 1.0], 1.0, 0.0), None);
+        assert_eq!(lowest_below(&[0.0, 0.0, 0.0, 1.0, -0.5], 1.0, 0.0), None, "a triple root at the end");
+    }
+}

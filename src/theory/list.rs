@@ -1,0 +1,148 @@
+//! The list of contacts, and the spans that it makes.
+//!
+//! Every contact has one unknown for each of its ends that is free to move, and one equation:
+//!
+//! | node | unknown | given | equation |
+//! |---|---|---|---|
+//! | smooth point | position | `h = h' = 0` | `h''` the same on both sides |
+//! | edge (kink, step) | slope of the beam | `v = u`, position | `v''` the same on both sides |
+//! | start or end of a zone | position | `h = h' = 0` | `h'' = 0` in the span |
+
+use super::given::Given;
+use super::span::{End, Hold, Span};
+
+/// What kind of node it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A point on a smooth piece of the profile.
+    Smooth,
+    /// The joint of that index, an edge of the profile.
+    Edge(usize),
+    /// Where a zone starts.
+    ZoneStart,
+    /// Where a zone ends.
+    ZoneEnd,
+}
+
+/// A node of the list.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Node {
+    /// What kind it is.
+    pub(super) kind: Kind,
+    /// Where it is.
+    pub(super) x: f64,
+    /// Slope `v'` of the beam at an edge; not used elsewhere.
+    pub(super) slope: f64,
+    /// What its place is beyond `x`, less than a unit in the last place of `x`: where contacts lie close together on a
+    /// curved profile, their forces feel it.
+    pub(super) rest: f64,
+    /// A cell of the smooth piece of the profile on which it lies; for an edge the one to its right.
+    pub(super) cell: usize,
+}
+
+/// What happens at a support. All but the first need a foundation that starts at depth 0 there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum AtSupport {
+    /// A simple support, `v = v'' = 0`.
+    Free,
+    /// The foundation holds the slope: `v' = u'`. Next to the support it pushes up while the support pulls down: a couple.
+    Clamped,
+    /// A zone of contact begins at the support.
+    Zone,
+}
+
+/// The nodes from left to right, and the supports.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct List {
+    /// At `x = 0` and `x = l`.
+    pub(super) supports: [AtSupport; 2],
+    /// Between them.
+    pub(super) nodes: Vec<Node>,
+}
+
+impl List {
+    /// The beam without contact.
+    pub(super) fn free() -> Self {
+        Self { supports: [AtSupport::Free; 2], nodes: Vec::new() }
+    }
+
+    /// The spans with the number of nodes to their left.
+    pub(super) fn spans(&self, given: &Given) -> Vec<(usize, Span)> {
+        (0..=self.nodes.len())
+            .filter(|&i| !self.in_zone_before(i))
+            .map(|i| (i, Span::between(given, self.left_end(given, i), self.right_end(given, i))))
+            .collect()
+    }
+
+    /// The zones, from where to where.
+    pub(super) fn zones(&self, given: &Given) -> Vec<(f64, f64)> {
+        (0..=self.nodes.len())
+            .filter(|&i| self.in_zone_before(i))
+            .map(|i| {
+                let from = i.checked_sub(1).map_or(0.0, |i| self.nodes[i].x);
+                (from, self.nodes.get(i).map_or(given.length, |n| n.x))
+            })
+            .collect()
+    }
+
+    /// True if the stretch that ends at node `i` (or at the right support) is a zone.
+    pub(super) fn in_zone_before(&self, i: usize) -> bool {
+        match i.checked_sub(1) {
+            Some(left) => self.nodes[left].kind == Kind::ZoneStart,
+            None => self.supports[0] == AtSupport::Zone,
+        }
+    }
+
+    fn left_end(&self, given: &Given, i: usize) -> End {
+        let Some(node) = i.checked_sub(1).map(|i| &self.nodes[i]) else {
+            return support(given, 0.0, 0, self.supports[0]);
+        };
+        let cell = given.cell_from(node.x);
+        End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
+    }
+
+    fn right_end(&self, given: &Given, i: usize) -> End {
+        let Some(node) = self.nodes.get(i) else {
+            return support(given, given.length, given.cells.len() - 1, self.supports[1]);
+        };
+        let cell = given.cell_to(node.x);
+        End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
+    }
+}
+
+impl Node {
+    /// A node at `x`.
+    pub(super) fn new(kind: Kind, x: f64, cell: usize) -> Self {
+        Self { kind, x, slope: 0.0, rest: 0.0, cell }
+    }
+
+    /// Moves it to the sum of `x` and `rest`, of which `x` is much the larger.
+    pub(super) fn move_to(&mut self, x: f64, rest: f64) {
+        self.x = x + rest;
+        self.rest = rest - (self.x - x);
+    }
+
+    /// How the node holds a span that lies in `cell` beside it.
+    fn hold(&self, given: &Given, cell: usize) -> Hold {
+        match self.kind {
+            Kind::Edge(joint) => {
+                // The lower side of a step lies below the beam, which rests on the upper one.
+                let step = given.joints[joint].step;
+                let height = if cell < joint { (-step).max(0.0) } else { step.max(0.0) };
+                Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope }
+            }
+            _ => Hold::Clamped { height: 0.0, slope: 0.0 },
+        }
+    }
+}
+
+/// How a support holds a span.
+fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
+    let hold = match at {
+        AtSupport::Free | AtSupport::Zone => {
+            Hold::Hinged { height: given.derivative(cell, x, 0), curvature: given.derivative(cell, x, 2) }
+        }
+        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0 },
+    };
+    End { x, rest: 0.0, cell, hold }
+}

@@ -1,0 +1,160 @@
+//! One smooth piece of a foundation profile: its depth and all derivatives.
+
+/// A full turn, `2π`.
+const FULL: f64 = 2.0 * std::f64::consts::PI;
+
+/// A smooth piece of the profile `u(x)`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shape {
+    /// `u = Σ c_j (x − origin)^j`.
+    Polynomial {
+        /// Where the powers start.
+        origin: f64,
+        /// `c_0, c_1, …`
+        coefficients: Vec<f64>,
+    },
+    /// `u = mean + amplitude cos(2π x / wavelength + phase)`.
+    Cosine {
+        /// Mean depth.
+        mean: f64,
+        /// Amplitude.
+        amplitude: f64,
+        /// Wavelength.
+        wavelength: f64,
+        /// Phase at `x = 0` \[rad\].
+        phase: f64,
+    },
+}
+
+/// The waves `A cos(ωx + φ)` of a cosine profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Wave {
+    /// `A`.
+    pub(super) amplitude: f64,
+    /// `ω`.
+    pub(super) number: f64,
+    wavelength: f64,
+    phase: f64,
+}
+
+impl Wave {
+    /// `ωx + φ`.
+    pub(super) fn angle(&self, x: f64) -> f64 {
+        FULL * (x / self.wavelength) + self.phase
+    }
+}
+
+impl Shape {
+    /// The waves, if it is a cosine.
+    pub(super) fn wave(&self) -> Option<Wave> {
+        match *self {
+            Self::Polynomial { .. } => None,
+            Self::Cosine { amplitude, wavelength, phase, .. } => {
+                Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase })
+            }
+        }
+    }
+
+    /// A straight line through two points.
+    pub(super) fn line([x0, u0]: [f64; 2], [x1, u1]: [f64; 2]) -> Self {
+        Self::Polynomial { origin: x0, coefficients: vec![u0, (u1 - u0) / (x1 - x0)] }
+    }
+
+    /// The degree, if it is a polynomial.
+    pub(super) fn degree(&self) -> Option<usize> {
+        match self {
+            Self::Polynomial { coefficients, .. } => Some(coefficients.len().saturating_sub(1)),
+            Self::Cosine { .. } => None,
+        }
+    }
+
+    /// `u(b) − u(a)` without the rounding of the depths themselves.
+    pub(super) fn rise(&self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Polynomial { coefficients, .. } => {
+                let mut taylor = vec![0.0; coefficients.len()];
+                self.taylor(a, &mut taylor);
+                taylor.iter().skip(1).rev().fold(0.0, |sum, c| (sum + c) * (b - a))
+            }
+            &Self::Cosine { amplitude, wavelength, phase, .. } => {
+                let (middle, half) = (FULL * (0.5 * (a + b) / wavelength) + phase, FULL * (0.5 * (b - a) / wavelength));
+                -2.0 * amplitude * libm::sin(middle) * libm::sin(half)
+            }
+        }
+    }
+
+    /// Taylor coefficients `u^{(j)}(x) / j!` for all `j` below `out.len()`.
+    pub(super) fn taylor(&self, x: f64, out: &mut [f64]) {
+        out.fill(0.0);
+        match self {
+            Self::Polynomial { origin, coefficients } => shifted(coefficients, x - origin, out),
+            Self::Cosine { mean, amplitude, wavelength, phase } => {
+                let wave = FULL / wavelength;
+                let angle = FULL * (x / wavelength) + phase;
+                let (sine, cosine) = (amplitude * libm::sin(angle), amplitude * libm::cos(angle));
+                let mut factor = 1.0;
+                for (j, c) in out.iter_mut().enumerate() {
+                    *c = factor * [cosine, -sine, -cosine, sine][j % 4];
+                    #[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
+                    let next = (j + 1) as f64;
+                    factor *= wave / next;
+                }
+                if let Some(first) = out.first_mut() {
+                    *first += mean;
+                }
+            }
+        }
+    }
+}
+
+/// Coefficients of `Σ c_j (t + shift)^j` in powers of `t`, as many as `out` has room for.
+fn shifted(coefficients: &[f64], shift: f64, out: &mut [f64]) {
+    // Horner's scheme, repeated: pass i leaves coefficient i behind.
+    if coefficients.len() <= out.len() {
+        let n = coefficients.len();
+        out[..n].copy_from_slice(coefficients);
+        horner_passes(&mut out[..n], shift, n);
+    } else {
+        let mut work = coefficients.to_vec();
+        horner_passes(&mut work, shift, out.len());
+        let room = out.len();
+        out.copy_from_slice(&work[..room]);
+    }
+}
+
+/// `passes` passes of Horner's scheme, in place.
+fn horner_passes(work: &mut [f64], shift: f64, passes: usize) {
+    for i in 0..passes.min(work.len()) {
+        for j in (i..work.len() - 1).rev() {
+            work[j] += work[j + 1] * shift;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn taylor_coefficients_continue_the_profile() {
+        // Sums of a few dozen terms of order 1; the series of the cosine is cut at 0.5^22/22!.
+        const ROUNDING: f64 = 1e-14;
+        let polynomial = Shape::Polynomial { origin: 0.25, coefficients: vec![1.0, -2.0, 0.5, 3.0, -1.0, 0.125] };
+        let cosine = Shape::Cosine { mean: 0.3, amplitude: 1.5, wavelength: 2.0, phase: 0.4 };
+        for shape in [polynomial, cosine] {
+            let (mut there, mut here) = ([0.0; 22], [0.0; 22]);
+            shape.taylor(1.0, &mut there);
+            shape.taylor(1.2, &mut here);
+            let mut continued = vec![0.0; 22];
+            shifted(&there, 0.2, &mut continued);
+            assert!((shape.rise(1.0, 1.2) - (here[0] - there[0])).abs() <= ROUNDING);
+            for j in 0..5 {
+                assert!((continued[j] - here[j]).abs() <= ROUNDING * 1e3_f64.max(here[j].abs()), "order {j}");
+            }
+            let (mut few, mut many) = ([0.0; 3], [0.0; 22]);
+            shape.taylor(0.7, &mut few);
+            shape.taylor(0.7, &mut many);
+            assert!(few.iter().zip(&many).all(|(a, b)| (a - b).abs() <= ROUNDING * a.abs()));
+        }
+    }
+}

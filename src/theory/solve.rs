@@ -1,0 +1,109 @@
+//! The entrance: a scene in its own units to its exact solution.
+
+use super::exact::Exact;
+use super::given::{Given, MOST_CELLS};
+use super::search;
+use crate::scene::{Foundation, Scene, SceneError};
+
+/// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum TheoryError {
+    /// The scene leaves the range of `f64` when it is made dimensionless.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The profile has so many waves that its pieces cannot be listed.
+    #[error("`foundation.cosine.wavelength` must be at least {least} for an exact solution, but is {wavelength}")]
+    TooManyPieces {
+        /// The wavelength \[length\].
+        wavelength: f64,
+        /// The least that is possible \[length\].
+        least: f64,
+    },
+}
+
+/// The exact solution of `scene`.
+///
+/// A beam that touches nothing is a simple beam, and no contact model is built for it.
+///
+/// # Errors
+///
+/// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
+pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
+    let scaled = scene.scaled()?;
+    let foundation = scaled.scene.foundation();
+    if let Some(&Foundation::Cosine { wavelength, .. }) = foundation {
+        // One cell is an eighth of a wave or so.
+        let least = 8.0 * scaled.scene.beam().length() / MOST_CELLS;
+        if wavelength < least {
+            let unit = scaled.scale.length;
+            return Err(TheoryError::TooManyPieces { wavelength: wavelength * unit, least: least * unit });
+        }
+    }
+    let stiffness = scaled.scene.beam().bending_stiffness();
+    let (given, found) = match foundation {
+        Some(foundation) => {
+            let given = Given::new(&scaled.scene, foundation);
+            let found = search::search(&given);
+            (given, found)
+        }
+        None => {
+            // Clearances are then measured from the line of the supports and asked of nobody.
+            let given = Given::new(&scaled.scene, &Foundation::Flat { depth: 0.0 });
+            let mut found = search::free(&given);
+            found.checked.faults.clear();
+            found.checked.worst = 0.0;
+            (given, found)
+        }
+    };
+    Ok(Exact::new(given, found, scaled.scale, stiffness, foundation.is_some()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::flat;
+    use super::*;
+    use crate::route::Status;
+    use crate::scene::{Beam, Load};
+    use crate::state::Regime;
+
+    /// Twelve digits are asked for; rounding leaves more.
+    const DIGITS: f64 = 1e-12;
+
+    #[track_caller]
+    fn check(found: f64, expected: f64) {
+        assert!((found - expected).abs() <= DIGITS * expected.abs().max(1e-3), "{found} instead of {expected}");
+    }
+
+    #[test]
+    fn a_flat_foundation_is_the_closed_form_in_every_regime() {
+        let (l, ei, q) = (10.0, 500.0 / 384.0, 1.0);
+        for share in [1e-8, 1e-4, 0.01, 0.3, 0.999, 1.001, 3.0, 4.99, 5.01, 7.0] {
+            let depth = share * q * l * l * l * l / (384.0 * ei);
+            let beam = Beam::new(l, ei).expect("a beam");
+            let load = Load::uniform_on(&beam, q).expect("a load");
+            let scene = Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("a scene");
+            let exact = solve(&scene).expect("an answer");
+            let closed = flat(l, ei, depth, q);
+            assert_eq!(
+                (exact.status, exact.state.regime),
+                (Status::Certified, closed.regime),
+                "share {share}: {:?}",
+                exact.violations
+            );
+            check(exact.state.reactions.left, closed.reaction);
+            check(exact.state.reactions.right, closed.reaction);
+            check(exact.state.contact_force(), closed.contact_force);
+            check(exact.state.energy, closed.energy);
+            if closed.regime == Regime::Zone {
+                let a = closed.lift_off.unwrap_or(f64::NAN);
+                check(exact.state.contacts[0].from, a);
+                check(l - exact.state.contacts[0].to, a);
+            }
+            for i in 0..=20 {
+                let x = 0.5 * f64::from(i);
+                assert!((exact.deflection(x) - closed.deflection(x)).abs() <= DIGITS * closed.deflection(0.5 * l));
+                assert!((exact.moment(x) - closed.moment(x)).abs() < 1e-11);
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Reactions, contacts, extremes and energy of a list, in the units of the scene.
+
+use super::bernstein::sign_changes;
+use super::given::Given;
+use super::list::List;
+use super::piece::{Piece, derivatives};
+use super::search::Found;
+use crate::scene::Scale;
+use crate::state::{Contact, ContactState, Extremes, Reactions, Regime};
+
+/// The state of the beam.
+pub(super) fn state(given: &Given, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
+    let force = |f: f64| f * stiffness * scale.force;
+    let pieces = &found.checked.pieces;
+    let ends = [given.joints.first(), given.joints.last()].map(|j| j.map_or(0.0, |j| j.force));
+    let contacts = contacts(given, found)
+        .into_iter()
+        .map(|c| Contact {
+            from: c.from * scale.length,
+            to: c.to * scale.length,
+            force: force(c.force),
+            end_forces: c.end_forces.map(|f| f.map(force)),
+        })
+        .collect::<Vec<_>>();
+    let (deflection, curvature) = extremes(given, pieces);
+    let moment = |m: f64| -m * stiffness * scale.moment() + 0.0;
+    ContactState {
+        regime: Regime::of(&contacts),
+        reactions: Reactions {
+            left: force(found.checked.shear[0] + ends[0]),
+            right: force(-found.checked.shear[1] + ends[1]),
+        },
+        contacts,
+        deflection: Extremes {
+            max: deflection.max * scale.depth,
+            max_at: deflection.max_at * scale.length,
+            min: deflection.min * scale.depth,
+            min_at: deflection.min_at * scale.length,
+        },
+        moment: Extremes {
+            max: moment(curvature.min),
+            max_at: curvature.min_at * scale.length,
+            min: moment(curvature.max),
+            min_at: curvature.max_at * scale.length,
+        },
+        energy: energy(given, pieces) * stiffness * scale.energy(),
+        nodes: None,
+    }
+}
+
+/// The contacts from left to right.
+fn contacts(given: &Given, found: &Found) -> Vec<Contact> {
+    let List { nodes, .. } = &found.list;
+    let forces = &found.checked.forces;
+    let mut contacts = Vec::new();
+    for i in 0..=nodes.len() {
+        if found.list.in_zone_before(i) {
+            let left = i.checked_sub(1).map(|i| (nodes[i].x, forces[i]));
+            let right = nodes.get(i).map(|n| (n.x, forces[i]));
+            let (from, force_from) = left.unwrap_or((0.0, 0.0));
+            let (to, force_to) = right.unwrap_or((given.length, 0.0));
+            let force = force_from + force_to + zone_force(given, from, to);
+            contacts.push(Contact { from, to, force, end_forces: Some([force_from, force_to]) });
+        }
+        if let Some(node) = nodes.get(i)
+            && !super::exact::is_zone(node.kind)
+        {
+            contacts.push(Contact { from: node.x, to: node.x, force: forces[i], end_forces: None });
+        }
+    }
+    contacts
+}
+
+/// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
+fn zone_force(given: &Given, from: f64, to: f64) -> f64 {
+    let (first, last) = (given.cell_from(from), given.cell_to(to));
+    let mut sum = 0.0;
+    for cell in first..=last {
+        let c = &given.cells[cell];
+        let (lo, hi) = (c.lo.max(from), c.hi.min(to));
+        if lo < hi {
+            sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
+        }
+    }
+    sum += given.joints.iter().filter(|j| from < j.x && j.x < to).map(|j| j.force).sum::<f64>();
+    sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
+}
+
+/// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.
+fn energy(given: &Given, pieces: &[Piece]) -> f64 {
+    let mut taylor = vec![0.0; given.terms];
+    let mut sum = 0.0;
+    for piece in pieces {
+        piece.deflection(given, &mut taylor);
+        sum += given.energy_rule.integral(piece.lo, piece.hi, |x| {
+            let [v, _, v2, _] = derivatives(&taylor, x - piece.anchor);
+            0.5 * v2 * v2 - given.load(piece.cell, x) * v
+        });
+    }
+    for joint in given.joints.iter().filter(|j| j.force != 0.0) {
+        let i = pieces.partition_point(|p| p.hi < joint.x).min(pieces.len() - 1);
+        let piece = &pieces[i];
+        piece.deflection(given, &mut taylor);
+        sum -= joint.force * derivatives(&taylor, joint.x.max(piece.lo).min(piece.hi) - piece.anchor)[0];
+    }
+    sum
+}
+
+/// Extremes of `v` and of `v''`: at the ends of pieces and at the roots of `v'` and `v'''`.
+fn extremes(given: &Given, pieces: &[Piece]) -> (Extremes, Extremes) {
+    let mut taylor = vec![0.0; given.terms];
+    let (mut first, mut second) = (Vec::new(), Vec::new());
+    for piece in pieces {
+        piece.deflection(given, &mut taylor);
+        piece.outwards(&mut taylor);
+        let width = piece.width();
+        let slope = derivative(&taylor);
+        let bend = derivative(&slope);
+        let third = derivative(&bend);
+        let in_order = |mut s: Vec<f64>| {
+            s.extend([0.0, width]);
+            s.sort_by(f64::total_cmp);
+            if piece.lo < piece.anchor {
+                s.reverse();
+            }
+            s
+        };
+        let pair = |c: &[f64], s: f64| (piece.place(s), super::bernstein::value(c, s));
+        first.extend(in_order(sign_changes(&slope, width)).into_iter().map(|s| pair(&taylor, s)));
+        second.extend(in_order(sign_changes(&third, width)).into_iter().map(|s| pair(&bend, s)));
+    }
+    (Extremes::of(first), Extremes::of(second))
+}
+
+/// Coefficients of the derivative.
+fn derivative(c: &[f64]) -> Vec<f64> {
+    #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+    c.iter().enumerate().skip(1).map(|(j, &c)| c * j as f64).collect()
+}

@@ -1,0 +1,287 @@
+//! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
+
+use super::bernstein::lowest_below;
+use super::given::Given;
+use super::list::{AtSupport, Kind, List};
+use super::newton;
+use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
+use super::span::Span;
+
+/// A condition that does not hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Fault {
+    /// `v > u` in the stretch before node `span`.
+    Penetration {
+        /// Index of the node to the right.
+        span: usize,
+        /// Where it is worst.
+        at: f64,
+        /// `v − u`.
+        depth: f64,
+    },
+    /// A node whose concentrated force pulls.
+    Tension {
+        /// Index of the node.
+        node: usize,
+        /// The force, negative.
+        force: f64,
+    },
+    /// A point at which the profile is bent less than the beam, `u'' < v''`: beside it the beam would lie below.
+    Bulge {
+        /// Index of the node.
+        node: usize,
+        /// `h''`, negative.
+        bend: f64,
+    },
+    /// A zone that would have to pull at the beam.
+    Pull {
+        /// Index of the node to the right of the zone.
+        zone: usize,
+        /// From where it pulls.
+        from: f64,
+        /// To where.
+        to: f64,
+    },
+    /// A zone that goes over a kink or a step, which no beam can follow.
+    Broken {
+        /// Index of the node to the right of the zone.
+        zone: usize,
+        /// The joint.
+        joint: usize,
+    },
+    /// A zone that ends before it starts.
+    Inverted {
+        /// Index of the node at which it starts.
+        start: usize,
+    },
+    /// A support (0: left, 1: right) at which foundation and support would pull at each other.
+    Couple {
+        /// Which.
+        support: usize,
+        /// The moment there, over `EI`.
+        moment: f64,
+    },
+    /// The equations of the list do not hold.
+    Residual {
+        /// Largest jump of the curvature.
+        jump: f64,
+    },
+}
+
+/// A list with everything that follows from it.
+#[derive(Debug, Clone)]
+pub(super) struct Checked {
+    /// The beam by pieces, from support to support.
+    pub(super) pieces: Vec<Piece>,
+    /// The spans, each with the index of the node to its right.
+    pub(super) spans: Vec<(usize, Span)>,
+    /// Concentrated forces at the nodes.
+    pub(super) forces: Vec<f64>,
+    /// Shear force beside the left and the right support.
+    pub(super) shear: [f64; 2],
+    /// Conditions that fail.
+    pub(super) faults: Vec<Fault>,
+    /// Worst violation of any condition, scaled; what the tolerance is compared with.
+    pub(super) worst: f64,
+}
+
+/// Deflections, forces and moments are measured against their largest, but at least against this part of what the loads
+/// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
+const AT_REST: f64 = 1e-3;
+
+/// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
+pub(super) const TOLERANCE: f64 = 1e-12;
+
+/// A contact that would have to move by less than this fraction of the beam is where it should be: a few units of the last
+/// place of its position, which for steep profiles may be a jump of the moment above its tolerance.
+const PLACE: f64 = 4e-15;
+
+/// Checks `list`.
+pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Checked {
+    let mut faults = Vec::new();
+    let mut worst = 0.0_f64;
+    let zones = list.zones(given);
+    for (i, pair) in list.nodes.windows(2).enumerate() {
+        if pair[0].kind == Kind::ZoneStart && pair[1].x < pair[0].x {
+            faults.push(Fault::Inverted { start: i });
+            worst = f64::INFINITY;
+        }
+    }
+    for (i, &(from, to)) in (0..=list.nodes.len()).filter(|&i| list.in_zone_before(i)).zip(&zones) {
+        let broken =
+            (0..given.joints.len()).find(|&j| given.breaks_at(j) && from < given.joints[j].x && given.joints[j].x < to);
+        if let Some(joint) = broken {
+            faults.push(Fault::Broken { zone: i, joint });
+            worst = f64::INFINITY;
+        }
+    }
+    let spans = list.spans(given);
+    let mut pieces = Vec::with_capacity(2 * given.cells.len());
+    let (mut next_span, mut next_zone) = (spans.iter(), zones.iter());
+    for i in 0..=list.nodes.len() {
+        if list.in_zone_before(i) {
+            if let Some(&(from, to)) = next_zone.next() {
+                pieces_of_zone(given, from, to, &mut pieces);
+            }
+        } else if let Some((_, span)) = next_span.next() {
+            pieces_of(given, span, &mut pieces);
+        }
+    }
+
+    if pieces.is_empty() {
+        // Nothing but zones that end before they start.
+        pieces_of_zone(given, 0.0, given.length, &mut pieces);
+    }
+    let (forces, shear) = forces(given, list, &spans);
+    let scale = Scale::of(given, &pieces, &forces, &shear);
+    let mut judge = |violation: f64, scale: f64, fault: Fault| {
+        // A NaN is a violation.
+        if violation.is_nan() || TOLERANCE * scale < violation {
+            faults.push(fault);
+        }
+        let scaled = if 0.0 < scale { violation / scale } else { violation };
+        worst = worst.max(if scaled.is_nan() { f64::INFINITY } else { scaled });
+    };
+    for (&force, node) in forces.iter().zip(0..) {
+        judge(-force, scale.force, Fault::Tension { node, force });
+    }
+    for (i, span) in &spans {
+        for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(*i), span.at_b[2])] {
+            if let Some(node) = node.filter(|&node| list.nodes.get(node).is_some_and(|n| n.kind == Kind::Smooth)) {
+                judge(-bend, scale.moment, Fault::Bulge { node, bend });
+            }
+        }
+        let found = penetration(given, &pieces, span, TOLERANCE * scale.depth);
+        let (at, depth) = found.unwrap_or((span.a.x, 0.0));
+        judge(depth, scale.depth, Fault::Penetration { span: *i, at, depth });
+    }
+    for (i, &(from, to)) in (0..=list.nodes.len()).filter(|&i| list.in_zone_before(i)).zip(&zones) {
+        for &(lo, hi) in lifting.iter().filter(|l| l.0 < to && (from < l.1 || from < l.0)) {
+            let (lo, hi) = (lo.max(from), hi.min(to));
+            let pull = mean_pull(given, lo, hi);
+            judge(pull, scale.force / given.length, Fault::Pull { zone: i, from: lo, to: hi });
+        }
+    }
+    for support in 0..2 {
+        if let Some(moment) = couple(given, list, &spans, support) {
+            judge(moment, scale.moment, Fault::Couple { support, moment });
+        }
+    }
+    let (jump, step) = newton::residual(given, list);
+    let fixed = list.nodes.iter().all(|n| matches!(n.kind, Kind::Edge(_)));
+    let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
+    judge(rounded, scale.moment, Fault::Residual { jump });
+    Checked { pieces, spans, forces, shear, faults, worst }
+}
+
+/// What violations are measured against.
+struct Scale {
+    depth: f64,
+    force: f64,
+    moment: f64,
+}
+
+impl Scale {
+    /// Largest deflection, largest of all forces, and the moment that goes with them.
+    fn of(given: &Given, pieces: &[Piece], forces: &[f64], shear: &[f64; 2]) -> Self {
+        let mut taylor = vec![0.0; given.terms];
+        let (mut depth, mut moment) = (0.0_f64, 0.0_f64);
+        for piece in pieces {
+            piece.deflection(given, &mut taylor);
+            for t in [0.0, 0.5 * (piece.lo + piece.hi) - piece.anchor] {
+                let [v, _, v2, _] = derivatives(&taylor, t);
+                depth = depth.max(v.abs());
+                moment = moment.max(v2.abs());
+            }
+        }
+        let force = forces.iter().chain(shear).fold(0.0_f64, |most, f| most.max(f.abs()));
+        // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
+        let (l, load) = (given.length, AT_REST * given.total_load);
+        Self {
+            depth: depth.max(load * l * l * l / 384.0).max(AT_REST * given.magnitude),
+            force: force.max(moment / l).max(load),
+            moment: moment.max(load * l / 8.0),
+        }
+    }
+}
+
+/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
+fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Vec<f64>, [f64; 2]) {
+    // A profile with edges is made of straight lines: u''' is the same on both sides of every node, and h''' will do.
+    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x)).collect();
+    let mut in_beam = vec![[None; 2]; forces.len()];
+    let last = given.cells.len() - 1;
+    let mut shear = [-given.derivative(0, 0.0, 3), -given.derivative(last, given.length, 3)];
+    for (i, span) in spans {
+        match i.checked_sub(1) {
+            Some(left) => {
+                forces[left] += span.at_a[3];
+                in_beam[left][0] = span.in_beam.then_some(span.beam_a[3]);
+            }
+            None => shear[0] = -span.beam_a[3],
+        }
+        match forces.get_mut(*i) {
+            Some(force) => {
+                *force -= span.at_b[3];
+                in_beam[*i][1] = span.in_beam.then_some(span.beam_b[3]);
+            }
+            None => shear[1] = -span.beam_b[3],
+        }
+    }
+    for ((force, node), sides) in forces.iter_mut().zip(&list.nodes).zip(in_beam) {
+        if let [Some(right), Some(left)] = sides {
+            *force = given.force_at(node.x) + left - right;
+        }
+    }
+    (forces, shear)
+}
+
+/// The deepest penetration in a span, if it is deeper than `floor`: `(place, depth)`.
+fn penetration(given: &Given, pieces: &[Piece], span: &Span, floor: f64) -> Option<(f64, f64)> {
+    let first = pieces.partition_point(|p| p.hi <= span.a.x);
+    let mut taylor = vec![0.0; given.terms];
+    let mut worst: Option<(f64, f64)> = None;
+    for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
+        piece.clearance(given, &mut taylor);
+        piece.outwards(&mut taylor);
+        let bar = worst.map_or(floor, |(_, depth)| depth);
+        if let Some((s, value)) = lowest_below(&taylor, piece.width(), -bar) {
+            worst = Some((piece.place(s), -value));
+        }
+    }
+    worst
+}
+
+/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, spread over
+/// the beam, if there is one.
+fn mean_pull(given: &Given, lo: f64, hi: f64) -> f64 {
+    let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
+    let inside = given.joints.iter().filter(|j| lo <= j.x && j.x <= hi);
+    let point = -inside.map(|j| j.force.min(0.0)).sum::<f64>() / given.length;
+    if hi <= lo {
+        return point;
+    }
+    let mut sum = 0.0;
+    for cell in first..=last {
+        let c = &given.cells[cell];
+        let (from, to) = (c.lo.max(lo), c.hi.min(hi));
+        if from < to {
+            sum += given.load_rule.integral(from, to, |x| given.drive(cell, x).max(0.0));
+        }
+    }
+    point.max(sum / (hi - lo)).max(given.drive(first, lo)).max(given.drive(last, hi))
+}
+
+/// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.
+fn couple(given: &Given, list: &List, spans: &[(usize, Span)], support: usize) -> Option<f64> {
+    let (cell, x) = if support == 0 { (0, 0.0) } else { (given.cells.len() - 1, given.length) };
+    let bend = given.derivative(cell, x, 2);
+    match list.supports[support] {
+        AtSupport::Free => None,
+        AtSupport::Zone => Some(-bend),
+        AtSupport::Clamped => {
+            let (_, span) = if support == 0 { spans.first()? } else { spans.last()? };
+            Some(if support == 0 { span.at_a[2] } else { span.at_b[2] } - bend)
+        }
+    }
+}
