@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use palkki::route::Status;
 use palkki::state::{ContactState, Nodes};
+use palkki::theory::{Exact, TheoryError};
 use palkki::{Settings, solve};
 
 use super::exact::exact;
@@ -36,13 +37,18 @@ pub(super) struct Answer {
     /// Time of the solve alone.
     pub(super) seconds: f64,
     pub(super) state: ContactState,
+    /// The solution of beam theory as functions of `x`, if that is where the answer comes from.
+    pub(super) exact: Option<Box<Exact>>,
 }
 
 impl Answer {
     /// Solves the scene.
     pub(super) fn of(input: &Input, route: Route) -> Result<Self, Failure> {
         match route {
-            Route::Exact => exact(input).map_err(Failure::NoTheory),
+            Route::Exact => exact(input).map_err(|error| match error {
+                TheoryError::Scene(error) => input.error(error),
+                error => Failure::NoTheory(error),
+            }),
             Route::Discretised(settings) => Self::discretised(input, &settings),
         }
     }
@@ -62,6 +68,7 @@ impl Answer {
             iterations: outcome.iterations,
             seconds,
             state: outcome.state,
+            exact: None,
         })
     }
 

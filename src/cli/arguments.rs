@@ -92,7 +92,7 @@ pub(super) struct Solve {
     pub(super) nodes: bool,
     #[command(flatten)]
     pub(super) common: Common,
-    /// Write the values along the beam to this file, as CSV: x, deflection, clearance, contact force, moment
+    /// Write the values along the beam to this file, as CSV: those at the nodes, or samples of the exact solution
     #[arg(long, value_name = "FILE")]
     pub(super) csv: Option<PathBuf>,
     /// Draw beam, foundation, contact forces, moment and shear into this file

@@ -1,27 +1,43 @@
 //! `--csv`: the values along the beam.
 
-use std::fmt::Write as _;
+use palkki::scene::Scene;
+use palkki::state::Nodes;
+use palkki::theory::Exact;
 
 use super::answer::Answer;
-use super::failure::Failure;
+use super::sampled::{Sample, samples};
 
-/// Names of the columns: place, deflection (positive downwards), clearance to the foundation, contact force (a force at
-/// the node, not a density) and bending moment (positive with the underside in tension).
-const HEADER: &str = "x,deflection,clearance,contact_force,moment";
+/// Columns of a discretised answer: place, deflection (positive downwards), clearance to the foundation, contact force (a
+/// force at the node, not a density) and bending moment (positive with the underside in tension).
+const NODES: &str = "x,deflection,clearance,contact_force,moment";
 
-/// One row for each interior node. Numbers read back as the same `f64`; the clearance to no foundation is left empty.
-pub(super) fn table(answer: &Answer) -> Result<String, Failure> {
-    let nodes = answer.nodes().ok_or(Failure::NoTable)?;
-    let mut text = format!("{HEADER}\n");
-    for (i, x) in nodes.x.iter().enumerate() {
-        text.push_str(&field(*x));
-        for column in [&nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment] {
-            // Writing to a string does not fail.
-            let _ = write!(text, ",{}", column.get(i).map_or_else(String::new, |value| field(*value)));
-        }
-        text.push('\n');
+/// Columns of the exact answer. Pressure is a density, without the concentrated contact forces: they are the jumps of the
+/// shear force. Where something jumps, a place has two rows, its left and its right side.
+const SAMPLES: &str = "x,deflection,slope,clearance,pressure,moment,shear";
+
+/// One row for each interior node, or for each sample of the exact solution. Numbers read back as the same `f64`; the
+/// clearance to no foundation is left empty.
+pub(super) fn table(scene: &Scene, answer: &Answer) -> String {
+    match (&answer.exact, answer.nodes()) {
+        (Some(exact), _) => of_samples(scene, exact),
+        (None, Some(nodes)) => of_nodes(nodes),
+        (None, None) => of_nodes(&Nodes::default()),
     }
-    Ok(text)
+}
+
+fn of_nodes(nodes: &Nodes) -> String {
+    let columns = [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];
+    rows(NODES, (0..nodes.x.len()).map(|i| columns.map(|column| column.get(i).copied().unwrap_or(f64::NAN))))
+}
+
+fn of_samples(scene: &Scene, exact: &Exact) -> String {
+    let row = |s: Sample| [s.x, s.deflection, s.slope, s.clearance, s.pressure, s.moment, s.shear];
+    rows(SAMPLES, samples(scene, exact).into_iter().map(row))
+}
+
+fn rows<const COLUMNS: usize>(header: &str, rows: impl Iterator<Item = [f64; COLUMNS]>) -> String {
+    let rows = rows.map(|row| row.map(field).join(",") + "\n");
+    std::iter::once(format!("{header}\n")).chain(rows).collect()
 }
 
 /// The shortest text that reads back as the same number; nothing for one that is not finite.

@@ -1,18 +1,44 @@
 //! `--method exact`: beam theory with free lift-off points.
 
+use std::time::Instant;
+
+use palkki::route::Status;
+use palkki::theory::{self, Exact, TheoryError};
+
 use super::answer::Answer;
 use super::input::Input;
 
-/// Why theory has no answer.
-#[derive(Debug, Clone, Copy, thiserror::Error)]
-pub(super) enum NotAvailable {
-    /// It is not part of the program yet.
-    #[error("it is not part of the program yet")]
-    NotYet,
-}
+/// What solves the equations of theory: Newton's method for the free boundaries, under a search for the list of contacts.
+const SOLVER: &str = "free-boundary";
 
 /// The answer of beam theory.
-pub(super) fn exact(_input: &Input) -> Result<Answer, NotAvailable> {
-    // The one call site of theory.
-    Err(NotAvailable::NotYet)
+pub(super) fn exact(input: &Input) -> Result<Answer, TheoryError> {
+    let start = Instant::now();
+    let exact = theory::solve(&input.scene)?;
+    let seconds = start.elapsed().as_secs_f64();
+    Ok(Answer {
+        method: "exact",
+        solver: SOLVER,
+        intervals: None,
+        status: exact.status,
+        solver_status: words(&exact),
+        residual: Some(exact.residual),
+        unknowns: exact.unknowns,
+        iterations: exact.iterations,
+        seconds,
+        state: exact.state.clone(),
+        exact: Some(Box::new(exact)),
+    })
+}
+
+fn words(exact: &Exact) -> String {
+    let lists = match exact.lists {
+        1 => "1 list of contacts tried".to_owned(),
+        lists => format!("{lists} lists of contacts tried"),
+    };
+    if exact.status == Status::Certified {
+        return format!("all conditions hold everywhere, {lists}");
+    }
+    let violations: Vec<String> = exact.violations.iter().map(ToString::to_string).collect();
+    if violations.is_empty() { lists } else { format!("{}; {lists}", violations.join("; ")) }
 }

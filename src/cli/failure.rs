@@ -5,8 +5,6 @@ use std::path::PathBuf;
 
 use palkki::scene::file::FileError;
 
-use super::exact;
-
 /// Why the program ends without an answer.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
@@ -22,11 +20,8 @@ pub(super) enum Failure {
     #[error("{0}")]
     File(#[from] Box<FileError>),
     /// Theory has no solution for this scene.
-    #[error("exact theory is not available for this scene: {0}; choose another --method")]
-    NoTheory(exact::NotAvailable),
-    /// There is nothing to write into the file of `--csv`.
-    #[error("this answer has no values along the beam to write")]
-    NoTable,
+    #[error("beam theory has no answer for this scene: {0}; choose another --method")]
+    NoTheory(#[from] palkki::theory::TheoryError),
     /// The figure could not be drawn.
     #[error("cannot draw this answer: {0}")]
     Plot(#[from] palkki::plot::PlotError),

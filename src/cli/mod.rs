@@ -14,6 +14,7 @@ mod input;
 mod json;
 mod number;
 mod output;
+mod sampled;
 mod text;
 
 use std::process::ExitCode;
@@ -77,7 +78,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     }
     let answer = Answer::of(&input, route)?;
     if let Some(path) = &arguments.csv {
-        files.stage(path, &csv::table(&answer)?)?;
+        files.stage(path, &csv::table(&input.scene, &answer))?;
     }
     if let Some(path) = &arguments.plot {
         files.stage(path, &figure(&input, &answer)?)?;
@@ -93,7 +94,10 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
 
 /// The figure of `--plot`.
 fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
-    let curves = Curves::of(&input.scene, &answer.state)?;
+    let curves = match &answer.exact {
+        Some(exact) => sampled::curves(&input.scene, exact),
+        None => Curves::of(&input.scene, &answer.state)?,
+    };
     let subtitle = match answer.intervals {
         Some(intervals) => format!("{} method, {}, {intervals} intervals", answer.method, answer.solver),
         None => "beam theory".to_owned(),

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{EXAMPLE, Folder, scene};
 
 /// Keys of the contract in its order, with those that we add.
-const KEYS: [&str; 19] = [
+pub(super) const KEYS: [&str; 19] = [
     "scene",
     "method",
     "solver",
@@ -30,7 +30,7 @@ const KEYS: [&str; 19] = [
 ];
 
 #[track_caller]
-fn check_keys(object: &Value, keys: &[&str]) {
+pub(super) fn check_keys(object: &Value, keys: &[&str]) {
     let mut expected = keys.to_vec();
     expected.sort_unstable();
     let found: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
