@@ -69,23 +69,35 @@ pub struct Extremes {
 }
 
 impl Extremes {
-    /// Extremes of `(place, value)` pairs, the first of equal ones; zero at 0 if there are none.
+    /// Values that differ by less than this share of the largest one are equal: of mirror images the left one is named, and
+    /// not the one that rounding favours.
+    const EQUAL: f64 = 1e-12;
+
+    /// Extremes of `(place, value)` pairs from left to right; zero at 0 if there are none.
+    ///
+    /// Where the extreme value holds over a stretch, the middle of the first such stretch is named, otherwise its first place.
+    #[must_use]
     pub fn of(values: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        let mut values = values.into_iter();
-        let Some((at, value)) = values.next() else {
-            return Self::default();
-        };
-        let first = Self { max: value, max_at: at, min: value, min_at: at };
-        values.fold(first, |mut seen, (at, value)| {
-            if seen.max < value {
-                (seen.max, seen.max_at) = (value, at);
-            }
-            if value < seen.min {
-                (seen.min, seen.min_at) = (value, at);
-            }
-            seen
-        })
+        let values: Vec<(f64, f64)> = values.into_iter().collect();
+        let largest = values.iter().fold(0.0_f64, |largest, (_, v)| largest.max(v.abs()));
+        let equal = Self::EQUAL * largest;
+        let (max, max_at) = extreme(&values, f64::max, equal);
+        let (min, min_at) = extreme(&values, f64::min, equal);
+        // What is left of a value that is zero is rounding, and has no sign.
+        let clean = |value: f64| if value.abs() <= f64::EPSILON * largest { 0.0 } else { value };
+        Self { max: clean(max), max_at, min: clean(min), min_at }
     }
+}
+
+/// The extreme value that `choose` prefers, and where it is.
+fn extreme(values: &[(f64, f64)], choose: fn(f64, f64) -> f64, equal: f64) -> (f64, f64) {
+    let Some(value) = values.iter().map(|(_, v)| *v).reduce(choose) else { return (0.0, 0.0) };
+    let reached = |(_, v): &&(f64, f64)| (v - value).abs() <= equal;
+    let stretch = values.chunk_by(|a, b| reached(&a) && reached(&b)).filter(|run| run.iter().any(|v| reached(&v)));
+    let ends = |run: &[(f64, f64)]| (run[0].0, run[run.len() - 1].0);
+    let long = stretch.clone().map(ends).find(|(from, to)| from < to);
+    let first = stretch.map(ends).next();
+    (value, long.or(first).map_or(f64::NAN, |(from, to)| 0.5 * (from + to)))
 }
 
 /// How a discretised beam bends between its nodes.
@@ -139,5 +151,30 @@ impl ContactState {
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         self.contacts.iter().map(|c| c.force).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Extremes;
+
+    fn check(values: &[(f64, f64)], expected: [f64; 4]) {
+        let Extremes { max, max_at, min, min_at } = Extremes::of(values.iter().copied());
+        assert_eq!([max, max_at, min, min_at].map(f64::to_bits), expected.map(f64::to_bits), "{values:?}");
+    }
+
+    #[test]
+    fn of_mirror_images_the_left_one_is_named() {
+        check(&[(0.0, -1.0), (1.0, 2.0), (2.0, 0.5), (3.0, 2.0 + 1e-15)], [2.0 + 1e-15, 1.0, -1.0, 0.0]);
+    }
+
+    #[test]
+    fn of_a_stretch_the_middle_is_named() {
+        check(&[(0.0, 0.0), (2.0, 1.0), (4.0, 1.0), (9.0, -1e-17)], [1.0, 3.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn nothing_is_zero_at_zero() {
+        check(&[], [0.0; 4]);
     }
 }

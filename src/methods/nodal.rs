@@ -49,21 +49,20 @@ pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
 
     let sizes = discrete.sizes();
     let contacts = contacts(&nodal, sizes.x, sizes.gradient, place);
-    let at_nodes = std::iter::once((0.0, 0.0))
+    let mut sagging: Vec<(f64, f64)> = std::iter::once((0.0, 0.0))
         .chain(nodal.deflection.iter().enumerate().map(|(k, &v)| (place(k + 1), v)))
-        .chain([(place(intervals), 0.0)]);
-    let deflection = match nodal.bending {
-        Bending::AtNodes => Extremes::of(at_nodes),
-        Bending::Between => {
-            let within = cubic_extremes(&nodal.deflection, &moments, spacing, stiffness);
-            Extremes::of(at_nodes.chain(within.map(|(k, s, v)| (place(k) + s * spacing, v))))
-        }
-    };
+        .chain([(place(intervals), 0.0)])
+        .collect();
+    if nodal.bending == Bending::Between {
+        let within = cubic_extremes(&nodal.deflection, &moments, spacing, stiffness);
+        sagging.extend(within.map(|(k, s, v)| (place(k) + s * spacing, v)));
+        sagging.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
     ContactState {
         regime: Regime::of(&contacts),
         reactions: Reactions { left: left + discrete.loads[0], right: right + discrete.loads[intervals] },
         contacts,
-        deflection,
+        deflection: Extremes::of(sagging),
         moment: Extremes::of(moments.iter().enumerate().map(|(i, &m)| (place(i), m))),
         energy,
         nodes: Some(Nodes {

@@ -39,7 +39,7 @@ fn table_of_solve() {
 
     Extremes
                                  value   at
-      largest deflection             1  2.5
+      largest deflection             1    5
       least deflection               0    0
       largest moment      0.2083333333  2.5
       least moment                   0    0
