@@ -1,6 +1,7 @@
-//! The tasks of the repository that need the library: `cargo xtask report`.
+//! The tasks of the repository that need the library: `cargo xtask report` and `cargo xtask measure`.
 #![expect(clippy::print_stderr, reason = "a command that talks to a person")]
 
+mod measure;
 mod report;
 
 use std::path::Path;
@@ -11,8 +12,10 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let outcome = match arguments.as_slice() {
-        ["report"] => report::write(&root, &mut show),
-        ["report", "--check"] => report::check(&root, &mut show),
+        ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
+        ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
+        ["measure"] => measure::run(&root, false, &mut show),
+        ["measure", "--fresh"] => measure::run(&root, true, &mut show),
         _ => {
             eprintln!("xtask: unknown task `{}`; `cargo xtask help` lists them", arguments.join(" "));
             return ExitCode::from(2);
@@ -29,5 +32,5 @@ fn main() -> ExitCode {
 
 /// One line per step, on stderr.
 fn show(step: &str) {
-    eprintln!("report: {step}");
+    eprintln!("xtask: {step}");
 }

@@ -15,7 +15,7 @@ mod files;
 mod links;
 mod numbers;
 mod rational;
-mod scenes;
+pub(crate) mod scenes;
 mod study;
 mod template;
 mod verdict;

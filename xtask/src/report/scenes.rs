@@ -14,7 +14,7 @@ use super::files;
 const DIRECTORY: &str = "report/scenes";
 
 /// Names (without `.toml`) and scenes, in the order of their names.
-pub(super) fn all(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
+pub(crate) fn all(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
     let mut found = Vec::new();
     for path in files::list(root, DIRECTORY)? {
         let name = path.strip_prefix(DIRECTORY).and_then(|path| path.strip_prefix('/')?.strip_suffix(".toml"));
@@ -26,7 +26,7 @@ pub(super) fn all(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
 }
 
 /// One scene.
-pub(super) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
+pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
     let directory = root.join(DIRECTORY);
     let text = fs::read_to_string(directory.join(format!("{name}.toml")))?;
     let survey = |file: &str| fs::read_to_string(directory.join(file)).map_err(|error| problem(&error));

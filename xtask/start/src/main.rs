@@ -15,6 +15,8 @@ usage: cargo xtask <task>
 
   report           compute the paper again and write report/
   report --check   compute it and compare with report/: names stale, missing and left-over files
+  measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
+  measure --fresh  begins that file again
   doctor           what this machine lacks to build and to test, and what to do about it
 ";
 
@@ -33,14 +35,18 @@ fn main() -> ExitCode {
 /// Builds package `xtask`, showing that it does, and runs it with the same arguments.
 fn pass_on(arguments: &[String]) -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let build = Command::new(&cargo).args(["build", "--package", "xtask", "--locked"]).status();
+    // Times of an unoptimised build would mislead.
+    let profile = if arguments.first().is_some_and(|task| task == "measure") { "release" } else { "dev" };
+    let build = Command::new(&cargo).args(["build", "--package", "xtask", "--locked", "--profile", profile]).status();
     if !build.is_ok_and(|status| status.success()) {
         eprintln!("\nxtask: the build failed. What `cargo xtask doctor` says of this machine:\n");
         doctor::run();
         return ExitCode::FAILURE;
     }
-    let run =
-        Command::new(&cargo).args(["run", "--quiet", "--package", "xtask", "--locked", "--"]).args(arguments).status();
+    let run = Command::new(&cargo)
+        .args(["run", "--quiet", "--package", "xtask", "--locked", "--profile", profile, "--"])
+        .args(arguments)
+        .status();
     let code = run.ok().and_then(|status| status.code()).and_then(|code| u8::try_from(code).ok());
     code.map_or(ExitCode::FAILURE, ExitCode::from)
 }

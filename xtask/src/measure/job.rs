@@ -1,0 +1,110 @@
+//! One measurement: an answer, our verdict on it, and how long it takes.
+
+use std::time::Instant;
+
+use palkki::certificate::Kkt;
+use palkki::methods::{Discrete, Method, contact_state};
+use palkki::route::Status;
+use palkki::scene::{Scene, SceneError};
+use palkki::solvers::Solver;
+use palkki::state::ContactState;
+use palkki::{Settings, solve, theory};
+
+use super::plan::{Job, Route};
+
+/// At least so many runs of each job that is quick enough.
+const RUNS: usize = 5;
+/// No more runs after so many seconds.
+const ENOUGH: f64 = 0.25;
+
+/// An answer and what it cost.
+#[derive(Debug, Clone)]
+pub(crate) struct Measured {
+    pub(crate) state: ContactState,
+    pub(crate) status: Status,
+    pub(crate) claims_success: bool,
+    pub(crate) residual: f64,
+    pub(crate) iterations: usize,
+    pub(crate) unknowns: usize,
+    /// Seconds of each run, ascending.
+    pub(crate) seconds: Vec<f64>,
+}
+
+impl Measured {
+    /// Runs a job several times; the answer is the same each time.
+    pub(crate) fn of(scene: &Scene, job: Job) -> Result<Self, String> {
+        let mut seconds = Vec::new();
+        let mut measured = None;
+        while seconds.len() < RUNS && seconds.iter().sum::<f64>() < ENOUGH {
+            let start = Instant::now();
+            let answer = once(scene, job)?;
+            seconds.push(start.elapsed().as_secs_f64());
+            measured = Some(answer);
+        }
+        seconds.sort_by(f64::total_cmp);
+        measured.map(|answer| Self { seconds, ..answer }).ok_or_else(|| "no run at all".to_owned())
+    }
+
+    /// The median of the runs.
+    pub(crate) fn median(&self) -> f64 {
+        self.seconds[self.seconds.len() / 2]
+    }
+}
+
+fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
+    match job.route {
+        Route::Exact => {
+            let exact = theory::solve(scene).map_err(|error| error.to_string())?;
+            Ok(Measured {
+                status: exact.status,
+                claims_success: exact.status == Status::Certified,
+                residual: exact.residual,
+                iterations: exact.iterations,
+                unknowns: exact.unknowns,
+                state: exact.state,
+                seconds: Vec::new(),
+            })
+        }
+        Route::Solver(method, solver) => {
+            let settings = Settings { method, solver, intervals: job.intervals, tolerance: job.tolerance };
+            let outcome = solve(scene, &settings).map_err(|error| error.to_string())?;
+            Ok(Measured {
+                state: outcome.state,
+                status: outcome.status,
+                claims_success: outcome.solver_claims_success,
+                residual: outcome.residual,
+                iterations: outcome.iterations,
+                unknowns: outcome.unknowns,
+                seconds: Vec::new(),
+            })
+        }
+        Route::Repair(solver) => repair(scene, solver, job).map_err(|error| error.to_string()),
+    }
+}
+
+/// Takes the contact set that a library ends with, solves it exactly, and lets the judge decide.
+fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneError> {
+    let scaled = scene.scaled()?;
+    let discrete = Discrete::new(&scaled.scene, job.intervals)?;
+    let programme = Method::Force.programme(&discrete);
+    let answer = solver.run(programme.as_ref(), job.tolerance);
+    let sizes = programme.sizes();
+    // In contact where the force is larger than the clearance, each in its own measure.
+    let touching: Vec<bool> =
+        answer.x.iter().zip(&answer.gradient).map(|(p, h)| h / sizes.gradient < p / sizes.x).collect();
+    let (x, gradient) = match programme.stationary(&touching) {
+        Ok(point) => (point.x, point.gradient),
+        Err(_) => (answer.x, answer.gradient),
+    };
+    let state = contact_state(&discrete, Method::Force.nodal(&discrete, &x, &gradient));
+    let verdict = Kkt::of(&scaled.scene, &state);
+    Ok(Measured {
+        status: if verdict.is_some_and(|kkt| kkt.holds()) { Status::Certified } else { Status::NotCertified },
+        claims_success: answer.claims_success,
+        residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
+        iterations: answer.iterations,
+        unknowns: programme.dimension(),
+        state: state.in_units_of(&scaled.scale),
+        seconds: Vec::new(),
+    })
+}
