@@ -5,7 +5,8 @@ use super::guess;
 use super::list::{AtSupport, List};
 use super::newton;
 use super::pressure::lifting;
-use super::repair::{consistent, joined, mended};
+use super::repair::mended;
+use super::tidy::{consistent, joined};
 use super::verify::{Checked, check};
 
 /// Links of the chains that guesses come from. The first is enough for most scenes; the last resolves contacts that are

@@ -107,7 +107,7 @@ fn no_foundation_is_a_simple_beam() {
     for (found, expected) in found.iter().zip([11.0, 6.0, 5.0, 6.0]) {
         assert!((found - expected).abs() < 1e-13 * expected, "{found} instead of {expected}");
     }
-    assert_eq!(exact.clearance(1.0), f64::INFINITY);
+    assert!(exact.clearance(1.0).is_infinite());
     let [left, right] = exact.shear(2.0);
     assert!(left.abs() < 1e-14 && right.abs() < 1e-14, "no shear at mid-span: {left}, {right}");
 }
