@@ -6,8 +6,8 @@ use super::list::{AtSupport, Kind, List, Node};
 /// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them.
 pub(super) fn consistent(given: &Given, list: List) -> List {
-    // A gap of this width between two contacts cannot be told from none; one between two zones is more likely the
-    // solution without a gap, which the equations have as well.
+    // A gap of this width between two contacts cannot be told from none; one between contacts on the same slope is more
+    // likely the solution without a gap, which the equations have as well.
     let closed = 1e-11 * given.length;
     let least = 16.0 * f64::EPSILON * given.length;
     let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
@@ -15,8 +15,9 @@ pub(super) fn consistent(given: &Given, list: List) -> List {
     let mut inside = supports[0] == AtSupport::Zone;
     for node in list.nodes {
         let before = nodes.last().map_or(0.0, |n| n.x);
-        let between_zones = node.kind == Kind::ZoneStart && nodes.last().is_some_and(|n| n.kind == Kind::ZoneEnd);
-        let gap = (if between_zones { closed } else { least }) < node.x - before;
+        let edge = |n: &Node| matches!(n.kind, Kind::Edge(_));
+        let on_one_slope = !edge(&node) && nodes.last().is_some_and(|n| !edge(n));
+        let gap = (if on_one_slope { closed } else { least }) < node.x - before;
         match node.kind {
             Kind::ZoneStart | Kind::Smooth | Kind::Edge(_) if inside => {}
             Kind::ZoneEnd if !inside => {}
