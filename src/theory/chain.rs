@@ -141,23 +141,27 @@ impl Penta {
         y
     }
 
-    /// `L D Lᵀ` of this matrix with `extra` added to its diagonal; the factors in the same three bands.
+    /// `L D Lᵀ` of this matrix with `extra` added to its diagonal; the factors in the same three bands, `1/D` in the main one.
     fn factored(&self, extra: &[f64]) -> Self {
         let n = self.main.len();
         let mut f = Self { main: vec![0.0; n], first: vec![0.0; n], second: vec![0.0; n] };
+        // Entry and factor in the row above, and in the row two above, of what stands left of the pivot.
+        let (mut one_above, mut above) = (0.0, 0.0);
+        let (mut two_above, mut far, mut next_two, mut next_far) = (0.0, 0.0, 0.0, 0.0);
         for (i, extra) in extra.iter().enumerate() {
             let mut d = self.main[i] + extra;
             let mut e = self.first[i];
-            if 0 < i {
-                d -= f.first[i - 1] * f.first[i - 1] * f.main[i - 1];
-                e -= f.first[i - 1] * f.second[i - 1] * f.main[i - 1];
-            }
-            if 1 < i {
-                d -= f.second[i - 2] * f.second[i - 2] * f.main[i - 2];
-            }
-            f.main[i] = d;
-            f.first[i] = e / d;
-            f.second[i] = self.second[i] / d;
+            // Products of a factor with the pivot above it: the entries that were eliminated.
+            d -= one_above * above;
+            e -= one_above * f.second[i.saturating_sub(1)];
+            d -= two_above * far;
+            let inverse = 1.0 / d;
+            f.main[i] = inverse;
+            f.first[i] = e * inverse;
+            f.second[i] = self.second[i] * inverse;
+            (two_above, far) = (next_two, next_far);
+            (next_two, next_far) = (self.second[i], f.second[i]);
+            (one_above, above) = (e, f.first[i]);
         }
         f
     }
@@ -174,7 +178,7 @@ impl Penta {
             }
         }
         for i in (0..n).rev() {
-            x[i] /= self.main[i];
+            x[i] *= self.main[i];
             if i + 1 < n {
                 x[i] -= self.first[i] * x[i + 1];
             }

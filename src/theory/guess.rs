@@ -3,8 +3,8 @@
 use super::chain::{Chain, Guess};
 use super::given::Given;
 use super::list::{AtSupport, Kind, List, Node};
-use super::repair::consistent;
 use super::span::{End, Hold, Span};
+use super::tidy::consistent;
 
 /// The list that a chain with about `intervals` links suggests.
 pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> List {

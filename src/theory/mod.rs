@@ -4,12 +4,14 @@
 //! `q − EI u''''`, a concentrated force at each end). Between them the beam is a polynomial that its two ends determine.
 //! Unknown are only the places where it lifts off:
 //!
-//! 1. [`given`]: profile and load as functions by pieces; [`shape`]: one smooth piece of the profile.
-//! 2. [`chain`], [`guess`]: a first idea of the list, from a chain of links above samples of the profile.
-//! 3. [`list`], [`span`], [`newton`]: the equations of a list and Newton's method for its lift-off positions.
-//! 4. [`piece`], [`verify`], [`pressure`], [`bernstein`]: all conditions, checked everywhere and not at samples.
-//! 5. [`repair`], [`search`]: what fails its check changes the list; after a bounded number of lists it ends.
-//! 6. [`exact`], [`summary`]: the answer in the units of the scene. [`flat()`] is the paper's own case in closed form.
+//! 1. `given`, `profile`, `shape`: profile and load as functions by pieces.
+//! 2. `chain`, `guess`: a first idea of the list, from a chain of links above samples of the profile.
+//! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for its lift-off positions.
+//! 4. `piece`, `forces`, `pressure`, `bernstein`, `measure`, `verify`: all conditions, everywhere and not at samples.
+//! 5. `repair`, `tidy`, `search`: what fails its check changes the list; after a bounded number of lists it ends.
+//! 6. `exact`, `summary`, `solve`: the answer in the units of the scene.
+//!
+//! [`flat()`] is the paper's own case in closed form, [`closed`] has others.
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the programme (32).
 
@@ -19,19 +21,23 @@ pub mod closed;
 mod cosine;
 mod exact;
 mod flat;
+mod forces;
 mod gauss;
 mod given;
 mod guess;
 mod list;
+mod measure;
 mod newton;
 mod piece;
 mod pressure;
+mod profile;
 mod repair;
 mod search;
 mod shape;
 mod solve;
 mod span;
 mod summary;
+mod tidy;
 mod verify;
 
 pub use exact::{Exact, Violation};

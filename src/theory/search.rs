@@ -5,12 +5,13 @@ use super::guess;
 use super::list::{AtSupport, List};
 use super::newton;
 use super::pressure::lifting;
-use super::repair::{consistent, joined, mended};
+use super::repair::mended;
+use super::tidy::{consistent, joined};
 use super::verify::{Checked, check};
 
 /// Links of the chains that guesses come from. The first is enough for most scenes; the last resolves contacts that are
 /// a thousandth of the beam apart.
-const LINKS: [u32; 5] = [24, 72, 216, 864, 3456];
+const LINKS: [u32; 5] = [12, 48, 192, 768, 3456];
 /// How often a list is mended before a finer guess is asked for.
 const ROUNDS: usize = 10;
 

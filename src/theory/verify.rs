@@ -1,10 +1,12 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::bernstein::lowest_below;
+use super::forces::forces;
 use super::given::Given;
 use super::list::{AtSupport, Kind, List};
+use super::measure::Scale;
 use super::newton;
-use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
+use super::piece::{Piece, pieces_of, pieces_of_zone};
 use super::span::Span;
 
 /// A condition that does not hold.
@@ -84,10 +86,6 @@ pub(super) struct Checked {
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
     pub(super) worst: f64,
 }
-
-/// Deflections, forces and moments are measured against their largest, but at least against this part of what the loads
-/// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
-const AT_REST: f64 = 1e-3;
 
 /// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
 pub(super) const TOLERANCE: f64 = 1e-12;
@@ -172,68 +170,6 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
     let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
     judge(rounded, scale.moment, Fault::Residual { jump });
     Checked { pieces, spans, forces, shear, faults, worst }
-}
-
-/// What violations are measured against.
-struct Scale {
-    depth: f64,
-    force: f64,
-    moment: f64,
-}
-
-impl Scale {
-    /// Largest deflection, largest of all forces, and the moment that goes with them.
-    fn of(given: &Given, pieces: &[Piece], forces: &[f64], shear: &[f64; 2]) -> Self {
-        let mut taylor = vec![0.0; given.terms];
-        let (mut depth, mut moment) = (0.0_f64, 0.0_f64);
-        for piece in pieces {
-            piece.deflection(given, &mut taylor);
-            for t in [0.0, 0.5 * (piece.lo + piece.hi) - piece.anchor] {
-                let [v, _, v2, _] = derivatives(&taylor, t);
-                depth = depth.max(v.abs());
-                moment = moment.max(v2.abs());
-            }
-        }
-        let force = forces.iter().chain(shear).fold(0.0_f64, |most, f| most.max(f.abs()));
-        // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
-        let (l, load) = (given.length, AT_REST * given.total_load);
-        Self {
-            depth: depth.max(load * l * l * l / 384.0).max(AT_REST * given.magnitude),
-            force: force.max(moment / l).max(load),
-            moment: moment.max(load * l / 8.0),
-        }
-    }
-}
-
-/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
-fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Vec<f64>, [f64; 2]) {
-    // A profile with edges is made of straight lines: u''' is the same on both sides of every node, and h''' will do.
-    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x)).collect();
-    let mut in_beam = vec![[None; 2]; forces.len()];
-    let last = given.cells.len() - 1;
-    let mut shear = [-given.derivative(0, 0.0, 3), -given.derivative(last, given.length, 3)];
-    for (i, span) in spans {
-        match i.checked_sub(1) {
-            Some(left) => {
-                forces[left] += span.at_a[3];
-                in_beam[left][0] = span.in_beam.then_some(span.beam_a[3]);
-            }
-            None => shear[0] = -span.beam_a[3],
-        }
-        match forces.get_mut(*i) {
-            Some(force) => {
-                *force -= span.at_b[3];
-                in_beam[*i][1] = span.in_beam.then_some(span.beam_b[3]);
-            }
-            None => shear[1] = -span.beam_b[3],
-        }
-    }
-    for ((force, node), sides) in forces.iter_mut().zip(&list.nodes).zip(in_beam) {
-        if let [Some(right), Some(left)] = sides {
-            *force = given.force_at(node.x) + left - right;
-        }
-    }
-    (forces, shear)
 }
 
 /// The deepest penetration in a span, if it is deeper than `floor`: `(place, depth)`.

@@ -127,7 +127,7 @@ fn lifted_beam_rests_on_two_zones() {
         let closed = lifted(l, ei, depth, q, lift).expect("two zones");
         let point = [PointLoad { at: 0.5 * l, force: -lift }];
         let exact = solved(l, ei, q, &point, Foundation::Flat { depth });
-        assert_eq!((exact.state.contacts.len(), exact.unknowns), (2, 4));
+        assert_eq!((exact.state.contacts.len(), exact.unknowns), (2, 4), "{lift}: {:?}", exact.state.contacts);
         for (contact, zone) in exact.state.contacts.iter().zip(closed.zones) {
             check("from", contact.from, zone[0]);
             check("to", contact.to, zone[1]);

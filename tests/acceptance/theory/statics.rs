@@ -148,7 +148,7 @@ fn random_scenes_are_solved_and_pass_statics() {
     const COUNT: u64 = 300;
     let (certified, wrong) = series(COUNT, SAMPLES, random::scene);
     assert_eq!(wrong, Vec::<String>::new());
-    assert_eq!(certified, COUNT, "all of a series of 20 000 are certified");
+    assert_eq!(certified, COUNT, "all but one of a series of 20 000 are certified");
 }
 
 #[test]
@@ -164,14 +164,21 @@ fn rough_scenes_are_solved_and_pass_statics() {
     const COUNT: u64 = 40;
     let (certified, wrong) = series(COUNT, ROUGH_SAMPLES, random::rough);
     assert_eq!(wrong, Vec::<String>::new());
-    assert_eq!(certified, COUNT, "all but 5 of a series of 4000 are certified");
+    assert_eq!(certified, COUNT, "all but 3 of a series of 4000 are certified");
+}
+
+/// Scenes for which no list passes, in series of 20 000, 20 000 (none) and 4000: three surveys like saws with dozens of
+/// contacts, some closer together than any sample, and a cliff beside which a jump of 1.4e-12 of the moment remains.
+fn unsolved() -> [Scene; 4] {
+    [random::rough(2317), random::rough(2362), random::rough(3765), random::scene(15_186)]
 }
 
 #[test]
-fn a_scene_that_is_not_solved_says_so() {
-    // The first of the rough series for which no list passes: the survey of a saw with 66 contacts.
-    let exact = solve(&random::rough(2317)).expect("an answer");
-    assert_ne!(exact.status, Status::Certified, "it is solved now: look for another one");
-    assert!(!exact.violations.is_empty());
-    assert!(0.0 < exact.residual);
+fn scenes_that_are_not_solved_say_so() {
+    for scene in unsolved() {
+        let exact = solve(&scene).expect("an answer");
+        assert_ne!(exact.status, Status::Certified, "{} is solved now: strike it from the list", scene.title());
+        assert!(!exact.violations.is_empty() && 0.0 < exact.residual, "{}", scene.title());
+        assert!(exact.residual < 1e-4, "the best answer is a good one: {:e}", exact.residual);
+    }
 }

@@ -1,0 +1,174 @@
+//! What must not matter to the exact solution (units, the side one looks from) and what must not break it.
+
+use palkki::route::Status;
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
+use palkki::state::Regime;
+use palkki::theory::{TheoryError, solve};
+
+use super::random::{self, Random};
+
+/// Two ways through the same numbers differ by rounding; close contacts magnify it.
+const DIGITS: f64 = 1e-9;
+
+/// The scene in other units of length, depth and force.
+fn in_units(scene: &Scene, length: f64, depth: f64, force: f64) -> Scene {
+    let beam = scene.beam();
+    let stiffness = beam.bending_stiffness() * force * length * length * length / depth;
+    let beam = Beam::new(beam.length() * length, stiffness).expect("a beam");
+    let density = |q: f64| q * force / length;
+    let linear = scene.load().linear().iter().map(|q| LinearLoad {
+        from: q.from * length,
+        to: q.to * length,
+        start: density(q.start),
+        end: density(q.end),
+    });
+    let point = scene.load().point().iter().map(|p| PointLoad { at: p.at * length, force: p.force * force });
+    let load = Load::new(&beam, density(scene.load().uniform()), linear.collect(), point.collect()).expect("a load");
+    let foundation = scene.foundation().map(|f| match f {
+        Foundation::Flat { depth: u } => Foundation::Flat { depth: u * depth },
+        Foundation::Polynomial { coefficients } => {
+            let mut unit = depth;
+            let scaled = coefficients.iter().map(|c| {
+                let c = c * unit;
+                unit /= length;
+                c
+            });
+            Foundation::Polynomial { coefficients: scaled.collect() }
+        }
+        Foundation::Cosine { mean, amplitude, wavelength, phase } => Foundation::Cosine {
+            mean: mean * depth,
+            amplitude: amplitude * depth,
+            wavelength: wavelength * length,
+            phase: *phase,
+        },
+        Foundation::Polyline { points } => {
+            Foundation::Polyline { points: points.iter().map(|p| [p[0] * length, p[1] * depth]).collect() }
+        }
+    });
+    Scene::new(beam, load, foundation).expect("a scene")
+}
+
+#[test]
+fn units_that_are_powers_of_two_change_no_bit() {
+    for i in 0..60 {
+        let scene = random::scene(i);
+        let (length, depth, force) = (1024.0, 1.0 / 65536.0, 4.0);
+        let (plain, scaled) = (solve(&scene), solve(&in_units(&scene, length, depth, force)));
+        let (plain, scaled) = (plain.expect("an answer").state, scaled.expect("an answer").state);
+        assert_eq!((plain.reactions.left * force).to_bits(), scaled.reactions.left.to_bits(), "{}", scene.title());
+        assert_eq!((plain.energy * force * depth).to_bits(), scaled.energy.to_bits(), "{}", scene.title());
+        assert_eq!(plain.contacts.len(), scaled.contacts.len());
+        for (a, b) in plain.contacts.iter().zip(&scaled.contacts) {
+            assert_eq!((a.from * length).to_bits(), b.from.to_bits(), "{}", scene.title());
+        }
+    }
+}
+
+#[test]
+fn seen_from_the_other_side_it_is_the_same() {
+    for i in 0..100 {
+        let scene = random::scene(i);
+        let l = scene.beam().length();
+        let Some(Foundation::Polyline { points }) = scene.foundation() else {
+            continue;
+        };
+        let points = points.iter().rev().map(|p| [l - p[0], p[1]]).collect();
+        let linear = scene.load().linear().iter().map(|q| LinearLoad {
+            from: l - q.to,
+            to: l - q.from,
+            start: q.end,
+            end: q.start,
+        });
+        let point = scene.load().point().iter().map(|p| PointLoad { at: l - p.at, force: p.force });
+        let load = Load::new(scene.beam(), scene.load().uniform(), linear.collect(), point.collect());
+        let mirrored = Scene::new(*scene.beam(), load.expect("a load"), Some(Foundation::Polyline { points }));
+        let (a, b) = (solve(&scene).expect("an answer"), solve(&mirrored.expect("a scene")).expect("an answer"));
+        assert_eq!((a.status, b.status), (Status::Certified, Status::Certified));
+        let (a, b) = (a.state, b.state);
+        let force = scene.load().magnitude(l).max(a.contact_force());
+        for (a, b, scale) in [
+            (a.reactions.left, b.reactions.right, force),
+            (a.reactions.right, b.reactions.left, force),
+            (a.energy, b.energy, a.energy.abs()),
+        ] {
+            assert!((a - b).abs() <= DIGITS * scale, "{}: {a} and {b}", scene.title());
+        }
+    }
+}
+
+#[test]
+fn no_foundation_is_a_simple_beam() {
+    let beam = Beam::new(4.0, 2.0).expect("a beam");
+    let load = Load::new(&beam, 3.0, Vec::new(), vec![PointLoad { at: 0.0, force: 5.0 }]).expect("a load");
+    let exact = solve(&Scene::new(beam, load, None).expect("a scene")).expect("an answer");
+    assert_eq!((exact.status, exact.state.regime, exact.unknowns), (Status::Certified, Regime::None, 0));
+    // q l/2 and the load on the support itself; 5 q l⁴/(384 EI); q l²/8.
+    let found = [exact.state.reactions.left, exact.state.reactions.right, exact.deflection(2.0), exact.moment(2.0)];
+    for (found, expected) in found.iter().zip([11.0, 6.0, 5.0, 6.0]) {
+        assert!((found - expected).abs() < 1e-13 * expected, "{found} instead of {expected}");
+    }
+    assert!(exact.clearance(1.0).is_infinite());
+    let [left, right] = exact.shear(2.0);
+    assert!(left.abs() < 1e-14 && right.abs() < 1e-14, "no shear at mid-span: {left}, {right}");
+}
+
+#[test]
+fn a_beam_that_rests_without_pressure_touches_nothing() {
+    let beam = Beam::new(4.0, 2.0).expect("a beam");
+    let load = Load::uniform_on(&beam, 0.0).expect("a load");
+    let flat = Foundation::Flat { depth: 0.0 };
+    let exact = solve(&Scene::new(beam, load, Some(flat)).expect("a scene")).expect("an answer");
+    assert_eq!((exact.status, exact.state.regime), (Status::Certified, Regime::None));
+}
+
+#[test]
+fn loads_without_resultant_are_loads() {
+    // A couple on a beam that lies on a plane: it presses on one side and lifts on the other.
+    let beam = Beam::new(8.0, 2.0).expect("a beam");
+    let point = vec![PointLoad { at: 3.0, force: 1.0 }, PointLoad { at: 5.0, force: -1.0 }];
+    let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
+    let flat = Foundation::Flat { depth: 0.1 };
+    let exact = solve(&Scene::new(beam, load, Some(flat)).expect("a scene")).expect("an answer");
+    assert_eq!((exact.status, exact.state.regime), (Status::Certified, Regime::Points));
+    let sum = exact.state.reactions.left + exact.state.reactions.right + exact.state.contact_force();
+    assert!(sum.abs() < 1e-13, "what remains: {sum}");
+}
+
+#[test]
+fn too_many_waves_are_refused() {
+    let beam = Beam::new(1.0, 1.0).expect("a beam");
+    let load = Load::uniform_on(&beam, 1.0).expect("a load");
+    let foundation = Foundation::Cosine { mean: 1.0, amplitude: 1.0, wavelength: 1e-9, phase: 0.0 };
+    let error = solve(&Scene::new(beam, load, Some(foundation)).expect("a scene")).expect_err("too short");
+    assert!(matches!(error, TheoryError::TooManyPieces { .. }));
+    insta::assert_snapshot!(error, @"`foundation.cosine.wavelength` must be at least 0.0004 for an exact solution, but is 0.000000001");
+}
+
+#[test]
+fn numbers_of_every_size_are_answered_or_refused() {
+    let mut random = Random::new(1);
+    let mut answered = 0;
+    for i in 0..200 {
+        let mut power = |range: f64| 10.0_f64.powf(random.between(-range, range));
+        let beam = Beam::new(power(40.0), power(80.0)).expect("a beam");
+        let l = beam.length();
+        let load = Load::new(&beam, power(60.0), Vec::new(), vec![PointLoad { at: 0.3 * l, force: -power(60.0) }]);
+        let depth = power(80.0);
+        let points = vec![[0.0, depth], [0.4 * l, power(80.0) - depth], [0.4 * l, depth], [l, power(80.0)]];
+        let foundation = match i % 3 {
+            0 => Foundation::Polyline { points },
+            1 => Foundation::Cosine { mean: depth, amplitude: depth, wavelength: l * power(1.5), phase: power(3.0) },
+            _ => Foundation::Polynomial { coefficients: vec![depth, power(20.0), power(20.0), power(20.0)] },
+        };
+        let Ok(load) = load else { continue };
+        let Ok(scene) = Scene::new(beam, load, Some(foundation)) else { continue };
+        if let Ok(exact) = solve(&scene) {
+            answered += 1;
+            for x in [-1.0, 0.0, 0.5 * l, l, 2.0 * l, f64::NAN] {
+                let _ = (exact.deflection(x), exact.moment(x), exact.shear(x), exact.clearance(x), exact.pressure(x));
+            }
+            assert_eq!(exact.status == Status::Certified, exact.violations.is_empty(), "{:?}", exact.violations);
+        }
+    }
+    assert!(100 < answered, "only {answered} of 200 were in range");
+}
