@@ -1,10 +1,16 @@
-//! Benchmarks: every method with every solver on the example with 30, 100 and 300 intervals, and beam theory.
+//! Benchmarks: every method with every solver on the example with 30, 100 and 300 intervals, and beam theory on the example
+//! and on random scenes, with its unknowns and Newton steps beside the time.
+
+#[path = "../acceptance/theory/random.rs"]
+#[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
+mod random;
 
 use std::fmt;
 
 use divan::Bencher;
 use palkki::paper::{example, theory};
 use palkki::route::{Method, Solver};
+use palkki::scene::Scene;
 use palkki::{Settings, solve};
 
 fn main() {
@@ -52,6 +58,45 @@ fn iterative<const N: usize>(bencher: Bencher<'_, '_>, route: Route) {
 }
 
 #[divan::bench]
-fn beam_theory() -> palkki::theory::FlatSolution {
+fn beam_theory_in_closed_form() -> palkki::theory::FlatSolution {
     theory()
+}
+
+/// A scene with what beam theory needs for it, as a row of the table.
+#[derive(Debug, Clone)]
+struct Solved(Scene, String);
+
+impl fmt::Display for Solved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.1)
+    }
+}
+
+impl Solved {
+    fn new(scene: Scene) -> Self {
+        let exact = palkki::theory::solve(&scene).expect("the scene is well posed");
+        let words = format!("{}: {} unknowns, {} steps", scene.title(), exact.unknowns, exact.iterations);
+        Self(scene, words)
+    }
+}
+
+/// The example, and of 101 random scenes those that take the least, the median and the most Newton steps.
+fn scenes() -> Vec<Solved> {
+    let example = example().expect("the example is well posed").labelled("the example", Default::default());
+    let mut random: Vec<Scene> = (0..101).map(random::scene).collect();
+    random.sort_by_key(|scene| palkki::theory::solve(scene).map_or(0, |exact| exact.iterations * (1 + exact.unknowns)));
+    let chosen = [0, 50, 100].map(|i| random[i].clone());
+    std::iter::once(example).chain(chosen).map(Solved::new).collect()
+}
+
+#[divan::bench(args = scenes())]
+fn beam_theory(bencher: Bencher<'_, '_>, scene: &Solved) {
+    bencher.bench(|| palkki::theory::solve(divan::black_box(&scene.0)));
+}
+
+/// The whole series of 101 random scenes: the mean is a hundredth of it.
+#[divan::bench(sample_count = 10)]
+fn beam_theory_on_101_random_scenes(bencher: Bencher<'_, '_>) {
+    let scenes: Vec<Scene> = (0..101).map(random::scene).collect();
+    bencher.bench(|| scenes.iter().filter(|scene| palkki::theory::solve(divan::black_box(scene)).is_ok()).count());
 }
