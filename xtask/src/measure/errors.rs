@@ -24,11 +24,14 @@ pub(crate) struct Errors {
     pub(crate) total: [f64; 4],
 }
 
+/// Observables of the active set by method and grid; none where it is not certified.
+type Known = BTreeMap<(Method, usize), Option<[f64; 4]>>;
+
 /// Beam theory, and the active set on every grid that was asked for.
 #[derive(Debug)]
 pub(crate) struct References {
     exact: ContactState,
-    discrete: RefCell<BTreeMap<(Method, usize), Option<[f64; 4]>>>,
+    discrete: RefCell<Known>,
 }
 
 impl References {

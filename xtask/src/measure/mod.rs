@@ -4,7 +4,7 @@
 //! it is there. Results of another machine, compiler or dependency are not mixed: the file says where it comes from, and
 //! `--fresh` starts it again.
 
-mod errors;
+pub(crate) mod errors;
 mod job;
 mod machine;
 mod plan;
@@ -39,7 +39,12 @@ pub(crate) fn run(root: &Path, fresh: bool, progress: &mut dyn FnMut(&str)) -> R
                 (None, _) => {
                     progress(&format!("{scene_name}, {} of {}: {}", k + 1, jobs.len(), job.describe()));
                     let measured = Measured::of(&scene, *job)?;
-                    let line = Line::measured(key, &measured, &references.errors(&scene, *job, &measured)?);
+                    // A solver that refuses hands back no number at all.
+                    let line = if measured.residual.is_infinite() && measured.iterations == 0 {
+                        Line::refused(key)
+                    } else {
+                        Line::measured(key, &measured, &references.errors(&scene, *job, &measured)?)
+                    };
                     store.append(&line)?;
                     line
                 }

@@ -42,6 +42,13 @@ impl Line {
         Self(fields)
     }
 
+    /// A job that the solver refuses.
+    pub(super) fn refused(key: String) -> Self {
+        let mut fields: Vec<String> = key.split(',').map(str::to_owned).collect();
+        fields.push("refused".to_owned());
+        Self(fields)
+    }
+
     /// A field by the name of its column.
     pub(crate) fn field(&self, column: &str) -> Option<&str> {
         let index = HEADER.split(',').position(|name| name == column)?;

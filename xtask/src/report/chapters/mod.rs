@@ -16,6 +16,7 @@ mod recommendation;
 mod reproduce;
 mod scenes;
 mod solvers;
+mod trade;
 
 use super::error::Cause;
 use super::evidence::Evidence;
@@ -33,6 +34,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },
     Chapter { name: "90-recommendation", evidence: recommendation::evidence },
+    Chapter { name: "100-trade", evidence: trade::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];
