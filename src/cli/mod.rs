@@ -10,6 +10,7 @@ mod compare;
 mod csv;
 mod exact;
 mod failure;
+mod given;
 mod input;
 mod json;
 mod number;

@@ -8,6 +8,7 @@ use palkki::state::{Contact, Extremes, Nodes};
 
 use super::answer::Answer;
 use super::compare::{Comparison, Difference};
+use super::given::given;
 use super::input::Input;
 use super::number::{magnitude, result};
 
@@ -17,6 +18,8 @@ type Row = Vec<String>;
 pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     let labels = Labels::of(input.scene.units());
     let mut text = format!("{}\n{}\n\n", input.title(), "=".repeat(input.title().chars().count()));
+    text += &list(&given(&input.scene));
+    text.push('\n');
     text += &how(answer);
     text += &equilibrium(input, answer, &labels);
     text += &contacts(&answer.state.contacts, &labels);

@@ -21,6 +21,10 @@ fn table_of_solve() {
     Example
     =======
 
+      beam        length 10, bending stiffness 1.302083333
+      load        uniform 1
+      foundation  flat, depth 1
+
       method      complementarity, 4 intervals
       solver      active-set, which says: optimal
       regime      zone
@@ -62,6 +66,10 @@ fn table_with_units_and_without_contact() {
     insta::assert_snapshot!(steady(&run.out), @"
     high.toml
     =========
+
+      beam        length 10 m, bending stiffness 1.302083333 kN m²
+      load        uniform 0.001 kN/m
+      foundation  polyline of 5 points, depths from 0.5 to 1 m
 
       method      force, 2 intervals
       solver      active-set, which says: optimal
