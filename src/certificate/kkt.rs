@@ -63,11 +63,12 @@ impl Kkt {
         let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes);
         let elastic = worst(v.iter().zip(&caused).map(|(v, caused)| (v - caused).abs())) / depth;
         // Reactions that balance forces, and moments about the left support.
-        let total: f64 = loads.iter().sum::<f64>() - p.iter().sum::<f64>();
+        let minus = p.iter().map(|p| -p);
+        let total = Sum::of(loads.iter().copied().chain(minus));
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
         let lever = |i: usize| i as f64 / (n + 1) as f64;
-        let moment = loads.iter().enumerate().map(|(i, q)| q * lever(i)).sum::<f64>()
-            - p.iter().enumerate().map(|(k, p)| p * lever(k + 1)).sum::<f64>();
+        let minus = p.iter().enumerate().map(|(k, p)| -p * lever(k + 1));
+        let moment = Sum::of(loads.iter().enumerate().map(|(i, q)| q * lever(i)).chain(minus));
         let balance =
             worst([total - state.reactions.left - state.reactions.right, moment - state.reactions.right].map(f64::abs));
 
@@ -136,17 +137,47 @@ fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes) -> Vec<
 }
 
 /// `y_0 … y_N` with `y_0 = y_N = 0` and slopes that fall by `f_i` at node `i`.
+///
+/// A million roundings of a slope would be a million times larger in the height: both sums keep what rounding takes from
+/// them, as in Kahan's and Neumaier's sums, and the slope passes its share on.
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 fn integrate_twice(f: &[f64], spacing: f64) -> Vec<f64> {
     let intervals = f.len() + 1;
-    // First with a horizontal start, then turned so that the right end comes to zero.
-    let (mut slope, mut height) = (0.0, 0.0);
-    let mut y = vec![0.0];
+    // First with a horizontal start, then turned so that the right end comes to zero. Heights in units of the spacing.
+    let (mut slope, mut height) = (Sum::default(), Sum::default());
+    let mut y = Vec::with_capacity(intervals + 1);
+    y.push(0.0);
     for f in f.iter().copied().chain([0.0]) {
-        height += slope * spacing;
-        slope -= f;
-        y.push(height);
+        height.add(slope.value);
+        height.lost += slope.lost;
+        slope.add(-f);
+        y.push(height.value + height.lost);
     }
     let end = y[intervals];
-    y.iter().enumerate().map(|(i, y)| y - end * (i as f64 / intervals as f64)).collect()
+    let turn = |(i, y): (usize, f64)| (y - end * (i as f64 / intervals as f64)) * spacing;
+    y.into_iter().enumerate().map(turn).collect()
+}
+
+/// A sum, and what rounding has taken from it.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    value: f64,
+    lost: f64,
+}
+
+impl Sum {
+    /// Adds a number; `lost` gets the exact error of the addition (Knuth's two-sum).
+    fn add(&mut self, next: f64) {
+        let sum = self.value + next;
+        let of_next = sum - self.value;
+        self.lost += (self.value - (sum - of_next)) + (next - of_next);
+        self.value = sum;
+    }
+
+    /// Of many numbers.
+    fn of(values: impl IntoIterator<Item = f64>) -> f64 {
+        let mut sum = Self::default();
+        values.into_iter().for_each(|value| sum.add(value));
+        sum.value + sum.lost
+    }
 }

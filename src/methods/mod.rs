@@ -8,12 +8,14 @@
 //! | [`Force`], (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 
 mod complementarity;
+mod continuous;
 mod discrete;
 mod displacement;
 mod force;
 mod method;
 mod mixed;
 mod nodal;
+mod segment;
 mod statics;
 
 pub use complementarity::Complementarity;

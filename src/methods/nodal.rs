@@ -55,7 +55,8 @@ pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
     let deflection = match nodal.bending {
         Bending::AtNodes => Extremes::of(at_nodes),
         Bending::Between => {
-            let within = cubic_extremes(&nodal.deflection, &moments, spacing, stiffness);
+            let seen = Extremes::of(at_nodes.clone());
+            let within = cubic_extremes(&nodal.deflection, &moments, spacing, stiffness, seen);
             Extremes::of(at_nodes.chain(within.map(|(k, s, v)| (place(k) + s * spacing, v))))
         }
     };
@@ -100,17 +101,23 @@ fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64)
     contacts
 }
 
-/// Stationary points of the cubic deflection inside the intervals: `(interval, s, v)` with `0 < s < 1`.
+/// Stationary points of the cubic deflection inside the intervals: `(interval, s, v)` with `0 < s < 1`. Intervals that
+/// cannot reach beyond what is `seen` at the nodes are passed over: a beam leaves its chord by at most `Δ² max|M| / 8 EI`.
 fn cubic_extremes<'a>(
     deflection: &'a [f64],
     moments: &'a [f64],
     spacing: f64,
     stiffness: f64,
+    seen: Extremes,
 ) -> impl Iterator<Item = (usize, f64, f64)> + 'a {
     let n = deflection.len();
     let at = move |i: usize| if i == 0 || i == n + 1 { 0.0 } else { deflection[i - 1] };
     let unit = spacing * spacing / (6.0 * stiffness);
-    (0..=n).flat_map(move |k| {
+    let beyond = move |k: usize| {
+        let reach = 0.75 * unit * moments[k].abs().max(moments[k + 1].abs());
+        seen.max < at(k).max(at(k + 1)) + reach || at(k).min(at(k + 1)) - reach < seen.min
+    };
+    (0..=n).filter(move |k| beyond(*k)).flat_map(move |k| {
         // With s from 0 to 1, r = 1 − s and m = M Δ²/(6 EI):
         //   v = v₀ r + v₁ s + m₀ r (1 − r²) + m₁ s (1 − s²),   v' = v₁ − v₀ − m₀ (1 − 3 r²) + m₁ (1 − 3 s²).
         let (v0, v1, m0, m1) = (at(k), at(k + 1), unit * moments[k], unit * moments[k + 1]);

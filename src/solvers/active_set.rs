@@ -11,7 +11,11 @@
 //! and there are finitely many; each return to 1 needs fewer violators than any before it, so that there are at most n. In
 //! floating-point arithmetic, where a strict descent can drown in rounding, a limit on the number of solves says so.
 //!
-//! *Ties*, `x_i = 0` and `g_i = 0` within [`ROUNDING`] of their sizes, stay on the side where they are.
+//! **Neighbourhoods.** Before the first round, and after each round of 1, programmes that allow it are
+//! [settled](super::neighbourhood) around the borders between free variables and others, at a small part of the price of a
+//! solve. That is one more finite way to choose the next face: the proof does not change.
+//!
+//! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Programme::rounding) of the solves, stay on the side where they are.
 
 // Discrepancy: beyond-four-steps
 //
@@ -19,18 +23,26 @@
 // are our choice; see Portugal, Júdice, Vicente (1994) for block principal pivoting and Lawson, Hanson (1974) for the descent.
 
 use super::Answer;
+use super::neighbourhood::{borders, settle};
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
-
-/// Violations below this share of the variable's size are rounding: a few thousand units in the last place.
-const ROUNDING: f64 = 1e-12;
 
 /// Rounds of full exchange without fewer violators before the descent: the usual choice for block pivoting is around ten.
 const PATIENCE: usize = 10;
 
+/// Variables on the wrong side at a face minimum, by more than rounding.
+pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: &[bool]) -> Vec<usize> {
+    let (sizes, rounding) = (programme.sizes(), programme.rounding());
+    let largest = |values: &[f64], size: f64| values.iter().fold(size, |most: f64, value| most.max(value.abs()));
+    let x = -rounding * largest(&point.x, sizes.x);
+    let gradient = -rounding * largest(&point.gradient, sizes.gradient);
+    let wrong = |i: &usize| if free[*i] { point.x[*i] < x } else { point.gradient[*i] < gradient };
+    (0..free.len()).filter(wrong).collect()
+}
+
 /// What it is set to.
 pub(super) fn words() -> String {
     format!(
-        "descent after {PATIENCE} exchanges without progress; a sign counts from {ROUNDING:e} of the variable's size"
+        "descent after {PATIENCE} exchanges without progress; a sign counts if it is more than the rounding of a solve"
     )
 }
 
@@ -39,9 +51,17 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
     solve_from(programme, vec![true; programme.dimension()])
 }
 
+/// A guess of the optimal face from another one, by exchanges in the neighbourhood of its borders; the number of solves.
+/// Nothing is verified.
+pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> (Vec<bool>, usize) {
+    let borders = borders(&free);
+    let solves = settle(programme, &mut free, &borders);
+    (free, solves)
+}
+
 /// Solves from a given face: `free[i]` is false where `x_i = 0` at first.
 pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
-    let mut run = Run { programme, solves: 0 };
+    let mut run = Run { programme, solves: 0, settled: 0 };
     let n = programme.dimension();
     match run.exchange(free) {
         Ok((point, optimal)) => {
@@ -53,7 +73,7 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
                 gradient: clip(point.gradient),
                 claims_success: optimal,
                 words: words.to_owned(),
-                iterations: run.solves,
+                iterations: run.solves + run.settled,
             }
         }
         Err(error) => Answer { iterations: run.solves, ..Answer::refused(n, error.to_string()) },
@@ -62,10 +82,18 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
 
 struct Run<'a> {
     programme: &'a dyn Programme,
+    /// Solves of the whole.
     solves: usize,
+    /// Solves of neighbourhoods.
+    settled: usize,
 }
 
 impl Run<'_> {
+    /// Exchanges around some variables before the next solve of the whole.
+    fn settle(&mut self, free: &mut [bool], places: &[usize]) {
+        self.settled += settle(self.programme, free, places);
+    }
+
     /// Step 1° on a face.
     fn minimum_on(&mut self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
         self.solves += 1;
@@ -79,17 +107,15 @@ impl Run<'_> {
 
     /// Variables on the wrong side at a face minimum.
     fn violators(&self, point: &Stationary, free: &[bool]) -> Vec<usize> {
-        let sizes = self.programme.sizes();
-        let wrong = |i: &usize| {
-            if free[*i] { point.x[*i] < -ROUNDING * sizes.x } else { point.gradient[*i] < -ROUNDING * sizes.gradient }
-        };
-        (0..free.len()).filter(wrong).collect()
+        violators(self.programme, point, free)
     }
 
     /// Full exchanges, with descents where they stall. True if the point is optimal.
     fn exchange(&mut self, mut free: Vec<bool>) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
         let mut best: Option<Stationary> = None;
+        let borders = borders(&free);
+        self.settle(&mut free, &borders);
         loop {
             let point = self.minimum_on(&free)?;
             let violators = self.violators(&point, &free);
@@ -115,6 +141,7 @@ impl Run<'_> {
                 free = face;
                 violators.iter().for_each(|&i| free[i] = !free[i]);
             }
+            self.settle(&mut free, &violators);
         }
     }
 
@@ -139,7 +166,7 @@ impl Run<'_> {
     fn walk(&mut self, x: &mut [f64], free: &mut [bool]) -> Result<Stationary, NotPositiveDefinite> {
         loop {
             let target = self.minimum_on(free)?;
-            let tiny = ROUNDING * self.programme.sizes().x;
+            let tiny = self.programme.rounding() * self.programme.sizes().x;
             let blocked = |i: usize, x: &[f64]| free[i] && target.x[i] < -tiny && target.x[i] < x[i];
             let way = |i: usize, x: &[f64]| x[i] / (x[i] - target.x[i]);
             let step = (0..x.len()).filter(|&i| blocked(i, x)).map(|i| way(i, x)).fold(1.0, f64::min);
