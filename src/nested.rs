@@ -48,9 +48,10 @@ fn start(scene: &Scene, method: Method, intervals: usize) -> Result<Option<(Vec<
                 Some((free, before)) => (active_set_from(programme.as_ref(), free), before),
                 None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), 0),
             };
-            let nodal = method.nodal(&coarser, &answer.x, &answer.gradient);
+            let solves = before + answer.iterations;
+            let nodal = method.nodal(&coarser, answer.x, answer.gradient);
             let touching = nodal.contact_force.iter().map(|p| 0.0 < *p);
-            (method.face(touching.collect()), before + answer.iterations)
+            (method.face(touching.collect()), solves)
         }
     };
     Ok(Some((method.face(refined(&method.face(touching), intervals)), solves)))

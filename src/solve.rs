@@ -5,6 +5,7 @@ use crate::methods::{self, Discrete};
 use crate::nested;
 use crate::route::{Method, Outcome, Solver, Status};
 use crate::scene::{Scale, Scene, SceneError};
+use crate::solvers::Answer;
 use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions};
 
 /// What a discretised solution is asked to be.
@@ -52,10 +53,11 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
             Solver::ActiveSet => nested::solve(&scaled.scene, method, &discrete)?,
             _ => solver.run(programme.as_ref(), tolerance),
         };
-        let nodal = method.nodal(&discrete, &answer.x, &answer.gradient);
-        (nodal, answer.claims_success, answer.words, programme.dimension(), answer.iterations)
+        let Answer { x, gradient, claims_success, words, iterations } = answer;
+        (method.nodal(&discrete, x, gradient), claims_success, words, programme.dimension(), iterations)
     };
     let state = methods::contact_state(&discrete, nodal);
+    drop(discrete);
 
     let verdict = Kkt::of(&scaled.scene, &state);
     let status = match verdict {

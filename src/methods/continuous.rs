@@ -128,19 +128,18 @@ impl<'a> Continuous<'a> {
 
     /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
     fn contact_forces(&self, nodes: &Range<usize>, forces: &mut [f64]) {
-        for (i, pair) in self.supports.windows(2).enumerate() {
-            if pair[1] < nodes.start || nodes.end <= pair[0] {
-                continue;
-            }
+        // What the span before has left for its right end.
+        let mut before = 0.0;
+        for (pair, moments) in self.supports.windows(2).zip(self.moments.windows(2)) {
             let span = self.discrete.span(pair[0], pair[1]);
-            let shear = (self.moments[i + 1] - self.moments[i]) / span.steps;
+            let shear = moments[1] - moments[0];
+            let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
             if nodes.contains(&pair[0]) {
-                forces[pair[0] - nodes.start] += span.shares[0] + shear;
+                forces[pair[0] - nodes.start] = before + (span.shares[0] + shear);
             }
-            if nodes.contains(&pair[1]) {
-                forces[pair[1] - nodes.start] += (span.shares[1] - shear) + self.discrete.loads[pair[1]];
-            }
+            before = (span.shares[1] - shear) + self.discrete.loads[pair[1]];
         }
+        // The last support of a part is an end of the beam or far outside.
     }
 
     /// Clearances at those of `nodes` that are not supports.

@@ -32,6 +32,9 @@ pub struct Discrete {
 /// Intervals of the grid on which sizes are measured, if it is not coarser anyway: a size needs two digits.
 const SIZING: usize = 4096;
 
+/// Size of a clearance over ground that leaves no room to deflect, as a share of the free deflection.
+const ON_THE_GROUND: f64 = 1e-6;
+
 impl Discrete {
     /// The nodal data of `scene` on `intervals` equal intervals.
     ///
@@ -82,7 +85,8 @@ impl Discrete {
     /// Sizes of deflection (or clearance) and of nodal force in this scene, for dimensionless residuals.
     ///
     /// The deflection is limited by the free beam and by the foundation, whichever is nearer:
-    /// `max_i min(|u_i|, |v_free,i|)`. Forces are measured by the sum of the nodal loads; without loads, by the force
+    /// `max_i min(|u_i|, |v_free,i|)`. Over ground at the line of the supports it cannot move at all, and a small part of the
+    /// free deflection has to do. Forces are measured by the sum of the nodal loads; without loads, by the force
     /// that deflects the beam by that much, `48 EI v / l³`.
     #[must_use]
     pub fn sizes(&self) -> Sizes {
@@ -127,6 +131,9 @@ fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
     let mut deflection = largest(&mut free.iter().zip(&depths).map(|(v, u)| v.abs().min(u.abs())));
     if deflection <= 0.0 {
         deflection = largest(&mut depths.iter().map(|u| u.abs()));
+    }
+    if deflection <= 0.0 {
+        deflection = ON_THE_GROUND * largest(&mut free.iter().map(|v| v.abs()));
     }
     if !(0.0 < deflection && deflection < f64::INFINITY) {
         deflection = 1.0;

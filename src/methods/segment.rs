@@ -96,7 +96,14 @@ impl Segments {
     }
 
     /// The beam between two nodes, `first < last`, as a simple beam.
+    #[inline]
     pub(super) fn between(&self, loads: &[f64], first: usize, last: usize) -> Segment {
+        // A single interval, which in dense contact most spans are.
+        if last == first + 1 { Segment { steps: 1.0, ..Segment::default() } } else { self.long(loads, first, last) }
+    }
+
+    /// The same for spans with loads between their ends.
+    fn long(&self, loads: &[f64], first: usize, last: usize) -> Segment {
         if last <= first + LEAF {
             return Segment::of(&loads[first + 1..last]);
         }

@@ -15,6 +15,7 @@ impl Foundation {
     /// The growth of the slope, from the chord over the length `a` to the left of `x` to that over `b` to its right, both
     /// positive. `a` and `b` may be rounded; they are a perturbation of places, not of depths.
     #[must_use]
+    #[inline]
     pub fn bend(&self, x: f64, a: f64, b: f64) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,

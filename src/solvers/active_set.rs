@@ -32,9 +32,13 @@ const PATIENCE: usize = 10;
 /// Variables on the wrong side at a face minimum, by more than rounding.
 pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: &[bool]) -> Vec<usize> {
     let (sizes, rounding) = (programme.sizes(), programme.rounding());
-    let largest = |values: &[f64], size: f64| values.iter().fold(size, |most: f64, value| most.max(value.abs()));
-    let x = -rounding * largest(&point.x, sizes.x);
-    let gradient = -rounding * largest(&point.gradient, sizes.gradient);
+    let (mut x, mut gradient) = (sizes.x, sizes.gradient);
+    for (value, slope) in point.x.iter().zip(&point.gradient) {
+        // Not `max`: a comparison is all that a number needs.
+        x = if x < value.abs() { value.abs() } else { x };
+        gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
+    }
+    let (x, gradient) = (-rounding * x, -rounding * gradient);
     let wrong = |i: &usize| if free[*i] { point.x[*i] < x } else { point.gradient[*i] < gradient };
     (0..free.len()).filter(wrong).collect()
 }
@@ -67,7 +71,12 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
         Ok((point, optimal)) => {
             let words = if optimal { "optimal" } else { "no further descent above rounding" };
             // What is left below zero is within rounding of it.
-            let clip = |values: Vec<f64>| if optimal { values.iter().map(|v| v.max(0.0)).collect() } else { values };
+            let clip = |mut values: Vec<f64>| {
+                if optimal {
+                    values.iter_mut().for_each(|v| *v = v.max(0.0));
+                }
+                values
+            };
             Answer {
                 x: clip(point.x),
                 gradient: clip(point.gradient),
