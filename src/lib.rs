@@ -38,6 +38,7 @@
 
 pub mod certificate;
 pub mod methods;
+mod nested;
 pub mod paper;
 pub mod plot;
 pub mod problem;

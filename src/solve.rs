@@ -2,9 +2,10 @@
 
 use crate::certificate::Kkt;
 use crate::methods::{self, Discrete};
+use crate::nested;
 use crate::route::{Method, Outcome, Solver, Status};
 use crate::scene::{Scale, Scene, SceneError};
-use crate::solvers::{Answer, active_set_from};
+use crate::solvers::Answer;
 use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions};
 
 /// What a discretised solution is asked to be.
@@ -49,13 +50,14 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
     } else {
         let programme = method.programme(&discrete);
         let answer = match solver {
-            Solver::ActiveSet => nested(&scaled.scene, method, &discrete)?,
+            Solver::ActiveSet => nested::solve(&scaled.scene, method, &discrete)?,
             _ => solver.run(programme.as_ref(), tolerance),
         };
-        let nodal = method.nodal(&discrete, &answer.x, &answer.gradient);
-        (nodal, answer.claims_success, answer.words, programme.dimension(), answer.iterations)
+        let Answer { x, gradient, claims_success, words, iterations } = answer;
+        (method.nodal(&discrete, x, gradient), claims_success, words, programme.dimension(), iterations)
     };
     let state = methods::contact_state(&discrete, nodal);
+    drop(discrete);
 
     let verdict = Kkt::of(&scaled.scene, &state);
     let status = match verdict {
@@ -72,40 +74,6 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
         unknowns,
         iterations,
     })
-}
-
-/// The active set on nested grids: each starts from the contact of the grid with half as many intervals, so that only the
-/// neighbourhood of lift-off points has to change. Solves on all grids count.
-fn nested(scene: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {
-    /// Up to here the paper's start, all variables free, takes a handful of solves.
-    const COARSEST: usize = 40;
-    let programme = method.programme(discrete);
-    let coarse = discrete.intervals / 2;
-    if coarse < COARSEST {
-        return Ok(Solver::ActiveSet.run(programme.as_ref(), 0.0));
-    }
-    let coarser = Discrete::new(scene, coarse)?;
-    let guess = nested(scene, method, &coarser)?;
-    let touching: Vec<bool> =
-        method.nodal(&coarser, &guess.x, &guess.gradient).contact_force.iter().map(|p| 0.0 < *p).collect();
-    let touches = refined(&touching, discrete.intervals);
-    let free = if method == Method::Force { touches } else { touches.iter().map(|t| !t).collect() };
-    let answer = active_set_from(programme.as_ref(), free);
-    Ok(Answer { iterations: answer.iterations + guess.iterations, ..answer })
-}
-
-/// Contact on a grid of `intervals`, from contact at the interior nodes of a coarser one: nodes between two neighbours in
-/// contact, and the node nearest to each one in contact.
-fn refined(touching: &[bool], intervals: usize) -> Vec<bool> {
-    let coarse = touching.len() + 1;
-    let touches = |i: usize| (1..coarse).contains(&i) && touching[i - 1];
-    let mut fine: Vec<bool> =
-        (1..intervals).map(|i| touches(i * coarse / intervals) && touches((i * coarse).div_ceil(intervals))).collect();
-    for i in (1..coarse).filter(|&i| touches(i)) {
-        let nearest = (2 * i * intervals + coarse) / (2 * coarse);
-        fine[nearest.clamp(1, intervals - 1) - 1] = true;
-    }
-    fine
 }
 
 impl ContactState {

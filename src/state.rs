@@ -77,27 +77,54 @@ impl Extremes {
     ///
     /// Where the extreme value holds over a stretch, the middle of the first such stretch is named, otherwise its first place.
     #[must_use]
-    pub fn of(values: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        let values: Vec<(f64, f64)> = values.into_iter().collect();
-        let largest = values.iter().fold(0.0_f64, |largest, (_, v)| largest.max(v.abs()));
-        let equal = Self::EQUAL * largest;
-        let (max, max_at) = extreme(&values, f64::max, equal);
-        let (min, min_at) = extreme(&values, f64::min, equal);
+    pub fn of<I: IntoIterator<Item = (f64, f64), IntoIter: Clone>>(values: I) -> Self {
+        let values = values.into_iter();
+        let (max, min) = values
+            .clone()
+            .fold((f64::NEG_INFINITY, f64::INFINITY), |(max, min), (_, value)| (max.max(value), min.min(value)));
+        if max < min {
+            return Self::default();
+        }
+        let largest = max.abs().max(min.abs());
+        let place = |extreme: f64| place_of(values.clone(), extreme, Self::EQUAL * largest);
         // What is left of a value that is zero is rounding, and has no sign.
         let clean = |value: f64| if value.abs() <= f64::EPSILON * largest { 0.0 } else { value };
-        Self { max: clean(max), max_at, min: clean(min), min_at }
+        Self { max: clean(max), max_at: place(max), min: clean(min), min_at: place(min) }
+    }
+
+    /// With one more value, if it lies clearly beyond those seen.
+    #[must_use]
+    pub fn beyond(self, at: f64, value: f64) -> Self {
+        let equal = Self::EQUAL * self.max.abs().max(self.min.abs());
+        if self.max + equal < value {
+            Self { max: value, max_at: at, ..self }
+        } else if value < self.min - equal {
+            Self { min: value, min_at: at, ..self }
+        } else {
+            self
+        }
     }
 }
 
-/// The extreme value that `choose` prefers, and where it is.
-fn extreme(values: &[(f64, f64)], choose: fn(f64, f64) -> f64, equal: f64) -> (f64, f64) {
-    let Some(value) = values.iter().map(|(_, v)| *v).reduce(choose) else { return (0.0, 0.0) };
-    let reached = |(_, v): &&(f64, f64)| (v - value).abs() <= equal;
-    let stretch = values.chunk_by(|a, b| reached(&a) && reached(&b)).filter(|run| run.iter().any(|v| reached(&v)));
-    let ends = |run: &[(f64, f64)]| (run[0].0, run[run.len() - 1].0);
-    let long = stretch.clone().map(ends).find(|(from, to)| from < to);
-    let first = stretch.map(ends).next();
-    (value, long.or(first).map_or(f64::NAN, |(from, to)| 0.5 * (from + to)))
+/// Where a value is reached: the middle of the first stretch of neighbours that reach it, otherwise the first place.
+fn place_of(values: impl Iterator<Item = (f64, f64)>, extreme: f64, equal: f64) -> f64 {
+    let mut first = f64::NAN;
+    let mut run: Option<(f64, f64)> = None;
+    for (at, value) in values {
+        let reached = (value - extreme).abs() <= equal;
+        run = match run {
+            Some((from, _)) if reached => Some((from, at)),
+            Some((from, to)) if from < to => break,
+            _ => reached.then_some((at, at)),
+        };
+        if first.is_nan() && reached {
+            first = at;
+        }
+    }
+    match run {
+        Some((from, to)) if from < to => 0.5 * (from + to),
+        _ => first,
+    }
 }
 
 /// How a discretised beam bends between its nodes.

@@ -46,36 +46,50 @@ impl Kkt {
             return None;
         }
         let loads = grid.nodal_loads(scene.load());
-        let depths = grid.depths(scene);
+        let depth_at = |i: usize| scene.depth(grid.place(i));
         let (v, p) = (&nodes.deflection, &nodes.contact_force);
 
-        let sum = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).sum::<f64>();
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        let load = sum(&mut loads.iter().copied());
-        let idle = if load == 0.0 { within_reach(&depths) } else { 0.0 };
-        let force = nonzero(load.max(sum(&mut p.iter().copied())).max(idle / flexibility));
+        // Forces, and their moments about the left support over `l`: all of them downwards, and their magnitudes.
+        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+        let lever = |i: usize| i as f64 / (n + 1) as f64;
+        let (mut total, mut moment, mut load, mut contact) =
+            (Sum::default(), Sum::default(), Sum::default(), Sum::default());
+        for (i, &q) in loads.iter().enumerate() {
+            let p = if i == 0 || i == n + 1 { 0.0 } else { p[i - 1] };
+            total.add(q);
+            total.add(-p);
+            moment.add(q * lever(i));
+            moment.add(-p * lever(i));
+            load.add(q.abs());
+            contact.add(p.abs());
+        }
+        let idle = if load.total() == 0.0 { within_reach((1..=n).map(depth_at)) } else { 0.0 };
+        let force = nonzero(load.total().max(contact.total()).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         let moved = worst(v.iter().map(|v| v.abs())).max(idle);
         let depth = nonzero(moved.max(ROUNDING * flexibility * force));
 
-        let clearance = || depths.iter().zip(v).map(|(u, v)| u - v);
         let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes);
-        let elastic = worst(v.iter().zip(&caused).map(|(v, caused)| (v - caused).abs())) / depth;
+        let (mut penetration, mut tension, mut complementarity, mut elastic) =
+            (Worst::default(), Worst::default(), Worst::default(), Worst::default());
+        for (i, ((v, p), caused)) in v.iter().zip(p).zip(&caused[1..]).enumerate() {
+            let h = depth_at(i + 1) - v;
+            penetration.see(-h);
+            tension.see(-p);
+            complementarity.see((h / depth).min(p / force));
+            elastic.see((v - caused).abs());
+        }
         // Reactions that balance forces, and moments about the left support.
-        let total: f64 = loads.iter().sum::<f64>() - p.iter().sum::<f64>();
-        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-        let lever = |i: usize| i as f64 / (n + 1) as f64;
-        let moment = loads.iter().enumerate().map(|(i, q)| q * lever(i)).sum::<f64>()
-            - p.iter().enumerate().map(|(k, p)| p * lever(k + 1)).sum::<f64>();
-        let balance =
-            worst([total - state.reactions.left - state.reactions.right, moment - state.reactions.right].map(f64::abs));
-
+        let mut balance = Worst::default();
+        balance.see((total.total() - state.reactions.left - state.reactions.right).abs());
+        balance.see((moment.total() - state.reactions.right).abs());
         Some(Self {
-            penetration: worst(clearance().map(|h| -h)) / depth,
-            tension: worst(p.iter().map(|p| -p)) / force,
-            complementarity: worst(clearance().zip(p).map(|(h, p)| (h / depth).min(p / force))),
-            equilibrium: elastic.max(balance / force),
+            penetration: penetration.value() / depth,
+            tension: tension.value() / force,
+            complementarity: complementarity.value(),
+            equilibrium: (elastic.value() / depth).max(balance.value() / force),
         })
     }
 
@@ -94,13 +108,35 @@ impl Kkt {
 
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.
 fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, |worst, value| if value.is_nan() { f64::INFINITY } else { worst.max(value) })
+    let mut worst = Worst::default();
+    values.into_iter().for_each(|value| worst.see(value));
+    worst.value()
+}
+
+/// The largest number seen, at least 0, and whether all were numbers.
+#[derive(Default)]
+struct Worst {
+    largest: f64,
+    nan: bool,
+}
+
+impl Worst {
+    fn see(&mut self, value: f64) {
+        self.nan |= value.is_nan();
+        if self.largest < value {
+            self.largest = value;
+        }
+    }
+
+    fn value(&self) -> f64 {
+        if self.nan { f64::INFINITY } else { self.largest }
+    }
 }
 
 /// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
 /// Zero where there is no ground.
-fn within_reach(depths: &[f64]) -> f64 {
-    let highest = depths.iter().copied().fold(f64::INFINITY, f64::min);
+fn within_reach(depths: impl Iterator<Item = f64>) -> f64 {
+    let highest = depths.fold(f64::INFINITY, f64::min);
     if highest.is_finite() { highest.abs() } else { 0.0 }
 }
 
@@ -109,7 +145,7 @@ fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
 }
 
-/// Deflections at the interior nodes under the loads and the contact forces of a state: moments by statics, then
+/// Deflections at all nodes under the loads and the contact forces of a state: moments by statics, then
 /// integration of `v'' = −M/EI` from the left with the right end brought back to zero.
 ///
 /// ```text
@@ -120,33 +156,65 @@ fn nonzero(size: f64) -> f64 {
 /// with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam.
 fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes) -> Vec<f64> {
     let spacing = grid.spacing();
-    let forces: Vec<f64> = nodes.contact_force.iter().zip(&loads[1..]).map(|(p, q)| q - p).collect();
-    let moment = integrate_twice(&forces, spacing);
-    let angles: Vec<f64> = (1..=forces.len())
-        .map(|i| match nodes.bending {
-            Bending::AtNodes => moment[i],
-            Bending::Between => (moment[i - 1] + 4.0 * moment[i] + moment[i + 1]) / 6.0,
-        })
-        .map(|c| spacing / stiffness * c)
-        .collect();
-    let mut v = integrate_twice(&angles, spacing);
-    v.remove(0);
-    v.pop();
-    v
+    let unit = spacing / stiffness;
+    let mut y = vec![0.0; loads.len()];
+    for ((y, q), p) in y[1..].iter_mut().zip(&loads[1..]).zip(&nodes.contact_force) {
+        *y = q - p;
+    }
+    integrate_twice(&mut y, spacing);
+    // In place: the moment of the node before is kept.
+    let mut before = 0.0;
+    for i in 1..y.len() - 1 {
+        let here = y[i];
+        y[i] = match nodes.bending {
+            Bending::AtNodes => unit * here,
+            Bending::Between => unit * ((before + 4.0 * here + y[i + 1]) / 6.0),
+        };
+        before = here;
+    }
+    integrate_twice(&mut y, spacing);
+    y
 }
 
-/// `y_0 … y_N` with `y_0 = y_N = 0` and slopes that fall by `f_i` at node `i`.
+/// From `f_1 … f_{N−1}`, between two zeros, to `y_0 … y_N` with `y_0 = y_N = 0` and slopes that fall by `f_i` at node `i`.
+///
+/// A million roundings of a slope would be a million times larger in the height: both sums keep what rounding takes from
+/// them, as in Kahan's and Neumaier's sums, and the slope passes its share on.
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-fn integrate_twice(f: &[f64], spacing: f64) -> Vec<f64> {
-    let intervals = f.len() + 1;
-    // First with a horizontal start, then turned so that the right end comes to zero.
-    let (mut slope, mut height) = (0.0, 0.0);
-    let mut y = vec![0.0];
-    for f in f.iter().copied().chain([0.0]) {
-        height += slope * spacing;
-        slope -= f;
-        y.push(height);
+fn integrate_twice(y: &mut [f64], spacing: f64) {
+    // First with a horizontal start, then turned so that the right end comes to zero. Heights in units of the spacing.
+    let (mut slope, mut height) = (Sum::default(), Sum::default());
+    for y in y.iter_mut() {
+        let f = *y;
+        *y = height.total();
+        slope.add(-f);
+        height.add(slope.value);
+        height.lost += slope.lost;
     }
-    let end = y[intervals];
-    y.iter().enumerate().map(|(i, y)| y - end * (i as f64 / intervals as f64)).collect()
+    let intervals = (y.len() - 1) as f64;
+    let end = y[y.len() - 1];
+    for (i, y) in y.iter_mut().enumerate() {
+        *y = (*y - end * (i as f64 / intervals)) * spacing;
+    }
+}
+
+/// A sum, and what rounding has taken from it.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    value: f64,
+    lost: f64,
+}
+
+impl Sum {
+    /// Adds a number; `lost` gets the exact error of the addition (Knuth's two-sum).
+    fn add(&mut self, next: f64) {
+        let sum = self.value + next;
+        let of_next = sum - self.value;
+        self.lost += (self.value - (sum - of_next)) + (next - of_next);
+        self.value = sum;
+    }
+
+    fn total(self) -> f64 {
+        self.value + self.lost
+    }
 }

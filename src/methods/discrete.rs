@@ -1,8 +1,9 @@
 //! A scene on a grid: what the three methods have in common before they choose an unknown.
 
+use super::segment::{Segment, Segments};
 use super::statics;
 use crate::problem::Sizes;
-use crate::scene::{Grid, Scene, SceneError};
+use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Bending;
 
 /// Nodal data of a scene on a grid. The scene is dimensionless and has a foundation.
@@ -20,7 +21,19 @@ pub struct Discrete {
     pub loads: Vec<f64>,
     /// Depths `u_1 … u_n` at the interior nodes.
     pub depths: Vec<f64>,
+    /// The profile that they are taken from, and its depths below the two supports of the beam.
+    profile: Option<Foundation>,
+    below_supports: [f64; 2],
+    /// The loads once more, ready for spans of any length.
+    segments: Segments,
+    sizes: Sizes,
 }
+
+/// Intervals of the grid on which sizes are measured, if it is not coarser anyway: a size needs two digits.
+const SIZING: usize = 4096;
+
+/// Size of a clearance over ground that leaves no room to deflect, as a share of the free deflection.
+const ON_THE_GROUND: f64 = 1e-6;
 
 impl Discrete {
     /// The nodal data of `scene` on `intervals` equal intervals.
@@ -30,13 +43,18 @@ impl Discrete {
     /// [`SceneError::TooFewIntervals`].
     pub fn new(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         let grid = Grid::uniform(scene, intervals)?;
+        let loads = grid.nodal_loads(scene.load());
         Ok(Self {
             grid,
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),
-            loads: grid.nodal_loads(scene.load()),
             depths: grid.depths(scene),
+            profile: scene.foundation().cloned(),
+            below_supports: [0, intervals].map(|node| scene.depth(grid.place(node))),
+            segments: Segments::new(&loads),
+            sizes: sizes(scene, intervals.min(SIZING))?,
+            loads,
         })
     }
 
@@ -55,11 +73,7 @@ impl Discrete {
     /// Deflection at the interior nodes under nodal forces `t_1 … t_n`: `v = C t`, (25), by statics and without `C`.
     #[must_use]
     pub fn deflection(&self, forces: &[f64], bending: Bending) -> Vec<f64> {
-        let moments = statics::moments(forces, self.spacing);
-        let mut v = statics::deflections(&moments, self.spacing, self.stiffness, bending);
-        v.pop();
-        v.remove(0);
-        v
+        deflection(forces, self.spacing, self.stiffness, bending)
     }
 
     /// Clearances `h = u − v` at the interior nodes.
@@ -71,24 +85,72 @@ impl Discrete {
     /// Sizes of deflection (or clearance) and of nodal force in this scene, for dimensionless residuals.
     ///
     /// The deflection is limited by the free beam and by the foundation, whichever is nearer:
-    /// `max_i min(|u_i|, |v_free,i|)`. Forces are measured by the sum of the nodal loads; without loads, by the force
+    /// `max_i min(|u_i|, |v_free,i|)`. Over ground at the line of the supports it cannot move at all, and a small part of the
+    /// free deflection has to do. Forces are measured by the sum of the nodal loads; without loads, by the force
     /// that deflects the beam by that much, `48 EI v / l³`.
     #[must_use]
     pub fn sizes(&self) -> Sizes {
-        let free = self.deflection(self.interior_loads(), Bending::Between);
-        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
-        let mut deflection = largest(&mut free.iter().zip(&self.depths).map(|(v, u)| v.abs().min(u.abs())));
-        if deflection <= 0.0 {
-            deflection = largest(&mut self.depths.iter().map(|u| u.abs()));
-        }
-        if !(0.0 < deflection && deflection < f64::INFINITY) {
-            deflection = 1.0;
-        }
-        let mut force: f64 = self.interior_loads().iter().map(|q| q.abs()).sum();
-        if force <= 0.0 {
-            let length = self.spacing * (1 + self.interior()) as f64;
-            force = 48.0 * self.stiffness * deflection / (length * length * length);
-        }
-        Sizes { x: deflection, gradient: force }
+        self.sizes
     }
+
+    /// The beam between two nodes as a simple beam under the loads between them.
+    pub(super) fn span(&self, first: usize, last: usize) -> Segment {
+        self.segments.between(&self.loads, first, last)
+    }
+
+    /// Depth at which a node is held: zero at the supports of the beam.
+    pub(super) fn support_depth(&self, node: usize) -> f64 {
+        if node == 0 || node == self.intervals { 0.0 } else { self.depths[node - 1] }
+    }
+
+    /// By how much the slope of the polyline through three nodes, held on the foundation or by the supports of the beam,
+    /// grows at the middle one.
+    pub(super) fn bend(&self, left: usize, node: usize, right: usize) -> f64 {
+        let Some(profile) = &self.profile else { return 0.0 };
+        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+        let [before, behind] = [node - left, right - node].map(|steps| self.spacing * steps as f64);
+        let mut bend = profile.bend(self.grid.place(node), before, behind);
+        // The supports of the beam are not on the foundation.
+        if left == 0 {
+            bend -= self.below_supports[0] / before;
+        }
+        if right == self.intervals {
+            bend -= self.below_supports[1] / behind;
+        }
+        bend
+    }
+}
+
+/// See [`Discrete::sizes`].
+fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
+    let grid = Grid::uniform(scene, intervals)?;
+    let (loads, depths) = (grid.nodal_loads(scene.load()), grid.depths(scene));
+    let stiffness = scene.beam().bending_stiffness();
+    let free = deflection(&loads[1..intervals], grid.spacing(), stiffness, Bending::Between);
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
+    let mut deflection = largest(&mut free.iter().zip(&depths).map(|(v, u)| v.abs().min(u.abs())));
+    if deflection <= 0.0 {
+        deflection = largest(&mut depths.iter().map(|u| u.abs()));
+    }
+    if deflection <= 0.0 {
+        deflection = ON_THE_GROUND * largest(&mut free.iter().map(|v| v.abs()));
+    }
+    if !(0.0 < deflection && deflection < f64::INFINITY) {
+        deflection = 1.0;
+    }
+    let mut force: f64 = loads[1..intervals].iter().map(|q| q.abs()).sum();
+    if force <= 0.0 {
+        let length = scene.beam().length();
+        force = 48.0 * stiffness * deflection / (length * length * length);
+    }
+    Ok(Sizes { x: deflection, gradient: force })
+}
+
+/// Deflection at the interior nodes under nodal forces.
+fn deflection(forces: &[f64], spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
+    let moments = statics::moments(forces, spacing);
+    let mut v = statics::deflections(&moments, spacing, stiffness, bending);
+    v.pop();
+    v.remove(0);
+    v
 }

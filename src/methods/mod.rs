@@ -8,12 +8,14 @@
 //! | [`Force`], (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 
 mod complementarity;
+mod continuous;
 mod discrete;
 mod displacement;
 mod force;
 mod method;
 mod mixed;
 mod nodal;
+mod segment;
 mod statics;
 
 pub use complementarity::Complementarity;
@@ -48,13 +50,13 @@ impl Method {
 
     /// What an answer `(x, g)` of the programme means for the nodes.
     #[must_use]
-    pub fn nodal(self, discrete: &Discrete, x: &[f64], gradient: &[f64]) -> Nodal {
+    pub fn nodal(self, discrete: &Discrete, x: Vec<f64>, gradient: Vec<f64>) -> Nodal {
         let (clearance, contact_force) = match self {
-            Self::Complementarity => (x.to_vec(), gradient.iter().map(|p| p * discrete.spacing).collect()),
-            Self::Displacement => (x.to_vec(), gradient.to_vec()),
-            Self::Force => (gradient.to_vec(), x.to_vec()),
+            Self::Complementarity => (x, gradient.into_iter().map(|p| p * discrete.spacing).collect()),
+            Self::Displacement => (x, gradient),
+            Self::Force => (gradient, x),
         };
-        let deflection = discrete.depths.iter().zip(&clearance).map(|(u, h)| u - h).collect();
+        let deflection = discrete.clearances(&clearance);
         Nodal { bending: self.bending(), deflection, clearance, contact_force }
     }
 }

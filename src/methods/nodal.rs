@@ -1,6 +1,7 @@
 //! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts by neighbourhood, extremes, energy.
 
 use super::{Discrete, statics};
+use crate::scene::Grid;
 use crate::state::{Bending, Contact, ContactState, Extremes, Nodes, Reactions, Regime};
 
 /// What an answer means for the interior nodes.
@@ -37,43 +38,63 @@ pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
     let Discrete { intervals, spacing, stiffness, .. } = *discrete;
     let loads = discrete.interior_loads();
     let place = |i: usize| discrete.grid.place(i);
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    let share = |i: usize| i as f64 / intervals as f64;
-
-    let carried: Vec<f64> = loads.iter().zip(&nodal.contact_force).map(|(q, p)| q - p).collect();
-    let moments = statics::moments(&carried, spacing);
-    let right: f64 = carried.iter().enumerate().map(|(k, t)| t * share(k + 1)).sum();
-    let left: f64 = carried.iter().enumerate().map(|(k, t)| t * share(intervals - k - 1)).sum();
+    let mut carried: Vec<f64> = loads.iter().zip(&nodal.contact_force).map(|(q, p)| q - p).collect();
+    let mut moments = statics::moments(&carried, spacing);
+    // The shear forces of the first and the last interval.
+    let reactions = Reactions {
+        left: moments[1] / spacing + discrete.loads[0],
+        right: moments[intervals - 1] / spacing + discrete.loads[intervals],
+    };
     // J(v) = ½ tᵀv − qᵀv, since v = C t.
     let energy = carried.iter().zip(loads).zip(&nodal.deflection).map(|((t, q), v)| (0.5 * t - q) * v).sum();
 
     let sizes = discrete.sizes();
     let contacts = contacts(&nodal, sizes.x, sizes.gradient, place);
-    let mut sagging: Vec<(f64, f64)> = std::iter::once((0.0, 0.0))
-        .chain(nodal.deflection.iter().enumerate().map(|(k, &v)| (place(k + 1), v)))
-        .chain([(place(intervals), 0.0)])
-        .collect();
-    if nodal.bending == Bending::Between {
-        let within = cubic_extremes(&nodal.deflection, &moments, spacing, stiffness);
-        sagging.extend(within.map(|(k, s, v)| (place(k) + s * spacing, v)));
-        sagging.sort_by(|a, b| a.0.total_cmp(&b.0));
-    }
+    // Places are counted in intervals until an extreme is found.
+    let at_nodes = std::iter::once(0.0).chain(nodal.deflection.iter().copied()).chain([0.0]);
+    let seen = Extremes::of(numbered(at_nodes));
+    let deflection = match nodal.bending {
+        Bending::AtNodes => seen,
+        Bending::Between => cubic_extremes(&nodal.deflection, &moments, spacing, stiffness, seen)
+            .fold(seen, |found, (k, s, v)| found.beyond(k + s, v)),
+    };
+    let moment = Extremes::of(numbered(moments.iter().copied()));
+    moments.pop();
+    moments.remove(0);
+    carried.iter_mut().enumerate().for_each(|(k, x)| *x = place(k + 1));
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions { left: left + discrete.loads[0], right: right + discrete.loads[intervals] },
+        reactions,
         contacts,
-        deflection: Extremes::of(sagging),
-        moment: Extremes::of(moments.iter().enumerate().map(|(i, &m)| (place(i), m))),
+        deflection: placed(deflection, &discrete.grid),
+        moment: placed(moment, &discrete.grid),
         energy,
         nodes: Some(Nodes {
             bending: nodal.bending,
-            x: (1..intervals).map(place).collect(),
+            x: carried,
             deflection: nodal.deflection,
             clearance: nodal.clearance,
             contact_force: nodal.contact_force,
-            moment: moments[1..intervals].to_vec(),
+            moment: moments,
         }),
     }
+}
+
+/// Values at node 0, 1, 2, … with the number of the node for their place.
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+fn numbered(values: impl Iterator<Item = f64> + Clone) -> impl Iterator<Item = (f64, f64)> + Clone {
+    values.enumerate().map(|(number, value)| (number as f64, value))
+}
+
+/// Extremes with places along the beam instead of numbers of nodes.
+fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and the number of intervals"
+    )]
+    let place = |number: f64| grid.place(number as usize) + number.fract() * grid.spacing();
+    Extremes { max_at: place(extremes.max_at), min_at: place(extremes.min_at), ..extremes }
 }
 
 /// Runs of neighbouring nodes in contact, each a zone, or a point if it is a single node.
@@ -99,24 +120,31 @@ fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64)
     contacts
 }
 
-/// Stationary points of the cubic deflection inside the intervals: `(interval, s, v)` with `0 < s < 1`.
+/// Stationary points of the cubic deflection inside the intervals: `(interval, s, v)` with `0 < s < 1`. Intervals that
+/// cannot reach beyond what is `seen` at the nodes are passed over: a beam leaves its chord by at most `Δ² max|M| / 8 EI`.
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
 fn cubic_extremes<'a>(
     deflection: &'a [f64],
     moments: &'a [f64],
     spacing: f64,
     stiffness: f64,
-) -> impl Iterator<Item = (usize, f64, f64)> + 'a {
+    seen: Extremes,
+) -> impl Iterator<Item = (f64, f64, f64)> + 'a {
     let n = deflection.len();
     let at = move |i: usize| if i == 0 || i == n + 1 { 0.0 } else { deflection[i - 1] };
     let unit = spacing * spacing / (6.0 * stiffness);
-    (0..=n).flat_map(move |k| {
+    let beyond = move |k: usize| {
+        let reach = 0.75 * unit * moments[k].abs().max(moments[k + 1].abs());
+        seen.max < at(k).max(at(k + 1)) + reach || at(k).min(at(k + 1)) - reach < seen.min
+    };
+    (0..=n).filter(move |k| beyond(*k)).flat_map(move |k| {
         // With s from 0 to 1, r = 1 − s and m = M Δ²/(6 EI):
         //   v = v₀ r + v₁ s + m₀ r (1 − r²) + m₁ s (1 − s²),   v' = v₁ − v₀ − m₀ (1 − 3 r²) + m₁ (1 − 3 s²).
         let (v0, v1, m0, m1) = (at(k), at(k + 1), unit * moments[k], unit * moments[k + 1]);
         let roots = quadratic_roots(3.0 * (m0 - m1), -6.0 * m0, v1 - v0 + 2.0 * m0 + m1);
         roots.into_iter().flatten().filter(|s| 0.0 < *s && *s < 1.0).map(move |s| {
             let r = 1.0 - s;
-            (k, s, v0 * r + v1 * s + m0 * r * (1.0 - r * r) + m1 * s * (1.0 - s * s))
+            (k as f64, s, v0 * r + v1 * s + m0 * r * (1.0 - r * r) + m1 * s * (1.0 - s * s))
         })
     })
 }

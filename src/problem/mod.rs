@@ -11,6 +11,8 @@
 //! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows nothing of
 //! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
+use std::ops::Range;
+
 mod dense;
 mod ldl;
 mod matrix;
@@ -42,6 +44,23 @@ pub trait Programme {
     ///
     /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite>;
+
+    /// The same point, but only at the variables of `range`, which come first and alone in the result; [`None`] if that is not
+    /// cheaper than the whole.
+    ///
+    /// For problems in which a change of the face is felt in its neighbourhood only. What comes back is the whole point up to
+    /// rounding.
+    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Option<Result<Stationary, NotPositiveDefinite>> {
+        let _ = (free, range);
+        None
+    }
+
+    /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing.
+    ///
+    /// By default a few thousand units in the last place.
+    fn rounding(&self) -> f64 {
+        1e-12
+    }
 
     /// Sizes with which `x` and `g` become dimensionless numbers of order one.
     fn sizes(&self) -> Sizes;

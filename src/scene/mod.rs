@@ -1,6 +1,7 @@
 //! What is given: beam, load, foundation. A [`Scene`] that exists is well posed.
 
 mod beam;
+mod bend;
 mod error;
 pub mod file;
 mod foundation;

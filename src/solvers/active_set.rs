@@ -11,7 +11,11 @@
 //! and there are finitely many; each return to 1 needs fewer violators than any before it, so that there are at most n. In
 //! floating-point arithmetic, where a strict descent can drown in rounding, a limit on the number of solves says so.
 //!
-//! *Ties*, `x_i = 0` and `g_i = 0` within [`ROUNDING`] of their sizes, stay on the side where they are.
+//! **Neighbourhoods.** Before the first round, and after each round of 1, programmes that allow it are
+//! [settled](super::neighbourhood) around the borders between free variables and others, at a small part of the price of a
+//! solve. That is one more finite way to choose the next face: the proof does not change.
+//!
+//! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Programme::rounding) of the solves, stay on the side where they are.
 
 // Discrepancy: beyond-four-steps
 //
@@ -19,18 +23,30 @@
 // are our choice; see Portugal, Júdice, Vicente (1994) for block principal pivoting and Lawson, Hanson (1974) for the descent.
 
 use super::Answer;
+use super::neighbourhood::{borders, settle};
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
-
-/// Violations below this share of the variable's size are rounding: a few thousand units in the last place.
-const ROUNDING: f64 = 1e-12;
 
 /// Rounds of full exchange without fewer violators before the descent: the usual choice for block pivoting is around ten.
 const PATIENCE: usize = 10;
 
+/// Variables on the wrong side at a face minimum, by more than rounding.
+pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: &[bool]) -> Vec<usize> {
+    let (sizes, rounding) = (programme.sizes(), programme.rounding());
+    let (mut x, mut gradient) = (sizes.x, sizes.gradient);
+    for (value, slope) in point.x.iter().zip(&point.gradient) {
+        // Not `max`: a comparison is all that a number needs.
+        x = if x < value.abs() { value.abs() } else { x };
+        gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
+    }
+    let (x, gradient) = (-rounding * x, -rounding * gradient);
+    let wrong = |i: &usize| if free[*i] { point.x[*i] < x } else { point.gradient[*i] < gradient };
+    (0..free.len()).filter(wrong).collect()
+}
+
 /// What it is set to.
 pub(super) fn words() -> String {
     format!(
-        "descent after {PATIENCE} exchanges without progress; a sign counts from {ROUNDING:e} of the variable's size"
+        "descent after {PATIENCE} exchanges without progress; a sign counts if it is more than the rounding of a solve"
     )
 }
 
@@ -39,21 +55,34 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
     solve_from(programme, vec![true; programme.dimension()])
 }
 
+/// A guess of the optimal face from another one, by exchanges in the neighbourhood of its borders; the number of solves.
+/// Nothing is verified.
+pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> (Vec<bool>, usize) {
+    let borders = borders(&free);
+    let solves = settle(programme, &mut free, &borders);
+    (free, solves)
+}
+
 /// Solves from a given face: `free[i]` is false where `x_i = 0` at first.
 pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
-    let mut run = Run { programme, solves: 0 };
+    let mut run = Run { programme, solves: 0, settled: 0 };
     let n = programme.dimension();
     match run.exchange(free) {
         Ok((point, optimal)) => {
             let words = if optimal { "optimal" } else { "no further descent above rounding" };
             // What is left below zero is within rounding of it.
-            let clip = |values: Vec<f64>| if optimal { values.iter().map(|v| v.max(0.0)).collect() } else { values };
+            let clip = |mut values: Vec<f64>| {
+                if optimal {
+                    values.iter_mut().for_each(|v| *v = v.max(0.0));
+                }
+                values
+            };
             Answer {
                 x: clip(point.x),
                 gradient: clip(point.gradient),
                 claims_success: optimal,
                 words: words.to_owned(),
-                iterations: run.solves,
+                iterations: run.solves + run.settled,
             }
         }
         Err(error) => Answer { iterations: run.solves, ..Answer::refused(n, error.to_string()) },
@@ -62,10 +91,18 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
 
 struct Run<'a> {
     programme: &'a dyn Programme,
+    /// Solves of the whole.
     solves: usize,
+    /// Solves of neighbourhoods.
+    settled: usize,
 }
 
 impl Run<'_> {
+    /// Exchanges around some variables before the next solve of the whole.
+    fn settle(&mut self, free: &mut [bool], places: &[usize]) {
+        self.settled += settle(self.programme, free, places);
+    }
+
     /// Step 1° on a face.
     fn minimum_on(&mut self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
         self.solves += 1;
@@ -79,17 +116,15 @@ impl Run<'_> {
 
     /// Variables on the wrong side at a face minimum.
     fn violators(&self, point: &Stationary, free: &[bool]) -> Vec<usize> {
-        let sizes = self.programme.sizes();
-        let wrong = |i: &usize| {
-            if free[*i] { point.x[*i] < -ROUNDING * sizes.x } else { point.gradient[*i] < -ROUNDING * sizes.gradient }
-        };
-        (0..free.len()).filter(wrong).collect()
+        violators(self.programme, point, free)
     }
 
     /// Full exchanges, with descents where they stall. True if the point is optimal.
     fn exchange(&mut self, mut free: Vec<bool>) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
         let mut best: Option<Stationary> = None;
+        let borders = borders(&free);
+        self.settle(&mut free, &borders);
         loop {
             let point = self.minimum_on(&free)?;
             let violators = self.violators(&point, &free);
@@ -115,6 +150,7 @@ impl Run<'_> {
                 free = face;
                 violators.iter().for_each(|&i| free[i] = !free[i]);
             }
+            self.settle(&mut free, &violators);
         }
     }
 
@@ -139,7 +175,7 @@ impl Run<'_> {
     fn walk(&mut self, x: &mut [f64], free: &mut [bool]) -> Result<Stationary, NotPositiveDefinite> {
         loop {
             let target = self.minimum_on(free)?;
-            let tiny = ROUNDING * self.programme.sizes().x;
+            let tiny = self.programme.rounding() * self.programme.sizes().x;
             let blocked = |i: usize, x: &[f64]| free[i] && target.x[i] < -tiny && target.x[i] < x[i];
             let way = |i: usize, x: &[f64]| x[i] / (x[i] - target.x[i]);
             let step = (0..x.len()).filter(|&i| blocked(i, x)).map(|i| way(i, x)).fold(1.0, f64::min);

@@ -4,6 +4,7 @@
 mod active_set;
 mod clarabel;
 mod four_step;
+mod neighbourhood;
 mod nsor;
 mod osqp;
 mod solver;
@@ -52,6 +53,12 @@ impl Solver {
 #[must_use]
 pub fn active_set_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
     active_set::solve_from(programme, free)
+}
+
+/// A guess of the optimal face from that of a coarser problem, and the number of solves that it took; nothing is verified.
+#[must_use]
+pub fn guess_from(programme: &dyn Programme, free: Vec<bool>) -> (Vec<bool>, usize) {
+    active_set::guess_from(programme, free)
 }
 
 impl Solver {

@@ -86,7 +86,7 @@ fn the_start_does_not_change_the_answer() {
             let from_above = Solver::ActiveSet.run(programme.as_ref(), 0.0);
             let held = active_set_from(programme.as_ref(), vec![false; programme.dimension()]);
             let nested = run(scene, method, Solver::ActiveSet, 170);
-            let direct = method.nodal(&discrete, &from_above.x, &from_above.gradient);
+            let direct = method.nodal(&discrete, from_above.x.clone(), from_above.gradient.clone());
             let sizes = programme.sizes();
             assert!(from_above.claims_success && held.claims_success, "{method}");
             assert!(apart(&from_above.x, &held.x) <= SAME_POINT * sizes.x, "{method}: started from no free variable");

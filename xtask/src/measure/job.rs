@@ -96,7 +96,7 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
         Ok(point) => (point.x, point.gradient),
         Err(_) => (answer.x, answer.gradient),
     };
-    let state = contact_state(&discrete, Method::Force.nodal(&discrete, &x, &gradient));
+    let state = contact_state(&discrete, Method::Force.nodal(&discrete, x, gradient));
     let verdict = Kkt::of(&scaled.scene, &state);
     Ok(Measured {
         status: if verdict.is_some_and(|kkt| kkt.holds()) { Status::Certified } else { Status::NotCertified },

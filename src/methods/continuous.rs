@@ -1,0 +1,205 @@
+//! A continuous beam over sinking supports: Clapeyron's three-moment equations (1857).
+//!
+//! ```text
+//! a M_{i−1} + 2 (a + b) M_i + b M_{i+1} = −(ϑ_right + ϑ_left) − (6 EI/Δ²) (slope of the chord behind i − slope before i)
+//! ```
+//!
+//! for neighbouring spans of `a` and `b` intervals, with the end rotations `ϑ` of a [`Segment`]; moments count in `force · Δ`.
+//! Then contact forces from the jumps of the shear force, deflections from the closed cubic of each interval.
+//!
+//! The matrix is strictly diagonally dominant, condition number at most 3 once scaled by its diagonal: no digits are lost to
+//! it, whatever the number of supports. What it is applied to is the bend of the profile, and the profile is asked for that
+//! bend itself ([`crate::scene::Foundation::bend`]): differences of rounded depths, divided by `Δ³`, would leave nothing of
+//! the contact forces on a fine grid.
+//!
+//! **A part is enough.** Of a moment at one support at most half arrives at the next (0.268 of it between equal spans), so
+//! that what happens [`FAR`] supports away is less than a unit in the last place here. A part of the beam is solved as a
+//! beam of its own, that begins and ends, free of moment, that many supports outside.
+
+use std::ops::Range;
+
+use super::segment::Segment;
+use super::{Discrete, statics};
+use crate::problem::NotPositiveDefinite;
+
+/// `2^−FAR` is less than half a unit in the last place.
+const FAR: usize = 54;
+
+/// Moments at the supports of a part of the beam.
+pub(super) struct Continuous<'a> {
+    discrete: &'a Discrete,
+    /// Nodes, the two ends of the part included.
+    supports: Vec<usize>,
+    /// Moments there \[force · Δ\]; zero at the two ends.
+    moments: Vec<f64>,
+}
+
+/// Contact forces and clearances at the nodes of a range.
+pub(super) struct Part {
+    pub(super) contact_force: Vec<f64>,
+    pub(super) clearance: Vec<f64>,
+}
+
+/// Contact forces and clearances at the nodes `nodes.start … nodes.end − 1`, interior nodes, of the beam that is held where
+/// `touches` says so for node 1, 2, …
+pub(super) fn part(discrete: &Discrete, touches: &[bool], nodes: Range<usize>) -> Result<Part, NotPositiveDefinite> {
+    let beam = Continuous::solve(discrete, supports(touches, &nodes))?;
+    let mut part = Part { contact_force: vec![0.0; nodes.len()], clearance: vec![0.0; nodes.len()] };
+    beam.contact_forces(&nodes, &mut part.contact_force);
+    beam.clearances(&nodes, &mut part.clearance);
+    Ok(part)
+}
+
+/// The supports that decide what happens at some nodes: those between them, and [`FAR`] on both sides.
+fn supports(touches: &[bool], nodes: &Range<usize>) -> Vec<usize> {
+    let intervals = touches.len() + 1;
+    // Node i is at index i − 1.
+    let mut supports: Vec<usize> = before(&touches[..nodes.start - 1]).take(FAR).collect();
+    if supports.len() < FAR {
+        supports.push(0);
+    }
+    supports.reverse();
+    supports.extend((nodes.start..nodes.end).filter(|&node| touches[node - 1]));
+    let inside = supports.len();
+    supports.extend(behind(&touches[nodes.end - 1..]).map(|k| nodes.end + k).take(FAR));
+    if supports.len() < inside + FAR {
+        supports.push(intervals);
+    }
+    supports
+}
+
+/// Flags that are looked at together where a long span has none.
+const STRIDE: usize = 256;
+
+/// Indices from 1 of the flags that are set, from the last to the first. Long stretches without any are skipped at once.
+fn before(flags: &[bool]) -> impl Iterator<Item = usize> + '_ {
+    let chunks = flags.rchunks(STRIDE).scan(flags.len(), |end, chunk| {
+        *end -= chunk.len();
+        Some((*end, chunk))
+    });
+    chunks
+        .filter(|(_, chunk)| any(chunk))
+        .flat_map(|(start, chunk)| (0..chunk.len()).rev().filter(|&k| chunk[k]).map(move |k| start + k + 1))
+}
+
+/// Indices from 0 of the flags that are set, from the first to the last.
+fn behind(flags: &[bool]) -> impl Iterator<Item = usize> + '_ {
+    let chunks = flags.chunks(STRIDE).enumerate().filter(|(_, chunk)| any(chunk));
+    chunks.flat_map(|(c, chunk)| (0..chunk.len()).filter(|&k| chunk[k]).map(move |k| c * STRIDE + k))
+}
+
+/// Whether any flag is set, looked at all together: a loop without an exit is one that a processor takes in strides.
+fn any(flags: &[bool]) -> bool {
+    flags.iter().fold(false, |any, flag| any | flag)
+}
+
+impl<'a> Continuous<'a> {
+    /// Elimination from left to right, substitution back.
+    fn solve(discrete: &'a Discrete, supports: Vec<usize>) -> Result<Self, NotPositiveDefinite> {
+        let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
+        let mut moments = vec![0.0; supports.len()];
+        // What an eliminated moment keeps of its right neighbour: M_i = moments[i] − passed[i] M_{i+1}.
+        let mut passed = vec![0.0; supports.len()];
+        let mut left = Segment::default();
+        for (i, pair) in supports.windows(2).enumerate() {
+            let right = discrete.span(pair[0], pair[1]);
+            if 0 < i {
+                let (a, b) = (left.steps, right.steps);
+                let bend = unit * discrete.bend(supports[i - 1], pair[0], pair[1]);
+                let pivot = 2.0 * (a + b) - a * passed[i - 1];
+                let rest = -(left.rotations[1] + right.rotations[0]) - bend - a * moments[i - 1];
+                // The pivot is at least 3/2 (a + b); the comparison refuses NaN.
+                if !(0.0 < pivot && rest.is_finite()) {
+                    return Err(NotPositiveDefinite { index: i - 1, pivot });
+                }
+                let inverse = 1.0 / pivot;
+                (moments[i], passed[i]) = (rest * inverse, b * inverse);
+            }
+            left = right;
+        }
+        for i in (1..supports.len() - 1).rev() {
+            moments[i] -= passed[i] * moments[i + 1];
+        }
+        if let Some(end) = moments.last_mut() {
+            *end = 0.0;
+        }
+        Ok(Self { discrete, supports, moments })
+    }
+
+    /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
+    fn contact_forces(&self, nodes: &Range<usize>, forces: &mut [f64]) {
+        // What the span before has left for its right end.
+        let mut before = 0.0;
+        for (pair, moments) in self.supports.windows(2).zip(self.moments.windows(2)) {
+            let span = self.discrete.span(pair[0], pair[1]);
+            let shear = moments[1] - moments[0];
+            let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
+            if nodes.contains(&pair[0]) {
+                forces[pair[0] - nodes.start] = before + (span.shares[0] + shear);
+            }
+            before = (span.shares[1] - shear) + self.discrete.loads[pair[1]];
+        }
+        // The last support of a part is an end of the beam or far outside.
+    }
+
+    /// Clearances at those of `nodes` that are not supports.
+    fn clearances(&self, nodes: &Range<usize>, clearance: &mut [f64]) {
+        let mut curve = Curve::default();
+        for (i, pair) in self.supports.windows(2).enumerate() {
+            let (first, last) = (pair[0], pair[1]);
+            let wanted = nodes.start.max(first + 1)..nodes.end.min(last);
+            if wanted.is_empty() {
+                continue;
+            }
+            let ends = [self.moments[i], self.moments[i + 1]];
+            let sags = curve.of(self.discrete, first..last, ends, &wanted);
+            let [from, to] = [first, last].map(|node| self.discrete.support_depth(node));
+            #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+            let steps = (last - first) as f64;
+            for (node, sag) in wanted.zip(sags) {
+                #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+                let chord = from + (to - from) * ((node - first) as f64 / steps);
+                clearance[node - nodes.start] = (self.discrete.depths[node - 1] - chord) - sag;
+            }
+        }
+    }
+}
+
+/// Deflections below the chord of a span, one span after the other in the same memory.
+#[derive(Default)]
+struct Curve {
+    moments: Vec<f64>,
+    angles: Vec<f64>,
+    sags: Vec<f64>,
+}
+
+impl Curve {
+    /// Sags at the `wanted` inner nodes of a span with the given end moments.
+    fn of(&mut self, discrete: &Discrete, span: Range<usize>, ends: [f64; 2], wanted: &Range<usize>) -> &[f64] {
+        // The stretch around the wanted nodes, with the moments and sags at its two ends.
+        let from = wanted.start - 1;
+        let to = wanted.end;
+        let cut = |node: usize| {
+            let parts = [discrete.span(span.start, node), discrete.span(node, span.end)];
+            parts[0].between(parts[1], discrete.loads[node], ends)
+        };
+        let [from_moment, from_sag] = if from == span.start { [ends[0], 0.0] } else { cut(from) };
+        let [to_moment, to_sag] = if to == span.end { [ends[1], 0.0] } else { cut(to) };
+
+        let count = wanted.len();
+        self.moments.clear();
+        self.moments.resize(count + 2, 0.0);
+        (self.moments[0], self.moments[count + 1]) = (from_moment, to_moment);
+        statics::funicular(&discrete.loads[wanted.clone()], &mut self.moments);
+        // Mohr's analogy, in 6 EI / Δ³.
+        self.angles.clear();
+        self.angles.extend(self.moments.windows(3).map(|m| m[0] + 4.0 * m[1] + m[2]));
+        self.sags.clear();
+        self.sags.resize(count + 2, 0.0);
+        (self.sags[0], self.sags[count + 1]) = (from_sag, to_sag);
+        statics::funicular(&self.angles, &mut self.sags);
+        let unit = discrete.spacing * discrete.spacing * discrete.spacing / (6.0 * discrete.stiffness);
+        self.sags.iter_mut().for_each(|sag| *sag *= unit);
+        &self.sags[1..=count]
+    }
+}

@@ -1,0 +1,91 @@
+//! Nested grids: the active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
+//! has to change.
+//!
+//! Where a programme can be [settled](guess_from) in neighbourhoods, coarser grids only have to give a good guess, and the
+//! whole beam is solved on the coarsest and on the finest grid alone. Each of the others halves the error of the lift-off
+//! points at a price that does not grow with the grid.
+
+use crate::methods::{Discrete, Method};
+use crate::route::Solver;
+use crate::scene::{Scene, SceneError};
+use crate::solvers::{Answer, active_set_from, guess_from};
+
+/// Up to here the paper's start, all variables free, takes a handful of solves.
+const COARSEST: usize = 40;
+
+/// From here on a grid is not solved, only guessed from, and the next one may be finer by more.
+const GUESSED: usize = 1000;
+
+/// Refinement of grids that are solved, and of those that are guessed from.
+const REFINEMENT: [usize; 2] = [2, 4];
+
+/// Solves on nested grids. Solves on all grids count.
+pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {
+    let programme = method.programme(discrete);
+    let Some((free, solves)) = start(scene, method, discrete.intervals)? else {
+        return Ok(Solver::ActiveSet.run(programme.as_ref(), 0.0));
+    };
+    let answer = active_set_from(programme.as_ref(), free);
+    Ok(Answer { iterations: answer.iterations + solves, ..answer })
+}
+
+/// The face to start from on a grid, by a coarser one, and the number of solves for it; [`None`] on the coarsest.
+fn start(scene: &Scene, method: Method, intervals: usize) -> Result<Option<(Vec<bool>, usize)>, SceneError> {
+    let guessed = method.has_neighbourhoods() && GUESSED <= intervals;
+    let coarse = intervals / REFINEMENT[usize::from(guessed)];
+    if coarse < COARSEST {
+        return Ok(None);
+    }
+    let coarser = Discrete::new(scene, coarse)?;
+    let programme = method.programme(&coarser);
+    let (touching, solves) = match start(scene, method, coarse)? {
+        Some((free, before)) if guessed && GUESSED <= coarse => {
+            let (free, solves) = guess_from(programme.as_ref(), free);
+            (free, before + solves)
+        }
+        started => {
+            let (answer, before) = match started {
+                Some((free, before)) => (active_set_from(programme.as_ref(), free), before),
+                None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), 0),
+            };
+            let solves = before + answer.iterations;
+            let nodal = method.nodal(&coarser, answer.x, answer.gradient);
+            let touching = nodal.contact_force.iter().map(|p| 0.0 < *p);
+            (method.face(touching.collect()), solves)
+        }
+    };
+    Ok(Some((method.face(refined(&method.face(touching), intervals)), solves)))
+}
+
+impl Method {
+    /// The free variables of a contact set, or the contact set of free variables: forces are free where there is contact,
+    /// clearances where there is none.
+    fn face(self, flags: Vec<bool>) -> Vec<bool> {
+        if self == Self::Force { flags } else { flags.into_iter().map(|flag| !flag).collect() }
+    }
+
+    /// Whether its programme can be solved near some variables only.
+    fn has_neighbourhoods(self) -> bool {
+        self == Self::Force
+    }
+}
+
+/// Contact on a grid of `intervals`, from contact at the interior nodes of a coarser one: nodes between two neighbours in
+/// contact, and the node nearest to each one in contact.
+fn refined(touching: &[bool], intervals: usize) -> Vec<bool> {
+    let coarse = touching.len() + 1;
+    let mut fine = vec![false; intervals - 1];
+    let mut before = false;
+    for (k, &touches) in touching.iter().enumerate() {
+        if touches {
+            let i = k + 1;
+            if before {
+                fine[(k * intervals).div_ceil(coarse) - 1..i * intervals / coarse].fill(true);
+            }
+            let nearest = (2 * i * intervals + coarse) / (2 * coarse);
+            fine[nearest.clamp(1, intervals - 1) - 1] = true;
+        }
+        before = touches;
+    }
+    fine
+}
