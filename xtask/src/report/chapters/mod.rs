@@ -16,6 +16,7 @@ mod recommendation;
 mod reproduce;
 mod scenes;
 mod solvers;
+mod theory;
 
 use super::error::Cause;
 use super::evidence::Evidence;
@@ -26,6 +27,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "00-front", evidence: front::evidence },
     Chapter { name: "10-problem", evidence: problem::evidence },
     Chapter { name: "20-methods", evidence: methods::evidence },
+    Chapter { name: "25-theory", evidence: theory::evidence },
     Chapter { name: "30-solvers", evidence: solvers::evidence },
     Chapter { name: "40-figures", evidence: figures::evidence },
     Chapter { name: "50-agreement", evidence: agreement::evidence },
