@@ -3,11 +3,11 @@
 //! The two share no line but the scene: a wrong exact solution would stop the errors from falling.
 
 use palkki::paper::approach::{Quantity, approach};
-use palkki::route::{Method, Status};
+use palkki::route::{Method, Solver, Status};
 use palkki::theory::solve;
 use palkki::verification::observed_order;
 
-use crate::scenes::scene;
+use crate::scenes::{run, scene};
 
 /// Multiples of 24, so that every reading of the survey is a node: five grids an octave, six octaves.
 const FIRST: [usize; 5] = [120, 144, 168, 192, 216];
@@ -76,5 +76,28 @@ fn a_hundred_thousand_intervals_come_close() {
         let allowed = if series.quantity == Quantity::Energy { 1e-8 } else { 5e-5 };
         let error = series.errors[0].1;
         assert!(error <= allowed, "{}: {error:e}", series.quantity.word());
+    }
+}
+
+/// Where the foundation starts at the level of a support and holds the slope of the beam, a grid has a couple for it: the
+/// support pulls down, the first node pushes up, and both grow like `1/Δ`. Their moment is what the exact solution names.
+#[test]
+fn a_couple_at_a_support_is_the_limit_of_growing_forces() {
+    /// Two forces `Δ` apart are no couple yet, an error of first order; halved with each halving of the grid.
+    const FIRST_ORDER: f64 = 0.02;
+    let scene = scene("sill");
+    let exact = solve(&scene).expect("the scene is in range");
+    let [left, right] = exact.support_couples;
+    assert!(left < 0.0 && right < 0.0, "{left} and {right}");
+    for intervals in [1024, 4096] {
+        let spacing = scene.beam().length() / places(intervals);
+        let reactions = run(&scene, Method::Complementarity, Solver::ActiveSet, intervals).state.reactions;
+        for (couple, reaction) in [(left, reactions.left), (right, reactions.right)] {
+            let error = (reaction * spacing - couple).abs() / couple.abs();
+            assert!(
+                error <= FIRST_ORDER * 1024.0 / places(intervals),
+                "{intervals} intervals: {reaction}, off by {error:.4}"
+            );
+        }
     }
 }

@@ -13,6 +13,7 @@ mod front;
 mod methods;
 mod problem;
 mod recommendation;
+mod regimes;
 mod reproduce;
 mod scenes;
 mod solvers;
@@ -30,6 +31,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "25-theory", evidence: theory::evidence },
     Chapter { name: "30-solvers", evidence: solvers::evidence },
     Chapter { name: "40-figures", evidence: figures::evidence },
+    Chapter { name: "45-regimes", evidence: regimes::evidence },
     Chapter { name: "50-agreement", evidence: agreement::evidence },
     Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "70-scenes", evidence: scenes::evidence },

@@ -18,7 +18,7 @@ use self::routes::Routes;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::study::Study;
-use crate::report::{exact, numbers, scenes};
+use crate::report::{exact, numbers, scenes, verdict};
 
 #[derive(Debug, Serialize)]
 struct Values {
@@ -39,6 +39,8 @@ struct Values {
     cap: usize,
     /// Worst residual of all scenes, as a bound.
     residual: String,
+    /// Lines of the verdict table.
+    verdicts: Vec<verdict::Row>,
 }
 
 #[derive(Debug, Serialize)]
@@ -101,8 +103,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     }
     let sum = |of: fn(&Routes) -> usize| rows.iter().map(|row| of(&row.routes)).sum();
     let unknowns = || rows.iter().map(|row| row.unknowns);
+    let exact = rows.iter().filter(|row| row.status == Status::Certified.word()).count();
     let values = Values {
-        exact: rows.iter().filter(|row| row.status == Status::Certified.word()).count(),
+        verdicts: vec![on_the_first_screen(&rows, exact)],
+        exact,
         fewest: unknowns().min().unwrap_or(0),
         most: unknowns().max().unwrap_or(0),
         coarse: routes::INTERVALS,
@@ -116,6 +120,28 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         rows,
     };
     Ok(drawings.into_iter().fold(Evidence::new(values), |with, (name, svg, csv)| with.figure(&name, svg, csv)))
+}
+
+/// What the first screen says.
+fn on_the_first_screen(rows: &[Row], exact: usize) -> verdict::Row {
+    let unknowns: Vec<String> = rows
+        .iter()
+        .map(|row| row.unknowns)
+        .fold([usize::MAX, 0], |[least, most], n| [least.min(n), most.max(n)])
+        .iter()
+        .map(usize::to_string)
+        .collect();
+    verdict::Row {
+        what: "Beam theory for any scene".to_owned(),
+        paper: "beam theory to compare with, on a flat foundation".to_owned(),
+        now: format!(
+            "{exact} of {} scenes exact and checked everywhere, with {} unknowns",
+            rows.len(),
+            unknowns.join(" to ")
+        ),
+        verdict: if exact == rows.len() { "extended" } else { "not always found" },
+        section: "gallery",
+    }
 }
 
 fn row(root: &Path, name: String, scene: &Scene, exact: &Exact) -> Result<Row, Cause> {

@@ -24,7 +24,7 @@ pub(super) struct Required {
     exact: usize,
     /// True if the foundation meets a support, whose reaction is then not compared.
     meets_support: bool,
-    /// For each method and each target.
+    /// For each method and each target; none if no reaction is left to compare.
     grids: Vec<Grid>,
 }
 
@@ -43,7 +43,8 @@ struct Grid {
 pub(super) fn required(scene: &Scene, exact: &Exact) -> Result<Required, Cause> {
     let met = met_supports(scene);
     let mut grids = Vec::new();
-    for method in METHODS {
+    let methods: &[Method] = if met == [true; 2] { &[] } else { &METHODS };
+    for &method in methods {
         let mut found: [Option<usize>; TARGETS.len()] = [None; TARGETS.len()];
         let (mut last, mut refused) = (0, false);
         // One grid may be lucky: the next one has to be good enough as well.
