@@ -1,5 +1,6 @@
 //! The paper, reproduced: its example, its figures, its claims. One figure or claim, one file: scene, numbers, verdict.
 
+pub mod approach;
 pub mod claims;
 pub mod convergence;
 mod example;

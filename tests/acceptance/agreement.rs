@@ -68,7 +68,8 @@ fn the_energy_methods_agree_to_rounding() {
     }
 }
 
-/// Finite differences are another discretisation: both approach the same beam, with errors of second order.
+/// Finite differences are another discretisation: both approach the same beam, with errors of second order. Where the
+/// foundation starts at the level of a support, the two share their force as the grid has it; that reaction has no limit.
 #[test]
 fn finite_differences_and_energy_methods_approach_each_other() {
     /// `C Δ²` with 160 intervals; the reaction, the best-behaved number, over the load.
@@ -78,7 +79,9 @@ fn finite_differences_and_energy_methods_approach_each_other() {
         let apart = |intervals| {
             let [a, b] = [Method::Complementarity, Method::Force]
                 .map(|method| run(&scene, method, Solver::ActiveSet, intervals).state.reactions);
-            (a.left - b.left).abs().max((a.right - b.right).abs()) / load
+            let differences = [(0.0, a.left - b.left), (scene.beam().length(), a.right - b.right)];
+            let of_its_own = differences.iter().filter(|(x, _)| 0.0 < scene.depth(*x));
+            of_its_own.fold(0.0_f64, |most, (_, d)| most.max(d.abs())) / load
         };
         let fine = apart(160);
         assert!(fine <= SECOND_ORDER, "{name}: reactions differ by {fine:.1e} of the load on 160 intervals");

@@ -3,6 +3,7 @@
 mod support;
 
 mod agreement;
+mod approach;
 mod bad_input;
 mod claims;
 mod closed_form;

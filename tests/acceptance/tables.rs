@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use palkki::route::{Method, Solver, Status};
-use palkki::state::{Contact, Extremes};
+use palkki::state::{Contact, ContactState, Extremes};
 
 use crate::scenes::{example, nodes, report, run};
 use crate::support::assert_table;
@@ -31,6 +31,12 @@ fn extremes(name: &str, values: &Extremes, length: f64) -> String {
     format!("  {name:<10} max {max:>10}, {max_at:>7} from a support   min {min:>10}, {min_at:>7} from a support\n")
 }
 
+fn totals(state: &ContactState) -> String {
+    let [left, right, contact, energy] =
+        [state.reactions.left, state.reactions.right, state.contact_force(), state.energy].map(number);
+    format!("  reactions {left} and {right}, contact force {contact}, energy {energy}\n")
+}
+
 #[test]
 fn contacts_of_every_scene() {
     let mut table = String::new();
@@ -39,19 +45,44 @@ fn contacts_of_every_scene() {
         let (state, length) = (outcome.state, scene.beam().length());
         let _ = writeln!(table, "{name}: {}, {}", outcome.status, state.regime.word());
         table.extend(state.contacts.iter().map(zone));
-        let reactions = state.reactions;
-        let _ = writeln!(
-            table,
-            "  reactions {} and {}, contact force {}, energy {}",
-            number(reactions.left),
-            number(reactions.right),
-            number(state.contact_force()),
-            number(state.energy)
-        );
+        table += &totals(&state);
         table += &extremes("deflection", &state.deflection, length);
         table += &extremes("moment", &state.moment, length);
     }
     assert_table!("contacts", "Force method, active set, 30 intervals: every scene of the report", table);
+}
+
+/// The exact solution of every scene. Places are those of the solution itself: it has no grid that could prefer one of two
+/// mirror images, and the library names the left one.
+#[test]
+fn exact_solutions_of_every_scene() {
+    let mut table = String::new();
+    for (name, scene) in report() {
+        let exact = palkki::theory::solve(&scene).expect("the scene is in range");
+        let state = &exact.state;
+        let unknowns = exact.unknowns;
+        let _ = writeln!(table, "{name}: {}, {}, unknowns {unknowns}", exact.status, state.regime.word());
+        for contact in &state.contacts {
+            table += zone(contact).trim_end();
+            if let Some([from, to]) = contact.end_forces {
+                let _ = write!(table, "   at its ends {} and {}", number(from), number(to));
+            }
+            table.push('\n');
+        }
+        for (at, force) in exact.forces_inside_zones() {
+            let _ = writeln!(table, "  point load at {} carried by the ground, {}", number(at), number(force));
+        }
+        let [left, right] = exact.support_couples;
+        if left != 0.0 || right != 0.0 {
+            let _ = writeln!(table, "  moments at the supports {} and {}", number(left), number(right));
+        }
+        table += &totals(state);
+        for (name, values) in [("deflection", &state.deflection), ("moment", &state.moment)] {
+            let [max, max_at, min, min_at] = [values.max, values.max_at, values.min, values.min_at].map(number);
+            let _ = writeln!(table, "  {name:<10} max {max:>10} at {max_at:>7}   min {min:>10} at {min_at:>7}");
+        }
+    }
+    assert_table!("exact", "Beam theory with free lift-off points: every scene of the report", table);
 }
 
 #[test]

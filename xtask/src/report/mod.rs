@@ -11,6 +11,7 @@ mod contents;
 mod csv;
 mod error;
 mod evidence;
+mod exact;
 mod files;
 mod links;
 mod numbers;

@@ -49,6 +49,28 @@ pub(super) fn power(exponent: i32) -> String {
     format!("10{}", Superscript(&exponent.to_string()))
 }
 
+/// What a number of rounding size stays below: the power of ten that is at least three times as large, so that another
+/// machine says the same; `0` for zero. A power of ten that was chosen and not computed is itself.
+pub(super) fn bound(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let printed = format!("{:e}", value.abs());
+    let (mantissa, exponent) = printed.split_once('e').unwrap_or((&printed, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
+    power(
+        exponent
+            + if mantissa <= 1.0 {
+                0
+            } else if mantissa <= 10.0 / 3.0 {
+                1
+            } else {
+                2
+            },
+    )
+}
+
 /// `{{ x | percent(1) }}`: a fraction in percent, `3.4 %`.
 fn percent(value: f64, places: usize) -> Result<String, Error> {
     fixed(100.0 * value, places).map(|number| format!("{number} %"))
@@ -129,6 +151,11 @@ mod tests {
         check(sci(1.0, 1), "1.0·10⁰");
         check(sci(-0.0, 1), "0");
         assert_eq!([power(6), power(-11)], ["10⁶", "10⁻¹¹"]);
+    }
+
+    #[test]
+    fn bounds_hold_with_a_margin() {
+        assert_eq!([2e-12, 4e-12, 1e-4, 0.3, 0.0].map(bound), ["10⁻¹¹", "10⁻¹⁰", "10⁻⁴", "10⁰", "0"]);
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! How fast the methods converge to beam theory, with the observed order.
 
+mod uneven;
+
 use palkki::methods::Method;
 use palkki::paper::convergence::{Quantity, Series, all};
 use palkki::plot::study::{ErrorSeries, convergence};
@@ -23,6 +25,7 @@ struct Values {
     differences_energy_is_fast: bool,
     /// First contact force over that of beam theory, minus one, on the grids of the claims ledger.
     first_force: Vec<FirstForce>,
+    uneven: uneven::Uneven,
 }
 
 #[derive(Debug, Serialize)]
@@ -61,7 +64,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     }
     let first_force = study.ledger()?.usable.grids.iter();
     let first_force = first_force.map(|grid| FirstForce { intervals: grid.intervals, error: grid.first_force });
+    let (uneven, drawings) = uneven::measured(study)?;
+    files.extend(drawings);
     let values = Values {
+        uneven,
         coarsest: GRIDS[0],
         finest: GRIDS[GRIDS.len() - 1],
         grids,

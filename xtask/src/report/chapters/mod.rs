@@ -13,9 +13,11 @@ mod front;
 mod methods;
 mod problem;
 mod recommendation;
+mod regimes;
 mod reproduce;
 mod scenes;
 mod solvers;
+mod theory;
 mod trade;
 
 use super::error::Cause;
@@ -27,8 +29,10 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "00-front", evidence: front::evidence },
     Chapter { name: "10-problem", evidence: problem::evidence },
     Chapter { name: "20-methods", evidence: methods::evidence },
+    Chapter { name: "25-theory", evidence: theory::evidence },
     Chapter { name: "30-solvers", evidence: solvers::evidence },
     Chapter { name: "40-figures", evidence: figures::evidence },
+    Chapter { name: "45-regimes", evidence: regimes::evidence },
     Chapter { name: "50-agreement", evidence: agreement::evidence },
     Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "70-scenes", evidence: scenes::evidence },

@@ -2,37 +2,33 @@
 
 use palkki::plot::{Arrow, Arrows, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, Style, significant};
 use palkki::plot::{Axis, PlotError};
-use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};
-use palkki::{Settings, solve};
+use palkki::theory;
 use serde::Serialize;
 
 use crate::report::csv::{csv, fixed};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::scenes;
 use crate::report::study::Study;
-
-/// A multiple of 20, so that the kinks of the scene are nodes.
-const INTERVALS: usize = 240;
+use crate::report::{exact, scenes};
 
 #[derive(Debug, Serialize)]
 struct Values {
     title: String,
-    intervals: usize,
+    contacts: usize,
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = scenes::read(study.root, "ridge")?;
-    let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
-    let curves = Curves::of(&scene, &state)?;
+    let exact = theory::solve(&scene)?;
+    let curves = exact::curves(&scene, &exact);
     let rows = curves
         .x
         .iter()
         .zip(&curves.deflection)
         .map(|(&x, &v)| vec![fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
     let table = csv(&["x", "u", "v"], rows);
-    let values = Values { title: scene.title().to_owned(), intervals: INTERVALS };
+    let values = Values { title: scene.title().to_owned(), contacts: exact.state.contacts.len() };
     Ok(Evidence::new(values).figure("problem", sketch(&scene, &curves)?, table))
 }
 
@@ -45,10 +41,7 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let deflected: Vec<[f64; 2]> = curves.x.iter().zip(&curves.deflection).map(|(&x, &v)| [x, v]).collect();
     let at = |x: f64| deflected.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
     let arrow = |force: f64, at: [f64; 2]| Arrow { at, force, text: significant(force, 3), optional: true };
-    // Small ones are what a grid makes of a point force that falls between its nodes.
-    let largest = curves.point_forces.iter().fold(0.0_f64, |most, f| most.max(f.force));
-    let large = curves.point_forces.iter().filter(|f| 0.1 * largest < f.force);
-    let contact: Vec<Arrow> = large.map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
+    let contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
     let reactions = vec![arrow(curves.reactions.left, [0.0, 0.0]), arrow(curves.reactions.right, [l, 0.0])];
     let full = contact.iter().chain(&reactions).fold(0.0_f64, |most, a| most.max(a.force));
     let arrows = |arrows: Vec<Arrow>, color: Color, label: &str| {
@@ -88,7 +81,7 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
         .with(arrows(contact, Color::VERMILLION, "contact forces"))
         .with(arrows(reactions, Color::GREEN, "reactions"));
     let description = "A beam on two supports, loaded from above, bends down to a foundation that is flat but for one ridge. It \
-                       touches the flat ground on one stretch on either side and the ridge between them; elsewhere there is a \
-                       clearance. Arrows show the concentrated contact forces and the reactions of the supports.";
+                       touches the flat ground at a point on one side and along a stretch on the other, and the ridge between them; \
+                       elsewhere there is a clearance. Arrows show the concentrated contact forces and the reactions of the supports.";
     Figure::new("A beam above an uneven foundation", description, vec![panel]).svg()
 }

@@ -1,40 +1,46 @@
-//! Every scene file of the report: contacts, reactions, extremes, and which routes are certified.
+//! The gallery: the exact solution of every scene file, what it required, and which discrete routes are certified.
 
-mod extremes;
+mod required;
+mod routes;
 
 use std::fs;
 use std::path::Path;
 
-use palkki::plot::{Curves, curves};
-use palkki::route::{Method, Solver, Status};
+use palkki::plot::curves;
+use palkki::route::Status;
 use palkki::scene::Scene;
-use palkki::state::{Contact, ContactState, Extremes, Regime};
-use palkki::{Settings, solve};
+use palkki::state::{Contact, Extremes, Regime};
+use palkki::theory::{self, Exact};
 use serde::Serialize;
 
-use self::extremes::nodal;
-use crate::report::csv::{csv, fixed};
+use self::required::Required;
+use self::routes::Routes;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::scenes;
 use crate::report::study::Study;
-
-/// For the figures: a grid with nodes at all kinks of these scenes.
-const INTERVALS: usize = 240;
-/// For the routes: the paper's grid, on which every solver has a chance.
-const COARSE: usize = palkki::paper::INTERVALS;
+use crate::report::{exact, numbers, scenes, verdict};
 
 #[derive(Debug, Serialize)]
 struct Values {
-    intervals: usize,
-    coarse: usize,
     rows: Vec<Row>,
+    /// How many of them are exact and checked.
+    exact: usize,
+    fewest: usize,
+    most: usize,
+    /// The grid on which routes are counted.
+    coarse: usize,
     /// Routes that are meant to reach the optimum, on all scenes together, and how many are certified.
     routes: usize,
     certified: usize,
     /// The same for the four steps.
     four_step_routes: usize,
     four_step_certified: usize,
+    targets: [String; 2],
+    cap: usize,
+    /// Worst residual of all scenes, as a bound.
+    residual: String,
+    /// Lines of the verdict table.
+    verdicts: Vec<verdict::Row>,
 }
 
 #[derive(Debug, Serialize)]
@@ -44,123 +50,148 @@ struct Row {
     /// What the scene file says of itself.
     story: String,
     figure: String,
+    status: &'static str,
     regime: &'static str,
+    unknowns: usize,
     length: String,
     force: String,
     moment: String,
+    energy_unit: String,
     contacts: Vec<Touch>,
+    /// Concentrated forces inside zones, `[place, force]`.
+    inside: Vec<[f64; 2]>,
     left: f64,
     right: f64,
+    /// Moments of foundation and support together, where the foundation meets a support.
+    couples: [f64; 2],
     contact_force: f64,
-    deflection: [f64; 2],
-    largest_moment: [f64; 2],
-    least_moment: [f64; 2],
-    certified: usize,
-    routes: usize,
-    four_step: usize,
-    four_step_routes: usize,
-    /// Routes meant to reach the optimum that the judge does not certify, and whether they claim success.
-    failed: Vec<String>,
+    energy: f64,
+    deflection: Span,
+    bending: Span,
+    required: Required,
+    routes: Routes,
 }
 
+/// A contact; the forces at its ends are missing at a point.
 #[derive(Debug, Serialize)]
 struct Touch {
     from: f64,
     to: f64,
     point: bool,
     force: f64,
+    ends: [f64; 2],
+}
+
+/// The greatest and the least value, each with its place.
+#[derive(Debug, Serialize)]
+struct Span {
+    max: [f64; 2],
+    min: [f64; 2],
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut rows = Vec::new();
     let mut drawings = Vec::new();
+    let mut residual = 0.0_f64;
     for (name, scene) in scenes::all(study.root)? {
-        let mut state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
-        (state.deflection, state.moment) = nodal(&state);
-        let row = row(study.root, name, &scene, &state)?;
-        let svg = curves(&scene, &Curves::of(&scene, &state)?, &format!("force method, {INTERVALS} intervals"))?;
-        drawings.push((row.figure.clone(), svg, table(&state)));
+        let exact = theory::solve(&scene)?;
+        residual = residual.max(exact.residual);
+        let row = row(study.root, name, &scene, &exact)?;
+        let drawn = exact::curves(&scene, &exact);
+        drawings.push((row.figure.clone(), curves(&scene, &drawn, "exact solution")?, exact::table(&drawn)));
         rows.push(row);
     }
-    let sum = |of: fn(&Row) -> usize| rows.iter().map(of).sum();
+    let sum = |of: fn(&Routes) -> usize| rows.iter().map(|row| of(&row.routes)).sum();
+    let unknowns = || rows.iter().map(|row| row.unknowns);
+    let exact = rows.iter().filter(|row| row.status == Status::Certified.word()).count();
     let values = Values {
-        intervals: INTERVALS,
-        coarse: COARSE,
-        routes: sum(|row| row.routes),
-        certified: sum(|row| row.certified),
-        four_step_routes: sum(|row| row.four_step_routes),
-        four_step_certified: sum(|row| row.four_step),
+        verdicts: vec![on_the_first_screen(&rows, exact)],
+        exact,
+        fewest: unknowns().min().unwrap_or(0),
+        most: unknowns().max().unwrap_or(0),
+        coarse: routes::INTERVALS,
+        routes: sum(|routes| routes.of),
+        certified: sum(|routes| routes.certified),
+        four_step_routes: sum(|routes| routes.four_step_of),
+        four_step_certified: sum(|routes| routes.four_step),
+        targets: required::TARGETS.map(numbers::bound),
+        cap: required::MOST,
+        residual: numbers::bound(residual),
         rows,
     };
     Ok(drawings.into_iter().fold(Evidence::new(values), |with, (name, svg, csv)| with.figure(&name, svg, csv)))
 }
 
-fn row(root: &Path, name: String, scene: &Scene, state: &ContactState) -> Result<Row, Cause> {
-    let ([certified, routes], failed) = judged(scene, &Solver::OPTIMAL)?;
-    let ([four_step, four_step_routes], _) = judged(scene, &[Solver::FourStep])?;
+/// What the first screen says.
+fn on_the_first_screen(rows: &[Row], exact: usize) -> verdict::Row {
+    let unknowns: Vec<String> = rows
+        .iter()
+        .map(|row| row.unknowns)
+        .fold([usize::MAX, 0], |[least, most], n| [least.min(n), most.max(n)])
+        .iter()
+        .map(usize::to_string)
+        .collect();
+    verdict::Row {
+        what: "Beam theory for any scene".to_owned(),
+        paper: "beam theory to compare with, on a flat foundation".to_owned(),
+        now: format!(
+            "{exact} of {} scenes exact and checked everywhere, with {} unknowns",
+            rows.len(),
+            unknowns.join(" to ")
+        ),
+        verdict: if exact == rows.len() { "extended" } else { "not always found" },
+        section: "gallery",
+    }
+}
+
+fn row(root: &Path, name: String, scene: &Scene, exact: &Exact) -> Result<Row, Cause> {
     let unit = |label: Option<&String>| label.map_or_else(String::new, |label| format!(" {label}"));
     let units = scene.units();
     let moment = units.force.as_ref().zip(units.length.as_ref()).map(|(force, length)| format!("{force}·{length}"));
-    let touch = |c: &Contact| Touch { from: c.from, to: c.to, point: c.from.total_cmp(&c.to).is_eq(), force: c.force };
-    let greatest = |e: &Extremes| [e.max, e.max_at];
+    let state = &exact.state;
     Ok(Row {
         title: scene.title().to_owned(),
         story: story(&fs::read_to_string(root.join(format!("report/scenes/{name}.toml")))?),
         figure: format!("scene-{name}"),
         name,
+        status: exact.status.word(),
         regime: match state.regime {
             Regime::None => "no contact",
             Regime::Points => "single points",
             Regime::Zone => "zones",
         },
+        unknowns: exact.unknowns,
         length: unit(units.length.as_ref()),
         force: unit(units.force.as_ref()),
+        energy_unit: unit(moment.as_ref()),
         moment: unit(moment.as_ref()),
         contacts: state.contacts.iter().map(touch).collect(),
+        inside: exact.forces_inside_zones().map(|(at, force)| [at, force]).collect(),
         left: state.reactions.left,
         right: state.reactions.right,
+        couples: exact.support_couples,
         contact_force: state.contact_force(),
-        deflection: greatest(&state.deflection),
-        largest_moment: greatest(&state.moment),
-        least_moment: [state.moment.min, state.moment.min_at],
-        certified,
-        routes,
-        four_step,
-        four_step_routes,
-        failed,
+        energy: state.energy,
+        deflection: span(&state.deflection),
+        bending: span(&state.moment),
+        required: required::required(scene, exact)?,
+        routes: routes::judged(scene)?,
     })
 }
 
-/// How many routes are certified, how many there are, and which are not.
-fn judged(scene: &Scene, solvers: &[Solver]) -> Result<([usize; 2], Vec<String>), Cause> {
-    let mut counts = [0, 0];
-    let mut failed = Vec::new();
-    for method in Method::ALL {
-        for &solver in solvers {
-            let outcome = solve(scene, &Settings::new(method, solver, COARSE))?;
-            counts = [counts[0] + usize::from(outcome.status == Status::Certified), counts[1] + 1];
-            if outcome.status != Status::Certified {
-                let word = if outcome.solver_claims_success { "success" } else { "failure" };
-                failed.push(format!("{solver} on the {method} method (it reports {word})"));
-            }
-        }
-    }
-    Ok((counts, failed))
+fn touch(contact: &Contact) -> Touch {
+    let &Contact { from, to, force, end_forces } = contact;
+    Touch { from, to, point: end_forces.is_none(), force, ends: end_forces.unwrap_or_default() }
+}
+
+fn span(extremes: &Extremes) -> Span {
+    Span { max: [extremes.max, extremes.max_at], min: [extremes.min, extremes.min_at] }
 }
 
 /// The comment at the head of a scene file.
 fn story(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim).collect();
     lines.join(" ")
-}
-
-fn table(state: &ContactState) -> String {
-    let nodes = state.nodes.clone().unwrap_or_default();
-    let rows = nodes.x.iter().enumerate().map(|(i, &x)| {
-        let columns = [x, nodes.deflection[i], nodes.clearance[i], nodes.contact_force[i], nodes.moment[i]];
-        columns.map(|value| if value.is_finite() { fixed(value, 5) } else { String::new() }).to_vec()
-    });
-    csv(&["x", "deflection", "clearance", "contact_force", "moment"], rows)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use palkki::paper::{PRINTED_FORCE, PRINTED_REACTION};
 
 use super::heading;
 use crate::report::error::Cause;
+use crate::report::numbers;
 use crate::report::verdict::{Row, of_printed};
 
 #[derive(Debug, thiserror::Error)]
@@ -119,7 +120,13 @@ fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, Str
             "bounded-from-both-sides",
             "both methods have the same energy and the beam dips between the nodes: no bracket yet".to_owned(),
         ),
-        "any_elastic_body" => ("any-elastic-body", "a taut string comes out like its closed form".to_owned()),
+        "any_elastic_body" => (
+            "any-elastic-body",
+            format!(
+                "a taut string: end reaction within {} of its closed form",
+                numbers::bound(ledger.any_body.end_reaction)
+            ),
+        ),
         "elastic_foundation" => (
             "elastic-foundation",
             format!(

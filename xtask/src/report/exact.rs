@@ -1,0 +1,51 @@
+//! Exact solutions as figures and as tables of numbers.
+
+use palkki::plot::{Curves, PointForce};
+use palkki::scene::Scene;
+use palkki::theory::Exact;
+
+use super::csv::{csv, fixed};
+
+/// The curves of an exact solution.
+pub(super) fn curves(scene: &Scene, exact: &Exact) -> Curves {
+    let mut curves =
+        Curves::sampled(scene, &exact.state, |x| exact.deflection(x), |x| exact.moment(x), |x| exact.pressure(x));
+    let inside = exact.forces_inside_zones().map(|(at, force)| PointForce { at, force, nodes: 1 });
+    curves.point_forces.extend(inside);
+    // A zone that ends at a support has no force there.
+    curves.point_forces.retain(|f| f.force != 0.0);
+    curves.point_forces.sort_by(|a, b| a.at.total_cmp(&b.at));
+    curves
+}
+
+/// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.
+pub(super) fn table(curves: &Curves) -> String {
+    /// Places to which the numbers are printed.
+    const PLACES: usize = 5;
+    let number = |value: f64| if value.is_finite() { fixed(value, PLACES) } else { String::new() };
+    let zones: Vec<[f64; 2]> = curves.pressure.iter().flatten().copied().collect();
+    let rows = curves.x.iter().enumerate().map(|(i, &x)| {
+        let at = zones.partition_point(|p| p[0] < x);
+        let pressure = zones.get(at).filter(|p| p[0] <= x).map_or_else(String::new, |p| number(p[1]));
+        let [deflection, clearance, moment] = [curves.deflection[i], curves.clearance[i], curves.moment[i]].map(number);
+        vec![number(x), deflection, clearance, pressure, moment]
+    });
+    csv(&["x", "deflection", "clearance", "pressure", "moment"], rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_example_is_flat_between_its_lift_off_points() {
+        let scene = palkki::paper::example().expect("the example is well posed");
+        let exact = palkki::theory::solve(&scene).expect("it has an exact solution");
+        let curves = curves(&scene, &exact);
+        assert_eq!(curves.point_forces.len(), 2, "one force at each lift-off point");
+        let table = table(&curves);
+        let middle: Vec<&str> = table.lines().filter(|line| line.starts_with("5.00000,")).collect();
+        assert_eq!(middle, ["5.00000,1.00000,0.00000,1.00000,0.00000"], "{table}");
+        assert!(table.contains("0.00000,0.00000,1.00000,,0.00000"), "no pressure beside a support: {table}");
+    }
+}
