@@ -37,6 +37,8 @@ struct Values {
     four_step_certified: usize,
     targets: [String; 2],
     cap: usize,
+    /// Whether some search for a grid ended there.
+    capped: bool,
     /// Worst residual of all scenes, as a bound.
     residual: String,
     /// Lines of the verdict table.
@@ -116,6 +118,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         four_step_certified: sum(|routes| routes.four_step),
         targets: required::TARGETS.map(numbers::bound),
         cap: required::MOST,
+        capped: rows.iter().any(|row| row.required.is_capped()),
         residual: numbers::bound(residual),
         rows,
     };

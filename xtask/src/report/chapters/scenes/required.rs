@@ -28,6 +28,13 @@ pub(super) struct Required {
     grids: Vec<Grid>,
 }
 
+impl Required {
+    /// True if the search for a grid ended at the finest one.
+    pub(super) fn is_capped(&self) -> bool {
+        self.grids.iter().any(|grid| !grid.found && !grid.refused)
+    }
+}
+
 /// The first grid that is good enough.
 #[derive(Debug, Serialize)]
 struct Grid {
