@@ -2,8 +2,8 @@
 //! has to change.
 //!
 //! Where a programme can be [settled](guess_from) in neighbourhoods, coarser grids only have to give a good guess, and the
-//! whole beam is solved on the coarsest and on the finest grid alone. Each of the others halves the error of the lift-off
-//! points at a price that does not grow with the grid.
+//! whole beam is solved on the coarsest and on the finest grid alone. Each of the others makes the error of the lift-off
+//! points smaller at a price that does not grow with the grid.
 
 use crate::methods::{Discrete, Method};
 use crate::route::Solver;
@@ -17,7 +17,7 @@ const COARSEST: usize = 40;
 const GUESSED: usize = 1000;
 
 /// Refinement of grids that are solved, and of those that are guessed from.
-const REFINEMENT: [usize; 2] = [2, 4];
+const REFINEMENT: [usize; 2] = [2, 8];
 
 /// Solves on nested grids. Solves on all grids count.
 pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {

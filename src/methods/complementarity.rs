@@ -16,8 +16,8 @@
 // The scheme is rebuilt from (5), (7), (8) with central differences, the only second-order scheme on five nodes.
 // It gives 1.191071 for the first contact force of the example with 30 intervals; the paper prints no number for this method.
 
-use super::{Discrete, mixed};
-use crate::problem::{Matrix, NotPositiveDefinite, Programme, Sizes, Stationary};
+use super::{Discrete, mixed, native};
+use crate::problem::{Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
 /// The programme (32) of method 1: `x = h`, `g = p`.
@@ -68,6 +68,10 @@ impl Programme for Complementarity<'_> {
             }
         }
         Matrix::Pentadiagonal(rows)
+    }
+
+    fn native(&self) -> Option<Native> {
+        Some(native::potential(self.0, Bending::AtNodes, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {

@@ -22,8 +22,8 @@
 
 use nalgebra::DMatrix;
 
-use super::{Discrete, mixed};
-use crate::problem::{Band, Matrix, NotPositiveDefinite, Programme, Sizes, Stationary};
+use super::{Discrete, mixed, native};
+use crate::problem::{Band, Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
 /// The programme (32) of method 2: `x = h`, `g = p` as nodal forces.
@@ -91,6 +91,10 @@ impl Programme for Displacement<'_> {
         }
         // Symmetric up to rounding; whoever takes the matrix may rely on it.
         Matrix::Dense((&k + k.transpose()) * 0.5)
+    }
+
+    fn native(&self) -> Option<Native> {
+        Some(native::potential(self.0, Bending::Between, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {

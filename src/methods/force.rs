@@ -20,8 +20,8 @@ use std::ops::Range;
 
 use nalgebra::DMatrix;
 
-use super::{Discrete, continuous};
-use crate::problem::{Matrix, NotPositiveDefinite, Programme, Sizes, Stationary};
+use super::{Discrete, continuous, native};
+use crate::problem::{Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
 /// The programme (32) of method 3: `x = p` as nodal forces, `g = h`.
@@ -49,6 +49,10 @@ impl Programme for Force<'_> {
         #[expect(clippy::cast_precision_loss, reason = "dense matrices end long before 2⁵³ nodes")]
         let length = self.0.spacing * (n + 1) as f64;
         Matrix::Dense(DMatrix::from_fn(n, n, |i, j| flexibility(length, self.0.stiffness, n, i + 1, j + 1)))
+    }
+
+    fn native(&self) -> Option<Native> {
+        Some(native::complementary(self.0, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {

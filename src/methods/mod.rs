@@ -14,6 +14,7 @@ mod displacement;
 mod force;
 mod method;
 mod mixed;
+mod native;
 mod nodal;
 mod segment;
 mod statics;

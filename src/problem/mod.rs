@@ -16,10 +16,12 @@ use std::ops::Range;
 mod dense;
 mod ldl;
 mod matrix;
+mod native;
 
 pub use dense::Dense;
 pub use ldl::{Band, NotPositiveDefinite};
 pub use matrix::{Matrix, UpperColumns};
+pub use native::Native;
 
 /// A programme (32) that can use its structure.
 pub trait Programme {
@@ -31,6 +33,11 @@ pub trait Programme {
 
     /// The vector `b`, length n.
     fn linear(&self) -> Vec<f64>;
+
+    /// The programme in the variables in which it is sparse, if it has such.
+    fn native(&self) -> Option<Native> {
+        None
+    }
 
     /// The gradient `g = A x − b` (33), length n.
     ///

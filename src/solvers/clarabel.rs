@@ -8,10 +8,10 @@
 //! multipliers `z` of `y ≥ 0` are the gradient.
 
 use ::clarabel::algebra::CscMatrix;
-use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus};
+use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
 
-use super::{Answer, too_large};
-use crate::problem::{Programme, UpperColumns};
+use super::{Answer, native};
+use crate::problem::{Native, Programme, UpperColumns};
 
 /// Settings chosen for accuracy.
 fn settings(tolerance: f64) -> DefaultSettings<f64> {
@@ -48,29 +48,26 @@ pub(super) fn words(tolerance: f64) -> String {
 
 /// Solves with clarabel.
 pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
-    if let Some(refusal) = too_large(programme) {
-        return refusal;
-    }
-    let n = programme.dimension();
-    let sizes = programme.sizes();
-    let UpperColumns { starts, rows, values } = programme.matrix().upper_columns(sizes.x / sizes.gradient);
-    let linear: Vec<f64> = programme.linear().iter().map(|b| -b / sizes.gradient).collect();
-    if !values.iter().chain(&linear).all(|v| v.is_finite()) {
-        return Answer::refused(n, "not tried: the programme has numbers that are not finite".to_owned());
-    }
-    let quadratic = CscMatrix::new(n, n, starts, rows, values);
-    let bounds = CscMatrix::new(n, n, (0..=n).collect(), (0..n).collect(), vec![-1.0; n]);
-    let cones = [NonnegativeConeT(n)];
-    let mut solver = match DefaultSolver::new(&quadratic, &linear, &bounds, &vec![0.0; n], &cones, settings(tolerance))
-    {
+    let native = match native(programme) {
+        Ok(native) => native,
+        Err(refusal) => return refusal,
+    };
+    let (n, m, r) = (programme.dimension(), native.linear.len(), native.right.len());
+    let (starts, rows, values) = native.constraints(-1.0);
+    let constraints = CscMatrix::new(r + n, m, starts, rows, values);
+    let Native { quadratic: UpperColumns { starts, rows, values }, linear, mut right, signed, sizes, .. } = native;
+    let quadratic = CscMatrix::new(m, m, starts, rows, values);
+    right.extend(vec![0.0; n]);
+    let cones = [ZeroConeT(r), NonnegativeConeT(n)];
+    let mut solver = match DefaultSolver::new(&quadratic, &linear, &constraints, &right, &cones, settings(tolerance)) {
         Ok(solver) => solver,
         Err(error) => return Answer::refused(n, error.to_string()),
     };
     solver.solve();
     let solution = &solver.solution;
     Answer {
-        x: solution.x.iter().map(|y| y * sizes.x).collect(),
-        gradient: solution.z.iter().map(|z| z * sizes.gradient).collect(),
+        x: solution.x[signed..].iter().map(|y| y * sizes.x).collect(),
+        gradient: solution.z[r..].iter().map(|z| z * sizes.gradient).collect(),
         claims_success: matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved),
         words: format!("{:?}", solution.status),
         iterations: solution.iterations as usize,

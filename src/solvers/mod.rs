@@ -11,7 +11,7 @@ mod solver;
 
 pub use solver::Solver;
 
-use crate::problem::Programme;
+use crate::problem::{Native, Programme};
 
 /// What a solver hands back. None of it is believed before the judge has seen it.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,6 +78,23 @@ impl Solver {
 /// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
 /// 32 MB, and its factors as much again.
 const LARGEST_MATRIX: usize = 2000;
+
+/// The sparse form for a library; from the matrix if the programme has no other, or a refusal.
+fn native(programme: &dyn Programme) -> Result<Native, Answer> {
+    let native = match programme.native() {
+        Some(native) => native,
+        None => match too_large(programme) {
+            Some(refusal) => return Err(refusal),
+            None => Native::of_matrix(programme),
+        },
+    };
+    if native.is_finite() {
+        Ok(native)
+    } else {
+        let words = "not tried: the programme has numbers that are not finite";
+        Err(Answer::refused(programme.dimension(), words.to_owned()))
+    }
+}
 
 /// The refusal of a solver that would need a larger matrix, if it would.
 fn too_large(programme: &dyn Programme) -> Option<Answer> {

@@ -9,8 +9,8 @@
 
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
-use super::{Answer, too_large};
-use crate::problem::{Programme, UpperColumns};
+use super::{Answer, native};
+use crate::problem::{Native, Programme, UpperColumns};
 
 /// What the library takes for infinity (`OSQP_INFTY`).
 const INFINITY: f64 = 1e30;
@@ -54,28 +54,22 @@ fn settings(tolerance: f64, entries: usize) -> Settings {
 
 /// Solves with osqp.
 pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
-    if let Some(refusal) = too_large(programme) {
-        return refusal;
-    }
-    let n = programme.dimension();
-    let sizes = programme.sizes();
-    let matrix = programme.matrix();
-    let UpperColumns { starts, rows, values } = matrix.upper_columns(sizes.x / sizes.gradient);
-    let linear: Vec<f64> = programme.linear().iter().map(|b| -b / sizes.gradient).collect();
-    // The library takes NaN without complaint and calls x = 0 solved.
-    if !values.iter().chain(&linear).all(|v| v.is_finite()) {
-        return Answer::refused(n, "not tried: the programme has numbers that are not finite".to_owned());
-    }
-    let quadratic = CscMatrix { nrows: n, ncols: n, indptr: starts.into(), indices: rows.into(), data: values.into() };
-    let identity = CscMatrix {
-        nrows: n,
-        ncols: n,
-        indptr: (0..=n).collect::<Vec<_>>().into(),
-        indices: (0..n).collect::<Vec<_>>().into(),
-        data: vec![1.0; n].into(),
+    let native = match native(programme) {
+        Ok(native) => native,
+        // The library takes NaN without complaint and calls x = 0 solved.
+        Err(refusal) => return refusal,
     };
-    let settings = settings(tolerance, matrix.entries());
-    let problem = Problem::new(quadratic, &linear, identity, &vec![0.0; n], &vec![INFINITY; n], &settings);
+    let (n, m, r) = (programme.dimension(), native.linear.len(), native.right.len());
+    let (starts, rows, values) = native.constraints(1.0);
+    let entries = values.len() + native.quadratic.values.len();
+    let constraints =
+        CscMatrix { nrows: r + n, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
+    let Native { quadratic: UpperColumns { starts, rows, values }, linear, right, signed, sizes, .. } = native;
+    let quadratic = CscMatrix { nrows: m, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
+    let (mut lower, mut upper) = (right.clone(), right);
+    lower.extend(vec![0.0; n]);
+    upper.extend(vec![INFINITY; n]);
+    let problem = Problem::new(quadratic, &linear, constraints, &lower, &upper, &settings(tolerance, entries));
     let mut problem = match problem {
         Ok(problem) => problem,
         Err(error) => return Answer::refused(n, error.to_string()),
@@ -98,8 +92,8 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         return Answer { iterations, ..Answer::refused(n, words.to_owned()) };
     };
     Answer {
-        x: solution.x().iter().map(|y| y * sizes.x).collect(),
-        gradient: solution.y().iter().map(|y| -y * sizes.gradient).collect(),
+        x: solution.x()[signed..].iter().map(|y| y * sizes.x).collect(),
+        gradient: solution.y()[r..].iter().map(|y| -y * sizes.gradient).collect(),
         claims_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
         words: words.to_owned(),
         iterations,

@@ -1,0 +1,86 @@
+//! The methods in the variables in which they are sparse: moments beside clearances, or beside contact forces.
+//!
+//! Methods 1 and 2 minimise the potential energy in clearances `h` and moments `M`, with the curvature as equation; method 3
+//! the complementary energy in contact forces `p` and moments, with equilibrium as equation:
+//!
+//! ```text
+//! ½ Σ (Δ/EI) M c(M) + Σ q h    subject to   (Δ/EI) c(M)_i − δ²h_i/Δ = −δ²u_i/Δ,   h ≥ 0
+//! ½ Σ (Δ/EI) M c(M) + Σ u p    subject to   δ²M_i/Δ − p_i = −q_i,                 p ≥ 0
+//!
+//! δ²y_i = y_{i−1} − 2 y_i + y_{i+1};   c(M)_i = M_i, or (M_{i−1} + 4 M_i + M_{i+1})/6 for beam elements
+//! ```
+//!
+//! Second differences appear instead of fourth ones: condition numbers are roots of those of `A`.
+//!
+//! *Scaling.* Energy is measured by `X G`, with the sizes of [`Discrete::sizes`]. The unit of moment `M₀ = √(EI X G/Δ)` makes the
+//! quadratic part `c` itself, and each equation is divided by what stands before its second difference. One number is left,
+//! `ε = √(G Δ³/(EI X))`, before `c(M)` or before `p`.
+
+use super::Discrete;
+use crate::problem::{Native, Sizes, UpperColumns};
+use crate::state::Bending;
+
+/// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the programme.
+pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> Native {
+    let n = discrete.interior();
+    let Sizes { x: depth, gradient: force } = discrete.sizes();
+    let coupling = coupling(discrete);
+    let (own, beside) = shares(bending);
+    let mut equations: Vec<_> = (0..n).map(|j| around(j, n, coupling * own, coupling * beside)).collect();
+    equations.extend((0..n).map(|j| around(j, n, 2.0, -1.0)));
+    let mut linear = vec![0.0; n];
+    linear.extend(discrete.interior_loads().iter().map(|q| q / force));
+    let bend = |i: usize| -discrete.spacing / depth * discrete.bend(i - 1, i, i + 1);
+    let right = (1..=n).map(bend).collect();
+    Native { quadratic: quadratic(n, bending), linear, equations, right, signed: n, sizes }
+}
+
+/// Method 3: moments, then contact forces.
+pub(super) fn complementary(discrete: &Discrete, sizes: Sizes) -> Native {
+    let n = discrete.interior();
+    let Sizes { x: depth, gradient: force } = discrete.sizes();
+    let coupling = coupling(discrete);
+    let mut equations: Vec<_> = (0..n).map(|j| around(j, n, -2.0, 1.0)).collect();
+    equations.extend((0..n).map(|j| vec![(j, -coupling)]));
+    let mut linear = vec![0.0; n];
+    linear.extend(discrete.depths.iter().map(|u| u / depth));
+    let right = discrete.interior_loads().iter().map(|q| -coupling * q / force).collect();
+    Native { quadratic: quadratic(n, Bending::Between), linear, equations, right, signed: n, sizes }
+}
+
+/// `ε`.
+fn coupling(discrete: &Discrete) -> f64 {
+    let Discrete { spacing, stiffness, .. } = discrete;
+    let Sizes { x: depth, gradient: force } = discrete.sizes();
+    (force / depth * spacing / stiffness).sqrt() * spacing
+}
+
+/// The curvature `c`: share of the node itself and of each neighbour.
+fn shares(bending: Bending) -> (f64, f64) {
+    match bending {
+        Bending::AtNodes => (1.0, 0.0),
+        Bending::Between => (4.0 / 6.0, 1.0 / 6.0),
+    }
+}
+
+/// A column of a symmetric tridiagonal matrix with the same numbers in all rows.
+fn around(j: usize, n: usize, own: f64, beside: f64) -> Vec<(usize, f64)> {
+    let entries = [(j.wrapping_sub(1), beside), (j, own), (j + 1, beside)];
+    #[expect(clippy::float_cmp, reason = "an entry that is written as zero is not stored")]
+    entries.into_iter().filter(|(i, value)| *i < n && *value != 0.0).collect()
+}
+
+/// `P`: the curvature of the n moments, nothing for the n others.
+fn quadratic(n: usize, bending: Bending) -> UpperColumns {
+    let (own, beside) = shares(bending);
+    let mut columns = UpperColumns::default();
+    for j in 0..2 * n {
+        columns.starts.push(columns.rows.len());
+        for (i, value) in around(j, n, own, beside).into_iter().filter(|(i, _)| j < n && *i <= j) {
+            columns.rows.push(i);
+            columns.values.push(value);
+        }
+    }
+    columns.starts.push(columns.rows.len());
+    columns
+}

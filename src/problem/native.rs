@@ -1,0 +1,71 @@
+//! A programme in the variables in which it is sparse, for solvers that take sparse matrices and equations.
+//!
+//! ```text
+//! minimise ½ zᵀ P z + cᵀ z   subject to   E z = e,  z_k ≥ 0 for k ≥ s
+//!           (m,m)    (m)                  (r,m) (r)
+//! ```
+//!
+//! The variables `z_s … z_{m−1}` are those of the programme (32), `x_i = X z_{s+i}`, and the multipliers of their signs are
+//! its gradient, `g_i = G μ_i`; the variables before them are free and have no meaning for (32). Eliminating them by the
+//! equations would give the matrix `A`, full or banded, with its condition number.
+
+use super::{Programme, Sizes, UpperColumns};
+
+/// The sparse form of a programme with n variables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Native {
+    /// `P`, symmetric, shape (m, m).
+    pub quadratic: UpperColumns,
+    /// `c`, length m.
+    pub linear: Vec<f64>,
+    /// `E` by columns, shape (r, m), each a list of rows and values with ascending rows.
+    pub equations: Vec<Vec<(usize, f64)>>,
+    /// `e`, length r.
+    pub right: Vec<f64>,
+    /// `s`, the first of the n variables with a sign; `m = s + n`.
+    pub signed: usize,
+    /// `X` and `G`.
+    pub sizes: Sizes,
+}
+
+impl Native {
+    /// The form without equations, `z = x/X`, `P = A X/G`, `c = −b/G`: what a programme is to whom knows only its matrix.
+    #[must_use]
+    pub fn of_matrix(programme: &dyn Programme) -> Self {
+        let sizes = programme.sizes();
+        Self {
+            quadratic: programme.matrix().upper_columns(sizes.x / sizes.gradient),
+            linear: programme.linear().iter().map(|b| -b / sizes.gradient).collect(),
+            equations: vec![Vec::new(); programme.dimension()],
+            right: Vec::new(),
+            signed: 0,
+            sizes,
+        }
+    }
+
+    /// Whether all numbers are finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let equations = self.equations.iter().flatten().map(|(_, value)| value);
+        self.quadratic.values.iter().chain(&self.linear).chain(&self.right).chain(equations).all(|v| v.is_finite())
+    }
+
+    /// Equations and signs as the rows of one matrix by columns: `E` above, below it `sign` times the unit vectors of the
+    /// variables with a sign. Starts, rows and values.
+    #[must_use]
+    pub fn constraints(&self, sign: f64) -> (Vec<usize>, Vec<usize>, Vec<f64>) {
+        let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+        for (k, column) in self.equations.iter().enumerate() {
+            for &(row, value) in column {
+                rows.push(row);
+                values.push(value);
+            }
+            if self.signed <= k {
+                rows.push(self.right.len() + k - self.signed);
+                values.push(sign);
+            }
+            starts.push(rows.len());
+        }
+        (starts, rows, values)
+    }
+}
