@@ -1,11 +1,11 @@
 //! The operator-splitting library `osqp`: translation to its form and back, nothing else.
 //!
 //! ```text
-//! minimise ½ yᵀ P y + qᵀ y   subject to   0 ≤ y ≤ ∞
+//! minimise ½ zᵀ P z + cᵀ z   subject to   e ≤ E z ≤ e,   0 ≤ z_k ≤ ∞ for the variables with a sign
 //! ```
 //!
-//! with dimensionless `y = x/X`, `P = A X/G`, `q = −b/G`, where `X` and `G` are the sizes of variable and gradient. Its
-//! multipliers are the gradient with the opposite sign.
+//! in the [sparse form](crate::problem::Native) of a programme, or that of its matrix if it has no other. The multipliers of
+//! the signs are the gradient with the opposite sign.
 
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
@@ -61,7 +61,8 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     };
     let (n, m, r) = (programme.dimension(), native.linear.len(), native.right.len());
     let (starts, rows, values) = native.constraints(1.0);
-    let entries = values.len() + native.quadratic.values.len();
+    // Factors of these matrices have up to about four entries for each of theirs.
+    let entries = 4 * (values.len() + native.quadratic.values.len());
     let constraints =
         CscMatrix { nrows: r + n, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
     let Native { quadratic: UpperColumns { starts, rows, values }, linear, right, signed, sizes, .. } = native;
