@@ -13,6 +13,9 @@ pub struct ContactLoad {
     pub(super) spacing: f64,
 }
 
+/// Where there is one force only: a share of the beam's length within which it may belong to a corner of the foundation.
+const LONE: f64 = 0.02;
+
 /// A force that is none.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NotAForce {
@@ -73,7 +76,7 @@ impl ContactLoad {
             }
             same
         });
-        let spacing = all.windows(2).map(|w| w[1].0 - w[0].0).fold(0.02 * length, f64::min);
+        let spacing = all.windows(2).map(|w| w[1].0 - w[0].0).reduce(f64::min).unwrap_or(LONE * length);
         let pressing = all.iter().copied().filter(|f| 0.0 < f.1).collect();
         let pulling = all.into_iter().filter(|f| f.1 < 0.0).collect();
         Ok(Self { pressing, pulling, spacing })

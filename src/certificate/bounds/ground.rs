@@ -128,6 +128,29 @@ impl<'a> Ground<'a> {
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
     }
 
+    /// The points of a polyline on both sides of a place; [`None`] for other foundations.
+    pub(super) fn segment(&self, x: f64) -> Option<[f64; 2]> {
+        let Foundation::Polyline { points } = self.foundation else { return None };
+        let after = points.partition_point(|p| p[0] <= x).clamp(1, points.len() - 1);
+        Some([points[after - 1][0], points[after][0]])
+    }
+
+    /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
+    pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
+        let Foundation::Polyline { points } = self.foundation else { return [None, None] };
+        let first = points.partition_point(|p| p[0] < x);
+        let beyond = points.partition_point(|p| p[0] <= x);
+        let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
+        let slope = |at: usize, beside: Option<&[f64; 2]>| {
+            let (at, beside) = (points.get(at)?, beside?);
+            (at[1] <= here).then(|| (beside[1] - at[1]) / (beside[0] - at[0]))
+        };
+        [
+            first.checked_sub(1).and_then(|before| slope(first, points.get(before))),
+            beyond.checked_sub(1).and_then(|last| slope(last, points.get(beyond))),
+        ]
+    }
+
     /// The depth just beside a point of a polyline; [`None`] where nothing happens.
     pub(super) fn side(&self, x: f64, from_the_left: bool) -> Option<f64> {
         let Foundation::Polyline { points } = self.foundation else { return None };

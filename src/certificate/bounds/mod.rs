@@ -14,7 +14,7 @@
 //! penetration anywhere is built.
 //!
 //! How it is built decides how sharp the bounds are. The forces show a *pattern* of contact (module `pattern`): zones, points
-//! and corners. Their places are refined, and from them alone follow a deflection and a moment field for which the gap is
+//! and corners. Their places are refined (modules `refine`, `adjust`, `fill`), and from them alone follow a deflection and a moment field for which the gap is
 //! of second order in whatever is left (modules `joints`, `proof`). The refinement may go wrong; admissibility is proven
 //! afterwards in interval arithmetic, between all nodes and for every kind of profile. Where it cannot be proven, the
 //! deflection that the given forces cause is lifted off the foundation instead (module `admissible`), which always works and
@@ -22,16 +22,19 @@
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
+mod adjust;
 mod admissible;
 mod contact_load;
 mod curve;
 mod error;
+mod fill;
 mod ground;
 mod joints;
 mod load;
 mod pattern;
 mod polynomial;
 mod proof;
+mod refine;
 mod span;
 mod statics;
 mod violations;
@@ -103,7 +106,7 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
         || Some(vec![Joint::new(Kind::Support, 0.0), Joint::new(Kind::Support, length)]),
         |setting| {
             let pattern = pattern::of_forces(&setting, &forces.inside(length), forces.spacing);
-            pattern::refined(&setting, pattern)
+            refine::refined(&setting, pattern)
         },
     );
     let pair = joints.as_ref().and_then(|joints| inner.pair(joints));
@@ -151,7 +154,7 @@ pub fn certify_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Certifica
     let free = || vec![Joint::new(Kind::Support, 0.0), Joint::new(Kind::Support, length)];
     let places: Vec<[f64; 2]> = contacts.iter().map(|c| [c.from / scale.length, c.to / scale.length]).collect();
     let pair = match inner.setting() {
-        Some(setting) => inner.pair(&pattern::with_slopes(&setting, pattern::of_contacts(&setting, &places))),
+        Some(setting) => inner.pair(&refine::with_slopes(&setting, pattern::of_contacts(&setting, &places))),
         None => inner.pair(&free()),
     };
     let (energy, gap, error) = match &pair {
