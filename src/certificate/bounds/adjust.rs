@@ -1,11 +1,12 @@
 //! Changes of a pattern that does not fit.
 
+use super::fill::pressure;
 use super::joints::{Joint, Kind, Setting};
 use super::load::cells;
 use super::span::Span;
 
 /// Changes the pattern where it does not fit: joints that pull go, a point at which the beam is bent more than the
-/// foundation becomes a zone, and the beam gets a joint where it is deepest in the foundation. True if anything changed.
+/// foundation becomes a zone, zones that pull open, and the beam gets a joint where it is deepest in the foundation. True if anything changed.
 pub(super) fn adjust(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
     let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
     let shear = |span: &Option<Span>, jet: fn(&Span) -> f64| span.as_ref().map(|s| -setting.stiffness * jet(s));
@@ -37,7 +38,7 @@ pub(super) fn adjust(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
         joints.splice(i..=i, [Joint::new(Kind::Start, x - half), Joint::new(Kind::End, x + half)]);
         return true;
     }
-    if round(setting, joints, &spans) {
+    if round(setting, joints, &spans) || cut(setting, joints) {
         return true;
     }
     let deepest = spans.iter().flatten().filter_map(|span| deepest(setting, span)).max_by(|a, b| a.1.total_cmp(&b.1));
@@ -77,6 +78,35 @@ fn round(setting: &Setting<'_>, joints: &mut [Joint], spans: &[Option<Span>]) ->
         changed = true;
     }
     changed
+}
+
+/// Opens a zone where it would have to pull: at a point load upwards, and where `q < EI u''''`. True if one was opened.
+fn cut(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
+    /// Places at which the pressure is looked at.
+    const SAMPLES: u32 = 128;
+    for i in 1..joints.len() {
+        let (from, to) = (joints[i - 1].x, joints[i].x);
+        if joints[i - 1].kind != Kind::Start {
+            continue;
+        }
+        let step = (to - from) / f64::from(SAMPLES);
+        let lifts = |x: &f64| setting.load.point(*x).is_some_and(|p| p.hi() < 0.0);
+        let at_load = setting.load.breaks(from, to).into_iter().find(lifts).map(|x| [x - step, x + step]);
+        let pulls = |k: &u32| pressure(setting, from + f64::from(*k) * step) < 0.0;
+        let stretch = || {
+            let first = (1..SAMPLES).find(pulls)?;
+            let last = (first..SAMPLES).take_while(pulls).last()?;
+            Some([from + (f64::from(first) - 0.5) * step, from + (f64::from(last) + 0.5) * step])
+        };
+        if let Some([end, start]) = at_load.or_else(stretch)
+            && from < end
+            && start < to
+        {
+            joints.splice(i..i, [Joint::new(Kind::End, end), Joint::new(Kind::Start, start)]);
+            return true;
+        }
+    }
+    false
 }
 
 /// Where in a span the beam is deepest in the foundation, and how deep.

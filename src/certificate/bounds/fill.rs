@@ -35,11 +35,9 @@ pub(super) fn is_even(setting: &Setting<'_>, from: f64, to: f64) -> bool {
     /// Places at which the pressure is looked at.
     const SAMPLES: u32 = 8;
     let length = to - from;
-    let pressure = |x: f64| {
-        let fourth = setting.ground.cell(x, x).coefficients().get(4).map_or(0.0, |c| 24.0 * c.middle());
-        setting.load.cell(x, x).at(0.0.into()).middle() - setting.stiffness * fourth
-    };
-    let presses = (0..=SAMPLES).all(|k| 0.0 <= pressure(from + length * (f64::from(k) / f64::from(SAMPLES))));
+    let lifted = setting.load.breaks(from, to).iter().any(|&x| setting.load.point(x).is_some_and(|p| p.hi() < 0.0));
+    let presses =
+        !lifted && (0..=SAMPLES).all(|k| 0.0 <= pressure(setting, from + length * (f64::from(k) / f64::from(SAMPLES))));
     let middle = 0.5 * (from + to);
     let q = setting.load.cell(middle, middle).at(0.0.into()).middle();
     let sag = q * length * length * length * length / (384.0 * setting.stiffness);
@@ -48,4 +46,10 @@ pub(super) fn is_even(setting: &Setting<'_>, from: f64, to: f64) -> bool {
     // What is lost in the difference of two depths.
     let rounding = 4.0 * f64::EPSILON * cubic.abs();
     presses && setting.ground.jet(middle)[0].middle() - cubic <= sag + rounding
+}
+
+/// The pressure `q − EI u''''` in a zone, about.
+pub(super) fn pressure(setting: &Setting<'_>, x: f64) -> f64 {
+    let fourth = setting.ground.cell(x, x).coefficients().get(4).map_or(0.0, |c| 24.0 * c.middle());
+    setting.load.cell(x, x).at(0.0.into()).middle() - setting.stiffness * fourth
 }

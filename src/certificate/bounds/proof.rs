@@ -101,8 +101,10 @@ fn moment_at(setting: &Setting<'_>, joints: &[Joint], spans: &[Option<Span>], i:
 /// Whether the beam can lie on the foundation all the way between two places, and is pressed onto it.
 fn presses(setting: &Setting<'_>, from: f64, to: f64) -> bool {
     let smooth = setting.ground.is_smooth_between(from, to);
-    // Where a zone begins at a support, the moment there must vanish.
-    let level = |x: f64| setting.ground.jet(x)[2].magnitude() <= 0.0 && setting.ground.depth(x).magnitude() <= 0.0;
+    // Where a zone begins at a support, support and foundation together exert a moment: the limit of a contact force that
+    // grows as it comes nearer to the support. It presses if it bends the beam upwards, and costs nothing in the limit:
+    // the gap of a force at the distance ε is M² ε / 6 EI.
+    let level = |x: f64| 0.0 <= setting.ground.jet(x)[2].lo() && setting.ground.depth(x).magnitude() <= 0.0;
     let held = (0.0 < from || level(from)) && (to < setting.length || level(to));
     let mut breaks = setting.ground.breaks(from, to);
     breaks.extend(setting.load.breaks(from, to));
