@@ -2,7 +2,9 @@
 
 use std::time::Instant;
 
+use palkki::certificate::{Certificate, ContactLoad, Judged, certify, certify_contacts};
 use palkki::route::Status;
+use palkki::scene::Scene;
 use palkki::state::{ContactState, Nodes};
 use palkki::theory::{Exact, TheoryError};
 use palkki::{Settings, solve};
@@ -39,6 +41,20 @@ pub(super) struct Answer {
     pub(super) state: ContactState,
     /// The solution of beam theory as functions of `x`, if that is where the answer comes from.
     pub(super) exact: Option<Box<Exact>>,
+    /// Two-sided bounds; there are none for an answer that is no numbers.
+    pub(super) certificate: Option<Certificate>,
+}
+
+/// Bounds for an answer, in the units of the scene.
+pub(super) fn certificate(scene: &Scene, state: &ContactState) -> Option<Certificate> {
+    match &state.nodes {
+        Some(nodes) => {
+            let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
+            let load = ContactLoad::new(scene.beam().length(), forces).ok()?;
+            certify(scene, &load, Judged::Nodes(nodes)).ok()
+        }
+        None => certify_contacts(scene, &state.contacts).ok(),
+    }
 }
 
 impl Answer {
@@ -67,6 +83,7 @@ impl Answer {
             unknowns: outcome.unknowns,
             iterations: outcome.iterations,
             seconds,
+            certificate: certificate(&input.scene, &outcome.state),
             state: outcome.state,
             exact: None,
         })

@@ -44,6 +44,13 @@ Examples:
   palkki solve scene.toml --method displacement --solver clarabel --intervals 200 --format json
   palkki solve scene.toml --method force --csv nodes.csv --plot beam.svg";
 
+const CERTIFY_EXAMPLE: &str = "\
+FORCES is a CSV file with the header x,force: places along the beam and forces of the foundation on
+the beam, positive upwards, for example
+  x,force
+  2.3333,1.14
+  2.6667,0.55";
+
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Solve a scene: one method, one solver, one answer.
@@ -61,6 +68,14 @@ pub(super) enum Command {
     /// theory, where that is available: what the grid is responsible for. Both are the worst relative difference
     /// among end reactions, energy and largest deflection. The exit code is 0 if at least one answer passed our check.
     Compare(Compare),
+    /// Bound the error of contact forces that somebody else computed, whoever that was.
+    ///
+    /// From the scene and the forces alone follow bounds on the energy from both sides and on the deflection everywhere
+    /// along the beam. They are guaranteed: admissibility between the nodes is proven and rounding is counted in. The
+    /// deflection that is judged is the one that these forces and the load cause. Forces that pull are cut off, and said so.
+    /// The exit code is 0 if that deflection is certain to one hundredth of its largest value.
+    #[command(after_help = CERTIFY_EXAMPLE)]
+    Certify(Certify),
 }
 
 #[derive(Debug, Args)]
@@ -107,6 +122,15 @@ pub(super) struct Compare {
     /// Equal intervals of the discretised methods, at least 2
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, default_value_t = DEFAULT_INTERVALS)]
     pub(super) intervals: usize,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Certify {
+    #[command(flatten)]
+    pub(super) common: Common,
+    /// Contact forces as CSV, with the header x,force
+    #[arg(value_name = "FORCES")]
+    pub(super) forces: PathBuf,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

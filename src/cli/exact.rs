@@ -5,7 +5,7 @@ use std::time::Instant;
 use palkki::route::Status;
 use palkki::theory::{self, Exact, TheoryError};
 
-use super::answer::Answer;
+use super::answer::{Answer, certificate};
 use super::input::Input;
 
 /// What solves the equations of theory: Newton's method for the free boundaries, under a search for the list of contacts.
@@ -26,6 +26,7 @@ pub(super) fn exact(input: &Input) -> Result<Answer, TheoryError> {
         unknowns: exact.unknowns,
         iterations: exact.iterations,
         seconds,
+        certificate: certificate(&input.scene, &exact.state),
         state: exact.state.clone(),
         exact: Some(Box::new(exact)),
     })

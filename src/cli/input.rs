@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
-use palkki::scene::file::{FileError, Problem, ReadProblem, parse};
+use palkki::scene::file::{FileError, Problem, ReadProblem, parse, parse_forces};
 use palkki::scene::{Scene, SceneError};
 
 use super::failure::Failure;
@@ -42,6 +42,14 @@ impl Input {
     /// What the scene is called: by its title, or else by its file.
     pub(super) fn title(&self) -> &str {
         if self.scene.title().is_empty() { &self.name } else { self.scene.title() }
+    }
+
+    /// Reads contact forces for the beam of this scene.
+    pub(super) fn forces(&self, path: &Path) -> Result<Vec<(f64, f64)>, Failure> {
+        let name = path.display().to_string();
+        let text =
+            read(path).map_err(|problem| Box::new(FileError::whole(&name, Problem::UnreadableForces(problem))))?;
+        Ok(parse_forces(&name, &text, self.scene.beam().length())?)
     }
 
     /// An error that only showed when the scene was solved.

@@ -1,10 +1,12 @@
 //! Answers as JSON. `serde_json` prints an `f64` with as many digits as it takes to read the same number back, and
 //! `null` for one that is not finite: the clearance where there is no foundation, a difference relative to zero.
 
+use palkki::certificate::Certificate;
 use palkki::state::{Contact, ContactState, Extremes, Nodes};
 use serde::Serialize;
 
 use super::answer::Answer;
+use super::certify::Judgement;
 use super::compare::{Comparison, Difference};
 use super::input::Input;
 
@@ -39,8 +41,7 @@ struct RouteObject<'a> {
     deflection: DeflectionObject,
     moment: MomentObject,
     energy: f64,
-    /// Two-sided bounds; there are none yet.
-    certificate: Option<()>,
+    certificate: Option<CertificateObject>,
 }
 
 #[derive(Debug, Serialize)]
@@ -85,6 +86,41 @@ struct NodesObject<'a> {
     moment: &'a [f64],
 }
 
+/// Bounds; `null` where there is none.
+#[derive(Debug, Serialize)]
+struct CertificateObject {
+    energy_lower: f64,
+    energy_upper: f64,
+    gap: f64,
+    deflection_error: f64,
+    deflection_error_at: f64,
+    reactions: BracketsObject,
+    stiffness: Option<[f64; 2]>,
+}
+
+#[derive(Debug, Serialize)]
+struct BracketsObject {
+    left: Option<[f64; 2]>,
+    right: Option<[f64; 2]>,
+}
+
+/// What `certify` found.
+#[derive(Debug, Serialize)]
+struct JudgementObject<'a> {
+    scene: &'a str,
+    status: &'a str,
+    certificate: CertificateObject,
+    violations: Vec<ViolationObject>,
+}
+
+#[derive(Debug, Serialize)]
+struct ViolationObject {
+    condition: &'static str,
+    at: f64,
+    amount: f64,
+    relative: f64,
+}
+
 #[derive(Debug, Serialize)]
 struct ComparisonObject<'a> {
     scene: &'a str,
@@ -123,6 +159,21 @@ pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
     print(&ComparisonObject { scene: input.title(), intervals: comparison.intervals, routes: routes.collect() })
 }
 
+pub(super) fn certify(input: &Input, judgement: &Judgement) -> String {
+    let violations = judgement.violations.iter().map(|v| ViolationObject {
+        condition: v.kind.word(),
+        at: v.at,
+        amount: v.amount,
+        relative: v.relative,
+    });
+    print(&JudgementObject {
+        scene: input.title(),
+        status: judgement.status().word(),
+        certificate: certificate_of(&judgement.certificate),
+        violations: violations.collect(),
+    })
+}
+
 fn print(value: &impl Serialize) -> String {
     // Structs of numbers and texts have nothing that serialising could refuse.
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
@@ -147,7 +198,20 @@ fn route(answer: &Answer) -> RouteObject<'_> {
         deflection: deflection_of(deflection),
         moment: moment_of(moment),
         energy: *energy,
-        certificate: None,
+        certificate: answer.certificate.as_ref().map(certificate_of),
+    }
+}
+
+fn certificate_of(certificate: &Certificate) -> CertificateObject {
+    let [left, right] = certificate.reactions;
+    CertificateObject {
+        energy_lower: certificate.energy_lower,
+        energy_upper: certificate.energy_upper,
+        gap: certificate.gap,
+        deflection_error: certificate.deflection_error,
+        deflection_error_at: certificate.deflection_error_at,
+        reactions: BracketsObject { left, right },
+        stiffness: certificate.stiffness,
     }
 }
 

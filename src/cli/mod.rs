@@ -6,6 +6,7 @@
 
 mod answer;
 mod arguments;
+mod certify;
 mod compare;
 mod csv;
 mod exact;
@@ -44,6 +45,7 @@ pub(crate) fn run() -> ExitCode {
     let done = match &arguments.command {
         Command::Solve(arguments) => solve(arguments),
         Command::Compare(arguments) => compare(arguments),
+        Command::Certify(arguments) => certify(arguments),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -116,6 +118,17 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     })?;
     let certified = comparison.routes.iter().any(|route| route.answer.status == Status::Certified);
     Ok(if certified { CERTIFIED } else { NOT_CERTIFIED })
+}
+
+fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
+    let Common { scene, format } = &arguments.common;
+    let input = Input::read(scene)?;
+    let judgement = certify::Judgement::of(&input, &arguments.forces)?;
+    output::print(&match format {
+        Format::Text => text::certify(&input, &judgement),
+        Format::Json => json::certify(&input, &judgement),
+    })?;
+    Ok(if judgement.status() == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
 impl Solve {

@@ -13,6 +13,34 @@ pub(super) fn magnitude(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 
+/// A lower bound: as [`result`], but never above the number.
+pub(super) fn at_least(value: f64) -> String {
+    bounding(value, result, -SLACK, |shown, value| shown <= value)
+}
+
+/// An upper bound: as [`result`], but never below the number.
+pub(super) fn at_most(value: f64) -> String {
+    bounding(value, result, SLACK, |shown, value| value <= shown)
+}
+
+/// An upper bound of which only the size is of interest: as [`magnitude`], but never below the number.
+pub(super) fn magnitude_at_most(value: f64) -> String {
+    /// A tenth of a unit in the second digit, or less.
+    const SLACK: f64 = 0.01;
+    bounding(value, magnitude, SLACK, |shown, value| value <= shown)
+}
+
+/// Steps of a tenth of a unit in the last of [`DIGITS`] digits, as a share, or less.
+const SLACK: f64 = 1e-10;
+
+/// The text of `value`, or of the next number in steps of `slack` whose text is a bound.
+fn bounding(value: f64, text: impl Fn(f64) -> String, slack: f64, bounds: impl Fn(f64, f64) -> bool) -> String {
+    /// A unit in the last digit is at most ten steps.
+    const STEPS: i32 = 12;
+    let mut shown = (0..STEPS).map(|k| text(value + f64::from(k) * slack * value.abs()));
+    shown.find(|shown| shown.parse().is_ok_and(|shown| bounds(shown, value))).unwrap_or_else(|| value.to_string())
+}
+
 fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         // Also −0, which means nothing to a reader.

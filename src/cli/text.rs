@@ -2,15 +2,18 @@
 
 use std::fmt::Write as _;
 
+use palkki::certificate::Certificate;
+use palkki::certificate::bounds::ViolationKind;
 use palkki::route::Status;
 use palkki::scene::Units;
 use palkki::state::{Contact, Extremes, Nodes};
 
 use super::answer::Answer;
+use super::certify::Judgement;
 use super::compare::{Comparison, Difference};
 use super::given::given;
 use super::input::Input;
-use super::number::{magnitude, result};
+use super::number::{at_least, at_most, magnitude, magnitude_at_most, result};
 
 /// Cells of a table; the first column is set flush left, the others flush right, except where they hold words.
 type Row = Vec<String>;
@@ -24,6 +27,9 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     text += &equilibrium(input, answer, &labels);
     text += &contacts(&answer.state.contacts, &labels);
     text += &extremes(answer, &labels);
+    if let Some(certificate) = &answer.certificate {
+        text += &bounds(certificate, &labels);
+    }
     if nodes && let Some(nodes) = answer.nodes() {
         text += &table_of_nodes(nodes, &labels);
     }
@@ -166,6 +172,59 @@ pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
     text
 }
 
+pub(super) fn certify(input: &Input, judgement: &Judgement) -> String {
+    let labels = Labels::of(input.scene.units());
+    let mut text = format!("{}\n{}\n\n", input.title(), "=".repeat(input.title().chars().count()));
+    let share = judgement.certificate.deflection_error / judgement.certificate.deflection;
+    let status = match judgement.status() {
+        Status::Certified => {
+            format!("certified: the deflection is certain to {} of its largest value", magnitude_at_most(share))
+        }
+        status if share.is_finite() => {
+            format!("{status}: the deflection may be off by {} of its largest value", magnitude_at_most(share))
+        }
+        status => format!("{status}: nothing could be shown about these forces"),
+    };
+    let cut: f64 = judgement.load.pulling().iter().map(|f| -f.1).sum();
+    let cut = match judgement.load.pulling().len() {
+        0 => "none".to_owned(),
+        count => format!("{count}, together {}", result(cut)),
+    };
+    text += &list(&[("status", status), (&labels.force("forces cut off"), cut)]);
+    text += &bounds(&judgement.certificate, &labels);
+    if judgement.violations.is_empty() {
+        text += "\nViolations: none\n";
+        return text;
+    }
+    let rows: Vec<Row> = judgement
+        .violations
+        .iter()
+        .map(|v| {
+            let what = match v.kind {
+                ViolationKind::Tension => labels.force("a force pulls"),
+                ViolationKind::Penetration => labels.length("the beam is in the foundation"),
+                ViolationKind::Complementarity => labels.length("a force acts across a clearance"),
+            };
+            vec![what, magnitude(v.amount), magnitude(v.relative), result(v.at)]
+        })
+        .collect();
+    text += &table("Violations, the worst of each kind", &["", "amount", "relative", &labels.length("at")], &rows);
+    text
+}
+
+/// What is guaranteed, rounded so that it stays so.
+fn bounds(certificate: &Certificate, labels: &Labels) -> String {
+    let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
+    let mut rows = vec![bracket(labels.moment("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
+    for (name, reaction) in ["left reaction", "right reaction"].into_iter().zip(certificate.reactions) {
+        rows.extend(reaction.map(|reaction| bracket(labels.force(name), reaction)));
+    }
+    rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.stiffness("stiffness D"), stiffness)));
+    let error = magnitude_at_most(certificate.deflection_error);
+    rows.push(vec![labels.length("error of the deflection"), String::new(), error]);
+    table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows)
+}
+
 /// Names of quantities with the labels of their units.
 struct Labels {
     length: Option<String>,
@@ -183,6 +242,11 @@ impl Labels {
 
     fn force(&self, name: &str) -> String {
         with_unit(name, self.force.clone())
+    }
+
+    fn stiffness(&self, name: &str) -> String {
+        let unit = self.force.as_ref().zip(self.length.as_ref()).map(|(force, length)| format!("{force}/{length}"));
+        with_unit(name, unit)
     }
 
     fn moment(&self, name: &str) -> String {

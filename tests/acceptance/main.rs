@@ -5,6 +5,7 @@ mod support;
 mod agreement;
 mod approach;
 mod bad_input;
+mod bounds;
 mod claims;
 mod closed_form;
 mod command_line;

@@ -8,6 +8,7 @@
 //! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
 
 mod error;
+mod forces;
 mod foundation;
 mod load;
 mod locate;
@@ -18,6 +19,7 @@ mod table;
 use toml::de::DeTable;
 
 pub use error::FileError;
+pub use forces::parse_forces;
 pub use problem::{Problem, ReadProblem};
 
 use self::foundation::Given;

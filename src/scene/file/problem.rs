@@ -47,6 +47,9 @@ pub enum Problem {
         /// Why not.
         problem: ReadProblem,
     },
+    /// A file of contact forces could not be read.
+    #[error("cannot read the contact forces: {0}")]
+    UnreadableForces(ReadProblem),
     /// A file without a single byte.
     #[error("the file is empty")]
     Empty,
@@ -133,10 +136,33 @@ pub enum Problem {
         /// How many it has.
         found: usize,
     },
-    /// A field of a survey that is not a number.
+    /// Contact forces without their header.
+    #[error("contact forces must begin with the header `x,force`, but begin with {found:?}")]
+    ForcesHeader {
+        /// What is there.
+        found: String,
+    },
+    /// A file of contact forces without anything in it.
+    #[error("the file of contact forces has neither header nor forces")]
+    ForcesWithoutHeader,
+    /// A row that is not a force.
+    #[error("a row of contact forces must have 2 fields, x and force, but this one has {found}")]
+    ForcesFields {
+        /// How many it has.
+        found: usize,
+    },
+    /// A force that does not act on the beam.
+    #[error("`x` must lie on the beam, between 0 and {length}, but is {x}")]
+    ForceOutsideBeam {
+        /// Where it acts.
+        x: f64,
+        /// Length of the beam.
+        length: f64,
+    },
+    /// A field of a survey, or of contact forces, that is not a number.
     #[error("`{quantity}` must be a finite number, but is {found:?}")]
     SurveyNumber {
-        /// `x` or `depth`.
+        /// `x`, `depth` or `force`.
         quantity: &'static str,
         /// What is there.
         found: String,
@@ -157,6 +183,9 @@ impl Problem {
             Self::NoFoundationKind { .. } => Some("expected exactly one of them, or no [foundation] at all".to_owned()),
             Self::SeveralFoundationKinds { .. } => Some("expected exactly one of them".to_owned()),
             Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
+            Self::ForcesHeader { .. } | Self::ForcesWithoutHeader => {
+                Some("expected `x,force`, then one force in each row".to_owned())
+            }
             Self::SurveyHeader { .. } | Self::SurveyWithoutHeader => {
                 Some("expected `x,depth`, then one point in each row".to_owned())
             }

@@ -18,7 +18,7 @@ pub(super) struct Survey {
 }
 
 /// A field of a row: its text, trimmed, and where it is.
-type Field<'a> = (&'a str, Span);
+pub(super) type Field<'a> = (&'a str, Span);
 
 impl Survey {
     /// The points, as many as the file has: whether they make a polyline is for the scene to judge.
@@ -64,7 +64,7 @@ impl Survey {
     }
 
     /// The lines that say something, trimmed, with their places; the first is the header.
-    fn rows(&self) -> impl Iterator<Item = Field<'_>> {
+    pub(super) fn rows(&self) -> impl Iterator<Item = Field<'_>> {
         // U+FEFF, the byte order mark, is no white space to `trim`.
         let start = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         pieces(&self.text[start..], '\n', start).filter(|(line, _)| !line.is_empty() && !line.starts_with('#'))
@@ -75,7 +75,7 @@ impl Survey {
     }
 }
 
-fn fields(row: &str, start: usize) -> impl Iterator<Item = Field<'_>> {
+pub(super) fn fields(row: &str, start: usize) -> impl Iterator<Item = Field<'_>> {
     pieces(row, ',', start)
 }
 
@@ -95,7 +95,7 @@ pub(super) fn beside(scene: &str, path: &str) -> String {
 }
 
 /// A field as a message repeats it.
-fn excerpt(text: &str) -> String {
+pub(super) fn excerpt(text: &str) -> String {
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),

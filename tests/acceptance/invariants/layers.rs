@@ -82,7 +82,8 @@ fn methods_never_name_a_solver() {
 #[test]
 fn the_certificate_uses_neither_methods_nor_solvers() {
     let found = offenders(&room("src/certificate"), |line| {
-        first_word_of(code(line), &["methods", "solvers", "route"]).map(|word| format!("uses `{word}`"))
+        first_word_of(code(line), &["methods", "solvers", "route", "theory", "solve"])
+            .map(|word| format!("uses `{word}`"))
     });
     none(&found, "the judge is no contestant");
 }

@@ -1,0 +1,164 @@
+//! From a gap to deflections and reactions.
+
+use super::curve::{Curve, overlay};
+use super::ground::Ground;
+use super::polynomial::{Polynomial, number};
+use super::proof::Pair;
+use crate::certificate::interval::Interval;
+use crate::scene::Scale;
+use crate::state::Nodes;
+
+/// `√(2 gap / (3 EI l))`, by which `x (l − x)` is to be multiplied.
+fn factor(gap: f64, stiffness: f64, length: f64) -> Interval {
+    let below = number(3) * Interval::exact(stiffness) * Interval::exact(length);
+    (number(2) * Interval::exact(gap) / below).sqrt()
+}
+
+/// A bound on the error of a deflection.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Error {
+    /// The bound.
+    pub(super) most: f64,
+    /// Where it is largest.
+    pub(super) at: f64,
+    /// The largest magnitude of the deflection itself.
+    pub(super) size: f64,
+}
+
+impl Error {
+    /// Nothing is known.
+    pub(super) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY };
+}
+
+/// The largest value of `√(2 gap x² (l − x)²/(3 EI l)) + |v̂ − v|`, and where it is.
+pub(super) fn deflection(
+    admissible: &Curve,
+    judged: impl Iterator<Item = ([f64; 2], Polynomial)>,
+    gap: f64,
+    stiffness: f64,
+    length: f64,
+) -> Error {
+    if !gap.is_finite() {
+        return Error::UNKNOWN;
+    }
+    let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
+    let mut reached = 0.0;
+    let factor = factor(gap, stiffness, length);
+    let l = Interval::exact(length);
+    let curve = admissible.pieces.iter().map(|p| ([p.from, p.to], p.v));
+    overlay(curve, judged, |a, b, v, own| {
+        reached = b;
+        let width = Interval::exact(b) - Interval::exact(a);
+        let apart = v.minus(own).range(width).magnitude();
+        let place = Interval::between(a, b);
+        // x (l − x) is largest in the middle, and monotone on either side of it.
+        let lever = if a <= 0.5 * length && 0.5 * length <= b {
+            (l * l / number(4)).hi()
+        } else {
+            let end = |x: f64| (Interval::exact(x) * (l - Interval::exact(x))).hi();
+            end(a).max(end(b))
+        };
+        let bound = (factor * Interval::exact(lever) + Interval::exact(apart)).hi();
+        error.size = error.size.max(own.range(width).magnitude());
+        if error.most < bound {
+            (error.most, error.at) = (bound, place.middle());
+        }
+    });
+    // A deflection that is not there all the way cannot be judged.
+    if length <= reached { error } else { Error::UNKNOWN }
+}
+
+/// The cubics between the nodes of a grid, in dimensionless numbers: `M = −EI v''` is linear between nodes, and deflections
+/// and moments at the two ends are given. The supports, with neither, are nodes too. None if the lists do not match.
+pub(super) fn cubics<'a>(
+    nodes: &'a Nodes,
+    scale: &'a Scale,
+    stiffness: f64,
+    length: f64,
+) -> impl Iterator<Item = ([f64; 2], Polynomial)> + 'a {
+    let n = nodes.x.len();
+    let matching = nodes.deflection.len() == n && nodes.moment.len() == n;
+    let at = move |i: usize| {
+        if i == 0 || i == n + 1 {
+            return [if i == 0 { 0.0 } else { length }, 0.0, 0.0];
+        }
+        let k = i - 1;
+        [nodes.x[k] / scale.length, nodes.deflection[k] / scale.depth, nodes.moment[k] / scale.moment()]
+    };
+    let ei = Interval::exact(stiffness);
+    let last = if matching { n + 1 } else { 0 };
+    (0..last).map(move |i| {
+        let ([a, v0, m0], [b, v1, m1]) = (at(i), at(i + 1));
+        let [v0, m0, v1, m1] = [v0, m0, v1, m1].map(Interval::exact);
+        let width = Interval::exact(b) - Interval::exact(a);
+        let slope = (v1 - v0) / width + width * (number(2) * m0 + m1) / (number(6) * ei);
+        let third = -((m1 - m0) / width) / (number(6) * ei);
+        ([a, b], Polynomial::new(&[v0, slope, -(m0.half() / ei), third]))
+    })
+}
+
+/// What the two reactions lie between.
+///
+/// Where the clearance of `v̂` is larger than the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up
+/// to the distance `c` from a support, both moment fields have `M'' = −q` there, so that they differ by `κ x`, and
+///
+/// ```text
+/// ½ ∫₀^c (κ x)²/EI dx ≤ gap:     |M'(0) − M*'(0)| = |κ| ≤ √( 6 EI gap / c³ )
+/// ```
+pub(super) fn reactions(
+    pair: Option<&Pair>,
+    ground: Option<&Ground<'_>>,
+    gap: f64,
+    stiffness: f64,
+    length: f64,
+) -> [Option<Interval>; 2] {
+    let Some(pair) = pair else { return [None, None] };
+    let share = factor(gap, stiffness, length).hi();
+    [true, false].map(|left| {
+        let clear = match ground {
+            None => length,
+            Some(ground) => clear_from(&pair.curve, ground, share, length, left),
+        };
+        if clear <= 0.0 {
+            return None;
+        }
+        let c = Interval::exact(clear);
+        let turn = (number(6) * Interval::exact(stiffness) * Interval::exact(gap) / (c * c * c)).sqrt();
+        Some(pair.reactions[usize::from(!left)] + Interval::around_zero(turn.hi()))
+    })
+}
+
+/// How far from a support the clearance is proven to be larger than `share · x (l − x)`.
+fn clear_from(curve: &Curve, ground: &Ground<'_>, share: f64, length: f64, left: bool) -> f64 {
+    /// Parts of a piece; only how far the proof reaches depends on it.
+    const PARTS: u32 = 16;
+    let mut reached = 0.0;
+    let mut pieces: Vec<_> = curve.pieces.iter().collect();
+    if !left {
+        pieces.reverse();
+    }
+    for piece in pieces {
+        if piece.follows {
+            return reached;
+        }
+        let mut ends: Vec<f64> =
+            (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
+        ends.extend(ground.breaks(piece.from, piece.to));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let mut parts: Vec<[f64; 2]> = ends.windows(2).map(|w| [w[0], w[1]]).collect();
+        if !left {
+            parts.reverse();
+        }
+        for [a, b] in parts {
+            let v = piece.v.shifted(Interval::exact(a) - Interval::exact(piece.from));
+            let h = ground.cell(a, b).minus(&v).range(Interval::exact(b) - Interval::exact(a));
+            let far = if left { b } else { length - a };
+            if h.lo() <= (Interval::exact(share) * Interval::exact(far) * Interval::exact(length)).hi() {
+                return reached;
+            }
+            reached = if left { b } else { (Interval::exact(length) - Interval::exact(a)).lo() };
+        }
+    }
+    reached
+}

@@ -1,0 +1,231 @@
+//! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
+
+use super::polynomial::{Polynomial, TERMS, number};
+use crate::certificate::interval::Interval;
+use crate::scene::{Foundation, Scene};
+
+/// The foundation of a scene, ready to be asked for enclosures.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ground<'a> {
+    foundation: &'a Foundation,
+    length: f64,
+}
+
+/// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
+const MOST_CELLS: f64 = 1e5;
+/// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
+const CELLS_IN_A_WAVE: f64 = 32.0;
+/// Cells on the beam for a polynomial that has more coefficients than are kept.
+const CELLS_OF_A_LONG_POLYNOMIAL: f64 = 256.0;
+
+impl<'a> Ground<'a> {
+    /// [`None`] where there is no foundation.
+    pub(super) fn of(scene: &'a Scene) -> Option<Self> {
+        Some(Self { foundation: scene.foundation()?, length: scene.beam().length() })
+    }
+
+    /// Ends of cells strictly between two places.
+    pub(super) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
+        let steps = |step: f64| {
+            let step = step.max(self.length / MOST_CELLS);
+            let first = (from / step).floor() + 1.0;
+            (0..)
+                .map(move |k| (first + f64::from(k)) * step)
+                .skip_while(move |x| *x <= from)
+                .take_while(move |x| *x < to)
+        };
+        match self.foundation {
+            Foundation::Flat { .. } => Vec::new(),
+            Foundation::Polynomial { coefficients } if coefficients.len() <= TERMS => Vec::new(),
+            Foundation::Polynomial { .. } => steps(self.length / CELLS_OF_A_LONG_POLYNOMIAL).collect(),
+            Foundation::Cosine { wavelength, .. } => steps(wavelength / CELLS_IN_A_WAVE).collect(),
+            Foundation::Polyline { points } => {
+                let first = points.partition_point(|p| p[0] <= from);
+                let inside = points[first..].iter().map(|p| p[0]).take_while(|x| *x < to);
+                let mut breaks: Vec<f64> = inside.collect();
+                breaks.dedup();
+                breaks
+            }
+        }
+    }
+
+    /// `u(from + s)` for `0 ≤ s ≤ to − from`; there is no break between the two places.
+    pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
+        match self.foundation {
+            Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
+            Foundation::Polynomial { coefficients } => taylor_of_polynomial(coefficients, from, to),
+            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
+                taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], from)
+            }
+            Foundation::Polyline { points } => {
+                let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
+                let (left, right) = (points[after - 1], points[after]);
+                let slope = (Interval::exact(right[1]) - Interval::exact(left[1]))
+                    / (Interval::exact(right[0]) - Interval::exact(left[0]));
+                let value = Interval::exact(left[1]);
+                let value = if left[0] < from {
+                    value + slope * (Interval::exact(from) - Interval::exact(left[0]))
+                } else {
+                    value
+                };
+                // A level stretch is level without rounding.
+                let level = (right[1] - left[1]).abs() <= 0.0;
+                if level { Polynomial::new(&[Interval::exact(left[1])]) } else { Polynomial::new(&[value, slope]) }
+            }
+        }
+    }
+
+    /// `u(to − s)` for `0 ≤ s ≤ to − from`.
+    pub(super) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
+        let taylor = match self.foundation {
+            Foundation::Polynomial { coefficients } => taylor_of_polynomial_at(coefficients, to, [from, to]),
+            Foundation::Flat { .. } => self.cell(from, to),
+            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
+                taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], to)
+            }
+            Foundation::Polyline { .. } => {
+                let left = self.cell(from, to);
+                left.shifted(Interval::exact(to) - Interval::exact(from))
+            }
+        };
+        let signs = taylor.coefficients().iter().enumerate().map(|(j, &c)| if j % 2 == 1 { -c } else { c });
+        Polynomial::new(&signs.collect::<Vec<_>>())
+    }
+
+    /// `u, u', u'', u'''` at a place where the foundation is smooth.
+    pub(super) fn jet(&self, x: f64) -> [Interval; 4] {
+        let cell = self.cell(x, x);
+        let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
+        [c(0), c(1), c(2) * number(2), c(3) * number(6)]
+    }
+
+    /// `u(x)`, at a step the smaller of the two depths.
+    pub(super) fn depth(&self, x: f64) -> Interval {
+        if let Foundation::Polyline { points } = self.foundation {
+            let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
+            if let Some(&[_, depth]) = points[first..beyond].iter().min_by(|a, b| a[1].total_cmp(&b[1])) {
+                return Interval::exact(depth);
+            }
+        }
+        self.jet(x)[0]
+    }
+
+    /// False at the points of a polyline.
+    pub(super) fn is_smooth_at(&self, x: f64) -> bool {
+        match self.foundation {
+            Foundation::Polyline { points } => points.binary_search_by(|p| p[0].total_cmp(&x)).is_err(),
+            _ => true,
+        }
+    }
+
+    /// True if the foundation is one smooth curve between two places: for a polyline, if it has no point there, or only
+    /// points at one level.
+    pub(super) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
+        let Foundation::Polyline { points } = self.foundation else { return true };
+        let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
+        let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
+        let part = &points[first..beyond];
+        part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
+    }
+
+    /// The points of a polyline on both sides of a place; [`None`] for other foundations.
+    pub(super) fn segment(&self, x: f64) -> Option<[f64; 2]> {
+        let Foundation::Polyline { points } = self.foundation else { return None };
+        let after = points.partition_point(|p| p[0] <= x).clamp(1, points.len() - 1);
+        Some([points[after - 1][0], points[after][0]])
+    }
+
+    /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
+    pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
+        let Foundation::Polyline { points } = self.foundation else { return [None, None] };
+        let first = points.partition_point(|p| p[0] < x);
+        let beyond = points.partition_point(|p| p[0] <= x);
+        let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
+        let slope = |at: usize, beside: Option<&[f64; 2]>| {
+            let (at, beside) = (points.get(at)?, beside?);
+            (at[1] <= here).then(|| (beside[1] - at[1]) / (beside[0] - at[0]))
+        };
+        [
+            first.checked_sub(1).and_then(|before| slope(first, points.get(before))),
+            beyond.checked_sub(1).and_then(|last| slope(last, points.get(beyond))),
+        ]
+    }
+
+    /// The depth just beside a point of a polyline; [`None`] where nothing happens.
+    pub(super) fn side(&self, x: f64, from_the_left: bool) -> Option<f64> {
+        let Foundation::Polyline { points } = self.foundation else { return None };
+        let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
+        let here = &points[first..beyond];
+        let point = if from_the_left { here.first() } else { here.last() };
+        point.map(|p| p[1])
+    }
+
+    /// Places strictly between two others at which the foundation can carry a concentrated force because it has a corner
+    /// there that points upwards: the upper edges of steps, and kinks after which it falls more than before.
+    pub(super) fn corners(&self, from: f64, to: f64) -> Vec<f64> {
+        let Foundation::Polyline { points } = self.foundation else { return Vec::new() };
+        let first = points.partition_point(|p| p[0] <= from).max(1);
+        let beyond = points.partition_point(|p| p[0] < to).min(points.len() - 1);
+        let upright = |a: [f64; 2], b: [f64; 2]| b[0] <= a[0];
+        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
+        let corner = |i: usize| {
+            let (before, here, after) = (points[i - 1], points[i], points[i + 1]);
+            match (upright(before, here), upright(here, after)) {
+                (true, _) => here[1] < before[1],
+                (_, true) => here[1] < after[1],
+                _ => slope(before, here) < slope(here, after),
+            }
+        };
+        let mut corners: Vec<f64> = (first..beyond.max(first)).filter(|&i| corner(i)).map(|i| points[i][0]).collect();
+        corners.dedup();
+        corners
+    }
+}
+
+/// Taylor's polynomial at `from`; terms beyond those that are kept become the remainder of Lagrange.
+fn taylor_of_polynomial(given: &[f64], from: f64, to: f64) -> Polynomial {
+    taylor_of_polynomial_at(given, from, [from, to])
+}
+
+fn taylor_of_polynomial_at(given: &[f64], origin: f64, cell: [f64; 2]) -> Polynomial {
+    let mut shifted: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
+    let shift = |coefficients: &mut [Interval], s: Interval| {
+        for start in 0..coefficients.len() {
+            for j in (start..coefficients.len() - 1).rev() {
+                coefficients[j] = coefficients[j] + coefficients[j + 1] * s;
+            }
+        }
+    };
+    if shifted.len() <= TERMS {
+        shift(&mut shifted, Interval::exact(origin));
+        return Polynomial::new(&shifted);
+    }
+    // The coefficient of the remainder: that of Taylor's polynomial at any place of the cell.
+    let mut anywhere = shifted.clone();
+    shift(&mut anywhere, Interval::between(cell[0], cell[1]));
+    shift(&mut shifted, Interval::exact(origin));
+    shifted.truncate(TERMS);
+    shifted[TERMS - 1] = anywhere[TERMS - 1];
+    Polynomial::new(&shifted)
+}
+
+/// Derivatives of a cosine at `x`, over factorials; the last one at any place.
+fn taylor_of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomial {
+    let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
+    let wave_number = Interval::turn() / Interval::exact(wavelength);
+    let mut factor = Interval::exact(amplitude);
+    let mut coefficients = [Interval::ZERO; TERMS];
+    for (j, c) in coefficients.iter_mut().enumerate() {
+        let value = match j % 4 {
+            _ if j == TERMS - 1 => Interval::around_zero(1.0),
+            0 => cos,
+            1 => -sin,
+            2 => -cos,
+            _ => sin,
+        };
+        *c = factor * value;
+        factor = factor * wave_number / number(j + 1);
+    }
+    coefficients[0] = coefficients[0] + Interval::exact(mean);
+    Polynomial::new(&coefficients)
+}

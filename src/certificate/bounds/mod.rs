@@ -1,0 +1,277 @@
+//! Two-sided bounds for the continuous beam, guaranteed, from contact forces and the scene alone.
+//!
+//! For any deflection `v̂ ≤ u` with `v̂(0) = v̂(l) = 0`, and any contact load `p ≥ 0` with its moment field `M`
+//! (`M'' = p − q`, `M(0) = M(l) = 0`), with `J` of (17) (Prager and Synge 1947, Repin 2000):
+//!
+//! ```text
+//! D(p) ≤ J* ≤ J(v̂),     D(p) = −½ ∫ M²/EI dx − ∫ u dp
+//! J(v̂) − D(p) = ½ ∫ (EI v̂'' + M)²/EI dx + ∫ (u − v̂) dp = gap           both terms ≥ 0: nothing cancels
+//! ½ ∫ EI (v̂'' − v*'')² dx ≤ gap,     |v̂ − v*|(x) ≤ √( 2 gap x² (l − x)² / (3 EI l) )
+//! ```
+//!
+//! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
+//! penetration between the nodes, carried out: the forces given are made a load without tension, and a deflection without
+//! penetration anywhere is built.
+//!
+//! How it is built decides how sharp the bounds are. The forces show a *pattern* of contact (module `pattern`): zones, points
+//! and corners. Their places are refined (modules `refine`, `adjust`, `fill`), and from them alone follow a deflection and a moment field for which the gap is
+//! of second order in whatever is left (modules `joints`, `proof`). The refinement may go wrong; admissibility is proven
+//! afterwards in interval arithmetic, between all nodes and for every kind of profile. Where it cannot be proven, the
+//! deflection that the given forces cause is lifted off the foundation instead (module `admissible`), which always works and
+//! is coarse.
+//!
+//! All numbers are rounded outwards: the inequalities hold for what is printed.
+
+mod adjust;
+mod admissible;
+mod contact_load;
+mod curve;
+mod error;
+mod fill;
+mod ground;
+mod joints;
+mod load;
+mod pattern;
+mod polynomial;
+mod proof;
+mod refine;
+mod span;
+mod statics;
+mod violations;
+
+pub use contact_load::{ContactLoad, NotAForce};
+pub use violations::{Violation, ViolationKind, violations};
+
+use self::curve::{Curve, Piece, overlay};
+use self::error::Error;
+use self::ground::Ground;
+use self::joints::{Joint, Kind, Setting};
+use self::load::Pieces;
+use self::polynomial::Polynomial;
+use self::proof::Pair;
+use self::statics::{Carried, deflection};
+use super::interval::Interval;
+use crate::scene::{Scale, Scene, SceneError};
+use crate::state::{Contact, Nodes};
+
+/// Bounds that hold for the continuous beam, in the units of the scene. Infinite where nothing could be shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Certificate {
+    /// At most `J*`: `D(p)` of the contact load.
+    pub energy_lower: f64,
+    /// At least `J*`: `J(v̂)` of an admissible deflection.
+    pub energy_upper: f64,
+    /// At least `J(v̂) − D(p)`, without cancellation.
+    pub gap: f64,
+    /// At least `max |v − v*|` over the whole beam.
+    pub deflection_error: f64,
+    /// Where that bound is largest.
+    pub deflection_error_at: f64,
+    /// The largest magnitude of the deflection that was judged, rounded up.
+    pub deflection: f64,
+    /// What the reactions of the two supports lie between, left and right; [`None`] where nothing could be shown.
+    pub reactions: [Option<[f64; 2]>; 2],
+    /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
+    pub stiffness: Option<[f64; 2]>,
+    /// True if the pattern of contact was proven; otherwise the bounds are coarse.
+    pub pattern_proven: bool,
+}
+
+/// Share of its largest value to which a deflection has to be certain to be accepted from somebody who says nothing of a
+/// grid: what can be read off a drawing, and a tenth of what the paper calls usable.
+pub const ACCEPTED_ERROR: f64 = 1e-2;
+
+/// The deflection that is judged.
+#[derive(Debug, Clone, Copy)]
+pub enum Judged<'a> {
+    /// That of the nodes of a grid: the cubics that deflections and moments at the nodes make between them.
+    Nodes(&'a Nodes),
+    /// The one that the contact load causes, by statics and integration under the true load.
+    Caused,
+}
+
+/// Bounds from forces at places.
+///
+/// # Errors
+///
+/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
+pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Result<Certificate, SceneError> {
+    let scaled = scene.scaled()?;
+    let (scene, scale) = (&scaled.scene, &scaled.scale);
+    let forces = forces.scaled(scale);
+    let inner = Inner::of(scene);
+    let length = scene.beam().length();
+    let carried = Carried::of(&forces.pressing, &inner.load, inner.stiffness, length);
+    let joints = inner.setting().map_or_else(
+        || Some(vec![Joint::new(Kind::Support, 0.0), Joint::new(Kind::Support, length)]),
+        |setting| {
+            let pattern = pattern::of_forces(&setting, &forces.inside(length), forces.spacing);
+            refine::refined(&setting, pattern)
+        },
+    );
+    let pair = joints.as_ref().and_then(|joints| inner.pair(joints));
+    let own = || carried.cells.iter().map(|c| (c.0, deflection(c, &inner.load, inner.stiffness)));
+
+    let (curve, energy, best) = if let Some(pair) = &pair {
+        (pair.curve.clone(), pair.curve.energy(&inner.load, inner.stiffness), pair.gap)
+    } else {
+        let caused = Curve { pieces: own().map(|([from, to], v)| Piece { from, to, v, follows: false }).collect() };
+        let lift =
+            |curve: &Curve| admissible::lifted(curve, inner.ground.as_ref(), &inner.load, inner.stiffness, length);
+        let drawn = joints.as_ref().zip(inner.setting()).and_then(|(j, setting)| lift(&proof::drawn(&setting, j)?));
+        let candidates = [lift(&caused), drawn];
+        let best = candidates.into_iter().flatten().min_by(|a, b| a.1.hi().total_cmp(&b.1.hi()));
+        let (curve, energy) = best.unwrap_or((caused, Interval::WHOLE));
+        (curve, energy, Interval::WHOLE)
+    };
+    let gap = if energy.hi().is_finite() {
+        inner.mismatch(&curve, own()) + curve.idle_work(&forces.pressing, inner.ground.as_ref())
+    } else {
+        Interval::WHOLE
+    };
+    let sharpest = best.hi().min(gap.hi());
+    let error = match judged {
+        Judged::Caused => error::deflection(&curve, own(), sharpest, inner.stiffness, length),
+        Judged::Nodes(nodes) => {
+            let cubics = error::cubics(nodes, scale, inner.stiffness, length);
+            error::deflection(&curve, cubics, sharpest, inner.stiffness, length)
+        }
+    };
+    Ok(inner.certificate(scene, scale, energy, gap, sharpest, error, pair.as_ref()))
+}
+
+/// Bounds from the contacts of an exact answer: its zones and points, at the places that it gives. The deflection that is
+/// judged is the one that these places make; the pressure in a zone is `q − EI u''''`.
+///
+/// # Errors
+///
+/// As [`certify`].
+pub fn certify_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Certificate, SceneError> {
+    let scaled = scene.scaled()?;
+    let (scene, scale) = (&scaled.scene, &scaled.scale);
+    let inner = Inner::of(scene);
+    let length = scene.beam().length();
+    let free = || vec![Joint::new(Kind::Support, 0.0), Joint::new(Kind::Support, length)];
+    let places: Vec<[f64; 2]> = contacts.iter().map(|c| [c.from / scale.length, c.to / scale.length]).collect();
+    let pair = match inner.setting() {
+        Some(setting) => inner.pair(&refine::with_slopes(&setting, pattern::of_contacts(&setting, &places))),
+        None => inner.pair(&free()),
+    };
+    let (energy, gap, error) = match &pair {
+        Some(pair) => {
+            let judged = pair.curve.pieces.iter().map(|p| ([p.from, p.to], p.v));
+            let error = error::deflection(&pair.curve, judged, pair.gap.hi(), inner.stiffness, length);
+            (pair.curve.energy(&inner.load, inner.stiffness), pair.gap, error)
+        }
+        None => (Interval::WHOLE, Interval::WHOLE, Error::UNKNOWN),
+    };
+    Ok(inner.certificate(scene, scale, energy, gap, gap.hi(), error, pair.as_ref()))
+}
+
+/// A dimensionless scene, taken apart.
+struct Inner<'a> {
+    ground: Option<Ground<'a>>,
+    load: Pieces,
+    stiffness: f64,
+    length: f64,
+}
+
+impl<'a> Inner<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        Self {
+            ground: Ground::of(scene),
+            load: Pieces::of(scene),
+            stiffness: scene.beam().bending_stiffness(),
+            length: scene.beam().length(),
+        }
+    }
+
+    fn setting(&self) -> Option<Setting<'_>> {
+        Some(Setting { ground: self.ground?, load: &self.load, stiffness: self.stiffness, length: self.length })
+    }
+
+    /// The pair of some joints. Zones are made longer by steps until rounding cannot hide that the beam lifts off.
+    fn pair(&self, joints: &[Joint]) -> Option<Pair> {
+        /// Shares of the length by which zones are made longer.
+        const LONGER: [f64; 9] = [0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7];
+        let Some(setting) = self.setting() else {
+            return Some(proof::free(&self.load, self.stiffness, self.length));
+        };
+        LONGER.iter().find_map(|share| {
+            let mut longer = joints.to_vec();
+            for joint in &mut longer {
+                match joint.kind {
+                    Kind::Start if 0.0 < joint.x => joint.x -= share * self.length,
+                    Kind::End if joint.x < self.length => joint.x += share * self.length,
+                    _ => {}
+                }
+            }
+            proof::pair(&setting, &longer)
+        })
+    }
+
+    /// `½ ∫ (EI v̂'' + M)²/EI dx` with the moments of the deflection that the forces cause.
+    fn mismatch(&self, curve: &Curve, own: impl Iterator<Item = ([f64; 2], Polynomial)>) -> Interval {
+        let half = Interval::exact(0.5 * self.stiffness);
+        let mut sum = Interval::ZERO;
+        let second = |v: &Polynomial| v.derivative().derivative();
+        let curve = curve.pieces.iter().map(|p| ([p.from, p.to], second(&p.v)));
+        overlay(curve, own.map(|(cell, v)| (cell, second(&v))), |a, b, f, g| {
+            let width = Interval::exact(b) - Interval::exact(a);
+            sum = sum + half * f.minus(g).integral_of_square(width);
+        });
+        sum
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "the parts of one record, each computed elsewhere")]
+    fn certificate(
+        &self,
+        scene: &Scene,
+        scale: &Scale,
+        energy: Interval,
+        gap: Interval,
+        sharpest: f64,
+        error: Error,
+        pair: Option<&Pair>,
+    ) -> Certificate {
+        let lower = (Interval::exact(energy.lo()) - Interval::exact(gap.hi())).lo();
+        let energies = [lower, energy.hi()];
+        let reactions = error::reactions(pair, self.ground.as_ref(), sharpest, self.stiffness, self.length);
+        let reactions = reactions.map(|r| r.map(|r| [r.lo() * scale.force, r.hi() * scale.force]));
+        let stiffness = stiffness(energies, scene.load().resultant(self.length));
+        Certificate {
+            energy_lower: energies[0] * scale.energy(),
+            energy_upper: energies[1] * scale.energy(),
+            gap: gap.hi() * scale.energy(),
+            deflection_error: error.most * scale.depth,
+            deflection_error_at: error.at * scale.length,
+            deflection: error.size * scale.depth,
+            reactions,
+            stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
+            pattern_proven: pair.is_some(),
+        }
+    }
+}
+
+/// The structural stiffness from bounds on the energy, and the resultant `Q` of the load.
+///
+/// The paper does not define `D`. A linear structure that its load pushes down by `w`, taken as the mean deflection under
+/// the load, has `J* = −½ Q w` and the stiffness `D = Q / w`; hence
+///
+/// ```text
+/// D = Q² / (−2 J*),      Q² / (−2 energy_lower) ≤ D ≤ Q² / (−2 energy_upper)
+/// ```
+///
+/// For a beam that touches, this is the stiffness of the linear structure that takes up the same energy. The
+/// complementary energy gives the lower bound and the potential energy the upper one.
+#[must_use]
+pub fn stiffness([lower, upper]: [f64; 2], resultant: f64) -> Option<[f64; 2]> {
+    if !(lower.is_finite() && upper < 0.0) {
+        return None;
+    }
+    // The resultant is a sum of a few products, rounded: two dozen units in the last place cover any load of a scene file
+    // that a person writes; more parts only make it a little less safe, so count them in with a wide margin.
+    let square = (Interval::exact(resultant) * Interval::between(1.0 - 1e-13, 1.0 + 1e-13)).square();
+    let half = |energy: f64| square / (Interval::exact(-2.0) * Interval::exact(energy));
+    Some([half(lower).lo(), half(upper).hi()])
+}

@@ -1,0 +1,146 @@
+//! Polynomials with interval coefficients, each on a cell with its own origin.
+
+use crate::certificate::interval::Interval;
+
+/// Coefficients, so that cosines of a thirty-second of a wave leave a remainder of rounding size.
+pub(super) const TERMS: usize = 11;
+
+/// `Σ c_j s^j` with `0 ≤ s ≤` the width of its cell. Coefficients enclose those of a true polynomial, or, as the remainder
+/// of Taylor's formula, a value for every `s`: sums, products with numbers, derivatives and integrals stay enclosures.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Polynomial {
+    coefficients: [Interval; TERMS],
+    terms: usize,
+}
+
+impl Polynomial {
+    pub(super) const ZERO: Self = Self { coefficients: [Interval::ZERO; TERMS], terms: 0 };
+
+    /// From `c_0, c_1, …`, at most [`TERMS`] of them.
+    pub(super) fn new(given: &[Interval]) -> Self {
+        let mut polynomial = Self::ZERO;
+        polynomial.terms = given.len().min(TERMS);
+        polynomial.coefficients[..polynomial.terms].copy_from_slice(&given[..polynomial.terms]);
+        polynomial
+    }
+
+    pub(super) fn coefficients(&self) -> &[Interval] {
+        &self.coefficients[..self.terms]
+    }
+
+    pub(super) fn at(&self, s: Interval) -> Interval {
+        let mut terms = self.coefficients().iter().rev();
+        let first = terms.next().copied().unwrap_or(Interval::ZERO);
+        terms.fold(first, |sum, &c| sum * s + c)
+    }
+
+    pub(super) fn minus(&self, other: &Self) -> Self {
+        self.combined(other, |a, b| a - b)
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        self.combined(other, |a, b| a + b)
+    }
+
+    fn combined(&self, other: &Self, with: impl Fn(Interval, Interval) -> Interval) -> Self {
+        let mut sum = Self { terms: self.terms.max(other.terms), ..Self::ZERO };
+        for (j, c) in sum.coefficients.iter_mut().enumerate().take(sum.terms) {
+            *c = if self.terms <= j {
+                with(Interval::ZERO, other.coefficients[j])
+            } else if other.terms <= j {
+                self.coefficients[j]
+            } else {
+                with(self.coefficients[j], other.coefficients[j])
+            };
+        }
+        sum
+    }
+
+    pub(super) fn times(&self, factor: Interval) -> Self {
+        let mut product = *self;
+        product.coefficients[..self.terms].iter_mut().for_each(|c| *c = *c * factor);
+        product
+    }
+
+    pub(super) fn derivative(&self) -> Self {
+        let mut derivative = Self { terms: self.terms.saturating_sub(1), ..Self::ZERO };
+        for j in 1..self.terms {
+            derivative.coefficients[j - 1] = self.coefficients[j] * number(j);
+        }
+        derivative
+    }
+
+    /// The quotient by `s^order`, for a polynomial whose lower coefficients are known to vanish.
+    pub(super) fn divided(&self, order: usize) -> Self {
+        Self::new(self.coefficients().get(order..).unwrap_or_default())
+    }
+
+    /// The same polynomial with its origin moved to `s`.
+    pub(super) fn shifted(&self, s: Interval) -> Self {
+        let mut shifted = *self;
+        for start in 0..self.terms {
+            for j in (start..self.terms.saturating_sub(1)).rev() {
+                shifted.coefficients[j] = shifted.coefficients[j] + shifted.coefficients[j + 1] * s;
+            }
+        }
+        shifted
+    }
+
+    /// `∫₀^w f g`.
+    pub(super) fn integral_of_product(&self, other: &Self, width: Interval) -> Interval {
+        let (f, g) = (self.coefficients(), other.coefficients());
+        let mut sum = Interval::ZERO;
+        for order in (0..(f.len() + g.len()).saturating_sub(1)).rev() {
+            let from = (order + 1).saturating_sub(g.len());
+            let mut c = Interval::ZERO;
+            for j in from..f.len().min(order + 1) {
+                c = c + f[j] * g[order - j];
+            }
+            sum = sum * width + c / number(order + 1);
+        }
+        sum * width
+    }
+
+    /// `∫₀^w f²`, not negative.
+    pub(super) fn integral_of_square(&self, width: Interval) -> Interval {
+        let integral = self.integral_of_product(self, width);
+        Interval::between(integral.lo().max(0.0), integral.hi().max(0.0))
+    }
+
+    /// All values for `0 ≤ s ≤ w`: between the least and the greatest Bernstein coefficient,
+    /// `b_i = Σ_{j ≤ i} C(i, j) / C(d, j) c_j w^j`.
+    pub(super) fn range(&self, width: Interval) -> Interval {
+        let mut scaled = self.coefficients;
+        let mut power = Interval::exact(1.0);
+        for c in &mut scaled[..self.terms] {
+            *c = *c * power;
+            power = power * width;
+        }
+        let Some(degree) = self.terms.checked_sub(1) else { return Interval::ZERO };
+        // c_j / C(d, j), then sums as in Pascal's triangle.
+        for (j, c) in scaled[..self.terms].iter_mut().enumerate() {
+            *c = *c / binomial(degree, j);
+        }
+        let mut range = scaled[0];
+        let mut row = scaled;
+        for _ in 0..degree {
+            // Forward: row[j] ← row[j] + row[j + 1]; after i rounds row[0] = Σ C(i, j) c_j / C(d, j).
+            for j in 0..degree {
+                row[j] = row[j] + row[j + 1];
+            }
+            range = range.hull(row[0]);
+        }
+        range
+    }
+}
+
+/// A small whole number.
+#[expect(clippy::cast_precision_loss, reason = "at most a few dozen")]
+pub(super) fn number(value: usize) -> Interval {
+    Interval::exact(value as f64)
+}
+
+fn binomial(n: usize, k: usize) -> Interval {
+    let value = (0..k).fold(1, |product: usize, j| product * (n - j) / (j + 1));
+    number(value)
+}

@@ -1,0 +1,138 @@
+//! From a pattern of contact to the places of its joints: Newton's method, with changes of the pattern where it does not
+//! fit. Nothing here has to succeed: what comes out is proved, or not, in [`super::proof`].
+
+use super::adjust::adjust;
+use super::fill::fill;
+use super::joints::{Joint, Kind, Setting, newton};
+
+/// Newton steps and changes of the pattern together.
+const MOST_STEPS: usize = 120;
+/// Newton steps after which a pattern that does not settle is looked through.
+const PATIENCE: usize = 12;
+/// Changes of the pattern.
+const MOST_CHANGES: usize = 24;
+/// A change of place or turn of this share of the beam's length ends Newton's method; what is missing enters squared.
+const CONVERGED: f64 = 1e-13;
+/// A zone that is shorter, as a share of the beam's length, becomes a point.
+const SHORTEST_ZONE: f64 = 1e-7;
+
+/// A zone that comes as near to a support at which the foundation is level with it begins there.
+const NEAR_A_SUPPORT: f64 = 1e-4;
+
+/// Newton's method, and changes of the pattern where it does not fit; the joints that come out are in order.
+pub(super) fn refined(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Option<Vec<Joint>> {
+    let (mut changes, mut steps) = (0, 0);
+    fill(setting, &mut joints);
+    for _ in 0..MOST_STEPS {
+        let before = joints.clone();
+        let change = newton(setting, &mut joints)?;
+        let confined = confine(setting, &before, &mut joints);
+        joints.dedup_by(|next, kept| next.kind == Kind::Corner && kept.kind == Kind::Corner && next.x <= kept.x);
+        if confined || collapse(setting, &mut joints) {
+            continue;
+        }
+        steps += 1;
+        let converged = change <= CONVERGED * setting.length;
+        if converged || PATIENCE <= steps {
+            steps = 0;
+            if changes == MOST_CHANGES || !adjust(setting, &mut joints) {
+                if converged {
+                    break;
+                }
+                continue;
+            }
+            fill(setting, &mut joints);
+            changes += 1;
+        }
+    }
+    Some(joints)
+}
+
+/// Keeps joints on the segment of a polyline on which they were. A point of contact that would leave it over a corner stays
+/// at the corner; so does the end of a zone, and the other end becomes a point. Whatever would leave it elsewhere goes half
+/// the way. True if a joint became another one.
+fn confine(setting: &Setting<'_>, before: &[Joint], joints: &mut [Joint]) -> bool {
+    let mut changed = false;
+    for i in 0..joints.len() {
+        let (old, joint) = (before[i].x, joints[i]);
+        let Some([from, to]) = setting.ground.segment(old) else { continue };
+        let moves = matches!(joint.kind, Kind::Touch | Kind::Start | Kind::End) && before[i].kind == joint.kind;
+        let inside = from < joint.x && joint.x < to;
+        let smooth = || {
+            setting.ground.is_smooth_between(old.min(joint.x), old.max(joint.x)) && setting.ground.is_smooth_at(joint.x)
+        };
+        if !moves || inside || smooth() {
+            continue;
+        }
+        let end = if joint.x <= from { from } else { to };
+        if setting.ground.corners(end.next_down(), end.next_up()).is_empty() {
+            joints[i].x = 0.5 * (old + end);
+            continue;
+        }
+        let partner = match joint.kind {
+            Kind::Start => Some(i + 1),
+            Kind::End => i.checked_sub(1),
+            _ => None,
+        };
+        if let Some(partner) = partner.and_then(|k| joints.get_mut(k)) {
+            *partner = Joint::new(Kind::Touch, partner.x);
+        }
+        joints[i] = Joint::new(Kind::Corner, end);
+        changed = true;
+    }
+    changed
+}
+
+/// Zones without length become points, and zones that reach for a support begin there.
+fn collapse(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
+    let short = SHORTEST_ZONE * setting.length;
+    let found = joints.windows(2).position(|w| w[0].kind == Kind::Start && w[1].x - w[0].x < short);
+    if let Some(i) = found {
+        let middle = 0.5 * (joints[i].x + joints[i + 1].x);
+        joints.splice(i..i + 2, [Joint::new(Kind::Touch, middle)]);
+        return true;
+    }
+    let near = NEAR_A_SUPPORT * setting.length;
+    let lies = |x: f64| setting.ground.depth(x).magnitude() <= 0.0;
+    let mut moved = false;
+    if let [first, second, ..] = joints[..]
+        && second.kind == Kind::Start
+        && first.kind == Kind::Support
+        && second.x < near
+        && lies(0.0)
+    {
+        joints.remove(0);
+        joints[0].x = 0.0;
+        moved = true;
+    }
+    if let [.., before, last] = joints[..]
+        && before.kind == Kind::End
+        && last.kind == Kind::Support
+        && last.x - before.x < near
+        && lies(last.x)
+    {
+        joints.pop();
+        if let Some(end) = joints.last_mut() {
+            end.x = last.x;
+        }
+        moved = true;
+    }
+    moved
+}
+
+/// Joints whose places are known: only the slopes at supports and corners are found.
+pub(super) fn with_slopes(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Vec<Joint> {
+    let places: Vec<f64> = joints.iter().map(|j| j.x).collect();
+    // Linear in the slopes; the second step is for rounding.
+    for _ in 0..3 {
+        let mut moved = joints.clone();
+        if newton(setting, &mut moved).is_none() {
+            break;
+        }
+        for ((joint, moved), x) in joints.iter_mut().zip(moved).zip(&places) {
+            joint.slope = moved.slope;
+            joint.x = *x;
+        }
+    }
+    joints
+}

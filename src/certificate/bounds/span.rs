@@ -1,0 +1,101 @@
+//! A part of the beam that hangs free between two joints: the exact beam under the true load, given deflection and slope
+//! at both ends.
+//!
+//! ```text
+//! v = v₀ + θ₀ s + κ₀ s²/2 + τ₀ s³/6 + v_q,     EI v_q'''' = q,  v_q = v_q' = v_q'' = v_q''' = 0 at s = 0
+//! κ₀ =  6 (Δv − θ₀ L)/L² − 2 Δθ/L,    τ₀ = −12 (Δv − θ₀ L)/L³ + 6 Δθ/L²,    Δv = v₁ − v_q(L) − v₀,  Δθ = θ₁ − v_q'(L) − θ₀
+//! ```
+
+use super::load::{Pieces, cells};
+use super::polynomial::{Polynomial, number};
+use crate::certificate::interval::Interval;
+
+/// `v, v', v'', v'''` at a place.
+pub(super) type Jet = [Interval; 4];
+
+/// A span with its deflection.
+#[derive(Debug, Clone)]
+pub(super) struct Span {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// At its left end.
+    pub(super) start: Jet,
+    /// At its right end.
+    pub(super) end: Jet,
+}
+
+/// The deflection on a cell, and `v, …, v'''` at its end.
+pub(super) fn step(jet: &Jet, [from, to]: [f64; 2], load: &Pieces, stiffness: f64) -> (Polynomial, Jet) {
+    let q = load.cell(from, to).times(Interval::exact(1.0) / Interval::exact(stiffness));
+    let c = |j: usize| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
+    let [v, slope, curvature, third] = *jet;
+    let deflection =
+        Polynomial::new(&[v, slope, curvature.half(), third / number(6), c(0) / number(24), c(1) / number(120)]);
+    let width = Interval::exact(to) - Interval::exact(from);
+    let first = deflection.derivative();
+    let second = first.derivative();
+    (deflection, [deflection.at(width), first.at(width), second.at(width), second.derivative().at(width)])
+}
+
+/// Deflection on all cells from `from` to `to`, starting with `jet`, and `v, …, v'''` just before the end.
+pub(super) fn march(
+    jet: Jet,
+    from: f64,
+    to: f64,
+    breaks: Vec<f64>,
+    load: &Pieces,
+    stiffness: f64,
+) -> (Vec<([f64; 2], Polynomial)>, Jet) {
+    let mut jet = jet;
+    let mut curve = Vec::new();
+    for cell in cells(from, to, breaks) {
+        if from < cell[0]
+            && let Some(force) = load.point(cell[0])
+        {
+            jet[3] = jet[3] + force / Interval::exact(stiffness);
+        }
+        let (deflection, end) = step(&jet, cell, load, stiffness);
+        curve.push((cell, deflection));
+        jet = end;
+    }
+    (curve, jet)
+}
+
+impl Span {
+    /// The beam between two places with deflection and slope `[v, v']` at both.
+    pub(super) fn new([from, to]: [f64; 2], [left, right]: [[Interval; 2]; 2], load: &Pieces, stiffness: f64) -> Self {
+        let (_, own) = march([Interval::ZERO; 4], from, to, load.breaks(from, to), load, stiffness);
+        let length = Interval::exact(to) - Interval::exact(from);
+        let rise = right[0] - left[0] - own[0] - left[1] * length;
+        let turn = right[1] - left[1] - own[1];
+        let curvature = (number(6) * rise / length - number(2) * turn) / length;
+        let third = (number(6) * turn - number(12) * rise / length) / (length * length);
+        Self {
+            from,
+            to,
+            start: [left[0], left[1], curvature, third],
+            end: [right[0], right[1], curvature + third * length + own[2], third + own[3]],
+        }
+    }
+
+    /// Its deflection by cells; `breaks` besides those of the load.
+    pub(super) fn curve(&self, breaks: Vec<f64>, load: &Pieces, stiffness: f64) -> Vec<([f64; 2], Polynomial)> {
+        let mut all = load.breaks(self.from, self.to);
+        all.extend(breaks);
+        march(self.start, self.from, self.to, all, load, stiffness).0
+    }
+
+    /// The deflection `v(to − s)` on the last cell, which begins at `from`.
+    pub(super) fn mirrored(&self, from: f64, load: &Pieces, stiffness: f64) -> Polynomial {
+        let width = Interval::exact(self.to) - Interval::exact(from);
+        let q = load.cell(from, self.to).times(Interval::exact(1.0) / Interval::exact(stiffness));
+        let c = |j: usize| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
+        let [v, slope, curvature, third] = self.end;
+        let at_end = c(0) + c(1) * width;
+        Polynomial::new(&[v, -slope, curvature.half(), -third / number(6), at_end / number(24), -c(1) / number(120)])
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        self.to - self.from
+    }
+}

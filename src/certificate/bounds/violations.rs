@@ -1,0 +1,108 @@
+//! Which condition of (4), (7) contact forces violate, by how much and where.
+
+use super::ContactLoad;
+use super::curve::overlay;
+use super::ground::Ground;
+use super::load::{Pieces, cells};
+use super::statics::{Carried, deflection};
+use crate::certificate::interval::Interval;
+use crate::scene::{Scene, SceneError};
+
+/// A condition of contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ViolationKind {
+    /// `p ≥ 0`: a force pulls.
+    Tension,
+    /// `v ≤ u`: the beam that these forces hold is inside the foundation.
+    Penetration,
+    /// `p (u − v) = 0`: a force acts where the beam that these forces hold is clear of the foundation.
+    Complementarity,
+}
+
+impl ViolationKind {
+    /// Its name in tables and JSON.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Tension => "tension",
+            Self::Penetration => "penetration",
+            Self::Complementarity => "complementarity",
+        }
+    }
+}
+
+/// The worst violation of one condition.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Violation {
+    /// Which condition.
+    pub kind: ViolationKind,
+    /// Where \[length\].
+    pub at: f64,
+    /// The force that pulls \[force\], or how deep the beam is in the foundation, or how clear of it \[length\].
+    pub amount: f64,
+    /// The amount as a share: of all contact forces, or of the largest deflection.
+    pub relative: f64,
+}
+
+/// The worst violation of each condition that is violated at all, the worst of them first.
+///
+/// # Errors
+///
+/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
+pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
+    let scaled = scene.scaled()?;
+    let (scene, scale) = (&scaled.scene, &scaled.scale);
+    let forces = given.scaled(scale);
+    let (load, stiffness, length) = (Pieces::of(scene), scene.beam().bending_stiffness(), scene.beam().length());
+    let carried = Carried::of(&forces.pressing, &load, stiffness, length);
+    let own = || carried.cells.iter().map(|c| (c.0, deflection(c, &load, stiffness)));
+
+    let all: f64 = forces.pressing.iter().chain(&forces.pulling).map(|f| f.1.abs()).sum();
+    let moved = carried.cells.iter().fold(0.0, |most: f64, c| most.max(c.1[0].middle().abs()));
+    let mut found: Vec<Violation> = Vec::new();
+    let strongest = forces.pulling.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some(&(x, force)) = strongest {
+        found.push(Violation {
+            kind: ViolationKind::Tension,
+            at: x * scale.length,
+            amount: -force * scale.force,
+            relative: share(-force, all),
+        });
+    }
+    let Some(ground) = Ground::of(scene) else { return Ok(found) };
+    let mut add = |kind, (at, amount): (f64, f64)| {
+        if 0.0 < amount {
+            let relative = share(amount, moved);
+            found.push(Violation { kind, at: at * scale.length, amount: amount * scale.depth, relative });
+        }
+    };
+    let mut deepest = (0.0, 0.0);
+    let grounds = cells(0.0, length, ground.breaks(0.0, length)).into_iter().map(|c| (c, ground.cell(c[0], c[1])));
+    overlay(own(), grounds, |a, b, v, u| {
+        let below = v.minus(u);
+        // At both ends and in the middle of each cell.
+        for share in [0.0, 0.5, 1.0] {
+            let s = share * (b - a);
+            let depth = below.at(Interval::exact(s)).middle();
+            if deepest.1 < depth {
+                deepest = (a + s, depth);
+            }
+        }
+    });
+    add(ViolationKind::Penetration, deepest);
+    let all_cells: Vec<_> = own().collect();
+    let clear = forces.pressing.iter().map(|&(x, force)| {
+        let i = all_cells.partition_point(|c| c.0[1] < x).min(all_cells.len() - 1);
+        let ([from, _], v) = &all_cells[i];
+        let clearance = (ground.depth(x) - v.at(Interval::exact(x) - Interval::exact(*from))).middle();
+        // As in the check of a discrete state: a small force far from the foundation is as good as none.
+        (x, clearance.min(share(force, all) * moved))
+    });
+    add(ViolationKind::Complementarity, clear.fold((0.0, 0.0), |worst, c| if worst.1 < c.1 { c } else { worst }));
+    found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
+    Ok(found)
+}
+
+fn share(part: f64, whole: f64) -> f64 {
+    if 0.0 < whole { part / whole } else { 1.0 }
+}

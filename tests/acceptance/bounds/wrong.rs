@@ -1,0 +1,108 @@
+//! Wrong forces are bounded truthfully: perturbed, dropped, shifted, with the wrong sign, of another scene, of nobody.
+
+use palkki::certificate::{ContactLoad, Judged, certify};
+use palkki::route::{Method, Solver};
+use palkki::scene::Scene;
+use palkki::theory;
+
+use super::true_error;
+use crate::scenes::{nodes, report, run};
+
+/// As in `uneven`.
+const THEORY: f64 = 1e-11;
+
+type Fault = (&'static str, fn(&mut Vec<f64>));
+
+const FAULTS: [Fault; 9] = [
+    ("a tenth more", |p| p.iter_mut().for_each(|p| *p *= 1.1)),
+    ("every third one doubled", |p| p.iter_mut().step_by(3).for_each(|p| *p *= 2.0)),
+    ("the largest one dropped", |p| {
+        let most = p.iter().copied().fold(0.0, f64::max);
+        p.iter_mut().filter(|p| most <= **p).for_each(|p| *p = 0.0);
+    }),
+    ("shifted by a node", |p| p.rotate_right(1)),
+    ("shifted by five nodes", |p| p.rotate_left(5)),
+    ("turned round", |p| p.reverse()),
+    ("wrong sign", |p| p.iter_mut().for_each(|p| *p = -*p)),
+    ("none", |p| p.iter_mut().for_each(|p| *p = 0.0)),
+    ("the same everywhere", |p| p.iter_mut().for_each(|p| *p = 0.3)),
+];
+
+/// The judged deflection is still the one of the answer before the fault: what is bounded is any deflection whatsoever.
+#[track_caller]
+fn check(what: &str, scene: &Scene, forces: &[f64]) {
+    let outcome = run(scene, Method::Force, Solver::ActiveSet, forces.len() + 1);
+    let nodes = nodes(&outcome);
+    let load = ContactLoad::new(scene.beam().length(), nodes.x.iter().copied().zip(forces.iter().copied()))
+        .expect("finite forces");
+    let truth = theory::solve(scene).expect("theory has an answer");
+    let size = truth.state.deflection.max.abs().max(truth.state.deflection.min.abs());
+    let certificate = certify(scene, &load, Judged::Nodes(nodes)).expect("the scene can be scaled");
+    let error = true_error(scene, nodes, |x| truth.deflection(x));
+    assert!(error <= certificate.deflection_error + THEORY * size, "{what}: {error} for {certificate:?}");
+    let (energy, slack) = (truth.state.energy, THEORY * truth.state.energy.abs());
+    assert!(certificate.energy_lower <= energy + slack, "{what}: {energy} for {certificate:?}");
+    assert!(energy - slack <= certificate.energy_upper, "{what}: {energy} for {certificate:?}");
+    assert!(certificate.gap.is_finite(), "{what}: there is always a bound, {certificate:?}");
+
+    // The deflection that the wrong forces cause is off by at least what the force at the middle node would tell.
+    let caused = certify(scene, &load, Judged::Caused).expect("the scene can be scaled");
+    let moved = caused_at_nodes(scene, nodes.x.len() + 1, forces);
+    let off = nodes.x.iter().zip(&moved).map(|(x, v)| (v - truth.deflection(*x)).abs()).fold(0.0, f64::max);
+    assert!(off <= caused.deflection_error + THEORY * size.max(off), "{what}: {off} for {caused:?}");
+}
+
+/// Deflections at the nodes under the true load and the forces that press, from the flexibility (26) and the beam's own
+/// deflection without contact.
+fn caused_at_nodes(scene: &Scene, intervals: usize, forces: &[f64]) -> Vec<f64> {
+    let (l, ei) = (scene.beam().length(), scene.beam().bending_stiffness());
+    let bare = Scene::new(*scene.beam(), scene.load().clone(), None).expect("a beam without a foundation");
+    let free = theory::solve(&bare).expect("a free beam");
+    let n = forces.len();
+    (1..intervals)
+        .map(|i| {
+            #[expect(clippy::cast_precision_loss, reason = "few nodes")]
+            let x = l * i as f64 / intervals as f64;
+            let lifted: f64 = forces
+                .iter()
+                .enumerate()
+                .map(|(k, p)| p.max(0.0) * palkki::methods::flexibility(l, ei, n, i, k + 1))
+                .sum();
+            free.deflection(x) - lifted
+        })
+        .collect()
+}
+
+#[test]
+fn faults_in_forces_are_bounded() {
+    for (name, scene) in report() {
+        for intervals in [20, 75] {
+            let outcome = run(&scene, Method::Force, Solver::ActiveSet, intervals);
+            for (what, fault) in FAULTS {
+                let mut forces = nodes(&outcome).contact_force.clone();
+                fault(&mut forces);
+                check(&format!("{name}, {intervals} intervals, {what}"), &scene, &forces);
+            }
+        }
+    }
+}
+
+#[test]
+fn forces_of_another_scene_are_bounded() {
+    let scenes = report();
+    for (name, scene) in &scenes {
+        for (other, foreign) in &scenes {
+            let outcome = run(foreign, Method::Displacement, Solver::ActiveSet, 40);
+            check(&format!("{name} with the forces of {other}"), scene, &nodes(&outcome).contact_force);
+        }
+    }
+}
+
+#[test]
+fn numbers_that_are_none_are_refused() {
+    for force in [f64::NAN, f64::INFINITY] {
+        assert!(ContactLoad::new(10.0, [(1.0, 1.0), (2.0, force)]).is_err(), "a force of {force}");
+        assert!(ContactLoad::new(10.0, [(force, 1.0)]).is_err(), "a force at {force}");
+    }
+    assert!(ContactLoad::new(10.0, [(10.1, 1.0)]).is_err(), "a force beside the beam");
+}

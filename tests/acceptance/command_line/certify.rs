@@ -1,0 +1,82 @@
+//! `certify`: contact forces from any program.
+
+use serde_json::Value;
+
+use super::Folder;
+
+/// The numbers of `nodes.contact_force` of a solved scene as a file for `certify`.
+fn forces_of(folder: &Folder, arguments: &str) -> String {
+    let (_, _, json) = folder.json(arguments);
+    let list = |name: &str| json["nodes"][name].as_array().cloned().unwrap_or_default();
+    let rows = list("x").into_iter().zip(list("contact_force")).map(|(x, force)| format!("{x},{force}\n"));
+    format!("x,force\n{}", rows.collect::<String>())
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+#[test]
+fn good_forces_are_certified() {
+    let folder = Folder::new("certify_good");
+    folder.write("forces.csv", forces_of(&folder, "solve example.toml --method force --intervals 200"));
+    let (code, _, json) = folder.json("certify example.toml forces.csv");
+    assert_eq!((code, &json["status"]), (Some(0), &Value::from("certified")));
+    assert_eq!(json["scene"], "Example");
+    let bounds = &json["certificate"];
+    let [lower, upper, gap, error] =
+        ["energy_lower", "energy_upper", "gap", "deflection_error"].map(|key| number(&bounds[key]));
+    // J* = −q₀ u₀ (l − 4a/5), in closed form.
+    let energy = -palkki::theory::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy.abs();
+    assert!(lower <= energy && energy <= upper && upper - lower <= 1.001 * gap, "{bounds}");
+    assert!(0.0 < error && error < 1e-2, "{bounds}");
+    let text = folder.run("certify example.toml forces.csv");
+    assert!(text.out.contains("certified: the deflection is certain to"), "{}", text.out);
+    assert!(text.out.contains("Guaranteed for the continuous beam"), "{}", text.out);
+}
+
+#[test]
+fn bad_forces_are_not_and_the_worst_violation_is_named() {
+    let folder = Folder::new("certify_bad");
+    folder.write("forces.csv", "x,force\n2.5,1\n5,-0.25\n7.5,1\n");
+    let (code, _, json) = folder.json("certify example.toml forces.csv");
+    assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")));
+    let violations = json["violations"].as_array().expect("a list");
+    assert_eq!(violations[0]["condition"], "penetration");
+    assert_eq!(number(&violations[0]["at"]).to_bits(), 5.0_f64.to_bits(), "the middle of a symmetric beam");
+    let tension = violations.iter().find(|v| v["condition"] == "tension").expect("a force pulls");
+    assert_eq!([number(&tension["at"]), number(&tension["amount"])].map(f64::to_bits), [5.0, 0.25].map(f64::to_bits));
+    let run = folder.run("certify example.toml forces.csv");
+    assert!(run.out.contains("forces cut off  1, together 0.25"), "{}", run.out);
+    assert!(run.out.contains("a force pulls"), "{}", run.out);
+}
+
+#[test]
+fn no_forces_are_a_question_too() {
+    let folder = Folder::new("certify_none");
+    folder.write("none.csv", "x,force\n");
+    folder.write("high.toml", "[beam]\nlength = 4\nbending_stiffness = 9\n[load]\nuniform = 1\n");
+    let (code, _, json) = folder.json("certify high.toml none.csv");
+    assert_eq!((code, &json["status"]), (Some(0), &Value::from("certified")), "a free beam has no contact forces");
+    assert_eq!(json["violations"], Value::Array(Vec::new()));
+    let (code, ..) = folder.json("certify example.toml none.csv");
+    assert_eq!(code, Some(1), "a beam on the ground has");
+}
+
+#[test]
+fn what_cannot_be_read_is_refused() {
+    let folder = Folder::new("certify_refused");
+    folder.write("forces.csv", "x,force\n1,2\n3,much\n");
+    folder.write("beside.csv", "x,force\n1,2\n30,1\n");
+    for (arguments, why) in [
+        ("certify example.toml", "<FORCES>"),
+        ("certify example.toml missing.csv", "cannot read the contact forces: there is no such file"),
+        ("certify missing.toml forces.csv", "cannot read the scene"),
+        ("certify example.toml forces.csv", "forces.csv:3:3"),
+        ("certify example.toml beside.csv", "beside.csv:3:1"),
+        ("certify example.toml .", "it is a directory"),
+    ] {
+        let said = folder.refused(arguments);
+        assert!(said.contains(why), "{arguments}: {said}");
+    }
+}
