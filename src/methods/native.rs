@@ -76,7 +76,6 @@ fn shares(bending: Bending) -> (f64, f64) {
 /// A column of a symmetric tridiagonal matrix with the same numbers in all rows.
 fn around(j: usize, n: usize, own: f64, beside: f64) -> Vec<(usize, f64)> {
     let entries = [(j.wrapping_sub(1), beside), (j, own), (j + 1, beside)];
-    #[expect(clippy::float_cmp, reason = "an entry that is written as zero is not stored")]
     entries.into_iter().filter(|(i, value)| *i < n && *value != 0.0).collect()
 }
 

@@ -7,6 +7,7 @@ mod bad_input;
 mod claims;
 mod closed_form;
 mod command_line;
+mod corpus;
 mod exact;
 mod invariants;
 mod judge;
