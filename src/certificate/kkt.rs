@@ -51,22 +51,20 @@ impl Kkt {
 
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        // Forces, and their moments about the left support over `l`: all of them downwards, and their magnitudes.
+        // Forces, and their moments about the left support over `l`: what is not balanced, and the sums of magnitudes, which are sizes only.
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
         let lever = |i: usize| i as f64 / (n + 1) as f64;
-        let (mut total, mut moment, mut load, mut contact) =
-            (Sum::default(), Sum::default(), Sum::default(), Sum::default());
+        let (mut total, mut moment) = (Sum::default(), Sum::default());
+        let (mut load, mut contact) = (0.0_f64, 0.0_f64);
         for (i, &q) in loads.iter().enumerate() {
             let p = if i == 0 || i == n + 1 { 0.0 } else { p[i - 1] };
-            total.add(q);
-            total.add(-p);
-            moment.add(q * lever(i));
-            moment.add(-p * lever(i));
-            load.add(q.abs());
-            contact.add(p.abs());
+            total.add(q - p);
+            moment.add((q - p) * lever(i));
+            load += q.abs();
+            contact += p.abs();
         }
-        let idle = if load.total() == 0.0 { within_reach((1..=n).map(depth_at)) } else { 0.0 };
-        let force = nonzero(load.total().max(contact.total()).max(idle / flexibility));
+        let idle = if load == 0.0 { within_reach((1..=n).map(depth_at)) } else { 0.0 };
+        let force = nonzero(load.max(contact).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         let moved = worst(v.iter().map(|v| v.abs())).max(idle);
         let depth = nonzero(moved.max(ROUNDING * flexibility * force));

@@ -105,17 +105,23 @@ fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64)
     let mut contacts: Vec<Contact> = Vec::new();
     let mut previous = false;
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
-        let touches = NO_FORCE * force < p && h / depth < p / force;
-        let at = place(k + 1);
+        // h/X < p/G without a division: most nodes of a fine grid pass here.
+        let touches = NO_FORCE * force < p && h * force < p * depth;
         match contacts.last_mut() {
             Some(run) if touches && previous => {
-                run.to = at;
                 run.force += p;
             }
-            _ if touches => contacts.push(Contact { from: at, to: at, force: p, end_forces: None }),
+            Some(run) if previous => run.to = place(k),
+            _ if touches => {
+                let at = place(k + 1);
+                contacts.push(Contact { from: at, to: at, force: p, end_forces: None });
+            }
             _ => {}
         }
         previous = touches;
+    }
+    if let Some(run) = contacts.last_mut().filter(|_| previous) {
+        run.to = place(nodal.contact_force.len());
     }
     contacts
 }
@@ -133,11 +139,19 @@ fn cubic_extremes<'a>(
     let n = deflection.len();
     let at = move |i: usize| if i == 0 || i == n + 1 { 0.0 } else { deflection[i - 1] };
     let unit = spacing * spacing / (6.0 * stiffness);
-    let beyond = move |k: usize| {
-        let reach = 0.75 * unit * moments[k].abs().max(moments[k + 1].abs());
-        seen.max < at(k).max(at(k + 1)) + reach || at(k).min(at(k + 1)) - reach < seen.min
-    };
-    (0..=n).filter(move |k| beyond(*k)).flat_map(move |k| {
+    // A plain loop over neighbours: of a million intervals hardly any is left.
+    let (most, least) = (seen.max, seen.min);
+    let mut near = Vec::new();
+    let mut before = 0.0;
+    for (k, pair) in moments.windows(2).enumerate() {
+        let behind = at(k + 1);
+        let reach = 0.75 * unit * pair[0].abs().max(pair[1].abs());
+        if most < f64::max(before, behind) + reach || f64::min(before, behind) - reach < least {
+            near.push(k);
+        }
+        before = behind;
+    }
+    near.into_iter().flat_map(move |k| {
         // With s from 0 to 1, r = 1 − s and m = M Δ²/(6 EI):
         //   v = v₀ r + v₁ s + m₀ r (1 − r²) + m₁ s (1 − s²),   v' = v₁ − v₀ − m₀ (1 − 3 r²) + m₁ (1 − 3 s²).
         let (v0, v1, m0, m1) = (at(k), at(k + 1), unit * moments[k], unit * moments[k + 1]);

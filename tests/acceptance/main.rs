@@ -9,6 +9,7 @@ mod bounds;
 mod claims;
 mod closed_form;
 mod command_line;
+mod corpus;
 mod exact;
 mod invariants;
 mod judge;
