@@ -124,6 +124,8 @@ fn bounded_from_both_sides() {
     for grid in &e.grids {
         assert!(grid.difference < 1e-9, "both methods have the same energy: {grid:?}");
         assert!(0.0 < grid.penetration, "the beam dips between the nodes: {grid:?}");
+        let [lower, upper] = grid.bracket;
+        assert!(lower <= 0.0 && 0.0 <= upper && upper - lower < 0.05, "the bracket holds beam theory: {grid:?}");
         assert!(grid.energy < 0.0, "and the energy is above the exact one, which is negative: {grid:?}");
     }
 }

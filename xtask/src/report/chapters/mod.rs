@@ -5,6 +5,7 @@
 //! for `-`, and those of all other chapters as well.
 
 mod agreement;
+mod bounds;
 mod claims;
 mod convergence;
 mod discrepancies;
@@ -34,6 +35,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "40-figures", evidence: figures::evidence },
     Chapter { name: "45-regimes", evidence: regimes::evidence },
     Chapter { name: "50-agreement", evidence: agreement::evidence },
+    Chapter { name: "55-bounds", evidence: bounds::evidence },
     Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },

@@ -118,7 +118,7 @@ fn line(ledger: &Ledger, name: &'static str) -> Result<Option<(&'static str, Str
         ),
         "bounded_from_both_sides" => (
             "bounded-from-both-sides",
-            "both methods have the same energy and the beam dips between the nodes: no bracket yet".to_owned(),
+            "both methods have the same energy and the beam dips between the nodes; made admissible there, the bracket is computed".to_owned(),
         ),
         "any_elastic_body" => (
             "any-elastic-body",
