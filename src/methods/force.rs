@@ -64,7 +64,7 @@ impl Programme for Force<'_> {
         self.0.clearances(&self.0.deflection(&forces, Bending::Between))
     }
 
-    /// A continuous beam on the free nodes: [three-moment equations](super::continuous), contact forces from the jumps of the
+    /// A continuous beam on the free nodes: three-moment equations (`continuous.rs`), contact forces from the jumps of the
     /// shear force, clearances from the closed cubic of each interval.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
         part(self.0, free, 0..self.dimension())
