@@ -88,7 +88,7 @@ impl Extremes {
         let largest = max.abs().max(min.abs());
         let place = |extreme: f64| place_of(values.clone(), extreme, Self::EQUAL * largest);
         // What is left of a value that is zero is rounding, and has no sign.
-        let clean = |value: f64| if value.abs() <= f64::EPSILON * largest { 0.0 } else { value };
+        let clean = |value: f64| if value.abs() <= 16.0 * f64::EPSILON * largest { 0.0 } else { value };
         Self { max: clean(max), max_at: place(max), min: clean(min), min_at: place(min) }
     }
 
