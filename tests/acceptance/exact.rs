@@ -4,6 +4,7 @@
 //! linear equations are solved by elimination in rationals, and all of (34), (35) is checked exactly. If that holds, the
 //! exact answer is *the* optimum, whoever proposed the set, and floating-point answers are compared with it.
 
+mod large;
 mod rational;
 
 use palkki::route::{Method, Solver, Status};

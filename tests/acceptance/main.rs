@@ -2,6 +2,9 @@
 
 mod support;
 
+#[path = "../authority/mod.rs"]
+mod authority;
+
 mod agreement;
 mod approach;
 mod bad_input;

@@ -1,0 +1,178 @@
+//! The discrete problem at size: in fractions up to n = 999, in integers of hundreds of bits at n = 9999.
+//!
+//! The contact set comes from the route that is tested. That it is *the* contact set is then proven: equilibrium, elasticity,
+//! (34) and (35) are checked at every node, without rounding or with all of it counted in. `A` is positive definite, so there
+//! is no other optimum, and floating-point answers are compared with this one.
+
+use dashu_ratio::RBig;
+use palkki::route::{Method, Outcome, Solver, Status};
+use palkki::scene::{Foundation, Scene};
+use palkki::state::Bending;
+
+use super::rational::fraction;
+use crate::authority::clapeyron::{Problem, Solution};
+use crate::authority::forward::Forward;
+use crate::authority::given;
+use crate::authority::number::{Fixed, Number};
+use crate::scenes::{example, nodes, run, scene, uniform};
+
+/// What is asked of the force route: so much at n = 29, and so much at n = 9999 and below.
+const AT_29: f64 = 1e-14;
+const AT_9999: f64 = 1e-11;
+
+/// The beam and load of the example over depths `u(i/N)`: l = 10, EI = 125/96, q₀ = 1.
+fn example_over(intervals: i64, bending: Bending, depth: impl Fn(&RBig) -> RBig) -> Problem<RBig> {
+    let spacing = RBig::fraction(10, intervals);
+    let half = spacing.over(&RBig::whole(2));
+    let at = |i| if i == 0 || i == intervals { RBig::zero() } else { depth(&RBig::fraction(i, intervals)) };
+    Problem {
+        bending,
+        stiffness: fraction(125, 96),
+        loads: (0..=intervals).map(|i| if i == 0 || i == intervals { half.clone() } else { spacing.clone() }).collect(),
+        depths: (0..=intervals).map(at).collect(),
+        spacing,
+    }
+}
+
+/// The contact set of a certified outcome.
+#[track_caller]
+fn contact(outcome: &Outcome) -> Vec<bool> {
+    assert_eq!(outcome.status, Status::Certified, "the route is certified");
+    nodes(outcome).contact_force.iter().map(|p| 0.0 < *p).collect()
+}
+
+/// The exact answer on the contact set of a route, with proof that it is the optimum.
+#[track_caller]
+fn proven<T: Number>(problem: &Problem<T>, outcome: &Outcome) -> Solution<T> {
+    let contact = contact(outcome);
+    let exact = problem.solve(&contact);
+    assert!(exact.is_optimal(&contact), "(34), (35) fail at {:?}", exact.wrong(&contact));
+    exact
+}
+
+#[track_caller]
+fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, outcome: &Outcome, tolerance: f64) {
+    let errors = Forward::errors(problem, exact, &outcome.state).expect("all values are numbers");
+    for (what, error) in errors.all() {
+        assert!(error <= tolerance, "{what} is off by {error:.1e}: {errors:?}");
+    }
+}
+
+/// In fractions: proven, and the force route within `tolerance`.
+#[track_caller]
+fn fractions(scene: &Scene, intervals: i64, tolerance: f64, depth: impl Fn(&RBig) -> RBig + Copy) {
+    let grid = usize::try_from(intervals).expect("positive");
+    for method in [Method::Force, Method::Complementarity] {
+        let problem = example_over(intervals, method.bending(), depth);
+        let outcome = run(scene, method, Solver::ActiveSet, grid);
+        let exact = proven(&problem, &outcome);
+        assert!(exact.uncertainty() == RBig::zero(), "nothing is rounded");
+        if method == Method::Force {
+            within(&problem, &exact, &outcome, tolerance);
+        }
+    }
+}
+
+#[test]
+fn the_paper_grid_in_fractions() {
+    fractions(&example(), 30, AT_29, |_| RBig::whole(1));
+}
+
+/// The dense elimination with the matrices of the paper, and the three-moment equations: two ways to one fraction.
+#[test]
+fn both_authorities_find_the_same_fractions() {
+    for method in [Method::Force, Method::Complementarity] {
+        let (dense, found) = super::exact(&super::paper(), &example(), method);
+        let touches: Vec<bool> = found.contact_force.iter().map(|p| 0.0 < *p).collect();
+        let exact = example_over(30, method.bending(), |_| RBig::whole(1)).solve(&touches);
+        for (i, (p, v)) in (1..).zip(dense.contact_force.iter().zip(&dense.deflection)) {
+            assert!(exact.contact_force[i] == *p && exact.deflection(i) == *v, "{method}, node {i}");
+        }
+    }
+}
+
+#[test]
+fn n_999_in_fractions() {
+    fractions(&example(), 1000, AT_9999, |_| RBig::whole(1));
+}
+
+/// `u = 1/4 + 5/4 x − x²/8`: the contact carries a moment, the curvature of the dish times EI.
+#[test]
+fn n_999_over_a_dish_in_fractions() {
+    let dish = Foundation::Polynomial { coefficients: vec![0.25, 1.25, -0.125] };
+    fractions(&uniform(10.0, 500.0 / 384.0, 1.0, dish), 1000, AT_9999, |s| {
+        let x = s.times(&RBig::whole(10));
+        fraction(1, 4) + fraction(5, 4) * &x - fraction(1, 8) * &x * &x
+    });
+}
+
+/// Flat ground at 1 with a ridge that rises to 1/2 at x = 4.
+#[test]
+fn n_999_over_a_ridge_in_fractions() {
+    let points = [[0.0, 1.0], [3.0, 1.0], [4.0, 0.5], [5.0, 1.0], [10.0, 1.0]].to_vec();
+    fractions(&uniform(10.0, 500.0 / 384.0, 1.0, Foundation::Polyline { points }), 1000, AT_9999, |s| {
+        let from_ridge = s.times(&RBig::whole(10)).minus(&RBig::whole(4)).magnitude();
+        let below = fraction(1, 2) + from_ridge.times(&fraction(1, 2));
+        if below < RBig::whole(1) { below } else { RBig::whole(1) }
+    });
+}
+
+/// The uncertainty of the integers has to be far below what is measured with them.
+const CERTAIN: f64 = 1e-40;
+
+/// In integers: proven, and the force route within `tolerance`.
+#[track_caller]
+fn integers(scene: &Scene, intervals: usize, tolerance: f64) {
+    let problem = given::problem(scene, intervals, Bending::Between).expect("no step");
+    let outcome = run(scene, Method::Force, Solver::ActiveSet, intervals);
+    let exact = proven(&problem, &outcome);
+    assert!(exact.uncertainty().to_double() < CERTAIN, "{:e}", exact.uncertainty().to_double());
+    within(&problem, &exact, &outcome, tolerance);
+}
+
+#[test]
+fn n_9999_in_integers() {
+    integers(&example(), 10_000, AT_9999);
+}
+
+/// Point contacts of a wave, and the kinks of a survey.
+#[test]
+fn uneven_foundations_in_integers() {
+    for name in ["wave", "survey", "hump"] {
+        integers(&scene(name), 1000, AT_9999);
+    }
+}
+
+/// Fractions and integers are two kinds of the same numbers.
+#[test]
+fn fractions_and_integers_agree() {
+    let outcome = run(&example(), Method::Force, Solver::ActiveSet, 30);
+    let fractions = proven(&example_over(30, Bending::Between, |_| RBig::whole(1)), &outcome);
+    let integers = proven(&given::problem(&example(), 30, Bending::Between).expect("flat"), &outcome);
+    for i in 1..30 {
+        let (p, q) = (fractions.contact_force[i].to_double(), integers.contact_force[i].to_double());
+        // 500/384 is rounded once before it becomes a multiple of 2⁻²⁵⁶.
+        assert!((p - q).abs() <= 4.0 * f64::EPSILON, "node {i}: {p} and {q}");
+    }
+    let pi = Fixed::pi();
+    assert!(pi.to_double().to_bits() == std::f64::consts::PI.to_bits(), "π");
+    // cos(π/3) = 1/2 to the last places.
+    let half = pi.over(&Fixed::whole(3)).cosine().minus(&Fixed::fraction(1, 2)).magnitude();
+    assert!(half.to_double() < 1e-70, "{:e}", half.to_double());
+}
+
+/// What is called proven must be refutable: the contact set of the example with one node more, or one less.
+#[test]
+fn another_contact_set_is_refused() {
+    let outcome = run(&example(), Method::Force, Solver::ActiveSet, 10_000);
+    let problem = given::problem(&example(), 10_000, Bending::Between).expect("flat");
+    let contact = contact(&outcome);
+    let first = contact.iter().position(|touches| *touches).expect("the example touches");
+    for other in [first - 1, first] {
+        let mut changed = contact.clone();
+        changed[other] = !changed[other];
+        let refuted = problem.solve(&changed);
+        assert!(!refuted.is_optimal(&changed), "node {}", other + 1);
+        assert!(!refuted.wrong(&changed).is_empty(), "and it is said where");
+    }
+}

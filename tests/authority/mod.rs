@@ -1,0 +1,10 @@
+//! The authority on discrete problems: the three-moment equations in fractions, or in integers of hundreds of bits.
+//!
+//! It shares no line with the library. Of the library it knows the data types of a scene alone; loads, depths, moments and
+//! deflections are its own, and what it finds is checked against the definition of the discrete problem and against (34),
+//! (35), node by node. The acceptance suite and the measurements of the report compare floating-point answers with it.
+
+pub(crate) mod clapeyron;
+pub(crate) mod forward;
+pub(crate) mod given;
+pub(crate) mod number;
