@@ -1,6 +1,9 @@
 //! The tasks of the repository that need the library: `cargo xtask report` and `cargo xtask measure`.
-#![expect(clippy::print_stderr, reason = "a command that talks to a person")]
+#![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
+#[path = "../../tests/authority/mod.rs"]
+#[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
+mod authority;
 mod measure;
 mod report;
 
@@ -14,12 +17,13 @@ fn main() -> ExitCode {
     let outcome = match arguments.as_slice() {
         ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
         ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
-        ["measure"] => measure::run(&root, false, &mut show),
-        ["measure", "--fresh"] => measure::run(&root, true, &mut show),
-        _ => {
-            eprintln!("xtask: unknown task `{}`; `cargo xtask help` lists them", arguments.join(" "));
-            return ExitCode::from(2);
-        }
+        // What `measure` starts to weigh a solve.
+        ["peak", rest @ ..] => measure::own_peak(&root, rest).map(|kilobytes| println!("{kilobytes}")),
+        ["measure", rest @ ..] => match measure::Wish::of(rest) {
+            Some(wish) => measure::run(&root, wish, &mut show),
+            None => return unknown(&arguments),
+        },
+        _ => return unknown(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -28,6 +32,12 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// A task that does not exist.
+fn unknown(arguments: &[&str]) -> ExitCode {
+    eprintln!("xtask: unknown task `{}`; `cargo xtask help` lists them", arguments.join(" "));
+    ExitCode::from(2)
 }
 
 /// One line per step, on stderr.

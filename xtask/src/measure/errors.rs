@@ -1,21 +1,20 @@
-//! Two errors, kept apart: of the solver, against the best answer of the same discrete problem, and of grid and solver
+//! Two errors, kept apart: of the solver, against the proven optimum of the same discrete problem, and of grid and solver
 //! together, against beam theory.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use palkki::methods::Method;
-use palkki::route::Status;
 use palkki::scene::Scene;
-use palkki::solvers::Solver;
-use palkki::state::{Contact, ContactState};
-use palkki::{Settings, solve, theory};
+use palkki::state::{Bending, Contact, ContactState};
+use palkki::theory;
 
 use super::job::Measured;
 use super::plan::{Job, Route};
+use super::reference::{Found, Reference, largest};
 
 /// What is compared.
-pub(crate) const OBSERVABLES: [&str; 4] = ["end reaction", "largest contact force", "largest deflection", "energy"];
+pub(crate) const OBSERVABLES: [&str; 4] = ["end reaction", "largest contact force", "deflection", "energy"];
 
 /// Relative errors of the four observables; NaN where there is no reference or no answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,73 +23,84 @@ pub(crate) struct Errors {
     pub(crate) total: [f64; 4],
 }
 
-/// Observables of the active set by method and grid; none where it is not certified.
-type Known = BTreeMap<(Method, usize), Option<[f64; 4]>>;
+/// Proven optima by grid, of the finite differences or not; none where there is none.
+type Known = BTreeMap<(usize, bool), Option<Rc<Reference>>>;
 
-/// Beam theory, and the active set on every grid that was asked for.
+/// Beam theory, and the proven optimum on every grid that was asked for.
 #[derive(Debug)]
-pub(crate) struct References {
+pub(super) struct References {
     exact: ContactState,
-    discrete: RefCell<Known>,
+    known: RefCell<Known>,
 }
 
 impl References {
-    pub(crate) fn new(scene: &Scene) -> Result<Self, String> {
+    pub(super) fn new(scene: &Scene) -> Result<Self, String> {
         let exact = theory::solve(scene).map_err(|error| error.to_string())?.state;
-        Ok(Self { exact, discrete: RefCell::default() })
+        Ok(Self { exact, known: RefCell::default() })
     }
 
-    pub(crate) fn errors(&self, scene: &Scene, job: Job, measured: &Measured) -> Result<Errors, String> {
-        let found = self.observables(&measured.state);
-        let exact = self.observables(&self.exact);
-        let solver = match job.route {
-            Route::Exact => [0.0; 4],
-            Route::Solver(Method::Complementarity, _) => {
-                relative(&found, self.discrete(scene, Method::Complementarity, job.intervals)?)
-            }
-            Route::Solver(..) | Route::Repair(_) => {
-                relative(&found, self.discrete(scene, Method::Force, job.intervals)?)
-            }
+    /// Of an answer that was measured.
+    pub(super) fn errors(&self, scene: &Scene, job: Job, measured: &Measured) -> Errors {
+        let state = &measured.state;
+        let Some(nodes) = &state.nodes else {
+            return Errors { solver: [0.0; 4], total: self.against_theory(self.of_theory(state)) };
         };
-        Ok(Errors { solver, total: relative(&found, Some(exact)) })
+        let forces = nodes.x.iter().zip(&nodes.contact_force);
+        let contact: Vec<f64> = forces.filter(|(x, _)| self.in_largest(**x)).map(|(_, p)| *p).collect();
+        let sum: f64 = contact.iter().sum();
+        let total = self.against_theory([state.reactions.left, sum, largest(state.deflection), state.energy]);
+        let (reaction, energy) = (state.reactions.left, state.energy);
+        let found = Found { reaction, contact, energy, deflection: &nodes.deflection };
+        let reference = self.reference(scene, job);
+        let solver = reference.map_or([f64::NAN; 4], |reference| reference.errors(&found));
+        Errors { solver, total }
     }
 
-    /// Observables of the certified active-set answer; displacement and force method share that of the force method.
-    fn discrete(&self, scene: &Scene, method: Method, intervals: usize) -> Result<Option<[f64; 4]>, String> {
-        if let Some(known) = self.discrete.borrow().get(&(method, intervals)) {
-            return Ok(*known);
+    /// Of the proven optimum itself: nothing of the solver, all of the grid.
+    pub(super) fn of_grid(&self, reference: &Reference) -> Errors {
+        Errors { solver: [0.0; 4], total: self.against_theory(reference.observables()) }
+    }
+
+    /// The proven optimum of the discrete problem of a job.
+    pub(super) fn reference(&self, scene: &Scene, job: Job) -> Option<Rc<Reference>> {
+        let bending = match job.route {
+            Route::Exact => return None,
+            Route::Solver(method, _) | Route::Optimum(method) => method.bending(),
+            Route::Repair(_) => Bending::Between,
+        };
+        let key = (job.intervals, bending == Bending::AtNodes);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return known.clone();
         }
-        let settings = Settings::new(method, Solver::ActiveSet, intervals);
-        let outcome = solve(scene, &settings).map_err(|error| error.to_string())?;
-        let found = (outcome.status == Status::Certified).then(|| self.observables(&outcome.state));
-        self.discrete.borrow_mut().insert((method, intervals), found);
-        Ok(found)
+        let found = Reference::new(scene, job.intervals, bending, &|x| self.in_largest(x)).map(Rc::new);
+        self.known.borrow_mut().insert(key, found.clone());
+        found
     }
 
-    fn observables(&self, state: &ContactState) -> [f64; 4] {
-        [state.reactions.left, self.largest_contact(state), state.deflection.max, state.energy]
+    fn against_theory(&self, found: [f64; 4]) -> [f64; 4] {
+        let exact = self.of_theory(&self.exact);
+        std::array::from_fn(|i| (found[i] - exact[i]).abs() / exact[i].abs())
     }
 
-    /// Resultant of the contact that is the largest one by beam theory: of all forces that are nearer to it than to others.
-    fn largest_contact(&self, state: &ContactState) -> f64 {
+    fn of_theory(&self, state: &ContactState) -> [f64; 4] {
+        let contact = self.largest_contact().and_then(|i| state.contacts.get(i)).map_or(0.0, |c| c.force);
+        [state.reactions.left, contact, largest(state.deflection), state.energy]
+    }
+
+    /// The contact that is the largest one by beam theory.
+    fn largest_contact(&self) -> Option<usize> {
         let contacts = &self.exact.contacts;
-        let Some(largest) = (0..contacts.len()).max_by(|&i, &j| contacts[i].force.total_cmp(&contacts[j].force)) else {
-            return 0.0;
-        };
-        let distance = |c: &Contact, x: f64| (c.from - x).max(x - c.to).max(0.0);
-        let nearest = |x: f64| {
-            (0..contacts.len()).min_by(|&i, &j| distance(&contacts[i], x).total_cmp(&distance(&contacts[j], x)))
-        };
-        match &state.nodes {
-            None => contacts[largest].force,
-            Some(nodes) => {
-                let forces = nodes.x.iter().zip(&nodes.contact_force);
-                forces.filter(|(x, _)| nearest(**x) == Some(largest)).map(|(_, p)| p).sum()
-            }
-        }
+        (0..contacts.len()).max_by(|&i, &j| contacts[i].force.total_cmp(&contacts[j].force))
     }
-}
 
-fn relative(found: &[f64; 4], reference: Option<[f64; 4]>) -> [f64; 4] {
-    std::array::from_fn(|i| reference.map_or(f64::NAN, |r| (found[i] - r[i]).abs() / r[i].abs()))
+    /// Whether a force there belongs to that contact: it is nearer to it than to others.
+    fn in_largest(&self, x: f64) -> bool {
+        let contacts = &self.exact.contacts;
+        let distance = |i: usize| {
+            let c: &Contact = &contacts[i];
+            (c.from - x).max(x - c.to).max(0.0)
+        };
+        let nearest = (0..contacts.len()).min_by(|&i, &j| distance(i).total_cmp(&distance(j)));
+        nearest.is_some() && nearest == self.largest_contact()
+    }
 }

@@ -10,11 +10,13 @@ use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::{Settings, solve, theory};
 
+use super::memory;
 use super::plan::{Job, Route};
+use super::tridiagonal::Tridiagonal;
 
 /// At least so many runs of each job that is quick enough.
 const RUNS: usize = 5;
-/// No more runs after so many seconds.
+/// No more runs after so many seconds, unless the yardstick lies beside them.
 const ENOUGH: f64 = 0.25;
 
 /// An answer and what it cost.
@@ -28,21 +30,47 @@ pub(crate) struct Measured {
     pub(crate) unknowns: usize,
     /// Seconds of each run, ascending.
     pub(crate) seconds: Vec<f64>,
+    /// Seconds of a repair without those of the library, those of the quickest run.
+    pub(crate) added: Option<f64>,
+    /// Seconds of the quickest tridiagonal solve of the same size, run in turns with it.
+    pub(crate) yardstick: Option<f64>,
+    /// Kilobytes at the most, in a process of its own.
+    pub(crate) peak: Option<u64>,
 }
 
 impl Measured {
     /// Runs a job several times; the answer is the same each time.
-    pub(crate) fn of(scene: &Scene, job: Job) -> Result<Self, String> {
+    pub(crate) fn of(scene_name: &str, scene: &Scene, job: Job) -> Result<Self, String> {
         let mut seconds = Vec::new();
-        let mut measured = None;
-        while seconds.len() < RUNS && seconds.iter().sum::<f64>() < ENOUGH {
+        let (mut measured, mut added): (Option<Self>, Option<f64>) = (None, None);
+        let mut ruler = job.is_ruled().then(|| Tridiagonal::new(job.intervals - 1));
+        let mut yardstick: Option<f64> = None;
+        let quickest = |known: Option<f64>, seconds: f64| known.map_or(seconds, |known| known.min(seconds));
+        while seconds.len() < RUNS && (ruler.is_some() || seconds.iter().sum::<f64>() < ENOUGH) {
+            // The answer of the last run goes first: no run has to share memory with it.
+            drop(measured.take());
+            if let Some(ruler) = &mut ruler {
+                yardstick = Some(quickest(yardstick, ruler.seconds()));
+            }
             let start = Instant::now();
             let answer = once(scene, job)?;
             seconds.push(start.elapsed().as_secs_f64());
+            added = answer.added.map(|seconds| quickest(added, seconds)).or(added);
             measured = Some(answer);
         }
         seconds.sort_by(f64::total_cmp);
-        measured.map(|answer| Self { seconds, ..answer }).ok_or_else(|| "no run at all".to_owned())
+        let peak = if job.is_weighed() { memory::peak(scene_name, job) } else { None };
+        measured
+            .map(|answer| Self { seconds, added, yardstick, peak, ..answer })
+            .ok_or_else(|| "no run at all".to_owned())
+    }
+
+    /// A state of which nothing else is known yet.
+    fn untimed(state: ContactState) -> Self {
+        let status = Status::NotCertified;
+        let (claims_success, residual, iterations, unknowns) = (false, f64::INFINITY, 0, 0);
+        let (seconds, added, yardstick, peak) = (Vec::new(), None, None, None);
+        Self { state, status, claims_success, residual, iterations, unknowns, seconds, added, yardstick, peak }
     }
 
     /// The median of the runs.
@@ -53,6 +81,7 @@ impl Measured {
 
 fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
     match job.route {
+        Route::Optimum(_) => Err("the proven optimum is no solver".to_owned()),
         Route::Exact => {
             let exact = theory::solve(scene).map_err(|error| error.to_string())?;
             Ok(Measured {
@@ -61,21 +90,19 @@ fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
                 residual: exact.residual,
                 iterations: exact.iterations,
                 unknowns: exact.unknowns,
-                state: exact.state,
-                seconds: Vec::new(),
+                ..Measured::untimed(exact.state)
             })
         }
         Route::Solver(method, solver) => {
             let settings = Settings { method, solver, intervals: job.intervals, tolerance: job.tolerance };
             let outcome = solve(scene, &settings).map_err(|error| error.to_string())?;
             Ok(Measured {
-                state: outcome.state,
                 status: outcome.status,
                 claims_success: outcome.solver_claims_success,
                 residual: outcome.residual,
                 iterations: outcome.iterations,
                 unknowns: outcome.unknowns,
-                seconds: Vec::new(),
+                ..Measured::untimed(outcome.state)
             })
         }
         Route::Repair(solver) => repair(scene, solver, job).map_err(|error| error.to_string()),
@@ -88,6 +115,7 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
     let discrete = Discrete::new(&scaled.scene, job.intervals)?;
     let programme = Method::Force.programme(&discrete);
     let answer = solver.run(programme.as_ref(), job.tolerance);
+    let start = Instant::now();
     let sizes = programme.sizes();
     // In contact where the force is larger than the clearance, each in its own measure.
     let touching: Vec<bool> =
@@ -104,7 +132,7 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
         residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
         iterations: answer.iterations,
         unknowns: programme.dimension(),
-        state: state.in_units_of(&scaled.scale),
-        seconds: Vec::new(),
+        added: Some(start.elapsed().as_secs_f64()),
+        ..Measured::untimed(state.in_units_of(&scaled.scale))
     })
 }

@@ -2,28 +2,62 @@
 //!
 //! A run can be stopped at any moment and goes on where it stopped: every result is a line of the file, written as soon as
 //! it is there. Results of another machine, compiler or dependency are not mixed: the file says where it comes from, and
-//! `--fresh` starts it again.
+//! `--fresh` starts it again. `--only TEXT` measures what has the text in its line, `scene,route,intervals,tolerance`; with
+//! `--fresh` it measures that again and keeps the rest.
 
 pub(crate) mod errors;
 mod job;
 mod machine;
-mod plan;
+mod memory;
+pub(crate) mod plan;
+mod reference;
 pub(crate) mod store;
+mod tridiagonal;
 
 use std::path::Path;
 
+use palkki::scene::Scene;
+
 use crate::report::scenes;
+use errors::References;
 use job::Measured;
-use plan::{Job, LIMIT};
+pub(crate) use memory::own_peak;
+use plan::{Job, LIMIT, Route};
 use store::{Line, Store};
 
-/// Runs all jobs that the file does not have yet.
-pub(crate) fn run(root: &Path, fresh: bool, progress: &mut dyn FnMut(&str)) -> Result<(), String> {
+/// What is to be measured.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Wish<'a> {
+    /// Again, whether it is in the file or not.
+    pub(crate) fresh: bool,
+    /// Lines that contain this text.
+    pub(crate) only: &'a str,
+}
+
+impl<'a> Wish<'a> {
+    /// From the arguments of the command.
+    pub(crate) fn of(arguments: &[&'a str]) -> Option<Self> {
+        match arguments {
+            [] => Some(Self::default()),
+            ["--fresh", rest @ ..] => Some(Self { fresh: true, ..Self::of(rest)? }),
+            ["--only", only, rest @ ..] => Some(Self { only, ..Self::of(rest)? }),
+            _ => None,
+        }
+    }
+}
+
+/// Runs all jobs that are wanted and that the file does not have yet.
+pub(crate) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -> Result<(), String> {
     let described = machine::describe(root);
-    let mut store = Store::open(root, &described, fresh)?;
-    for (scene_name, jobs) in plan::all() {
+    let wanted = |key: &str| key.contains(wish.only);
+    let mut store = Store::open(root, &described, wish.fresh, wanted)?;
+    for (scene_name, mut jobs) in plan::all() {
+        jobs.retain(|job| wanted(&job.key(scene_name)));
+        if jobs.iter().all(|job| store.find(&job.key(scene_name)).is_some()) {
+            continue;
+        }
         let scene = scenes::read(root, scene_name).map_err(|error| error.to_string())?;
-        let references = errors::References::new(&scene)?;
+        let references = References::new(&scene)?;
         // Seconds of the last run of a series: the same route and tolerance on coarser grids.
         let mut last: Option<(Job, f64)> = None;
         for (k, job) in jobs.iter().enumerate() {
@@ -38,13 +72,7 @@ pub(crate) fn run(root: &Path, fresh: bool, progress: &mut dyn FnMut(&str)) -> R
                 }
                 (None, _) => {
                     progress(&format!("{scene_name}, {} of {}: {}", k + 1, jobs.len(), job.describe()));
-                    let measured = Measured::of(&scene, *job)?;
-                    // A solver that refuses hands back no number at all.
-                    let line = if measured.residual.is_infinite() && measured.iterations == 0 {
-                        Line::refused(key)
-                    } else {
-                        Line::measured(key, &measured, &references.errors(&scene, *job, &measured)?)
-                    };
+                    let line = measure(scene_name, &scene, *job, key, &references)?;
                     store.append(&line)?;
                     line
                 }
@@ -55,4 +83,34 @@ pub(crate) fn run(root: &Path, fresh: bool, progress: &mut dyn FnMut(&str)) -> R
     }
     progress("all of it is measured; `cargo xtask report` renders the chapter from it");
     Ok(())
+}
+
+/// One line of the file.
+fn measure(name: &str, scene: &Scene, job: Job, key: String, references: &References) -> Result<Line, String> {
+    if matches!(job.route, Route::Optimum(_)) {
+        return Ok(match references.reference(scene, job) {
+            Some(found) => Line::proven(key, found.exchanges, found.seconds, &references.of_grid(&found)),
+            None => Line::without_result(key, "not-proven".to_owned()),
+        });
+    }
+    let measured = Measured::of(name, scene, job)?;
+    // A solver that refuses hands back no number at all.
+    if measured.residual.is_infinite() && measured.iterations == 0 {
+        return Ok(Line::without_result(key, "refused".to_owned()));
+    }
+    Ok(Line::measured(key, &measured, &references.errors(scene, job, &measured)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Wish;
+
+    #[test]
+    fn arguments_are_read_in_any_order() {
+        let read = |arguments: &[&str]| Wish::of(arguments).map(|wish| (wish.fresh, wish.only.to_owned()));
+        assert_eq!(read(&[]), Some((false, String::new())));
+        assert_eq!(read(&["--only", "wave,force", "--fresh"]), Some((true, "wave,force".to_owned())));
+        assert_eq!(read(&["--fresh", "--only", "wave"]), Some((true, "wave".to_owned())));
+        assert_eq!([read(&["--only"]), read(&["--fast"])], [None, None], "no such wish");
+    }
 }

@@ -6,17 +6,29 @@ use palkki::solvers::Solver;
 /// Seconds after which a series is not continued on finer grids.
 pub(crate) const LIMIT: f64 = 3.0;
 
-/// Scenes: the paper's example and an uneven foundation.
-pub(crate) const SCENES: [&str; 2] = ["heinisuo-1984", "wave"];
+/// The scene of the requirements: the paper's example, with all tolerances and the finest grids.
+pub(crate) const EXAMPLE: &str = "heinisuo-1984";
 
-/// Tolerances that iterative solvers are asked for.
+/// Others, on which the trade is another one: contact at single points, kinks between the nodes, a beam bent over a hump.
+pub(crate) const OTHERS: [&str; 3] = ["wave", "survey", "hump"];
+
+/// Tolerances that iterative solvers are asked for, on the example and on the others.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-13];
+const FEWER: [f64; 3] = [1e-4, 1e-7, 1e-10];
+
+const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
+
+/// From here on the yardstick is laid beside the force method with the active set, and from here on memory counts.
+const RULED: usize = 1000;
+const HEAVY: usize = 100_000;
 
 /// How an answer is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Route {
     /// Beam theory with free lift-off points; no grid.
     Exact,
+    /// The proven optimum of the discrete problem of a method, in integers of hundreds of bits.
+    Optimum(Method),
     /// A method with a solver.
     Solver(Method, Solver),
     /// The contact set of a library on the force method, solved by the three-moment equations.
@@ -38,6 +50,7 @@ impl Job {
     pub(crate) fn route_word(&self) -> String {
         match self.route {
             Route::Exact => "exact/free-boundary".to_owned(),
+            Route::Optimum(method) => format!("{method}/optimum"),
             Route::Solver(method, solver) => format!("{method}/{solver}"),
             Route::Repair(solver) => format!("repair/{solver}"),
         }
@@ -57,32 +70,68 @@ impl Job {
     pub(crate) fn same_series(&self, other: &Self) -> bool {
         self.route == other.route && self.tolerance.total_cmp(&other.tolerance).is_eq()
     }
+
+    /// Whether the yardstick is laid beside it.
+    pub(crate) fn is_ruled(&self) -> bool {
+        self.route == Route::Solver(Method::Force, Solver::ActiveSet) && RULED <= self.intervals
+    }
+
+    /// Whether its memory is measured.
+    pub(crate) fn is_weighed(&self) -> bool {
+        let asked = self.tolerance == 0.0 || self.tolerance.total_cmp(&1e-10).is_eq();
+        matches!(self.route, Route::Solver(Method::Force, _)) && HEAVY <= self.intervals && asked
+    }
 }
 
 /// All jobs of all scenes; a series runs from coarse to fine grids.
 pub(crate) fn all() -> Vec<(&'static str, Vec<Job>)> {
-    SCENES.iter().map(|&scene| (scene, jobs())).collect()
+    std::iter::once((EXAMPLE, jobs(&TOLERANCES, true)))
+        .chain(OTHERS.map(|scene| (scene, jobs(&FEWER, false))))
+        .collect()
 }
 
-fn jobs() -> Vec<Job> {
+fn up_to(finest: usize) -> impl Iterator<Item = usize> {
+    GRIDS.into_iter().take_while(move |intervals| *intervals <= finest)
+}
+
+/// The jobs of a scene, with `tolerances`; `all` of the grids, or not those on which the example has said enough.
+fn jobs(tolerances: &[f64], all: bool) -> Vec<Job> {
     let mut jobs = vec![Job { route: Route::Exact, intervals: 0, tolerance: 0.0 }];
-    let mut series = |route, tolerance, grids: &[usize]| {
-        jobs.extend(grids.iter().map(|&intervals| Job { route, intervals, tolerance }));
+    let mut series = |route, tolerance, finest: usize| {
+        jobs.extend(up_to(finest).map(|intervals| Job { route, intervals, tolerance }));
     };
-    let fine = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
+    for method in [Method::Complementarity, Method::Force] {
+        series(Route::Optimum(method), 0.0, if all { 100_000 } else { 30_000 });
+    }
     for method in Method::ALL {
-        series(Route::Solver(method, Solver::ActiveSet), 0.0, &fine);
-        series(Route::Solver(method, Solver::FourStep), 0.0, &fine[..7]);
-        for solver in [Solver::Nsor, Solver::Clarabel, Solver::Osqp] {
-            for tolerance in TOLERANCES {
-                series(Route::Solver(method, solver), tolerance, &fine[..if solver == Solver::Nsor { 4 } else { 8 }]);
-            }
+        series(Route::Solver(method, Solver::ActiveSet), 0.0, 1_000_000);
+        series(Route::Solver(method, Solver::FourStep), 0.0, if all { 10_000 } else { 3000 });
+        for &tolerance in tolerances {
+            series(Route::Solver(method, Solver::Nsor), tolerance, 300);
+            // Interior-point iterations are as many on fine grids: two tolerances are enough to know the price of the finest.
+            let finest = if all && matches!(tolerance, 1e-8 | 1e-10) { 100_000 } else { 30_000 };
+            series(Route::Solver(method, Solver::Clarabel), tolerance, finest);
+            series(Route::Solver(method, Solver::Osqp), tolerance, if all { 30_000 } else { 3000 });
         }
     }
     for solver in [Solver::Clarabel, Solver::Osqp] {
-        for tolerance in [1e-4, 1e-8] {
-            series(Route::Repair(solver), tolerance, &fine[..8]);
+        for tolerance in [1e-4, if all { 1e-8 } else { 1e-7 }] {
+            series(Route::Repair(solver), tolerance, if solver == Solver::Osqp { 3000 } else { 30_000 });
         }
     }
     jobs
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::all;
+
+    #[test]
+    fn every_job_has_a_key_of_its_own() {
+        let keys: Vec<String> =
+            all().iter().flat_map(|(scene, jobs)| jobs.iter().map(|job| job.key(scene)).collect::<Vec<_>>()).collect();
+        assert_eq!(keys.iter().collect::<BTreeSet<_>>().len(), keys.len(), "a key is a line of the file");
+    }
 }

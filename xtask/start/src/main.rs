@@ -17,6 +17,7 @@ usage: cargo xtask <task>
   report --check   compute it and compare with report/: names stale, missing and left-over files
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
+  measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
   doctor           what this machine lacks to build and to test, and what to do about it
 ";
 
