@@ -13,6 +13,7 @@ mod claims;
 mod closed_form;
 mod command_line;
 mod corpus;
+mod costs;
 mod exact;
 mod invariants;
 mod judge;

@@ -1,102 +1,125 @@
-//! The price of a digit: rendered from the file of `cargo xtask measure`, which alone knows times.
+//! The price of a digit: rendered from the file of `cargo xtask measure`, which alone knows times, from whatever rows it has.
 
+mod asked;
 mod cost;
+mod left_out;
+mod lines;
+mod needs;
+mod peers;
 mod precision;
+mod repair;
+mod two_errors;
 mod verdicts;
 
 use serde::Serialize;
 
-use crate::measure::store::{Line, Store};
+use crate::measure::plan::{EXAMPLE, LIMIT, OTHERS};
+use crate::measure::store::{self, Store};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
+use crate::report::numbers::power;
 use crate::report::study::Study;
+use lines::Lines;
 
-/// The scene that the figures show; the file has others as well.
-const SCENE: &str = "heinisuo-1984";
-
-/// Routes in the order of figures and tables.
+/// Solvers in the order of figures and tables, and the methods.
 const SOLVERS: [&str; 5] = ["active-set", "four-step", "nsor", "clarabel", "osqp"];
+const METHODS: [&str; 3] = ["complementarity", "displacement", "force"];
+const LIBRARIES: [&str; 2] = ["clarabel", "osqp"];
 
-/// What iterative solvers are asked for where a figure or table shows one tolerance.
+/// The route that others are set beside.
+const OURS: &str = "force/active-set";
+
+/// What iterative solvers are asked for where a figure or table shows one tolerance, as the file writes it.
 const ASKED: &str = "1e-10";
 
 #[derive(Debug, Serialize)]
 struct Values {
     machine: Vec<String>,
-    asked: &'static str,
+    limit: f64,
+    asked: String,
     measured: usize,
-    left_out: usize,
-    exact_microseconds: f64,
-    grids: Vec<verdicts::Beside>,
+    left_out: left_out::Values,
+    exact_microseconds: Option<f64>,
+    million: Option<asked::Million>,
+    interior: Option<asked::Interior>,
+    peers: peers::Values,
+    two_errors: Option<two_errors::Values>,
+    repairs: Vec<repair::Row>,
+    needs: Vec<needs::Scene>,
+    survey: Option<needs::Survey>,
     exponents: Vec<cost::Exponent>,
-    wrong: usize,
-    judged: usize,
-    everywhere: Vec<String>,
-    million: Option<Million>,
-}
-
-/// The force method with the active set on the finest grid.
-#[derive(Debug, Serialize)]
-struct Million {
-    intervals: usize,
-    milliseconds: f64,
-    reaction_error: f64,
-    certified: bool,
+    precision: Vec<String>,
+    cost_drawn: bool,
+    map: Option<verdicts::Counts>,
+    others: Option<verdicts::Counts>,
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let store = Store::read(study.root)?;
-    let shown: Vec<&Line> = store.lines.iter().filter(|line| line.field("scene") == Some(SCENE)).collect();
-    let map = verdicts::map(&shown)?;
-    let (cost, cost_csv, exponents) = cost::drawn(&shown)?;
-    let seconds = |route: &str| shown.iter().find(|line| line.field("route") == Some(route)).and_then(|l| l.seconds());
+    let file = std::fs::read_to_string(study.root.join(store::PATH))?;
+    Ok(of(&Store::read(study.root)?)?.data("measurements", file))
+}
+
+/// The chapter without the file itself.
+fn of(store: &Store) -> Result<Evidence, Cause> {
+    let example = Lines::of(store, EXAMPLE);
+    let mut files = Vec::new();
+    let (cost, exponents) = cost::drawn(&example)?;
+    let cost_drawn = cost.is_some();
+    files.extend(cost.map(|drawn| ("trade-cost".to_owned(), drawn)));
+    let mut precision = Vec::new();
+    let of_example = METHODS.map(|method| (EXAMPLE, method, method));
+    let of_others = OTHERS.map(|scene| (scene, "force", scene));
+    for (scene, method, name) in of_example.into_iter().chain(of_others) {
+        if let Some(drawn) = precision::drawn(scene, method, &Lines::of(store, scene))? {
+            precision.push(name.to_owned());
+            files.push((format!("trade-{name}"), drawn));
+        }
+    }
+    let map = verdicts::of_example(&example)?;
+    let others = verdicts::of_others(store)?;
+    let mut counts = [None, None];
+    for ((map, name), counts) in
+        [(map, "trade-verdicts"), (others, "trade-verdicts-others")].into_iter().zip(&mut counts)
+    {
+        if let Some((counted, drawn)) = map {
+            *counts = Some(counted);
+            files.push((name.to_owned(), drawn));
+        }
+    }
+    let [map, others] = counts;
+    let two_errors = two_errors::of(&example)?;
+    let two_errors = two_errors.map(|(values, drawn)| {
+        files.push(("trade-two-errors".to_owned(), drawn));
+        values
+    });
     let values = Values {
         machine: store.described.clone(),
-        asked: "10⁻¹⁰",
+        limit: LIMIT,
+        asked: tolerance(ASKED),
         measured: store.lines.iter().filter(|line| line.seconds().is_some()).count(),
-        left_out: store.lines.iter().filter(|line| line.seconds().is_none()).count(),
-        exact_microseconds: 1e6
-            * seconds("exact/free-boundary").ok_or("measurements.csv has no line for beam theory")?,
-        grids: verdicts::beside(&shown),
+        left_out: left_out::of(store),
+        exact_microseconds: example.seconds_of("exact/free-boundary", 0, "0e0").map(|seconds| 1e6 * seconds),
+        million: asked::million(&example),
+        interior: asked::interior(&example),
+        peers: peers::of(&example),
+        two_errors,
+        repairs: repair::of(store),
+        needs: needs::of(store),
+        survey: needs::survey(store),
         exponents,
-        wrong: map.wrong,
-        judged: map.judged,
-        everywhere: map.everywhere,
-        million: million(&shown),
+        precision,
+        cost_drawn,
+        map,
+        others,
     };
-    let mut evidence = Evidence::new(values)
-        .figure("trade-cost", cost, cost_csv)
-        .figure("trade-verdicts", map.svg, map.csv)
-        .data("measurements", std::fs::read_to_string(study.root.join(crate::measure::store::PATH))?);
-    for method in ["complementarity", "displacement", "force"] {
-        let (svg, csv) = precision::drawn(method, &shown)?;
-        evidence = evidence.figure(&format!("trade-{method}"), svg, csv);
-    }
-    Ok(evidence)
+    let evidence = Evidence::new(values);
+    Ok(files.into_iter().fold(evidence, |evidence, (name, (svg, csv))| evidence.figure(&name, svg, csv)))
 }
 
-fn million(lines: &[&Line]) -> Option<Million> {
-    let of_route =
-        lines.iter().filter(|line| line.field("route") == Some("force/active-set") && line.seconds().is_some());
-    let finest = of_route.max_by(|a, b| intervals(a).total_cmp(&intervals(b)))?;
-    Some(Million {
-        intervals: finest.field("intervals")?.parse().ok()?,
-        milliseconds: 1e3 * finest.seconds()?,
-        reaction_error: finest.number("reaction_total")?,
-        certified: finest.field("status") == Some("certified"),
-    })
+/// `1e-10` of the file as `10⁻¹⁰`.
+fn tolerance(text: &str) -> String {
+    text.strip_prefix("1e").and_then(|exponent| exponent.parse().ok()).map_or_else(|| text.to_owned(), power)
 }
 
-/// Intervals of a line, as a number for axes.
-fn intervals(line: &Line) -> f64 {
-    line.number("intervals").unwrap_or(f64::NAN)
-}
-
-/// The lines of a route as asked for [`ASKED`], or for nothing where nothing can be asked; coarse grids first.
-fn asked<'a>(lines: &[&'a Line], route: &str) -> Vec<&'a Line> {
-    let wanted =
-        |line: &&&Line| line.field("route") == Some(route) && matches!(line.field("tolerance"), Some(ASKED | "0e0"));
-    let mut found: Vec<&Line> = lines.iter().filter(wanted).copied().collect();
-    found.sort_by(|a, b| intervals(a).total_cmp(&intervals(b)));
-    found
-}
+#[cfg(test)]
+mod tests;

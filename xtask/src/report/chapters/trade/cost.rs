@@ -4,8 +4,8 @@ use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::verification::observed_order;
 use serde::Serialize;
 
-use super::{SOLVERS, asked, intervals};
-use crate::measure::store::Line;
+use super::lines::{Lines, place};
+use super::{METHODS, SOLVERS};
 use crate::report::csv::{csv, scientific};
 
 /// How the time of a route grows.
@@ -20,21 +20,25 @@ pub(super) struct Exponent {
     iterations: String,
     /// Seconds there.
     seconds: f64,
+    /// Nanoseconds there for each unknown.
+    per_unknown: f64,
 }
 
-/// The figure, its numbers, and the exponents.
-pub(super) fn drawn(lines: &[&Line]) -> Result<(String, String, Vec<Exponent>), PlotError> {
+/// The figure with its numbers.
+type Drawn = (String, String);
+
+/// The figure, if there is anything to draw, and the exponents.
+pub(super) fn drawn(lines: &Lines<'_>) -> Result<(Option<Drawn>, Vec<Exponent>), PlotError> {
     let (mut rows, mut exponents) = (Vec::new(), Vec::new());
     let mut panels = Vec::new();
-    for method in ["complementarity", "displacement", "force"] {
+    for method in METHODS {
         let x = Axis::new("intervals N").log();
         let y = Axis::new(format!("{method} method, time")).unit(Some("s".to_owned())).log();
         let mut panel = Panel::new(x, y).tall(620.0);
         for (i, solver) in SOLVERS.iter().enumerate() {
             let route = format!("{method}/{solver}");
-            let found = asked(lines, &route);
-            let points: Vec<[f64; 2]> =
-                found.iter().filter_map(|line| Some([intervals(line), line.seconds()?])).collect();
+            let found = lines.asked(&route);
+            let points: Vec<[f64; 2]> = found.iter().filter_map(|line| Some([place(line), line.seconds()?])).collect();
             let Some(&[finest, seconds]) = points.last() else { continue };
             rows.extend(points.iter().map(|p| vec![route.clone(), format!("{}", p[0]), scientific(p[1], 3)]));
             let fine: Vec<(f64, f64)> = points.iter().filter(|p| 100.0 <= p[0]).map(|p| (p[0], p[1])).collect();
@@ -46,11 +50,17 @@ pub(super) fn drawn(lines: &[&Line]) -> Result<(String, String, Vec<Exponent>), 
                 exponent: slope.is_finite().then_some(slope),
                 iterations: last.and_then(|line| line.field("iterations")).unwrap_or("–").to_owned(),
                 seconds,
+                per_unknown: 1e9 * seconds / finest,
             });
             let (style, label) = (Style::of_series(i), (*solver).to_owned());
             panel = panel.with(Layer::Series { points, style, label });
         }
-        panels.push(panel);
+        if rows.iter().any(|row: &Vec<String>| row[0].starts_with(method)) {
+            panels.push(panel);
+        }
+    }
+    if panels.is_empty() {
+        return Ok((None, exponents));
     }
     let svg = Figure::new(
         "Time of a solve over the number of intervals",
@@ -59,5 +69,5 @@ pub(super) fn drawn(lines: &[&Line]) -> Result<(String, String, Vec<Exponent>), 
         panels,
     )
     .svg()?;
-    Ok((svg, csv(&["route", "intervals", "seconds"], rows), exponents))
+    Ok((Some((svg, csv(&["route", "intervals", "seconds"], rows))), exponents))
 }

@@ -3,20 +3,19 @@
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 
 use super::SOLVERS;
+use super::lines::{Lines, TOTAL, finite};
 use crate::measure::errors::OBSERVABLES;
-use crate::measure::store::Line;
+use crate::measure::plan::EXAMPLE;
 use crate::report::csv::{csv, scientific};
-
-/// Columns of the errors against beam theory, in the order of [`OBSERVABLES`].
-const COLUMNS: [&str; 4] = ["reaction_total", "contact_total", "deflection_total", "energy_total"];
 
 /// Errors below this are drawn here: they are rounding.
 const FLOOR: f64 = 1e-14;
 
 /// One figure for a method: grids and tolerances of a solver become the frontier of what it can do in a given time.
-pub(super) fn drawn(method: &str, lines: &[&Line]) -> Result<(String, String), PlotError> {
+/// None where nothing of it was measured.
+pub(super) fn drawn(scene: &str, method: &str, lines: &Lines<'_>) -> Result<Option<(String, String)>, PlotError> {
     let mut rows = Vec::new();
-    let panels = OBSERVABLES.iter().zip(COLUMNS).map(|(observable, column)| {
+    let panels = OBSERVABLES.iter().zip(TOTAL).map(|(observable, column)| {
         let x = Axis::new("time").unit(Some("s".to_owned())).log();
         let y = Axis::new(format!("relative error: {observable}")).log();
         let mut panel = Panel::new(x, y).tall(620.0);
@@ -38,22 +37,28 @@ pub(super) fn drawn(method: &str, lines: &[&Line]) -> Result<(String, String), P
         panel.with(Layer::Series { points: exact, style, label: "beam theory".to_owned() })
     });
     let panels: Vec<Panel> = panels.collect();
+    if rows.is_empty() {
+        return Ok(None);
+    }
+    let title = match scene {
+        EXAMPLE => format!("Forward error against time: {method} method"),
+        _ => format!("Forward error against time: {method} method, scene {scene}"),
+    };
     let svg = Figure { columns: 2, ..Figure::new(
-        format!("Forward error against time: {method} method"),
+        title,
         "Four panels, one for each observable: relative error against beam theory over the time of a solve, both axes \
          logarithmic, one line for each solver. Each point is a grid and a tolerance that nothing quicker beats.",
         panels,
     ) }
     .svg()?;
-    Ok((svg, csv(&["observable", "solver", "seconds", "relative_error"], rows)))
+    Ok(Some((svg, csv(&["observable", "solver", "seconds", "relative_error"], rows))))
 }
 
 /// Points `[seconds, error]` that no quicker point of the route beats.
-fn frontier(lines: &[&Line], route: &str, column: &str) -> Vec<[f64; 2]> {
-    let of_route = lines.iter().filter(|line| line.field("route") == Some(route));
-    let mut points: Vec<[f64; 2]> = of_route
-        .filter_map(|line| Some([line.seconds()?, line.number(column)?]))
-        .filter(|point| point[1].is_finite())
+fn frontier(lines: &Lines<'_>, route: &str, column: &str) -> Vec<[f64; 2]> {
+    let mut points: Vec<[f64; 2]> = lines
+        .of_route(route)
+        .filter_map(|line| Some([line.seconds()?, finite(line, column)?]))
         .map(|[seconds, error]| [seconds, error.max(FLOOR)])
         .collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));

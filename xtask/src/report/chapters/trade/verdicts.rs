@@ -1,104 +1,78 @@
-//! Verdicts over grids and routes, and what a digit costs beside the force method with the active set.
+//! Maps of verdicts over grids and routes: who says solved, and what our judge says.
 
 use palkki::plot::PlotError;
 use palkki::plot::table::{Cell, Row, Tone, verdict_map};
 use serde::Serialize;
 
-use super::{SOLVERS, asked, intervals};
-use crate::measure::store::Line;
+use super::lines::{Lines, intervals};
+use super::{ASKED, METHODS, SOLVERS};
+use crate::measure::plan::OTHERS;
+use crate::measure::store::{Line, Store};
 use crate::report::csv::csv;
 
-/// The route that others are set beside.
-const OURS: &str = "force/active-set";
-
-/// Grids of the comparison.
-const GRIDS: [&str; 4] = ["30", "300", "3000", "30000"];
-
-/// Routes beside [`OURS`] on one grid.
+/// What a map says.
 #[derive(Debug, Serialize)]
-pub(super) struct Beside {
-    intervals: &'static str,
-    /// Milliseconds of [`OURS`].
-    milliseconds: f64,
-    rows: Vec<Ratio>,
-}
-
-#[derive(Debug, Serialize)]
-struct Ratio {
-    route: String,
-    status: String,
-    /// Its time over ours.
-    time: f64,
-    /// Largest of its solver errors in the four observables.
-    error: f64,
-}
-
-/// Every route that was measured on a grid, at the tolerance of the chapter.
-pub(super) fn beside(lines: &[&Line]) -> Vec<Beside> {
-    let on = |grid: &'static str| {
-        let find = |route: &str| asked(lines, route).into_iter().find(|line| line.field("intervals") == Some(grid));
-        let ours = find(OURS)?.seconds()?;
-        let rows = routes().filter(|route| route != OURS).filter_map(|route| {
-            let line = find(&route)?;
-            let columns = ["reaction_solver", "contact_solver", "deflection_solver", "energy_solver"];
-            let error = columns.iter().filter_map(|column| line.number(column)).fold(0.0, f64::max);
-            let status = line.field("status")?.to_owned();
-            Some(Ratio { time: line.seconds()? / ours, error, status, route })
-        });
-        Some(Beside { intervals: grid, milliseconds: 1e3 * ours, rows: rows.collect() })
-    };
-    GRIDS.iter().filter_map(|grid| on(grid)).collect()
-}
-
-fn routes() -> impl Iterator<Item = String> {
-    let methods = ["complementarity", "displacement", "force"];
-    methods.into_iter().flat_map(|method| SOLVERS.map(|solver| format!("{method}/{solver}")))
-}
-
-/// What the map says.
-pub(super) struct Map {
-    pub(super) svg: String,
-    pub(super) csv: String,
+pub(super) struct Counts {
     /// How often a solver claims a success that our judge does not see.
-    pub(super) wrong: usize,
+    wrong: usize,
     /// How many runs were judged.
-    pub(super) judged: usize,
-    /// Routes that are certified on every grid.
-    pub(super) everywhere: Vec<String>,
+    judged: usize,
+    /// Rows that are certified on every grid.
+    everywhere: Vec<String>,
 }
 
-/// The map and its numbers.
-pub(super) fn map(lines: &[&Line]) -> Result<Map, PlotError> {
-    let mut columns: Vec<(f64, String)> = Vec::new();
-    for route in routes() {
-        for line in asked(lines, &route) {
-            let (n, name) = (intervals(line), line.field("intervals").unwrap_or("–").to_owned());
-            if !columns.iter().any(|(_, known)| *known == name) {
-                columns.push((n, name));
+/// Counts, and the figure with its numbers.
+type Map = (Counts, (String, String));
+
+/// All routes on the example.
+pub(super) fn of_example(lines: &Lines<'_>) -> Result<Option<Map>, PlotError> {
+    let routes = METHODS.into_iter().flat_map(|method| SOLVERS.map(|solver| format!("{method}/{solver}")));
+    let rows = routes.map(|route| (route.clone(), lines.asked(&route))).collect();
+    map("Verdicts over the number of intervals", rows)
+}
+
+/// The routes that are meant for fine grids on the other scenes.
+pub(super) fn of_others(store: &Store) -> Result<Option<Map>, PlotError> {
+    let mut rows = Vec::new();
+    for scene in OTHERS {
+        let lines = Lines::of(store, scene);
+        for method in METHODS {
+            for solver in ["active-set", "clarabel", "osqp"] {
+                let route = format!("{method}/{solver}");
+                rows.push((format!("{scene}: {route}"), lines.asked(&route)));
             }
         }
     }
-    columns.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut wrong, mut judged, mut data, mut everywhere) = (0, 0, Vec::new(), Vec::new());
-    let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
-    for route in routes() {
-        let found = asked(lines, &route);
-        let cells = columns.iter().map(|(_, name)| {
-            let line = found.iter().find(|line| line.field("intervals") == Some(name));
-            let (tone, text) = verdict(line.copied());
-            judged += usize::from(tone != Tone::Absent);
-            wrong += usize::from(text == "W");
-            data.push(vec![route.clone(), name.clone(), text.to_owned()]);
+    map("Verdicts over the number of intervals, on other scenes", rows)
+}
+
+/// None if there is nothing to judge.
+fn map(title: &str, routes: Vec<(String, Vec<&Line>)>) -> Result<Option<Map>, PlotError> {
+    let mut grids: Vec<usize> = routes.iter().flat_map(|(_, lines)| lines.iter().map(|line| intervals(line))).collect();
+    grids.sort_unstable();
+    grids.dedup();
+    if grids.is_empty() {
+        return Ok(None);
+    }
+    let mut counts = Counts { wrong: 0, judged: 0, everywhere: Vec::new() };
+    let (mut data, mut rows) = (Vec::new(), Vec::new());
+    for (name, lines) in &routes {
+        let cells = grids.iter().map(|grid| {
+            let (tone, text) = verdict(lines.iter().copied().find(|line| intervals(line) == *grid));
+            counts.judged += usize::from(tone != Tone::Absent);
+            counts.wrong += usize::from(text == "W");
+            data.push(vec![name.clone(), grid.to_string(), text.to_owned()]);
             Cell { tone, text: text.to_owned() }
         });
         let cells: Vec<Cell> = cells.collect();
         if cells.iter().all(|cell| cell.tone == Tone::Good) {
-            everywhere.push(route.clone());
+            counts.everywhere.push(name.clone());
         }
-        rows.push((route, cells));
+        rows.push((name.as_str(), cells));
     }
-    let names: Vec<&str> = columns.iter().map(|(_, name)| name.as_str()).collect();
-    let rows: Vec<Row<'_>> = rows.iter().map(|(name, cells)| (name.as_str(), cells.clone())).collect();
+    let columns: Vec<String> = grids.iter().map(usize::to_string).collect();
+    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let rows: Vec<Row<'_>> = rows;
     let cell = |tone, text: &str| Cell { tone, text: text.to_owned() };
     let legend = [
         (cell(Tone::Good, "C"), "certified by our judge"),
@@ -106,14 +80,12 @@ pub(super) fn map(lines: &[&Line]) -> Result<Map, PlotError> {
         (cell(Tone::Fair, "G"), "the solver gave up, or refused the size"),
         (cell(Tone::Absent, "–"), "left out: a coarser grid took too long, or not in the plan"),
     ];
-    let svg = verdict_map(
-        "Verdicts over the number of intervals",
-        "A map: rows are routes, columns are numbers of intervals. C certified, W claimed but wrong, G gave up, – left out.",
-        &names,
-        &rows,
-        &legend,
-    )?;
-    Ok(Map { svg, csv: csv(&["route", "intervals", "verdict"], data), wrong, judged, everywhere })
+    let description = format!(
+        "A map: rows are routes asked for {ASKED}, columns are numbers of intervals. C certified, W claimed but wrong, G gave \
+         up, – left out."
+    );
+    let svg = verdict_map(title, &description, &columns, &rows, &legend)?;
+    Ok(Some((counts, (svg, csv(&["route", "intervals", "verdict"], data)))))
 }
 
 fn verdict(line: Option<&Line>) -> (Tone, &'static str) {

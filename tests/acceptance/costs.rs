@@ -1,0 +1,65 @@
+//! Deterministic costs: solves, sweeps and iterations do not depend on the machine, and so they are asserted.
+//!
+//! The counts of our own routes are a table, integer by integer: who changes a solver sees what it does to them. Those of the
+//! libraries are theirs, so they have a range.
+
+use palkki::route::{Method, Solver};
+
+use crate::scenes::{example, run, scene};
+use crate::support::assert_table;
+
+/// NSOR takes a second on the second grid, and the four steps on the last one.
+fn too_long(solver: Solver, intervals: usize) -> bool {
+    match solver {
+        Solver::Nsor => 30 < intervals,
+        Solver::FourStep => 1000 < intervals,
+        _ => false,
+    }
+}
+
+#[test]
+fn the_counts_of_our_own_routes() {
+    let grids = [30, 100, 300, 1000, 3000];
+    let mut table = format!("{:<38}", "scene, route, intervals");
+    table.extend(grids.map(|n| format!("{n:>8}")));
+    for (name, scene) in [("example", example()), ("wave", scene("wave"))] {
+        for method in Method::ALL {
+            for solver in [Solver::ActiveSet, Solver::FourStep, Solver::Nsor] {
+                table.push_str(&format!("\n{:<38}", format!("{name} {method}/{solver}")));
+                for intervals in grids {
+                    let count = if too_long(solver, intervals) {
+                        "–".to_owned()
+                    } else {
+                        run(&scene, method, solver, intervals).iterations.to_string()
+                    };
+                    table.push_str(&format!("{count:>8}"));
+                }
+            }
+        }
+    }
+    table.push('\n');
+    assert_table!("costs", "Solves of the active set and the four steps, sweeps of NSOR", table);
+}
+
+/// An interior-point method takes as many steps on a fine grid as on a coarse one.
+#[test]
+fn an_interior_point_takes_a_few_dozen_steps_on_any_grid() {
+    /// Twice what it takes on the example, and far below what a grid of 3000 would do to any other method.
+    const STEPS: usize = 80;
+    for method in Method::ALL {
+        for intervals in [30, 300, 3000] {
+            let steps = run(&example(), method, Solver::Clarabel, intervals).iterations;
+            assert!((5..=STEPS).contains(&steps), "{method}, {intervals} intervals: {steps} steps");
+        }
+    }
+}
+
+/// Neighbourhoods keep the number of solves from growing with the grid: ten times as many nodes, at most three times as many.
+#[test]
+fn solves_do_not_grow_with_the_grid() {
+    for name in ["heinisuo-1984", "wave"] {
+        let count = |intervals| run(&scene(name), Method::Force, Solver::ActiveSet, intervals).iterations;
+        let (coarse, fine) = (count(1000), count(10_000));
+        assert!(fine <= 3 * coarse, "{name}: {coarse} solves on 1000 intervals, {fine} on 10 000");
+    }
+}
