@@ -37,6 +37,7 @@
 //! ```
 
 pub mod certificate;
+pub mod dial;
 pub mod methods;
 mod nested;
 pub mod paper;
@@ -48,6 +49,7 @@ mod solve;
 pub mod solvers;
 pub mod state;
 pub mod theory;
+pub mod verdict;
 pub mod verification;
 
 pub use solve::{DEFAULT_TOLERANCE, Settings, solve};

@@ -10,8 +10,6 @@ use palkki::route::{Method, Solver};
 pub(super) const DEFAULT_INTERVALS: usize = 30;
 /// The solver that always ends, at an optimum.
 pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
-/// Scaled residual at which an iterative solver stops.
-pub(super) const DEFAULT_TOLERANCE: f64 = 1e-10;
 /// More intervals than any computer that this runs on has memory for.
 const MOST_INTERVALS: usize = 10_000_000;
 

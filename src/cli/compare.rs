@@ -1,11 +1,10 @@
 //! `compare`: every method with every solver, set against two references.
 
-use palkki::Settings;
 use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
+use palkki::{Settings, verdict::Demand};
 
 use super::answer::{Answer, Route};
-use super::arguments::DEFAULT_TOLERANCE;
 use super::failure::Failure;
 use super::input::Input;
 
@@ -42,11 +41,11 @@ pub(super) struct Difference {
 impl Comparison {
     /// Solves the scene by every route. Beam theory comes first, if it has an answer.
     pub(super) fn of(input: &Input, intervals: usize) -> Result<Self, Failure> {
-        let exact = Answer::of(input, Route::Exact).ok();
+        let exact = Answer::of(input, Route::Exact(Demand::default())).ok();
         let mut answers: Vec<(Method, Answer)> = Vec::new();
         for method in Method::ALL {
             for solver in Solver::ALL {
-                let settings = Settings { method, solver, intervals, tolerance: DEFAULT_TOLERANCE };
+                let settings = Settings::new(method, solver, intervals);
                 answers.push((method, Answer::of(input, Route::Discretised(settings))?));
             }
         }

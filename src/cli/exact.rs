@@ -4,29 +4,34 @@ use std::time::Instant;
 
 use palkki::route::Status;
 use palkki::theory::{self, Exact, TheoryError};
+use palkki::verdict::{Demand, Verdict};
 
-use super::answer::{Answer, certificate};
+use super::answer::Answer;
 use super::input::Input;
 
 /// What solves the equations of theory: Newton's method for the free boundaries, under a search for the list of contacts.
 const SOLVER: &str = "free-boundary";
 
 /// The answer of beam theory.
-pub(super) fn exact(input: &Input) -> Result<Answer, TheoryError> {
+pub(super) fn exact(input: &Input, demand: &Demand) -> Result<Answer, TheoryError> {
     let start = Instant::now();
     let exact = theory::solve(&input.scene)?;
     let seconds = start.elapsed().as_secs_f64();
+    let verdict = Verdict::of_exact(&input.scene, &exact, demand);
     Ok(Answer {
         method: "exact",
         solver: SOLVER,
         intervals: None,
-        status: exact.status,
+        status: verdict.status,
+        refusal: verdict.refusal,
         solver_status: words(&exact),
         residual: Some(exact.residual),
         unknowns: exact.unknowns,
         iterations: exact.iterations,
         seconds,
-        certificate: certificate(&input.scene, &exact.state),
+        certificate: verdict.certificate,
+        error: verdict.error,
+        search: None,
         state: exact.state.clone(),
         exact: Some(Box::new(exact)),
     })

@@ -2,10 +2,11 @@
 //! `null` for one that is not finite: the clearance where there is no foundation, a difference relative to zero.
 
 use palkki::certificate::Certificate;
+use palkki::dial::{End, Try};
 use palkki::state::{Contact, ContactState, Extremes, Nodes};
 use serde::Serialize;
 
-use super::answer::Answer;
+use super::answer::{Answer, Search};
 use super::certify::Judgement;
 use super::compare::{Comparison, Difference};
 use super::input::Input;
@@ -29,6 +30,8 @@ struct RouteObject<'a> {
     solver: &'a str,
     intervals: Option<usize>,
     status: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
     solver_status: &'a str,
     residual: Option<f64>,
     regime: &'a str,
@@ -42,6 +45,31 @@ struct RouteObject<'a> {
     moment: MomentObject,
     energy: f64,
     certificate: Option<CertificateObject>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dial: Option<DialObject>,
+}
+
+/// What it took to find the grid; there if a tolerance was given and no grid.
+#[derive(Debug, Serialize)]
+struct DialObject {
+    tolerance: f64,
+    reached: bool,
+    end: String,
+    error: f64,
+    seconds: f64,
+    grids: Vec<GridObject>,
+}
+
+/// A grid that was tried; `error` is the guaranteed one, over the largest deflection, and `null` if there is none.
+#[derive(Debug, Serialize)]
+struct GridObject {
+    intervals: usize,
+    solver_tolerance: f64,
+    unknowns: usize,
+    iterations: usize,
+    residual: f64,
+    error: f64,
+    seconds: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -186,6 +214,7 @@ fn route(answer: &Answer) -> RouteObject<'_> {
         solver: answer.solver,
         intervals: answer.intervals,
         status: answer.status.word(),
+        reason: answer.refusal.map(|refusal| refusal.to_string()),
         solver_status: &answer.solver_status,
         residual: answer.residual,
         regime: regime.word(),
@@ -199,6 +228,27 @@ fn route(answer: &Answer) -> RouteObject<'_> {
         moment: moment_of(moment),
         energy: *energy,
         certificate: answer.certificate.as_ref().map(certificate_of),
+        dial: answer.search.as_ref().map(|search| dial(answer, search)),
+    }
+}
+
+fn dial(answer: &Answer, search: &Search) -> DialObject {
+    let grid = |(t, seconds): &(Try, f64)| GridObject {
+        intervals: t.intervals,
+        solver_tolerance: t.tolerance,
+        unknowns: t.unknowns,
+        iterations: t.iterations,
+        residual: t.residual,
+        error: t.error,
+        seconds: *seconds,
+    };
+    DialObject {
+        tolerance: search.demanded,
+        reached: search.end == End::Reached,
+        end: search.end.to_string(),
+        error: answer.error,
+        seconds: search.seconds,
+        grids: search.tries.iter().map(grid).collect(),
     }
 }
 

@@ -22,8 +22,10 @@ mod text;
 use std::process::ExitCode;
 
 use clap::{CommandFactory as _, Parser as _};
+use palkki::dial::Request;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
+use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
 use self::arguments::{Arguments, Command, Common, Format, Solve};
@@ -142,16 +144,19 @@ impl Solve {
             return match self {
                 Self { solver: Some(_), .. } => refuse("solver"),
                 Self { intervals: Some(_), .. } => refuse("intervals"),
-                Self { tolerance: Some(_), .. } => refuse("tolerance"),
                 Self { nodes: true, .. } => refuse("nodes"),
-                _ => Ok(Route::Exact),
+                _ => Ok(Route::Exact(self.tolerance.map_or_else(Demand::default, Demand::of_error))),
             };
         };
+        let solver = self.solver.map_or(arguments::DEFAULT_SOLVER, |solver| solver.0);
+        if let Self { intervals: None, tolerance: Some(error), .. } = *self {
+            return Ok(Route::Dialled(Request::new(method, solver, error)));
+        }
         Ok(Route::Discretised(palkki::Settings {
             method,
-            solver: self.solver.map_or(arguments::DEFAULT_SOLVER, |solver| solver.0),
+            solver,
             intervals: self.intervals.unwrap_or(arguments::DEFAULT_INTERVALS),
-            tolerance: self.tolerance.unwrap_or(arguments::DEFAULT_TOLERANCE),
+            tolerance: self.tolerance.unwrap_or(palkki::DEFAULT_TOLERANCE),
         }))
     }
 }

@@ -8,7 +8,7 @@ use palkki::route::Status;
 use palkki::scene::Units;
 use palkki::state::{Contact, Extremes, Nodes};
 
-use super::answer::Answer;
+use super::answer::{Answer, Search};
 use super::certify::Judgement;
 use super::compare::{Comparison, Difference};
 use super::given::given;
@@ -24,6 +24,9 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     text += &list(&given(&input.scene));
     text.push('\n');
     text += &how(answer);
+    if let Some(search) = &answer.search {
+        text += &grids(answer, search);
+    }
     text += &equilibrium(input, answer, &labels);
     text += &contacts(&answer.state.contacts, &labels);
     text += &extremes(answer, &labels);
@@ -42,11 +45,12 @@ fn how(answer: &Answer) -> String {
         None => answer.method.to_owned(),
     };
     let residual = answer.residual.map_or_else(String::new, |r| format!(" (residual {})", magnitude(r)));
+    let why = answer.refusal.map_or_else(String::new, |refusal| format!(", {refusal}"));
     let status = match answer.status {
         Status::Certified => format!("{}{residual}", answer.status),
-        Status::NotCertified => format!("{}: the answer fails our check{residual}", answer.status),
+        Status::NotCertified => format!("{}: the answer fails our check{residual}{why}", answer.status),
         Status::NotConverged => {
-            format!("{}: the solver gave up, and what it had fails our check{residual}", answer.status)
+            format!("{}: the solver gave up, and what it had fails our check{residual}{why}", answer.status)
         }
     };
     list(&[
@@ -58,6 +62,42 @@ fn how(answer: &Answer) -> String {
         ("iterations", answer.iterations.to_string()),
         ("seconds", magnitude(answer.seconds)),
     ])
+}
+
+/// What it took to find the grid.
+fn grids(answer: &Answer, search: &Search) -> String {
+    let rows: Vec<Row> = search
+        .tries
+        .iter()
+        .map(|(t, seconds)| {
+            vec![
+                t.intervals.to_string(),
+                magnitude(t.tolerance),
+                t.iterations.to_string(),
+                magnitude(t.residual),
+                magnitude_at_most(t.error),
+                magnitude(*seconds),
+            ]
+        })
+        .collect();
+    let header = ["intervals", "solver asked for", "iterations", "residual", "error, relative", "seconds"];
+    let mut text = table("Grids tried", &header, &rows);
+    // Writing to a string does not fail.
+    let _ = writeln!(
+        text,
+        "\n  demanded  a guaranteed error of the deflection of at most {} of its largest value\n  {:8}  {}, {}\n  seconds   {} in \
+         all, bounds included",
+        magnitude(search.demanded),
+        "end",
+        search.end,
+        match answer.error {
+            error if error.is_finite() =>
+                format!("with {} on {} intervals", magnitude_at_most(error), answer.intervals.unwrap_or(0)),
+            _ => "with no bound on the error".to_owned(),
+        },
+        magnitude(search.seconds),
+    );
+    text
 }
 
 fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
@@ -155,19 +195,31 @@ pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
                 answer.iterations.to_string(),
                 magnitude(answer.seconds),
                 result(answer.state.reactions.left),
+                certified(answer.error),
                 error(&compared.solver_error),
                 error(&compared.model_error),
             ]
         })
         .collect();
     let reaction = Labels::of(input.scene.units()).force("left reaction");
-    let header =
-        ["method", "solver", "status", "residual", "iterations", "seconds", &reaction, "solver error", "model error"];
+    let header = [
+        "method",
+        "solver",
+        "status",
+        "residual",
+        "iterations",
+        "seconds",
+        &reaction,
+        "certified error",
+        "solver error",
+        "model error",
+    ];
     let title = format!("{}, {} intervals", input.title(), comparison.intervals);
     let mut text = table(&title, &header, &rows).trim_start().to_owned();
     text.push_str(
-        "\nSolver error: against the active-set answer on the same grid; model error: against beam theory.\n\
-         Both are the worst relative difference among end reactions, energy and largest deflection.\n",
+        "\nCertified error: at most this far is the deflection from that of the beam, relative to its largest value.\n\
+         Solver error: against the active-set answer on the same grid; model error: against beam theory.\n\
+         These two are the worst relative difference among end reactions, energy and largest deflection.\n",
     );
     text
 }
@@ -210,6 +262,11 @@ pub(super) fn certify(input: &Input, judgement: &Judgement) -> String {
         .collect();
     text += &table("Violations, the worst of each kind", &["", "amount", "relative", &labels.length("at")], &rows);
     text
+}
+
+/// An error that is guaranteed, if there is one.
+fn certified(error: f64) -> String {
+    if error.is_finite() { magnitude_at_most(error) } else { "–".to_owned() }
 }
 
 /// What is guaranteed, rounded so that it stays so.

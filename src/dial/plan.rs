@@ -1,0 +1,193 @@
+//! Which grid comes next, from what the grids before it have shown.
+//!
+//! With the order `p` of the last few errors, `e ≈ c N^−p`, the grid for the error `EPS` has
+//!
+//! ```text
+//! N_next = N (e / EPS)^(1/p)
+//! ```
+//!
+//! intervals, a little more for certainty, and rounded up to a grid with nodes where the scene breaks. Far from its goal the
+//! search goes in steps: a prediction is no better than the order it rests on, and a coarse grid costs next to nothing
+//! compared with one that is too fine.
+
+use super::{End, Request, Try, breaks};
+use crate::route::Solver;
+use crate::scene::Scene;
+use crate::solve::DEFAULT_TOLERANCE;
+use crate::verdict::{Demand, Refusal};
+use crate::verification::observed_order;
+
+/// Intervals of the first grid, about.
+const START: usize = 8;
+
+/// Order that is assumed while only one error is known: nodal loads for distributed ones.
+const ORDER: f64 = 2.0;
+
+/// Orders that are believed. A kink or a step between nodes has the first or less; nothing here has more than the fourth.
+const ORDERS: [f64; 2] = [0.5, 4.0];
+
+/// Errors from which the order is fitted: three, because the place of a node beside a lift-off point is luck.
+const FITTED: usize = 3;
+
+/// How many more intervals than predicted.
+const MARGIN: f64 = 1.1;
+
+/// A grid is finer than the one before by at least this, or it tells nothing.
+const LEAST_STEP: f64 = 1.4;
+
+/// Refinement while nothing is known of the error.
+const BLIND_STEP: f64 = 4.0;
+
+/// Refinement in which an error has to become half as large, at the latest. Lift-off points that happen to lie near nodes make
+/// a grid as good as one that is ten times as fine.
+const STALL: usize = 64;
+
+/// From this many intervals on the active set starts from a grid that is coarser by [`NESTED`]. A guess from a grid that has
+/// its nodes elsewhere is far worse: at a corner it can cost thousands of pivots.
+const FEW: usize = 1000;
+/// Refinement of those grids.
+const NESTED: usize = 8;
+/// How much larger than predicted a grid may be for that.
+const NEAR: f64 = 1.1;
+
+/// By how much a solver is asked more strictly.
+const STRICTER: f64 = 1e-3;
+
+/// What comes next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Next {
+    /// A grid, and the tolerance that an iterative solver is asked for.
+    Solve { intervals: usize, tolerance: f64 },
+    /// The end.
+    End(End),
+}
+
+/// What does not change during a search.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plan {
+    /// Grids should be multiples of this.
+    common: usize,
+    /// The finest grid.
+    most: usize,
+    error: f64,
+    demand: Demand,
+    loose: f64,
+    /// The largest step that is taken at once.
+    step: f64,
+}
+
+impl Plan {
+    pub(super) fn new(scene: &Scene, request: &Request) -> Self {
+        // Cost of the active set is proportional to the grid, that of the others to its square or cube.
+        let step = if request.solver == Solver::ActiveSet { 8.0 } else { 3.0 };
+        Self {
+            common: breaks::common_intervals(scene),
+            most: request.most_intervals.max(2),
+            error: request.error,
+            demand: request.demand(),
+            loose: request.tolerance(),
+            step,
+        }
+    }
+
+    /// The first grid, and the tolerance for it.
+    pub(super) fn start(&self) -> (usize, f64) {
+        (self.fitting(START).min(self.most), self.loose)
+    }
+
+    /// What comes after these tries, of which there is at least one.
+    pub(super) fn next(&self, tries: &[Try]) -> Next {
+        let Some(last) = tries.last() else {
+            let (intervals, tolerance) = self.start();
+            return Next::Solve { intervals, tolerance };
+        };
+        let Some(refusal) = last.refusal else { return Next::End(End::Reached) };
+        // NaN is not small.
+        let unsolved = self.demand.residual < last.residual || last.residual.is_nan();
+        if DEFAULT_TOLERANCE < last.tolerance && last.claims_success && (unsolved || !last.pattern_proven) {
+            let tolerance = (STRICTER * last.tolerance).max(DEFAULT_TOLERANCE);
+            return Next::Solve { intervals: last.intervals, tolerance };
+        }
+        if unsolved || refusal == Refusal::NoNumbers {
+            return Next::End(End::Failed { intervals: last.intervals, refusal });
+        }
+        if stalled(tries) {
+            return Next::End(End::Stalled { intervals: last.intervals });
+        }
+        let finest = self.finest();
+        if finest <= last.intervals {
+            return Next::End(End::Limit { intervals: last.intervals });
+        }
+        let intervals = self.fitting(self.predicted(tries, last)).min(finest);
+        Next::Solve { intervals, tolerance: self.tolerance(tries, last) }
+    }
+
+    /// The grid that the errors so far predict, at most a step away.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number far below 2⁵³")]
+    fn predicted(&self, tries: &[Try], last: &Try) -> usize {
+        let aligned = |t: &&Try| (t.intervals % self.common == 0) == (last.intervals % self.common == 0);
+        let mut known: Vec<&Try> = Vec::new();
+        for t in tries.iter().rev().filter(aligned) {
+            // Of several tries on one grid the last is the best.
+            if known.iter().all(|k| k.intervals != t.intervals) && known.len() < FITTED {
+                known.push(t);
+            }
+        }
+        let errors: Vec<(f64, f64)> = known.iter().map(|t| (1.0 / as_number(t.intervals), t.error)).collect();
+        let order = observed_order(&errors);
+        let order = if order.is_finite() { order.clamp(ORDERS[0], ORDERS[1]) } else { ORDER };
+        let factor = MARGIN * libm::pow(last.error / self.error, 1.0 / order);
+        let factor = if factor.is_finite() { factor.clamp(LEAST_STEP, self.step) } else { BLIND_STEP };
+        (as_number(last.intervals) * factor).ceil() as usize
+    }
+
+    /// The next grid at or above this size with nodes where the scene breaks, unless that is far off; if possible one of which
+    /// the same is true for the coarser grids that the active set starts from.
+    fn fitting(&self, intervals: usize) -> usize {
+        let nested = self.nested(intervals);
+        let near = |multiple: usize, most: f64| {
+            let next = intervals.next_multiple_of(multiple);
+            (as_number(next) <= most * as_number(intervals)).then_some(next)
+        };
+        near(nested, NEAR).or_else(|| near(self.common, 2.0)).unwrap_or(intervals)
+    }
+
+    /// The finest grid of this kind.
+    fn finest(&self) -> usize {
+        let whole = |multiple: usize| self.most / multiple * multiple;
+        let nested = whole(self.nested(self.most));
+        if as_number(self.most) <= NEAR * as_number(nested) { nested } else { self.most }
+    }
+
+    /// Multiples of this have nodes where the scene breaks on all the grids from which the active set starts on that many
+    /// intervals.
+    fn nested(&self, intervals: usize) -> usize {
+        let mut nested = self.common;
+        while FEW * (nested / self.common) <= intervals {
+            nested = nested.saturating_mul(NESTED);
+        }
+        nested
+    }
+
+    /// A solver that had to be asked more strictly, and was better for it, is asked like that from now on.
+    fn tolerance(&self, tries: &[Try], last: &Try) -> f64 {
+        let first = tries.iter().find(|t| t.intervals == last.intervals);
+        let helped = first.is_some_and(|first| last.error < 0.5 * first.error || self.demand.residual < first.residual);
+        if helped { last.tolerance } else { self.loose }
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+fn as_number(intervals: usize) -> f64 {
+    intervals as f64
+}
+
+/// Whether refinement by [`STALL`] has not even halved the error.
+fn stalled(tries: &[Try]) -> bool {
+    let least = |tries: &mut dyn Iterator<Item = &Try>| tries.map(|t| t.error).fold(f64::INFINITY, f64::min);
+    let finest = tries.last().map_or(0, |t| t.intervals);
+    let old = |t: &&Try| t.intervals <= finest / STALL;
+    let before = least(&mut tries.iter().filter(old));
+    let since = least(&mut tries.iter().filter(|t| !old(t)));
+    tries.iter().any(|t| old(&t)) && 0.5 * before <= since
+}

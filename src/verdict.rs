@@ -1,0 +1,208 @@
+//! What `certified` means, in one place: which checks of the judge an answer has to pass, and in which words it is told that it
+//! did not.
+//!
+//! The judge ([`crate::certificate`]) measures and does not decide: it has a residual of the discrete problem, and bounds for
+//! the continuous beam. An answer is **certified** if all of this holds.
+//!
+//! | | a method on a grid | beam theory |
+//! |---|---|---|
+//! | its own problem | the worst of the KKT residuals is at most [`CERTIFIED_RESIDUAL`], or what was [demanded](Demand) | every condition holds everywhere, to 12 digits |
+//! | the certificate | there is one: all bounds are finite, `energy_lower ≤ energy_upper`, `0 ≤ gap` | the same |
+//! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error` |
+//! | the error | only if demanded: `deflection_error` ≤ `EPS` × largest deflection | the same |
+//!
+//! A coarse grid that nobody asked to be finer is not punished for its model error: that error stands beside the answer as
+//! `deflection_error`. Where an error *is* demanded ([`crate::dial`]), the guaranteed error counts in what the solver left
+//! undone, and so the residual has to be no smaller than a tenth of what is demanded.
+//!
+//! [`Outcome::status`] is the first row alone: the verdict on the discrete problem.
+
+use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify, certify_contacts};
+use crate::route::{Outcome, Status};
+use crate::scene::Scene;
+use crate::state::ContactState;
+use crate::theory::Exact;
+
+/// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
+/// guaranteed error.
+const ROUNDING: f64 = 1e-12;
+
+/// What an answer has to be worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Demand {
+    /// Largest residual of the discrete problem; not asked of beam theory, which has conditions of its own.
+    pub residual: f64,
+    /// `EPS`: largest guaranteed error of the deflection, as a share of the largest deflection.
+    pub error: Option<f64>,
+}
+
+impl Default for Demand {
+    fn default() -> Self {
+        Self { residual: CERTIFIED_RESIDUAL, error: None }
+    }
+}
+
+impl Demand {
+    /// The largest residual that is ever enough: with more, contact forces are no longer worth printing.
+    const LOOSEST: f64 = 1e-2;
+
+    /// A guaranteed error of the deflection of at most `share` of the largest deflection.
+    #[must_use]
+    pub fn of_error(share: f64) -> Self {
+        Self { residual: (0.1 * share).clamp(CERTIFIED_RESIDUAL, Self::LOOSEST), error: Some(share) }
+    }
+}
+
+/// Why an answer is not certified.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Refusal {
+    /// It does not solve its own discrete problem.
+    #[error("the residual of its discrete problem is {residual:.1e}, more than {most:.0e}")]
+    Residual {
+        /// The worst of the KKT residuals.
+        residual: f64,
+        /// What was allowed.
+        most: f64,
+    },
+    /// It violates conditions of beam theory.
+    #[error(
+        "it violates a condition of beam theory by {residual:.1e}, relative to the largest deflection, force or moment"
+    )]
+    Theory {
+        /// The worst violation.
+        residual: f64,
+    },
+    /// Its contact forces are no numbers, so that nothing can be said about them.
+    #[error("its contact forces are not all numbers")]
+    NoNumbers,
+    /// Nothing could be proven for the continuous beam.
+    #[error("no finite bounds for the continuous beam could be proven from its contact forces")]
+    Unbounded,
+    /// The bounds contradict each other; there is no such certificate.
+    #[error("its bounds contradict each other: the energy lies above {lower} and below {upper}, with a gap of {gap}")]
+    Contradiction {
+        /// Lower bound of the energy.
+        lower: f64,
+        /// Upper bound.
+        upper: f64,
+        /// Bound on their distance.
+        gap: f64,
+    },
+    /// Its largest deflection is not the one that its contacts make.
+    #[error("its largest deflection is {own}, but its contacts make it {judged} with an error of at most {error:.1e}")]
+    Deflection {
+        /// Its own.
+        own: f64,
+        /// That of the contacts.
+        judged: f64,
+        /// The guaranteed error.
+        error: f64,
+    },
+    /// The guaranteed error is larger than what was demanded.
+    #[error(
+        "its guaranteed error is {share:.1e} of the largest deflection, more than the {most:.1e} that was demanded"
+    )]
+    Error {
+        /// Guaranteed error over the largest deflection.
+        share: f64,
+        /// What was demanded.
+        most: f64,
+    },
+}
+
+/// What the judge's measures come to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// Certified or not.
+    pub status: Status,
+    /// The bounds; none if the forces are no numbers.
+    pub certificate: Option<Certificate>,
+    /// Guaranteed error of the deflection over the largest deflection of the answer; infinite where nothing could be shown.
+    pub error: f64,
+    /// Why it is not certified; none if it is.
+    pub refusal: Option<Refusal>,
+}
+
+impl Verdict {
+    /// On the answer of a method on a grid.
+    #[must_use]
+    pub fn of_outcome(scene: &Scene, outcome: &Outcome, demand: &Demand) -> Self {
+        let own = (!within(outcome.residual, demand.residual))
+            .then_some(Refusal::Residual { residual: outcome.residual, most: demand.residual });
+        let failed = if outcome.solver_claims_success { Status::NotCertified } else { Status::NotConverged };
+        Self::new(certificate(scene, &outcome.state), &outcome.state, own, demand, failed)
+    }
+
+    /// On the answer of beam theory.
+    #[must_use]
+    pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
+        let certificate = certificate(scene, &exact.state);
+        let own = match exact.status {
+            Status::Certified => certificate.as_ref().and_then(|c| not_its_own(c, largest(&exact.state))),
+            Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
+        };
+        let failed = if exact.status == Status::NotConverged { Status::NotConverged } else { Status::NotCertified };
+        Self::new(certificate, &exact.state, own, demand, failed)
+    }
+
+    fn new(
+        certificate: Option<Certificate>,
+        state: &ContactState,
+        own: Option<Refusal>,
+        demand: &Demand,
+        failed: Status,
+    ) -> Self {
+        let error = certificate.as_ref().map_or(f64::INFINITY, |c| share(c.deflection_error, largest(state)));
+        let refusal = own.or_else(|| certificate.as_ref().map_or(Some(Refusal::NoNumbers), flaw)).or_else(|| {
+            demand.error.filter(|most| !within(error, *most)).map(|most| Refusal::Error { share: error, most })
+        });
+        let status = if refusal.is_none() { Status::Certified } else { failed };
+        Self { status, certificate, error, refusal }
+    }
+}
+
+/// Bounds for an answer, in the units of the scene; none if its contact forces are no numbers.
+#[must_use]
+pub fn certificate(scene: &Scene, state: &ContactState) -> Option<Certificate> {
+    match &state.nodes {
+        Some(nodes) => {
+            let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
+            let load = ContactLoad::new(scene.beam().length(), forces).ok()?;
+            certify(scene, &load, Judged::Nodes(nodes)).ok()
+        }
+        None => certify_contacts(scene, &state.contacts).ok(),
+    }
+}
+
+/// What is wrong with a certificate itself.
+fn flaw(certificate: &Certificate) -> Option<Refusal> {
+    let Certificate { energy_lower: lower, energy_upper: upper, gap, deflection_error, .. } = *certificate;
+    if ![lower, upper, gap, deflection_error].iter().all(|bound| bound.is_finite()) {
+        return Some(Refusal::Unbounded);
+    }
+    let holds = lower <= upper && 0.0 <= gap && 0.0 <= deflection_error;
+    (!holds).then_some(Refusal::Contradiction { lower, upper, gap })
+}
+
+/// An exact answer is judged by the places of its contacts: its own deflection has to be the one that they make.
+fn not_its_own(certificate: &Certificate, own: f64) -> Option<Refusal> {
+    let Certificate { deflection: judged, deflection_error: error, .. } = *certificate;
+    // Also true where nothing is finite, which is another refusal's business.
+    let apart = error + ROUNDING * own < (judged - own).abs();
+    apart.then_some(Refusal::Deflection { own, judged, error })
+}
+
+/// Not true of NaN.
+fn within(value: f64, most: f64) -> bool {
+    value <= most
+}
+
+/// The largest magnitude of the deflection.
+fn largest(state: &ContactState) -> f64 {
+    state.deflection.max.abs().max(state.deflection.min.abs())
+}
+
+/// An error as a share; a beam that does not move at all has none.
+fn share(error: f64, size: f64) -> f64 {
+    if error == 0.0 { 0.0 } else { error / size }
+}
