@@ -48,6 +48,7 @@ mod solve;
 pub mod solvers;
 pub mod state;
 pub mod theory;
+pub mod trial;
 pub mod verification;
 
 pub use solve::{DEFAULT_TOLERANCE, Settings, solve};

@@ -1,6 +1,7 @@
-//! The tasks of the repository that need the library: `cargo xtask report` and `cargo xtask measure`.
+//! The tasks of the repository that need the library: `cargo xtask report`, `cargo xtask judge` and `cargo xtask measure`.
 #![expect(clippy::print_stderr, reason = "a command that talks to a person")]
 
+mod judge;
 mod measure;
 mod report;
 
@@ -14,6 +15,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.as_slice() {
         ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
         ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
+        ["judge"] => judge::run(&root, &mut show),
         ["measure"] => measure::run(&root, false, &mut show),
         ["measure", "--fresh"] => measure::run(&root, true, &mut show),
         _ => {
