@@ -49,6 +49,7 @@ mod solve;
 pub mod solvers;
 pub mod state;
 pub mod theory;
+pub mod trial;
 pub mod verdict;
 pub mod verification;
 

@@ -1,4 +1,4 @@
-//! The optimality conditions of a discrete problem as four dimensionless numbers.
+//! The optimality conditions of a discrete problem as four dimensionless numbers, and a fifth for what is said beside them.
 
 use crate::scene::{Grid, Scene};
 use crate::state::{Bending, ContactState, Nodes};
@@ -33,6 +33,9 @@ pub struct Kkt {
     /// Equilibrium and elasticity: the deflection that the contact forces cause, against that of the state, over `D`;
     /// and the balance of forces and of moments with the reactions, over `P`.
     pub equilibrium: f64,
+    /// What the state says beside deflections and forces, against what follows from them: places over `l`, clearances over
+    /// `D`, bending moments over `P l`.
+    pub record: f64,
 }
 
 impl Kkt {
@@ -42,7 +45,7 @@ impl Kkt {
         let nodes = state.nodes.as_ref()?;
         let n = nodes.contact_force.len();
         let grid = Grid::uniform(scene, n + 1).ok()?;
-        if nodes.deflection.len() != n {
+        if [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.moment].iter().any(|list| list.len() != n) {
             return None;
         }
         let loads = grid.nodal_loads(scene.load());
@@ -69,7 +72,9 @@ impl Kkt {
         let moved = worst(v.iter().map(|v| v.abs())).max(idle);
         let depth = nonzero(moved.max(ROUNDING * flexibility * force));
 
-        let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes);
+        let (mut record, mut moments) = (Worst::default(), Worst::default());
+        let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes, &mut moments);
+        record.see(moments.value() / (force * length));
         let (mut penetration, mut tension, mut complementarity, mut elastic) =
             (Worst::default(), Worst::default(), Worst::default(), Worst::default());
         for (i, ((v, p), caused)) in v.iter().zip(p).zip(&caused[1..]).enumerate() {
@@ -78,6 +83,8 @@ impl Kkt {
             tension.see(-p);
             complementarity.see((h / depth).min(p / force));
             elastic.see((v - caused).abs());
+            record.see(mistaken(nodes.clearance[i], depth_at(i + 1), h) / depth);
+            record.see((nodes.x[i] - grid.place(i + 1)).abs() / length);
         }
         // Reactions that balance forces, and moments about the left support.
         let mut balance = Worst::default();
@@ -88,13 +95,14 @@ impl Kkt {
             tension: tension.value() / force,
             complementarity: complementarity.value(),
             equilibrium: (elastic.value() / depth).max(balance.value() / force),
+            record: record.value(),
         })
     }
 
-    /// The worst of the four; infinite if any of them is NaN.
+    /// The worst of the five; infinite if any of them is NaN.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        worst([self.penetration, self.tension, self.complementarity, self.equilibrium])
+        worst([self.penetration, self.tension, self.complementarity, self.equilibrium, self.record])
     }
 
     /// Whether the state passes.
@@ -131,6 +139,15 @@ impl Worst {
     }
 }
 
+/// By how much a clearance is said wrong, beyond the rounding of the depth `u` that it was taken from.
+fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
+    // Where there is no foundation both are infinite.
+    if u == f64::INFINITY && said == f64::INFINITY {
+        return 0.0;
+    }
+    (said - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
+}
+
 /// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
 /// Zero where there is no ground.
 fn within_reach(depths: impl Iterator<Item = f64>) -> f64 {
@@ -151,8 +168,9 @@ fn nonzero(size: f64) -> f64 {
 /// θ_i     = θ_{i−1} − (Δ/EI) c_i,   v_{i+1} = v_i + θ_i Δ        θ_0 from v_N = 0
 /// ```
 ///
-/// with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam.
-fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes) -> Vec<f64> {
+/// with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. The
+/// differences of `M_i` from the moments of the state are seen by `moments` on the way.
+fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes, moments: &mut Worst) -> Vec<f64> {
     let spacing = grid.spacing();
     let unit = spacing / stiffness;
     let mut y = vec![0.0; loads.len()];
@@ -164,6 +182,7 @@ fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes) -> Vec<
     let mut before = 0.0;
     for i in 1..y.len() - 1 {
         let here = y[i];
+        moments.see((here - nodes.moment[i - 1]).abs());
         y[i] = match nodes.bending {
             Bending::AtNodes => unit * here,
             Bending::Between => unit * ((before + 4.0 * here + y[i + 1]) / 6.0),

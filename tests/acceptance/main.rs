@@ -14,6 +14,7 @@ mod closed_form;
 mod command_line;
 mod corpus;
 mod costs;
+mod determinism;
 mod exact;
 mod invariants;
 mod judge;

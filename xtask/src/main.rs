@@ -1,9 +1,10 @@
-//! The tasks of the repository that need the library: `cargo xtask report` and `cargo xtask measure`.
+//! The tasks of the repository that need the library: `cargo xtask report`, `cargo xtask judge` and `cargo xtask measure`.
 #![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
 #[path = "../../tests/authority/mod.rs"]
 #[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
 mod authority;
+mod judge;
 mod measure;
 mod report;
 
@@ -17,6 +18,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.as_slice() {
         ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
         ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
+        ["judge"] => judge::run(&root, &mut show),
         // What `measure` starts to weigh a solve.
         ["peak", rest @ ..] => measure::own_peak(&root, rest).map(|kilobytes| println!("{kilobytes}")),
         ["measure", rest @ ..] => match measure::Wish::of(rest) {

@@ -1,5 +1,6 @@
 //! The invariants of ARCHITECTURE.md, asked of the source text.
 
+mod arithmetic;
 mod documents;
 mod layers;
 mod snapshots;

@@ -9,7 +9,7 @@
 mod chapters;
 mod contents;
 mod csv;
-mod error;
+pub(crate) mod error;
 mod evidence;
 mod exact;
 mod files;

@@ -1,0 +1,125 @@
+//! True errors beside certified ones: every scene, method, solver and grid; answers that failed their check included.
+
+use palkki::methods::Method;
+use palkki::scene::Scene;
+use palkki::solvers::Solver;
+use palkki::trial::{Lie, THEORY, Truth};
+use palkki::{Settings, solve};
+
+use super::table;
+use crate::report::error::Cause;
+
+/// Where the file is, below the root.
+pub(crate) const PATH: &str = "report/data/judged.csv";
+
+/// Intervals of all grids, and of those that are computed with every report.
+pub(crate) const GRIDS: [usize; 5] = [10, 30, 100, 300, 1000];
+pub(crate) const AGAIN: [usize; 2] = [10, 30];
+
+const HEADER: &str = "scene,method,solver,intervals,status,outcome,true_error,certified_error";
+
+/// What became of an answer. Errors are shares of the largest deflection.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Row {
+    pub(crate) scene: String,
+    pub(crate) method: String,
+    pub(crate) solver: String,
+    pub(crate) intervals: usize,
+    pub(crate) status: String,
+    pub(crate) outcome: String,
+    pub(crate) truth: f64,
+    pub(crate) certified: f64,
+}
+
+/// The outcomes besides exceptions.
+pub(crate) const BOUNDED: &str = "bounded";
+pub(crate) const REFUSED: &str = "refused";
+pub(crate) const EXCEPTION: &str = "exception";
+
+/// All routes on some grids.
+pub(crate) fn rows(name: &str, scene: &Scene, grids: &[usize]) -> Result<Vec<Row>, Cause> {
+    let truth = Truth::of(scene)?;
+    let mut rows = Vec::new();
+    for &intervals in grids {
+        for method in Method::ALL {
+            for solver in Solver::ALL {
+                rows.push(row(name, &truth, method, solver, intervals)?);
+            }
+        }
+    }
+    Ok(rows)
+}
+
+fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals: usize) -> Result<Row, Cause> {
+    let outcome = solve(truth.scene, &Settings::new(method, solver, intervals))?;
+    let nodes = outcome.state.nodes.ok_or("a discretised state has nodes")?;
+    let (word, error, certified) = match truth.nodes(&nodes) {
+        None => (REFUSED, f64::INFINITY, f64::INFINITY),
+        Some(judged) => {
+            let word = if judged.lies.is_empty() { BOUNDED } else { word(&judged.lies) };
+            (word, judged.error / truth.deflection, judged.certificate.deflection_error / truth.deflection)
+        }
+    };
+    Ok(Row {
+        scene: name.to_owned(),
+        method: method.word().to_owned(),
+        solver: solver.word().to_owned(),
+        intervals,
+        status: outcome.status.word().to_owned(),
+        outcome: word.to_owned(),
+        // Digits of an error that is rounding are rounding themselves.
+        truth: if error < THEORY { 0.0 } else { error },
+        certified,
+    })
+}
+
+fn word(lies: &[Lie]) -> &'static str {
+    match lies.first() {
+        None => BOUNDED,
+        Some(Lie::Deflection) => "exception: deflection",
+        Some(Lie::EnergyLower | Lie::EnergyUpper) => "exception: energy",
+        Some(Lie::Reaction) => "exception: reaction",
+    }
+}
+
+impl Row {
+    /// What identifies the row.
+    pub(crate) fn key(&self) -> (&str, &str, &str, usize) {
+        (&self.scene, &self.method, &self.solver, self.intervals)
+    }
+
+    /// True error over certified error; [`None`] where either is rounding or there is none.
+    pub(crate) fn ratio(&self) -> Option<f64> {
+        (self.outcome == BOUNDED && 0.0 < self.truth && self.certified.is_finite()).then(|| self.truth / self.certified)
+    }
+}
+
+/// The file of some rows.
+pub(crate) fn text(rows: &[Row]) -> String {
+    let line = |row: &Row| {
+        let Row { scene, method, solver, intervals, status, outcome, .. } = row;
+        let (truth, certified) = (table::error(row.truth), table::error(row.certified));
+        format!("{scene},{method},{solver},{intervals},{status},{outcome},{truth},{certified}\n")
+    };
+    std::iter::once(format!("{HEADER}\n")).chain(rows.iter().map(line)).collect()
+}
+
+/// The rows of a file.
+pub(crate) fn parse(text: &str) -> Result<Vec<Row>, Cause> {
+    let row = |fields: Vec<&str>| -> Result<Row, Cause> {
+        let [scene, method, solver, intervals, status, outcome, truth, certified] = fields[..] else {
+            return Err(format!("{PATH}: a line has {} fields", fields.len()).into());
+        };
+        Ok(Row {
+            scene: scene.to_owned(),
+            method: method.to_owned(),
+            solver: solver.to_owned(),
+            intervals: intervals.parse()?,
+            status: status.to_owned(),
+            outcome: outcome.to_owned(),
+            truth: truth.parse()?,
+            certified: certified.parse()?,
+        })
+    };
+    table::fields(text, HEADER, PATH)?.into_iter().map(row).collect()
+}

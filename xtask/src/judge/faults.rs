@@ -1,0 +1,215 @@
+//! Faults put into the answers of every route, and what the judge says of them.
+
+use std::collections::BTreeMap;
+
+use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
+use palkki::methods::Method;
+use palkki::scene::Scene;
+use palkki::solvers::Solver;
+use palkki::state::ContactState;
+use palkki::trial::{
+    CONTACT_FAULTS, Certified, Distance, FAULTS, SIZES, Truth, every_second, scaled_ground, scaled_load,
+};
+use palkki::{Settings, solve};
+
+use super::table;
+use crate::report::error::Cause;
+
+/// Where the file is, below the root.
+pub(crate) const PATH: &str = "report/data/faults.csv";
+
+/// Intervals of the grid: few, so that every solver takes part.
+pub(crate) const INTERVALS: usize = 20;
+
+/// The scene that is computed with every report.
+pub(crate) const AGAIN: &str = "heinisuo-1984";
+
+/// Sizes of the faults for which a scene has to be solved anew.
+const FOREIGN_SIZES: [f64; 5] = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2];
+
+const HEADER: &str = "scene,fault,answers,refused,passed,largest_passed,off_by,bounded,unbounded,no_numbers,exceptions";
+
+/// What the judge said of one fault in the answers of one scene.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Row {
+    pub(crate) scene: String,
+    pub(crate) fault: String,
+    /// Answers that the check of the discrete problem refused, and that it let pass.
+    pub(crate) refused: usize,
+    pub(crate) passed: usize,
+    /// The largest size of the fault that passed; 0 if none did, or if it has no size.
+    pub(crate) largest_passed: f64,
+    /// How far what passed was from the solution, forces excepted.
+    pub(crate) off_by: f64,
+    /// Answers whose certificate is a finite number and true, is infinite, is none.
+    pub(crate) bounded: usize,
+    pub(crate) unbounded: usize,
+    pub(crate) no_numbers: usize,
+    /// Answers about which something untrue was guaranteed.
+    pub(crate) exceptions: usize,
+}
+
+impl Row {
+    fn verdict(&mut self, passed: Option<Distance>, size: f64) {
+        match passed {
+            None => self.refused += 1,
+            Some(distance) => {
+                self.passed += 1;
+                self.largest_passed = self.largest_passed.max(size);
+                self.off_by = self.off_by.max(distance.shape());
+            }
+        }
+    }
+
+    fn certified(&mut self, judged: Option<&Certified>) {
+        match judged {
+            None => self.no_numbers += 1,
+            Some(judged) if !judged.lies.is_empty() => self.exceptions += 1,
+            Some(judged) if judged.certificate.deflection_error.is_finite() => self.bounded += 1,
+            Some(_) => self.unbounded += 1,
+        }
+    }
+
+    /// All answers with this fault.
+    pub(crate) fn answers(&self) -> usize {
+        self.refused + self.passed
+    }
+}
+
+/// Every fault in the answers of one scene by all routes; `all` are the scenes whose answers are put into its place.
+pub(crate) fn rows(name: &str, scene: &Scene, all: &[(String, Scene)]) -> Result<Vec<Row>, Cause> {
+    let mut trial = Trial { truth: Truth::of(scene)?, rows: Vec::new(), places: BTreeMap::new(), name };
+    for method in Method::ALL {
+        let sound = answer(scene, method, Solver::ActiveSet, INTERVALS)?;
+        for solver in Solver::ALL {
+            let state = answer(scene, method, solver, INTERVALS)?;
+            trial.faults(&sound, &state);
+            for size in FOREIGN_SIZES {
+                let stale = [
+                    ("the answer for ground so much deeper", scaled_ground(scene, size)?),
+                    ("the answer for so much more load", scaled_load(scene, size)?),
+                ];
+                for (fault, other) in stale {
+                    trial.judge(fault, size, &sound, &answer(&other, method, solver, INTERVALS)?);
+                }
+            }
+            let finer = answer(scene, method, solver, 2 * INTERVALS)?;
+            trial.judge("every second node of a finer grid", 0.0, &sound, &every_second(&finer));
+            for (other, foreign) in all {
+                if other != name {
+                    trial.judge(
+                        "the answer of another scene",
+                        0.0,
+                        &sound,
+                        &answer(foreign, method, solver, INTERVALS)?,
+                    );
+                }
+            }
+        }
+    }
+    trial.contacts();
+    Ok(trial.rows)
+}
+
+fn answer(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<ContactState, Cause> {
+    Ok(solve(scene, &Settings::new(method, solver, intervals))?.state)
+}
+
+struct Trial<'a> {
+    name: &'a str,
+    truth: Truth<'a>,
+    rows: Vec<Row>,
+    /// Where the row of each fault is.
+    places: BTreeMap<String, usize>,
+}
+
+impl Trial<'_> {
+    fn row(&mut self, fault: &str) -> &mut Row {
+        let next = self.rows.len();
+        let place = *self.places.entry(fault.to_owned()).or_insert(next);
+        if place == next {
+            self.rows.push(Row { scene: self.name.to_owned(), fault: fault.to_owned(), ..Row::default() });
+        }
+        &mut self.rows[place]
+    }
+
+    fn faults(&mut self, sound: &ContactState, state: &ContactState) {
+        let length = self.truth.scene.beam().length();
+        let load = self.truth.scene.load().magnitude(length);
+        for fault in FAULTS {
+            for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
+                if let Some(broken) = fault.put_into(state, size, load, length) {
+                    self.judge(fault.name, size, sound, &broken);
+                }
+            }
+        }
+    }
+
+    fn judge(&mut self, fault: &str, size: f64, sound: &ContactState, broken: &ContactState) {
+        let scene = self.truth.scene;
+        let length = scene.beam().length();
+        let passes = Kkt::of(scene, broken).is_some_and(|kkt| kkt.holds());
+        let distance = passes.then(|| Distance::between(sound, broken, length, scene.load().magnitude(length)));
+        let judged = broken.nodes.as_ref().and_then(|nodes| self.truth.nodes(nodes));
+        let row = self.row(fault);
+        row.verdict(distance, size);
+        row.certified(judged.as_ref());
+    }
+
+    /// The contacts of the exact answer. They pass if the deflection that they make is certain to the share that the check
+    /// of a discrete problem asks for.
+    fn contacts(&mut self) {
+        let contacts = self.truth.exact.state.contacts.clone();
+        let length = self.truth.scene.beam().length();
+        for fault in CONTACT_FAULTS {
+            for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
+                let Some(broken) = fault.put_into(&contacts, size, length) else { continue };
+                let judged = self.truth.contacts(&broken);
+                let share = judged
+                    .as_ref()
+                    .map_or(f64::INFINITY, |judged| judged.certificate.deflection_error / self.truth.deflection);
+                let passed = share <= CERTIFIED_RESIDUAL;
+                let row = self.row(&format!("exact: {}", fault.name));
+                row.verdict(passed.then(|| Distance { deflection: share, ..Distance::default() }), size);
+                row.certified(judged.as_ref());
+            }
+        }
+    }
+}
+
+/// The file of some rows.
+pub(crate) fn text(rows: &[Row]) -> String {
+    let line = |row: &Row| {
+        let fault = row.fault.replace(',', ";");
+        let Row { scene, refused, passed, largest_passed, bounded, unbounded, no_numbers, exceptions, .. } = row;
+        let (answers, off_by) = (row.answers(), table::error(row.off_by));
+        format!(
+            "{scene},{fault},{answers},{refused},{passed},{largest_passed:e},{off_by},{bounded},{unbounded},{no_numbers},{exceptions}\n"
+        )
+    };
+    std::iter::once(format!("{HEADER}\n")).chain(rows.iter().map(line)).collect()
+}
+
+/// The rows of a file.
+pub(crate) fn parse(text: &str) -> Result<Vec<Row>, Cause> {
+    let row = |fields: Vec<&str>| -> Result<Row, Cause> {
+        let [scene, fault, _, refused, passed, largest_passed, off_by, bounded, unbounded, no_numbers, exceptions] =
+            fields[..]
+        else {
+            return Err(format!("{PATH}: a line has {} fields", fields.len()).into());
+        };
+        Ok(Row {
+            scene: scene.to_owned(),
+            fault: fault.replace(';', ","),
+            refused: refused.parse()?,
+            passed: passed.parse()?,
+            largest_passed: largest_passed.parse()?,
+            off_by: off_by.parse()?,
+            bounded: bounded.parse()?,
+            unbounded: unbounded.parse()?,
+            no_numbers: no_numbers.parse()?,
+            exceptions: exceptions.parse()?,
+        })
+    };
+    table::fields(text, HEADER, PATH)?.into_iter().map(row).collect()
+}
