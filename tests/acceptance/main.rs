@@ -10,6 +10,7 @@ mod claims;
 mod closed_form;
 mod command_line;
 mod corpus;
+mod digits;
 mod exact;
 mod invariants;
 mod judge;
