@@ -66,7 +66,7 @@ impl Method {
 
     /// Whether its programme can be solved near some variables only.
     fn has_neighbourhoods(self) -> bool {
-        self == Self::Force
+        self != Self::Complementarity
     }
 }
 

@@ -20,9 +20,11 @@
 // cubic elements with the rotations condensed, and the loads are nodal forces `q₀Δ`, not work-equivalent forces and moments.
 // The inverse of this `K` is the `C` of (26), which survives.
 
+use std::ops::Range;
+
 use nalgebra::DMatrix;
 
-use super::{Discrete, mixed, native};
+use super::{Discrete, continuous, held::Held, native, rotations};
 use crate::problem::{Band, Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
@@ -106,10 +108,23 @@ impl Programme for Displacement<'_> {
         Self::rotations(&v).map_or_else(|_| vec![f64::NAN; v.len()], |rotations| self.contact_forces(&v, &rotations))
     }
 
-    /// Deflections of the free nodes with `v = u` at the others.
+    /// `v = u` where a node is held: rotations there (`rotations.rs`), then moments, contact forces and clearances.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        let held = mixed::solve(self.0, Bending::Between, free)?;
-        Ok(Stationary { x: held.clearance, gradient: held.contact_force })
+        let held = Held::new(self.0, Bending::Between, free);
+        let moments = rotations::moments(&held)?;
+        Ok(Stationary { x: held.clearances(&moments), gradient: held.contact_forces(&moments) })
+    }
+
+    /// Part of a continuous beam, as in method 3: what is looked at here is only where to exchange next.
+    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Option<Result<Stationary, NotPositiveDefinite>> {
+        let touches: Vec<bool> = free.iter().map(|free| !free).collect();
+        let part = continuous::part(self.0, &touches, range.start + 1..range.end + 1);
+        Some(part.map(|part| Stationary { x: part.clearance, gradient: part.contact_force }))
+    }
+
+    /// Contact forces and clearances come out of sums in blocks and a system of condition number 3: a few dozen units.
+    fn rounding(&self) -> f64 {
+        64.0 * f64::EPSILON
     }
 
     fn sizes(&self) -> Sizes {

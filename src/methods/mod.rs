@@ -6,16 +6,22 @@
 //! | [`Complementarity`], (4)–(16) | clearance `h` | `(EI/Δ⁴) pentadiag(1, −4, 6, −4, 1)` | `A u − q` | pressure `p` |
 //! | [`Displacement`], (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
 //! | [`Force`], (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
+//!
+//! On a contact set each has equations of its own, in which no fourth difference is taken: three moments of a chain
+//! (`hencky.rs`), rotations (`rotations.rs`), three moments of a beam (`continuous.rs`). All are tridiagonal, of condition
+//! number at most 3 once scaled, and so each method keeps its discrete problem and its digits on any grid.
 
 mod complementarity;
 mod continuous;
 mod discrete;
 mod displacement;
 mod force;
+mod held;
+mod hencky;
 mod method;
-mod mixed;
 mod native;
 mod nodal;
+mod rotations;
 mod segment;
 mod statics;
 

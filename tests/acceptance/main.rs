@@ -15,6 +15,7 @@ mod command_line;
 mod corpus;
 mod costs;
 mod determinism;
+mod digits;
 mod exact;
 mod invariants;
 mod judge;

@@ -19,7 +19,7 @@ pub struct Digits {
     pub with_stiffness: f64,
     /// The same with `C`.
     pub with_flexibility: f64,
-    /// The same in mixed form, without `K`.
+    /// The same by rotations of the held nodes, without `K`.
     pub without_matrix: f64,
 }
 
@@ -98,7 +98,7 @@ impl Evidence {
         let line = |d: &Digits| {
             format!(
                 "with {} intervals (condition number of order {}) contact forces are off by less than {} of the load \
-                 with K, {} with C, {} in mixed form",
+                 with K, {} with C, {} by rotations, with neither",
                 d.intervals,
                 bound(d.condition / 3.0),
                 bound(d.with_stiffness),

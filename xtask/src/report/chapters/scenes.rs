@@ -39,6 +39,8 @@ struct Values {
     cap: usize,
     /// Whether some search for a grid ended there.
     capped: bool,
+    /// Whether the judge stopped one before.
+    refused: bool,
     /// Worst residual of all scenes, as a bound.
     residual: String,
     /// Lines of the verdict table.
@@ -119,6 +121,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         targets: required::TARGETS.map(numbers::bound),
         cap: required::MOST,
         capped: rows.iter().any(|row| row.required.is_capped()),
+        refused: rows.iter().any(|row| row.required.is_refused()),
         residual: numbers::bound(residual),
         rows,
     };

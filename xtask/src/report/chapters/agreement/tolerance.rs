@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::report::numbers::power;
 
-/// Digits of a direct solve: sixteen, of which a condition number of n² takes three. The rest is margin for the sums.
+/// Digits of a direct solve: sixteen, of which sums and differences of moments take a few. The rest is margin.
 const DIRECT: i8 = -10;
 
 /// Tolerances of contact forces and reactions \[force\].
@@ -75,7 +75,7 @@ impl Tolerances {
 fn why(solver: Solver) -> &'static str {
     match solver {
         Solver::FourStep | Solver::ActiveSet => {
-            "a direct solve: the last place of sixteen digits times the condition number of the mixed form, n², with a margin"
+            "a direct solve of a system of condition number 3: sixteen digits, less a few for sums and differences, and a wide margin"
         }
         Solver::Nsor => "stops on a residual: the threshold of the judge times the norm of K",
         Solver::Clarabel => "stops on a duality gap, and passes the judge: the same",

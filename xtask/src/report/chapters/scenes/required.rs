@@ -33,6 +33,11 @@ impl Required {
     pub(super) fn is_capped(&self) -> bool {
         self.grids.iter().any(|grid| !grid.found && !grid.refused)
     }
+
+    /// True if an answer that the judge does not certify ended it.
+    pub(super) fn is_refused(&self) -> bool {
+        self.grids.iter().any(|grid| !grid.found && grid.refused)
+    }
 }
 
 /// The first grid that is good enough.
