@@ -75,6 +75,10 @@ impl Programme for Force<'_> {
         Some(part(self.0, free, range))
     }
 
+    fn has_neighbourhoods(&self) -> bool {
+        true
+    }
+
     /// Sums of moments are taken in blocks, and nothing is divided by a power of `n`: a few dozen units in the last place.
     fn rounding(&self) -> f64 {
         64.0 * f64::EPSILON

@@ -62,6 +62,11 @@ pub trait Programme {
         None
     }
 
+    /// Whether [`stationary_near`](Self::stationary_near) is cheaper than the whole.
+    fn has_neighbourhoods(&self) -> bool {
+        false
+    }
+
     /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing.
     ///
     /// By default a few thousand units in the last place.

@@ -1,73 +1,69 @@
 //! An active set that goes on where the paper's four steps stop, and always ends.
 //!
-//! 1. **Full exchanges** (block principal pivoting). From a face, solve step 1°; every free variable that came out
-//!    negative is set to zero, as in step 3° but all at once, and every variable at zero with a negative gradient is
-//!    released, which the four steps never do. Fast, a handful of solves as a rule; it may cycle.
-//! 2. **Descent on faces.** When the number of violators has not fallen for [`PATIENCE`] rounds, walk from the best point
-//!    seen, made feasible, to the minimum on its face; drop the variables that block the way, release those with a negative
-//!    gradient, and so on until there are fewer violators than ever before; then exchange again.
+//! The four steps drop variables one by one and never release one. Here they are dropped all at once, released again where
+//! the gradient is negative, and the objective falls strictly from one feasible face minimum to the next: see
+//! [`descent`](super::descent) for the steps and why they end.
 //!
-//! *It ends.* Each stay in 2 lowers the objective strictly from one face minimum to the next, so that no face is seen twice
-//! and there are finitely many; each return to 1 needs fewer violators than any before it, so that there are at most n. In
-//! floating-point arithmetic, where a strict descent can drown in rounding, a limit on the number of solves says so.
+//! **Windows.** A guess of the face is wrong near the borders between free variables and others only. Programmes that allow
+//! it are solved in windows around these, at a small part of the price of a solve of the whole:
 //!
-//! **Neighbourhoods.** Before the first round, and after each round of 1, programmes that allow it are
-//! [settled](super::neighbourhood) around the borders between free variables and others, at a small part of the price of a
-//! solve. That is one more finite way to choose the next face: the proof does not change.
+//! 1. Each window by itself, widened as long as variables beside it are on the wrong side; [`ROUNDS`] times, as one window may
+//!    disturb another, and then all of them as one.
+//! 2. A solve of the whole. If no variable is on the wrong side, this is the optimum. Otherwise the windows grow around those
+//!    that are.
 //!
-//! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Programme::rounding) of the solves, stay on the side where they are.
+//! *It ends.* A window is a programme of its own, and the descent ends at its optimum. Windows only ever grow: those of 1
+//! within their rounds, and all of them in 2, or else they are given up for the window that holds all variables. There are n
+//! variables to grow by, and what ends in that window is the optimum of (32). Whether windows help is a matter of speed:
+//! what is called optimal has passed a solve of the whole, which looks at every variable.
 
 // Discrepancy: beyond-four-steps
 //
-// The paper only names "some algorithm of nonlinear optimisation" to go on with. Full exchanges with a finite fallback
-// are our choice; see Portugal, Júdice, Vicente (1994) for block principal pivoting and Lawson, Hanson (1974) for the descent.
+// The paper only names "some algorithm of nonlinear optimisation" to go on with. A descent from face to face that drops and
+// releases many variables at a time is our choice; see Lawson and Hanson (1974) for the step that makes it finite, and
+// Portugal, Júdice and Vicente (1994) for exchanges of many variables, which without such a step may go round in circles.
+
+use std::ops::Range;
 
 use super::Answer;
-use super::neighbourhood::{borders, settle};
+use super::descent::{Cost, Descent, steepest, violators};
+use super::neighbourhood::{Window, borders, widened};
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
 
-/// Rounds of full exchange without fewer violators before the descent: the usual choice for block pivoting is around ten.
-const PATIENCE: usize = 10;
+/// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
+/// times.
+const REACH: usize = 32;
 
-/// Variables on the wrong side at a face minimum, by more than rounding.
-pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: &[bool]) -> Vec<usize> {
-    let (sizes, rounding) = (programme.sizes(), programme.rounding());
-    let (mut x, mut gradient) = (sizes.x, sizes.gradient);
-    for (value, slope) in point.x.iter().zip(&point.gradient) {
-        // Not `max`: a comparison is all that a number needs.
-        x = if x < value.abs() { value.abs() } else { x };
-        gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
-    }
-    let (x, gradient) = (-rounding * x, -rounding * gradient);
-    let wrong = |i: &usize| if free[*i] { point.x[*i] < x } else { point.gradient[*i] < gradient };
-    (0..free.len()).filter(wrong).collect()
-}
+/// Rounds of windows by themselves. Most settle in one or two; distant windows are felt like terms of a geometric series.
+const ROUNDS: usize = 10;
 
 /// What it is set to.
 pub(super) fn words() -> String {
-    format!(
-        "descent after {PATIENCE} exchanges without progress; a sign counts if it is more than the rounding of a solve"
-    )
+    "of each run with a negative gradient the steepest is released; a sign counts if it is more than the rounding of a solve"
+        .to_owned()
 }
 
 /// Solves from the face on which every variable is free, as the paper's algorithm does.
 pub(super) fn solve(programme: &dyn Programme) -> Answer {
-    solve_from(programme, vec![true; programme.dimension()])
+    solve_from(programme, vec![true; programme.dimension()]).0
 }
 
-/// A guess of the optimal face from another one, by exchanges in the neighbourhood of its borders; the number of solves.
-/// Nothing is verified.
+/// A guess of the optimal face from another one, by windows around its borders; the number of solves. Nothing is verified.
 pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> (Vec<bool>, usize) {
-    let borders = borders(&free);
-    let solves = settle(programme, &mut free, &borders);
-    (free, solves)
+    let mut run = Run { programme, cost: Cost::default() };
+    let window = Window::around(&borders(&free), REACH, free.len());
+    // A solve that fails here fails again where it is reported.
+    let _ = run.settle(&mut free, window);
+    (free, run.cost.windows)
 }
 
 /// Solves from a given face: `free[i]` is false where `x_i = 0` at first.
-pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
-    let mut run = Run { programme, solves: 0, settled: 0 };
+pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer, Cost) {
+    let mut run = Run { programme, cost: Cost::default() };
     let n = programme.dimension();
-    match run.exchange(free) {
+    let end = run.optimum(free);
+    let iterations = run.cost.whole + run.cost.windows;
+    let answer = match end {
         Ok((point, optimal)) => {
             let words = if optimal { "optimal" } else { "no further descent above rounding" };
             // What is left below zero is within rounding of it.
@@ -82,113 +78,107 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
                 gradient: clip(point.gradient),
                 claims_success: optimal,
                 words: words.to_owned(),
-                iterations: run.solves + run.settled,
+                iterations,
             }
         }
-        Err(error) => Answer { iterations: run.solves, ..Answer::refused(n, error.to_string()) },
-    }
+        Err(error) => Answer { iterations, ..Answer::refused(n, error.to_string()) },
+    };
+    (answer, run.cost)
 }
 
 struct Run<'a> {
     programme: &'a dyn Programme,
-    /// Solves of the whole.
-    solves: usize,
-    /// Solves of neighbourhoods.
-    settled: usize,
+    cost: Cost,
 }
 
 impl Run<'_> {
-    /// Exchanges around some variables before the next solve of the whole.
-    fn settle(&mut self, free: &mut [bool], places: &[usize]) {
-        self.settled += settle(self.programme, free, places);
+    /// Whether windows of a programme with n variables can be solved for less than the whole.
+    fn is_worth_it(&self, window: &Window, n: usize) -> bool {
+        self.programme.has_neighbourhoods() && window.is_worth_it(n)
     }
 
-    /// Step 1° on a face.
-    fn minimum_on(&mut self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        self.solves += 1;
-        self.programme.stationary(free)
-    }
-
-    /// A limit on solves that only rounding can reach: many times what the slowest known instance needs.
-    fn exhausted(&self) -> bool {
-        200 + 20 * self.programme.dimension() < self.solves
-    }
-
-    /// Variables on the wrong side at a face minimum.
-    fn violators(&self, point: &Stationary, free: &[bool]) -> Vec<usize> {
-        violators(self.programme, point, free)
-    }
-
-    /// Full exchanges, with descents where they stall. True if the point is optimal.
-    fn exchange(&mut self, mut free: Vec<bool>) -> Result<(Stationary, bool), NotPositiveDefinite> {
-        let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
-        let mut best: Option<Stationary> = None;
-        let borders = borders(&free);
-        self.settle(&mut free, &borders);
-        loop {
-            let point = self.minimum_on(&free)?;
-            let violators = self.violators(&point, &free);
-            if violators.is_empty() {
+    /// The optimum of the whole, by windows that grow until none outside is on the wrong side.
+    fn optimum(&mut self, mut free: Vec<bool>) -> Result<(Stationary, bool), NotPositiveDefinite> {
+        let n = free.len();
+        let mut reach = REACH;
+        let mut window = Window::around(&borders(&free), reach, n);
+        while self.is_worth_it(&window, n) {
+            window = self.settle(&mut free, window)?;
+            self.cost.whole += 1;
+            let point = self.programme.stationary(&free)?;
+            let wrong = violators(self.programme, &point, free.iter().copied());
+            if wrong.is_empty() {
                 return Ok((point, true));
             }
-            if violators.len() < fewest {
-                (fewest, patience) = (violators.len(), PATIENCE);
-                best = Some(point);
-            } else {
-                patience -= 1;
+            exchange(&mut free, &wrong, &point.gradient);
+            reach *= 2;
+            let wider = window.with(&Window::around(&wrong, reach, n));
+            if wider == window {
+                break;
             }
-            violators.iter().for_each(|&i| free[i] = !free[i]);
-            if patience == 0 {
-                let from = best.as_ref().map_or_else(Vec::new, |b| b.x.clone());
-                let (point, face) = self.descend(from, fewest)?;
-                let violators = self.violators(&point, &face);
-                if violators.is_empty() || self.exhausted() {
-                    return Ok((point, violators.is_empty()));
+            window = wider;
+        }
+        Descent::new(self.programme, &Window::whole(n)).run(&mut free, &mut self.cost)
+    }
+
+    /// Makes a window optimal, and as much around it as changes with it: the window that is optimal in the end.
+    fn settle(&mut self, free: &mut [bool], mut window: Window) -> Result<Window, NotPositiveDefinite> {
+        let n = free.len();
+        let mut pending = window.ranges.clone();
+        for _ in 0..ROUNDS {
+            for range in pending {
+                let rested = self.rest(free, range)?;
+                window = window.with(&Window::of(rested));
+                if !self.is_worth_it(&window, n) {
+                    return Ok(window);
                 }
-                (fewest, patience) = (violators.len(), PATIENCE);
-                best = Some(point);
-                free = face;
-                violators.iter().for_each(|&i| free[i] = !free[i]);
             }
-            self.settle(&mut free, &violators);
+            pending = Vec::new();
+            for range in &window.ranges {
+                if !self.look(free, range)?.1.is_empty() {
+                    pending.push(range.clone());
+                }
+            }
+            if pending.is_empty() {
+                return Ok(window);
+            }
+        }
+        Descent::new(self.programme, &window).run(free, &mut self.cost)?;
+        Ok(window)
+    }
+
+    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side.
+    ///
+    /// The look beside it reaches `√n` variables: behind a place where contact ends, the discrete optimum has a hole of that
+    /// length.
+    fn rest(&mut self, free: &mut [bool], mut range: Range<usize>) -> Result<Range<usize>, NotPositiveDefinite> {
+        let n = free.len();
+        loop {
+            let window = Window::of(range.clone());
+            if !self.is_worth_it(&window, n) {
+                return Ok(range);
+            }
+            Descent::new(self.programme, &window).run(free, &mut self.cost)?;
+            let wider = widened(range.clone(), range.len().max(n.isqrt()), n);
+            let (point, wrong) = self.look(free, &wider)?;
+            let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { return Ok(range) };
+            exchange(&mut free[wider.clone()], &wrong, &point.gradient);
+            let seen = widened(wider.start + first..wider.start + last + 1, REACH, n);
+            range = range.start.min(seen.start)..range.end.max(seen.end);
         }
     }
 
-    /// From face minimum to face minimum, each lower than the one before, until there are fewer than `fewest` violators.
-    fn descend(&mut self, from: Vec<f64>, fewest: usize) -> Result<(Stationary, Vec<bool>), NotPositiveDefinite> {
-        let mut x: Vec<f64> = from.iter().map(|x| x.max(0.0)).collect();
-        let mut free: Vec<bool> = x.iter().map(|x| 0.0 < *x).collect();
-        loop {
-            let point = self.walk(&mut x, &mut free)?;
-            let violators = self.violators(&point, &free);
-            if violators.len() < fewest || self.exhausted() {
-                return Ok((point, free));
-            }
-            let steepest = violators.iter().copied().min_by(|&i, &j| point.gradient[i].total_cmp(&point.gradient[j]));
-            if let Some(i) = steepest {
-                free[i] = true;
-            }
-        }
+    /// A range as it is: the point, and its variables on the wrong side.
+    fn look(&mut self, free: &[bool], range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
+        self.cost.windows += 1;
+        let point = Window::of(range.clone()).minimum_on(self.programme, free)?;
+        let wrong = violators(self.programme, &point, free[range.clone()].iter().copied());
+        Ok((point, wrong))
     }
+}
 
-    /// Walks from the feasible `x` to the minimum on its face, leaving the face where a variable reaches zero on the way.
-    fn walk(&mut self, x: &mut [f64], free: &mut [bool]) -> Result<Stationary, NotPositiveDefinite> {
-        loop {
-            let target = self.minimum_on(free)?;
-            let tiny = self.programme.rounding() * self.programme.sizes().x;
-            let blocked = |i: usize, x: &[f64]| free[i] && target.x[i] < -tiny && target.x[i] < x[i];
-            let way = |i: usize, x: &[f64]| x[i] / (x[i] - target.x[i]);
-            let step = (0..x.len()).filter(|&i| blocked(i, x)).map(|i| way(i, x)).fold(1.0, f64::min);
-            let blocking: Vec<usize> = (0..x.len()).filter(|&i| blocked(i, x) && way(i, x) <= step).collect();
-            for (x, target) in x.iter_mut().zip(&target.x) {
-                *x = (*x + step * (target - *x)).max(0.0);
-            }
-            if blocking.is_empty() {
-                return Ok(target);
-            }
-            for i in blocking {
-                (x[i], free[i]) = (0.0, false);
-            }
-        }
-    }
+/// Drops the free ones of some variables on the wrong side, and releases the steepest of each run of the others.
+fn exchange(free: &mut [bool], wrong: &[usize], gradient: &[f64]) {
+    wrong.iter().for_each(|&k| free[k] = false);
+    steepest(wrong, gradient).into_iter().for_each(|k| free[k] = true);
 }

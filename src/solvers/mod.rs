@@ -3,6 +3,7 @@
 
 mod active_set;
 mod clarabel;
+mod descent;
 mod four_step;
 mod neighbourhood;
 mod nsor;
@@ -52,7 +53,7 @@ impl Solver {
 /// The active set from a guess of the face: `free[i]` is false where `x_i = 0` is expected.
 #[must_use]
 pub fn active_set_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
-    active_set::solve_from(programme, free)
+    active_set::solve_from(programme, free).0
 }
 
 /// A guess of the optimal face from that of a coarser problem, and the number of solves that it took; nothing is verified.

@@ -1,0 +1,173 @@
+//! The optimum of a [`Window`], from face minimum to face minimum.
+//!
+//! 1. *Feasible*: solve step 1° on the face, drop all variables that came out negative, and again, until none does.
+//! 2. *Release*: of each run of neighbours with a negative gradient the steepest one, and make that feasible as in 1. A run
+//!    as a whole would be released far too much: most of it would come out negative.
+//! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger
+//!    face, leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
+//!
+//! *It ends.* A face shrinks in 1, so that 1 ends. The objective falls strictly from one round to the next: in 2 by
+//! comparison, and in 3 because the point before is the minimum on its own face, from which a released variable with a
+//! negative gradient leads down, and the last one that is left of them cannot come out negative. Each round ends at a
+//! feasible face minimum, no face is met twice, there are finitely many, and where no gradient is negative the optimum is
+//! reached. In floating-point arithmetic, where a strict descent can drown in rounding, a limit on the number of solves says so.
+//!
+//! The two objectives are not computed, since their difference would cancel. On a face minimum `x_i g_i = 0`, so that
+//!
+//! ```text
+//! f(x₂) − f(x₁) = ½ (g₁ + g₂)ᵀ (x₂ − x₁) = ½ (g₁ᵀ x₂ − g₂ᵀ x₁)
+//! ```
+//!
+//! and only variables that were released or dropped contribute.
+//!
+//! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Programme::rounding) of the solves, stay on the side where they are.
+
+use super::neighbourhood::Window;
+use crate::problem::{NotPositiveDefinite, Programme, Stationary};
+
+/// Solves of one window that only rounding can need: the slowest known instances take some hundred.
+const EXHAUSTED: usize = 2000;
+
+/// Number of solves.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Cost {
+    /// Of the whole.
+    pub(crate) whole: usize,
+    /// Of windows.
+    pub(crate) windows: usize,
+}
+
+/// Signs below zero that count at a point: more than the rounding of the solves.
+struct Signs {
+    x: f64,
+    gradient: f64,
+}
+
+impl Signs {
+    fn at(programme: &dyn Programme, point: &Stationary) -> Self {
+        let (sizes, rounding) = (programme.sizes(), programme.rounding());
+        let (mut x, mut gradient) = (sizes.x, sizes.gradient);
+        for (value, slope) in point.x.iter().zip(&point.gradient) {
+            // Not `max`: a comparison is all that a number needs.
+            x = if x < value.abs() { value.abs() } else { x };
+            gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
+        }
+        Self { x: -rounding * x, gradient: -rounding * gradient }
+    }
+}
+
+/// Variables on the wrong side: free ones that are negative, and those at zero with a negative gradient. `free` and what comes
+/// back are in the order of the point.
+pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: impl Iterator<Item = bool>) -> Vec<usize> {
+    let signs = Signs::at(programme, point);
+    let values = point.x.iter().zip(&point.gradient).zip(free).enumerate();
+    let wrong = values.filter(|(_, ((x, slope), free))| if *free { **x < signs.x } else { **slope < signs.gradient });
+    wrong.map(|(k, _)| k).collect()
+}
+
+/// The variables to release: of each run of neighbours with a negative gradient the steepest one.
+pub(super) fn steepest(violators: &[usize], gradient: &[f64]) -> Vec<usize> {
+    let steep: Vec<usize> = violators.iter().copied().filter(|&k| gradient[k] < 0.0).collect();
+    let runs = steep.chunk_by(|i, j| i + 1 == *j);
+    runs.filter_map(|run| run.iter().copied().min_by(|&i, &j| gradient[i].total_cmp(&gradient[j]))).collect()
+}
+
+/// A window whose optimum is looked for.
+pub(super) struct Descent<'a> {
+    programme: &'a dyn Programme,
+    window: &'a Window,
+    /// The variables of the window.
+    places: Vec<usize>,
+    solves: usize,
+}
+
+impl<'a> Descent<'a> {
+    pub(super) fn new(programme: &'a dyn Programme, window: &'a Window) -> Self {
+        Self { programme, window, places: window.places().collect(), solves: 0 }
+    }
+
+    /// Changes `free`, the flags of all variables, in the window until it is optimal there. Returns the point, and whether
+    /// nothing is on the wrong side.
+    pub(super) fn run(mut self, free: &mut [bool], cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
+        let end = self.optimum(free);
+        *(if self.places.len() == free.len() { &mut cost.whole } else { &mut cost.windows }) += self.solves;
+        end
+    }
+
+    fn optimum(&mut self, free: &mut [bool]) -> Result<(Stationary, bool), NotPositiveDefinite> {
+        let mut point = self.feasible(free)?;
+        loop {
+            let violators = violators(self.programme, &point, self.places.iter().map(|&i| free[i]));
+            if violators.is_empty() || EXHAUSTED < self.solves {
+                return Ok((point, violators.is_empty()));
+            }
+            let released = steepest(&violators, &point.gradient);
+            let before: Vec<bool> = self.places.iter().map(|&i| free[i]).collect();
+            self.release(free, &released);
+            let next = self.feasible(free)?;
+            if change(&point, &next) < 0.0 {
+                point = next;
+            } else {
+                self.places.iter().zip(before).for_each(|(&i, was)| free[i] = was);
+                self.release(free, &released);
+                point = self.walk(point, free)?;
+            }
+        }
+    }
+
+    /// Step 1° on a face.
+    fn minimum_on(&mut self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
+        self.solves += 1;
+        self.window.minimum_on(self.programme, free)
+    }
+
+    fn release(&self, free: &mut [bool], released: &[usize]) {
+        released.iter().for_each(|&k| free[self.places[k]] = true);
+    }
+
+    /// Drops what comes out negative until nothing does.
+    fn feasible(&mut self, free: &mut [bool]) -> Result<Stationary, NotPositiveDefinite> {
+        loop {
+            let point = self.minimum_on(free)?;
+            let signs = Signs::at(self.programme, &point);
+            let mut dropped = false;
+            for (x, &i) in point.x.iter().zip(&self.places) {
+                if free[i] && *x < signs.x {
+                    (free[i], dropped) = (false, true);
+                }
+            }
+            if !dropped {
+                return Ok(point);
+            }
+        }
+    }
+
+    /// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way.
+    fn walk(&mut self, from: Stationary, free: &mut [bool]) -> Result<Stationary, NotPositiveDefinite> {
+        let mut x: Vec<f64> = from.x.into_iter().map(|x| x.max(0.0)).collect();
+        loop {
+            let target = self.minimum_on(free)?;
+            let least = Signs::at(self.programme, &target).x;
+            let blocked = |k: usize, x: &[f64]| free[self.places[k]] && target.x[k] < least && target.x[k] < x[k];
+            let way = |k: usize, x: &[f64]| x[k] / (x[k] - target.x[k]);
+            let step = (0..x.len()).filter(|&k| blocked(k, &x)).map(|k| way(k, &x)).fold(1.0, f64::min);
+            let blocking: Vec<usize> = (0..x.len()).filter(|&k| blocked(k, &x) && way(k, &x) <= step).collect();
+            if blocking.is_empty() {
+                return Ok(target);
+            }
+            for (x, target) in x.iter_mut().zip(&target.x) {
+                *x = (*x + step * (target - *x)).max(0.0);
+            }
+            for k in blocking {
+                x[k] = 0.0;
+                free[self.places[k]] = false;
+            }
+        }
+    }
+}
+
+/// By how much the objective changes from one face minimum to another.
+fn change(from: &Stationary, to: &Stationary) -> f64 {
+    let terms = from.x.iter().zip(&from.gradient).zip(to.x.iter().zip(&to.gradient));
+    0.5 * terms.map(|((x, g), (next_x, next_g))| g * next_x - next_g * x).sum::<f64>()
+}
