@@ -103,6 +103,11 @@ impl Discrete {
         if node == 0 || node == self.intervals { 0.0 } else { self.depths[node - 1] }
     }
 
+    /// Size of the numbers from which the depth of an interior node, or of a chord beside it, is computed.
+    pub(super) fn depth_rounding(&self, node: usize) -> f64 {
+        self.profile.as_ref().map_or(0.0, |profile| profile.magnitude_at(self.grid.place(node)))
+    }
+
     /// By how much the slope of the polyline through three nodes, held on the foundation or by the supports of the beam,
     /// grows at the middle one.
     pub(super) fn bend(&self, left: usize, node: usize, right: usize) -> f64 {
