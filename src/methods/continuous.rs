@@ -29,7 +29,7 @@ const FAR: usize = 54;
 /// chord drawn, sums of loads are taken in blocks.
 const UNITS: f64 = 16.0;
 
-/// Clearances below this share of their size are looked at twice.
+/// Negative clearances below this share of their size are looked at twice.
 const NEAR_ZERO: f64 = 1e-12;
 
 /// Moments at the supports of a part of the beam.
@@ -152,8 +152,8 @@ impl<'a> Continuous<'a> {
         // The last support of a part is an end of the beam or far outside.
     }
 
-    /// Clearances at those of `nodes` that are not supports; zero where they are less than the rounding of what they are
-    /// differences of.
+    /// Clearances at those of `nodes` that are not supports; zero where they are negative by less than the rounding of what
+    /// they are differences of.
     ///
     /// That is a local measure. Near a support of the beam, over ground that begins at its depth, all numbers are small, and
     /// by the measure of the whole beam the beam could hang free, or pass through the ground, over thousands of nodes.
@@ -180,10 +180,10 @@ impl<'a> Continuous<'a> {
                 let chord = from + (to - from) * ((node - first) as f64 / steps);
                 let depth = self.discrete.depths[node - 1];
                 let open = (depth - chord) - sag;
-                // Most clearances are far from zero; for the others it is worth to know how far they can be trusted.
+                // Hardly any clearance is negative by so little; for those it is worth to know how far they can be trusted.
                 let doubtful = || UNITS * f64::EPSILON * (self.discrete.depth_rounding(node) + bent);
-                let nothing = open.abs() < small && open.abs() <= doubtful();
-                clearance[node - nodes.start] = if nothing { 0.0 } else { open };
+                let rounding = open < 0.0 && -small < open && -open <= doubtful();
+                clearance[node - nodes.start] = if rounding { 0.0 } else { open };
             }
         }
     }

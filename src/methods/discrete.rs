@@ -114,7 +114,7 @@ impl Discrete {
         let Some(profile) = &self.profile else { return 0.0 };
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
         let [before, behind] = [node - left, right - node].map(|steps| self.spacing * steps as f64);
-        let mut bend = profile.bend(self.grid.place(node), before, behind);
+        let mut bend = profile.bend(self.grid.place(node), before, behind, [left, right].map(|i| self.grid.place(i)));
         // The supports of the beam are not on the foundation.
         if left == 0 {
             bend -= self.below_supports[0] / before;
