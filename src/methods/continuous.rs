@@ -25,6 +25,13 @@ use crate::problem::NotPositiveDefinite;
 /// `2^−FAR` is less than half a unit in the last place.
 const FAR: usize = 54;
 
+/// Rounding of a clearance, in units in the last place of the numbers that it is a difference of: a profile is evaluated, a
+/// chord drawn, sums of loads are taken in blocks.
+const UNITS: f64 = 16.0;
+
+/// Negative clearances below this share of their size are looked at twice.
+const NEAR_ZERO: f64 = 1e-12;
+
 /// Moments at the supports of a part of the beam.
 pub(super) struct Continuous<'a> {
     discrete: &'a Discrete,
@@ -127,6 +134,9 @@ impl<'a> Continuous<'a> {
     }
 
     /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
+    ///
+    /// The jump comes first. In dense contact it is a small difference of numbers with the same exponent, and exact; a load
+    /// that is added to a shear force before would be rounded in the same way at each of a million nodes.
     fn contact_forces(&self, nodes: &Range<usize>, forces: &mut [f64]) {
         // What the span before has left for its right end.
         let mut before = 0.0;
@@ -135,16 +145,23 @@ impl<'a> Continuous<'a> {
             let shear = moments[1] - moments[0];
             let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
             if nodes.contains(&pair[0]) {
-                forces[pair[0] - nodes.start] = before + (span.shares[0] + shear);
+                forces[pair[0] - nodes.start] = (before + (span.shares[0] + shear)) + self.discrete.loads[pair[0]];
             }
-            before = (span.shares[1] - shear) + self.discrete.loads[pair[1]];
+            before = span.shares[1] - shear;
         }
         // The last support of a part is an end of the beam or far outside.
     }
 
-    /// Clearances at those of `nodes` that are not supports.
+    /// Clearances at those of `nodes` that are not supports; zero where they are negative by less than the rounding of what
+    /// they are differences of.
+    ///
+    /// That is a local measure. Near a support of the beam, over ground that begins at its depth, all numbers are small, and
+    /// by the measure of the whole beam the beam could hang free, or pass through the ground, over thousands of nodes.
     fn clearances(&self, nodes: &Range<usize>, clearance: &mut [f64]) {
         let mut curve = Curve::default();
+        let Discrete { spacing, stiffness, .. } = *self.discrete;
+        let unit = spacing * spacing * spacing / stiffness;
+        let small = NEAR_ZERO * self.discrete.sizes().x;
         for (i, pair) in self.supports.windows(2).enumerate() {
             let (first, last) = (pair[0], pair[1]);
             let wanted = nodes.start.max(first + 1)..nodes.end.min(last);
@@ -156,10 +173,17 @@ impl<'a> Continuous<'a> {
             let [from, to] = [first, last].map(|node| self.discrete.support_depth(node));
             #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
             let steps = (last - first) as f64;
+            // What the end moments bend: `M L²/EI`.
+            let bent = unit * ends[0].abs().max(ends[1].abs()) * (steps * steps);
             for (node, sag) in wanted.zip(sags) {
                 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
                 let chord = from + (to - from) * ((node - first) as f64 / steps);
-                clearance[node - nodes.start] = (self.discrete.depths[node - 1] - chord) - sag;
+                let depth = self.discrete.depths[node - 1];
+                let open = (depth - chord) - sag;
+                // Hardly any clearance is negative by so little; for those it is worth to know how far they can be trusted.
+                let doubtful = || UNITS * f64::EPSILON * (self.discrete.depth_rounding(node) + bent);
+                let rounding = open < 0.0 && -small < open && -open <= doubtful();
+                clearance[node - nodes.start] = if rounding { 0.0 } else { open };
             }
         }
     }

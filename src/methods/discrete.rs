@@ -103,13 +103,18 @@ impl Discrete {
         if node == 0 || node == self.intervals { 0.0 } else { self.depths[node - 1] }
     }
 
+    /// Size of the numbers from which the depth of an interior node, or of a chord beside it, is computed.
+    pub(super) fn depth_rounding(&self, node: usize) -> f64 {
+        self.profile.as_ref().map_or(0.0, |profile| profile.magnitude_at(self.grid.place(node)))
+    }
+
     /// By how much the slope of the polyline through three nodes, held on the foundation or by the supports of the beam,
     /// grows at the middle one.
     pub(super) fn bend(&self, left: usize, node: usize, right: usize) -> f64 {
         let Some(profile) = &self.profile else { return 0.0 };
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
         let [before, behind] = [node - left, right - node].map(|steps| self.spacing * steps as f64);
-        let mut bend = profile.bend(self.grid.place(node), before, behind);
+        let mut bend = profile.bend(self.grid.place(node), before, behind, [left, right].map(|i| self.grid.place(i)));
         // The supports of the beam are not on the foundation.
         if left == 0 {
             bend -= self.below_supports[0] / before;

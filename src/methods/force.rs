@@ -84,6 +84,11 @@ impl Programme for Force<'_> {
         64.0 * f64::EPSILON
     }
 
+    /// A clearance that could be rounding is zero already.
+    fn gradient_rounding(&self) -> f64 {
+        0.0
+    }
+
     fn sizes(&self) -> Sizes {
         let Sizes { x, gradient } = self.0.sizes();
         Sizes { x: gradient, gradient: x }

@@ -74,6 +74,11 @@ pub trait Programme {
         1e-12
     }
 
+    /// The same for `g`, where it is known better; zero if the signs at a stationary point can be taken at their word.
+    fn gradient_rounding(&self) -> f64 {
+        self.rounding()
+    }
+
     /// Sizes with which `x` and `g` become dimensionless numbers of order one.
     fn sizes(&self) -> Sizes;
 }

@@ -13,10 +13,11 @@ use super::Foundation;
 
 impl Foundation {
     /// The growth of the slope, from the chord over the length `a` to the left of `x` to that over `b` to its right, both
-    /// positive. `a` and `b` may be rounded; they are a perturbation of places, not of depths.
+    /// positive. `a` and `b` may be rounded; they are a perturbation of places, not of depths. `ends` are the places at the
+    /// other ends of the two chords: at a step, a hair makes a difference.
     #[must_use]
     #[inline]
-    pub fn bend(&self, x: f64, a: f64, b: f64) -> f64 {
+    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
             Self::Polynomial { coefficients } => polynomial(coefficients, x, a, b),
@@ -24,9 +25,9 @@ impl Foundation {
                 let rate = 2.0 * PI / wavelength;
                 amplitude * rate * cosine(2.0 * PI * (x / wavelength) + phase, 0.5 * rate * a, 0.5 * rate * b)
             }
-            Self::Polyline { points } => kinks(points, x, a, b).unwrap_or_else(|| {
+            Self::Polyline { points } => kinks(points, x, a, b, ends).unwrap_or_else(|| {
                 let u = self.depth(x);
-                (self.depth(x + b) - u) / b - (u - self.depth(x - a)) / a
+                (self.depth(ends[1]) - u) / b - (u - self.depth(ends[0])) / a
             }),
         }
     }
@@ -70,9 +71,9 @@ fn lack(t: f64) -> f64 {
 }
 
 /// `Σ κ φ`, the kinks between the two ends with the share of a hat that is 1 at `x`; [`None`] where there is a step.
-fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64) -> Option<f64> {
+fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<f64> {
     // An end of the beam may have been rounded past the end of the polyline.
-    let (from, to) = ((x - a).max(points.first()?[0]), (x + b).min(points.last()?[0]));
+    let (from, to) = (ends[0].max(points.first()?[0]), ends[1].min(points.last()?[0]));
     let before = points.partition_point(|p| p[0] < from);
     let first = points.partition_point(|p| p[0] <= from);
     let last = points.partition_point(|p| p[0] < to);
@@ -114,7 +115,7 @@ mod tests {
             {
                 let u = |x| profile.depth(x);
                 let expected = (u(x + b) - u(x)) / b - (u(x) - u(x - a)) / a;
-                let found = profile.bend(x, a, b);
+                let found = profile.bend(x, a, b, [x - a, x + b]);
                 // Depths of up to 300 and lengths of a quarter: a thousand roundings of 10⁻¹⁶.
                 assert!(
                     (found - expected).abs() < 1e-12,
@@ -129,8 +130,8 @@ mod tests {
     fn a_short_chord_loses_nothing() {
         let (wave, step) = (Foundation::Cosine { mean: 1e6, amplitude: 1.0, wavelength: 2.0 * PI, phase: 0.0 }, 1e-7);
         // u'' = −cos x, and the next term of the second difference is smaller by the square of the step.
-        assert!((wave.bend(1.0, step, step) / (-libm::cos(1.0) * step) - 1.0).abs() < 1e-13);
+        assert!((wave.bend(1.0, step, step, [1.0 - step, 1.0 + step]) / (-libm::cos(1.0) * step) - 1.0).abs() < 1e-13);
         let dish = Foundation::Polynomial { coefficients: vec![1e6, 0.0, 0.5] };
-        assert!((dish.bend(1.0, step, 2.0 * step) / (1.5 * step) - 1.0).abs() < 1e-15);
+        assert!((dish.bend(1.0, step, 2.0 * step, [1.0 - step, 1.0 + 2.0 * step]) / (1.5 * step) - 1.0).abs() < 1e-15);
     }
 }

@@ -90,6 +90,24 @@ impl Foundation {
         }
     }
 
+    /// Magnitude of the numbers that add up to `u(x)`: what its rounding is relative to \[length\].
+    #[must_use]
+    pub fn magnitude_at(&self, x: f64) -> f64 {
+        match self {
+            Self::Flat { depth } => depth.abs(),
+            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| sum * x.abs() + c.abs()),
+            Self::Cosine { mean, amplitude, wavelength, phase } => {
+                // The angle is rounded as well.
+                let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();
+                mean.abs() + amplitude.abs() * (1.0 + angle)
+            }
+            Self::Polyline { points } => {
+                let after = points.partition_point(|p| p[0] < x).clamp(1, points.len() - 1);
+                points[after - 1][1].abs().max(points[after][1].abs())
+            }
+        }
+    }
+
     /// A bound on `|u|` over a beam of length `length` \[length\].
     #[must_use]
     pub fn magnitude(&self, length: f64) -> f64 {

@@ -45,14 +45,14 @@ struct Signs {
 
 impl Signs {
     fn at(programme: &dyn Programme, point: &Stationary) -> Self {
-        let (sizes, rounding) = (programme.sizes(), programme.rounding());
+        let sizes = programme.sizes();
         let (mut x, mut gradient) = (sizes.x, sizes.gradient);
         for (value, slope) in point.x.iter().zip(&point.gradient) {
             // Not `max`: a comparison is all that a number needs.
             x = if x < value.abs() { value.abs() } else { x };
             gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
         }
-        Self { x: -rounding * x, gradient: -rounding * gradient }
+        Self { x: -programme.rounding() * x, gradient: -programme.gradient_rounding() * gradient }
     }
 }
 
