@@ -27,6 +27,23 @@ pub(crate) const AGAIN: &str = "heinisuo-1984";
 /// Sizes of the faults for which a scene has to be solved anew.
 const FOREIGN_SIZES: [f64; 5] = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2];
 
+/// What the names of faults in exact answers begin with.
+pub(crate) const EXACT: &str = "exact: ";
+
+/// Sizes of a fault; none if it has no size.
+pub(crate) fn sizes(fault: &str) -> Vec<f64> {
+    if fault == DEEPER || fault == HEAVIER {
+        return FOREIGN_SIZES.to_vec();
+    }
+    let named = FAULTS.iter().any(|f| f.sized && f.name == fault);
+    let exact = fault.strip_prefix(EXACT).is_some_and(|name| CONTACT_FAULTS.iter().any(|f| f.sized && f.name == name));
+    if named || exact { SIZES.to_vec() } else { Vec::new() }
+}
+
+/// Answers that were not computed again.
+const DEEPER: &str = "the answer for ground so much deeper";
+const HEAVIER: &str = "the answer for so much more load";
+
 const HEADER: &str = "scene,fault,answers,refused,passed,largest_passed,off_by,bounded,unbounded,no_numbers,exceptions";
 
 /// What the judge said of one fault in the answers of one scene.
@@ -85,10 +102,7 @@ pub(crate) fn rows(name: &str, scene: &Scene, all: &[(String, Scene)]) -> Result
             let state = answer(scene, method, solver, INTERVALS)?;
             trial.faults(&sound, &state);
             for size in FOREIGN_SIZES {
-                let stale = [
-                    ("the answer for ground so much deeper", scaled_ground(scene, size)?),
-                    ("the answer for so much more load", scaled_load(scene, size)?),
-                ];
+                let stale = [(DEEPER, scaled_ground(scene, size)?), (HEAVIER, scaled_load(scene, size)?)];
                 for (fault, other) in stale {
                     trial.judge(fault, size, &sound, &answer(&other, method, solver, INTERVALS)?);
                 }
@@ -169,7 +183,7 @@ impl Trial<'_> {
                     .as_ref()
                     .map_or(f64::INFINITY, |judged| judged.certificate.deflection_error / self.truth.deflection);
                 let passed = share <= CERTIFIED_RESIDUAL;
-                let row = self.row(&format!("exact: {}", fault.name));
+                let row = self.row(&format!("{EXACT}{}", fault.name));
                 row.verdict(passed.then(|| Distance { deflection: share, ..Distance::default() }), size);
                 row.certified(judged.as_ref());
             }

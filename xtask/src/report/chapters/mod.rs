@@ -11,6 +11,7 @@ mod convergence;
 mod discrepancies;
 mod figures;
 mod front;
+mod judged;
 mod methods;
 mod problem;
 mod recommendation;
@@ -36,6 +37,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "45-regimes", evidence: regimes::evidence },
     Chapter { name: "50-agreement", evidence: agreement::evidence },
     Chapter { name: "55-bounds", evidence: bounds::evidence },
+    Chapter { name: "56-judged", evidence: judged::evidence },
     Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },

@@ -1,0 +1,48 @@
+//! Faults in the contacts of exact answers: the certificate says how far off the deflection is that they make.
+
+use palkki::certificate::CERTIFIED_RESIDUAL;
+use palkki::state::Contact;
+use palkki::trial::{CONTACT_FAULTS, SIZES, Truth};
+
+use crate::scenes::report;
+
+/// As in `bounds::sharpness`: ground of which rounding hides whether it is at the level of a support.
+const UNDECIDABLE: &str = "sill";
+
+#[test]
+fn faults_in_exact_contacts_are_bounded_truthfully() {
+    for (name, scene) in report() {
+        let truth = Truth::of(&scene).expect("theory has an answer");
+        for fault in CONTACT_FAULTS {
+            for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
+                let broken = fault.put_into(&truth.exact.state.contacts, size, scene.beam().length());
+                if let Some(judged) = broken.and_then(|broken| truth.contacts(&broken)) {
+                    assert!(judged.lies.is_empty(), "{name}: {}, {size:e}: {judged:?}", fault.name);
+                }
+            }
+        }
+    }
+}
+
+/// Places that are off by this share of the length and more are not certain to what a discrete answer is asked for.
+const REFUSED: f64 = 1e-8;
+
+#[test]
+fn places_that_are_off_are_not_certain() {
+    for (name, scene) in report() {
+        let truth = Truth::of(&scene).expect("theory has an answer");
+        let contacts = &truth.exact.state.contacts;
+        let certain = |contacts: &[Contact]| {
+            let judged = truth.contacts(contacts).expect("contacts are judged");
+            judged.certificate.deflection_error <= CERTIFIED_RESIDUAL * truth.deflection
+        };
+        assert!(certain(contacts) || name == UNDECIDABLE, "{name}: the exact answer is certain");
+        for fault in CONTACT_FAULTS.iter().filter(|fault| fault.sized) {
+            for &size in SIZES.iter().filter(|size| REFUSED <= **size) {
+                if let Some(broken) = fault.put_into(contacts, size, scene.beam().length()) {
+                    assert!(!certain(&broken), "{name}: {}, {size:e}, goes unnoticed", fault.name);
+                }
+            }
+        }
+    }
+}
