@@ -33,10 +33,11 @@ struct Values {
     rounding: usize,
     rows: Vec<ratios::Route>,
     loosest: Vec<ratios::Place>,
-    /// Ratios: how many, how many of at least [`SHARP`], and the median.
+    /// Ratios: how many, how many of at least [`SHARP`], the largest, and the median.
     ratios: usize,
     sharp: f64,
     sharp_ones: usize,
+    largest: f64,
     median: f64,
     faults: faults::Summary,
 }
@@ -66,6 +67,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         ratios: ratios.len(),
         sharp: SHARP,
         sharp_ones: ratios.iter().filter(|ratio| SHARP <= **ratio).count(),
+        largest: ratios.iter().copied().fold(0.0, f64::max),
         median: ratios::median(&mut ratios),
         faults,
     };

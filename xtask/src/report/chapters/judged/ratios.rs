@@ -21,7 +21,7 @@ pub(super) struct Route {
 struct Cell {
     count: usize,
     median: f64,
-    largest: f64,
+    smallest: f64,
 }
 
 /// One answer.
@@ -49,8 +49,8 @@ pub(super) fn routes(rows: &[Row]) -> Vec<Route> {
         let cell = |intervals: usize| {
             let on_grid = rows.iter().filter(of_route).filter(|row| row.intervals == intervals);
             let mut ratios: Vec<f64> = on_grid.filter_map(Row::ratio).collect();
-            let largest = ratios.iter().copied().fold(0.0, f64::max);
-            Cell { count: ratios.len(), median: median(&mut ratios), largest }
+            let smallest = ratios.iter().copied().fold(1.0, f64::min);
+            Cell { count: ratios.len(), median: median(&mut ratios), smallest }
         };
         Route { method: method.word(), solver: solver.word(), cells: GRIDS.map(cell).into() }
     };
