@@ -92,8 +92,13 @@ impl Programme for Complementarity<'_> {
         Ok(Stationary { x: held.clearances(&moments), gradient })
     }
 
-    /// Contact forces and clearances come out of sums in blocks and a system of condition number 3: a few dozen units.
+    /// A clearance that could be rounding is zero already.
     fn rounding(&self) -> f64 {
+        0.0
+    }
+
+    /// Contact forces come out of sums in blocks and a system of condition number 3: a few dozen units.
+    fn gradient_rounding(&self) -> f64 {
         64.0 * f64::EPSILON
     }
 

@@ -161,6 +161,7 @@ impl<'a> Continuous<'a> {
         let mut curve = Curve::default();
         let Discrete { spacing, stiffness, .. } = *self.discrete;
         let unit = spacing * spacing * spacing / stiffness;
+        // Hardly any clearance is negative by so little; for those it is worth to know how far they can be trusted.
         let small = NEAR_ZERO * self.discrete.sizes().x;
         for (i, pair) in self.supports.windows(2).enumerate() {
             let (first, last) = (pair[0], pair[1]);
@@ -178,15 +179,17 @@ impl<'a> Continuous<'a> {
             for (node, sag) in wanted.zip(sags) {
                 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
                 let chord = from + (to - from) * ((node - first) as f64 / steps);
-                let depth = self.discrete.depths[node - 1];
-                let open = (depth - chord) - sag;
-                // Hardly any clearance is negative by so little; for those it is worth to know how far they can be trusted.
-                let doubtful = || UNITS * f64::EPSILON * (self.discrete.depth_rounding(node) + bent);
-                let rounding = open < 0.0 && -small < open && -open <= doubtful();
-                clearance[node - nodes.start] = if rounding { 0.0 } else { open };
+                let open = (self.discrete.depths[node - 1] - chord) - sag;
+                let doubtful = open < 0.0 && -small < open && is_rounding(self.discrete, node, open, bent);
+                clearance[node - nodes.start] = if doubtful { 0.0 } else { open };
             }
         }
     }
+}
+
+/// Whether a clearance can be the rounding of a depth, and of what the end moments of its span bend.
+pub(super) fn is_rounding(discrete: &Discrete, node: usize, clearance: f64, bent: f64) -> bool {
+    clearance.abs() <= UNITS * f64::EPSILON * (discrete.depth_rounding(node) + bent)
 }
 
 /// Deflections below the chord of a span, one span after the other in the same memory.

@@ -122,8 +122,17 @@ impl Programme for Displacement<'_> {
         Some(part.map(|part| Stationary { x: part.clearance, gradient: part.contact_force }))
     }
 
-    /// Contact forces and clearances come out of sums in blocks and a system of condition number 3: a few dozen units.
+    fn has_neighbourhoods(&self) -> bool {
+        true
+    }
+
+    /// A clearance that could be rounding is zero already.
     fn rounding(&self) -> f64 {
+        0.0
+    }
+
+    /// Contact forces come out of sums in blocks and a system of condition number 3: a few dozen units.
+    fn gradient_rounding(&self) -> f64 {
         64.0 * f64::EPSILON
     }
 

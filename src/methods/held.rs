@@ -9,7 +9,7 @@
 //! for spans of `a` and `b` intervals, moments in `force · Δ`. Deflections are never differenced: contact forces come from
 //! moments at held nodes, and deflections from moments by summation, whatever method has found the moments.
 
-use super::{Discrete, segment::Segment, statics};
+use super::{Discrete, continuous, segment::Segment, statics};
 use crate::state::Bending;
 
 /// The held nodes, the two supports of the beam among them.
@@ -47,7 +47,8 @@ impl<'a> Held<'a> {
         bends
     }
 
-    /// Contact forces at all interior nodes, for moments at the held ones.
+    /// Contact forces at all interior nodes, for moments at the held ones. The jump of the shear force comes before the load: in
+    /// dense contact it is exact.
     pub(super) fn contact_forces(&self, moments: &[f64]) -> Vec<f64> {
         let mut forces = vec![0.0; self.discrete.interior()];
         // What the span before has left for its right end.
@@ -55,14 +56,15 @@ impl<'a> Held<'a> {
         for ((span, nodes), moments) in self.spans().zip(self.nodes.windows(2)).zip(moments.windows(2)) {
             let shear = (moments[1] - moments[0]) / span.steps;
             if 0 < nodes[0] {
-                forces[nodes[0] - 1] = before + (span.shares[0] + shear);
+                forces[nodes[0] - 1] = (before + (span.shares[0] + shear)) + self.discrete.loads[nodes[0]];
             }
-            before = (span.shares[1] - shear) + self.discrete.loads[nodes[1]];
+            before = span.shares[1] - shear;
         }
         forces
     }
 
-    /// Clearances at all interior nodes, for moments at the held ones.
+    /// Clearances at all interior nodes, for moments at the held ones; zero where they are negative by less than their own
+    /// rounding.
     pub(super) fn clearances(&self, moments: &[f64]) -> Vec<f64> {
         let Discrete { spacing, stiffness, depths, loads, .. } = self.discrete;
         let unit = spacing * spacing * (spacing / stiffness);
@@ -83,11 +85,16 @@ impl<'a> Held<'a> {
             let curvatures: Vec<f64> = moments.windows(3).map(curvature).collect();
             let mut sag = vec![0.0; steps + 1];
             statics::funicular(&curvatures, &mut sag);
+            // What the end moments bend: `M L²/EI`.
+            #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+            let bent = unit * ends[0].abs().max(ends[1].abs()) * (steps as f64 * steps as f64);
             let [from, to] = [first, last].map(|node| self.discrete.support_depth(node));
             for k in 1..steps {
                 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
                 let chord = from + (to - from) * (k as f64 / steps as f64);
-                clearance[first + k - 1] = (depths[first + k - 1] - chord) - unit * sag[k];
+                let open = (depths[first + k - 1] - chord) - unit * sag[k];
+                let doubtful = open < 0.0 && continuous::is_rounding(self.discrete, first + k, open, bent);
+                clearance[first + k - 1] = if doubtful { 0.0 } else { open };
             }
         }
         clearance

@@ -23,6 +23,7 @@ mod native;
 mod nodal;
 mod rotations;
 mod segment;
+mod spectrum;
 mod statics;
 
 pub use complementarity::Complementarity;

@@ -141,6 +141,30 @@ fn structured_solves_agree_with_dense_ones_on_any_face() {
 }
 
 #[test]
+fn condition_numbers_are_quotients_of_eigenvalues() {
+    for intervals in [2, 3, 10, 30, 60] {
+        let discrete = discrete(&example(), intervals);
+        for method in Method::ALL {
+            let expected = method.condition(intervals);
+            let eigenvalues = dense(method.programme(&discrete).as_ref()).symmetric_eigenvalues();
+            let found = eigenvalues.max() / eigenvalues.min();
+            // The least eigenvalue has lost as many digits as the condition number has.
+            let rounding = FEW_OPERATIONS * (1.0 + expected);
+            assert!((found / expected - 1.0).abs() <= rounding, "{method}, {intervals}: {found:e} and {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn condition_numbers_grow_with_the_fourth_power() {
+    for method in Method::ALL {
+        let growth = method.condition(100_000) / method.condition(10_000);
+        // λ ~ 1/N² up to (π/N)², 10⁻⁷ on the coarser grid, a few times over.
+        assert!((growth / 1e4 - 1.0).abs() <= 1e-6, "{method}: {growth}");
+    }
+}
+
+#[test]
 fn eq_33_is_the_product_with_the_matrix() {
     let mut random = Random::new(33);
     for (name, scene) in report() {

@@ -7,6 +7,7 @@
 mod agreement;
 mod bounds;
 mod claims;
+mod conditioning;
 mod convergence;
 mod discrepancies;
 mod figures;
@@ -43,6 +44,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "80-claims", evidence: claims::evidence },
     Chapter { name: "90-recommendation", evidence: recommendation::evidence },
     Chapter { name: "100-trade", evidence: trade::evidence },
+    Chapter { name: "102-conditioning", evidence: conditioning::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];
