@@ -26,4 +26,5 @@ mod scene_file;
 mod scenes;
 mod tables;
 mod theory;
+mod windows;
 mod words;
