@@ -1,5 +1,7 @@
 //! What every method, and theory, hand back: the beam in its final position, and the forces that hold it there.
 
+use std::ops::ControlFlow;
+
 /// Upward forces of the two supports \[force\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reactions {
@@ -81,7 +83,10 @@ impl Extremes {
         let values = values.into_iter();
         let (max, min) = values
             .clone()
-            .fold((f64::NEG_INFINITY, f64::INFINITY), |(max, min), (_, value)| (max.max(value), min.min(value)));
+            // Not `max` and `min`: a comparison is all that a number needs.
+            .fold((f64::NEG_INFINITY, f64::INFINITY), |(max, min), (_, value)| {
+                (if max < value { value } else { max }, if value < min { value } else { min })
+            });
         if max < min {
             return Self::default();
         }
@@ -107,20 +112,24 @@ impl Extremes {
 }
 
 /// Where a value is reached: the middle of the first stretch of neighbours that reach it, otherwise the first place.
-fn place_of(values: impl Iterator<Item = (f64, f64)>, extreme: f64, equal: f64) -> f64 {
+fn place_of(mut values: impl Iterator<Item = (f64, f64)>, extreme: f64, equal: f64) -> f64 {
     let mut first = f64::NAN;
     let mut run: Option<(f64, f64)> = None;
-    for (at, value) in values {
-        let reached = (value - extreme).abs() <= equal;
-        run = match run {
-            Some((from, _)) if reached => Some((from, at)),
-            Some((from, to)) if from < to => break,
-            _ => reached.then_some((at, at)),
-        };
-        if first.is_nan() && reached {
-            first = at;
+    // `try_for_each` and not `for`: iterators that are put together are walked part by part.
+    let _ = values.try_for_each(|(at, value)| {
+        if (value - extreme).abs() <= equal {
+            run = Some(run.map_or((at, at), |(from, _)| (from, at)));
+            if first.is_nan() {
+                first = at;
+            }
+        } else if let Some((from, to)) = run {
+            if from < to {
+                return ControlFlow::Break(());
+            }
+            run = None;
         }
-    }
+        ControlFlow::Continue(())
+    });
     match run {
         Some((from, to)) if from < to => 0.5 * (from + to),
         _ => first,

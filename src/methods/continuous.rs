@@ -66,6 +66,7 @@ fn supports(touches: &[bool], nodes: &Range<usize>) -> Vec<usize> {
         supports.push(0);
     }
     supports.reverse();
+    supports.reserve_exact(touches[nodes.start - 1..nodes.end - 1].iter().filter(|touches| **touches).count() + FAR);
     supports.extend((nodes.start..nodes.end).filter(|&node| touches[node - 1]));
     let inside = supports.len();
     supports.extend(behind(&touches[nodes.end - 1..]).map(|k| nodes.end + k).take(FAR));

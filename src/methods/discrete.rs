@@ -110,11 +110,16 @@ impl Discrete {
 
     /// By how much the slope of the polyline through three nodes, held on the foundation or by the supports of the beam,
     /// grows at the middle one.
+    #[inline]
     pub(super) fn bend(&self, left: usize, node: usize, right: usize) -> f64 {
         let Some(profile) = &self.profile else { return 0.0 };
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
         let [before, behind] = [node - left, right - node].map(|steps| self.spacing * steps as f64);
-        let mut bend = profile.bend(self.grid.place(node), before, behind, [left, right].map(|i| self.grid.place(i)));
+        let place = |i: usize| self.grid.place(i);
+        let mut bend = match profile {
+            Foundation::Flat { .. } => 0.0,
+            profile => profile.bend(place(node), before, behind, [place(left), place(right)]),
+        };
         // The supports of the beam are not on the foundation.
         if left == 0 {
             bend -= self.below_supports[0] / before;

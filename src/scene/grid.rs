@@ -1,6 +1,6 @@
 //! Equal intervals between the supports, and the loads that they put on the nodes.
 
-use super::{Load, Scene, SceneError};
+use super::{Foundation, Load, Scene, SceneError};
 
 /// `N = n + 1` equal intervals with `n` interior nodes; node `i` lies at `x_i = l i / N`, `i = 0 … N`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +58,9 @@ impl Grid {
     /// Depths `u_i` at the interior nodes; infinite where there is no foundation.
     #[must_use]
     pub fn depths(&self, scene: &Scene) -> Vec<f64> {
+        if let Some(Foundation::Flat { depth }) = scene.foundation() {
+            return vec![*depth; self.intervals - 1];
+        }
         (1..self.intervals).map(|i| scene.depth(self.place(i))).collect()
     }
 
@@ -68,12 +71,9 @@ impl Grid {
     /// `q₀Δ/2` on each support.
     #[must_use]
     pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
-        let mut forces = vec![0.0; self.intervals + 1];
         let half = 0.5 * load.uniform() * self.spacing();
-        for i in 0..self.intervals {
-            forces[i] += half;
-            forces[i + 1] += half;
-        }
+        let mut forces = vec![half + half; self.intervals + 1];
+        (forces[0], forces[self.intervals]) = (half, half);
         for part in load.linear() {
             for i in self.interval_of(part.from)..=self.interval_of(part.to) {
                 let (left, right) = (self.place(i), self.place(i + 1));

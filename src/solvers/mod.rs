@@ -56,6 +56,12 @@ pub fn active_set_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
     active_set::solve_from(programme, free).0
 }
 
+/// The same, and how many of the solves were of the whole.
+pub(crate) fn active_set_counted(programme: &dyn Programme, free: Vec<bool>) -> (Answer, usize) {
+    let (answer, cost) = active_set::solve_from(programme, free);
+    (answer, cost.whole)
+}
+
 /// A guess of the optimal face from that of a coarser problem, and the number of solves that it took; nothing is verified.
 #[must_use]
 pub fn guess_from(programme: &dyn Programme, free: Vec<bool>) -> (Vec<bool>, usize) {

@@ -27,4 +27,5 @@ mod scene_file;
 mod scenes;
 mod tables;
 mod theory;
+mod windows;
 mod words;

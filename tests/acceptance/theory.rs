@@ -2,5 +2,5 @@
 
 mod borders;
 mod closed;
-mod random;
+pub(crate) mod random;
 mod statics;
