@@ -1,5 +1,6 @@
 //! The solvers, their settings, the judge, and where a solver's own word and the judge disagree.
 
+mod corpus;
 mod word;
 
 use palkki::DEFAULT_TOLERANCE;
@@ -19,6 +20,7 @@ struct Values {
     threshold: String,
     asked: String,
     word: word::Values,
+    corpus: corpus::Values,
 }
 
 #[derive(Debug, Serialize)]
@@ -36,6 +38,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         threshold: exactly_a_power(CERTIFIED_RESIDUAL),
         asked: exactly_a_power(DEFAULT_TOLERANCE),
         word,
+        corpus: corpus::evidence()?,
     };
     Ok(Evidence::new(values).data("own-word", table))
 }

@@ -2,6 +2,7 @@
 
 mod asked;
 mod cost;
+mod elsewhere;
 mod left_out;
 mod lines;
 mod needs;
@@ -47,6 +48,7 @@ struct Values {
     repairs: Vec<repair::Row>,
     needs: Vec<needs::Scene>,
     survey: Option<needs::Survey>,
+    elsewhere: Vec<elsewhere::Scene>,
     exponents: Vec<cost::Exponent>,
     precision: Vec<String>,
     cost_drawn: bool,
@@ -106,6 +108,7 @@ fn of(store: &Store) -> Result<Evidence, Cause> {
         repairs: repair::of(store),
         needs: needs::of(store),
         survey: needs::survey(store),
+        elsewhere: elsewhere::of(store),
         exponents,
         precision,
         cost_drawn,

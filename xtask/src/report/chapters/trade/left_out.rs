@@ -60,14 +60,18 @@ pub(super) fn of(store: &Store) -> Values {
 
 fn planned() -> Vec<Planned> {
     let plan = all();
-    let finest = |solver: Solver, on_example: bool| {
-        let scenes = plan.iter().filter(|(scene, _)| (*scene == EXAMPLE) == on_example);
-        let jobs = scenes.flat_map(|(_, jobs)| jobs);
-        jobs.filter(|job| matches!(job.route, Route::Solver(_, s) if s == solver)).map(|job| job.intervals).max()
+    let finest = |of: &dyn Fn(Route) -> bool| {
+        let finest = |on_example: bool| {
+            let scenes = plan.iter().filter(|(scene, _)| (*scene == EXAMPLE) == on_example);
+            scenes.flat_map(|(_, jobs)| jobs).filter(|job| of(job.route)).map(|job| job.intervals).max()
+        };
+        Some([finest(true)?, finest(false)?])
     };
-    let planned = |solver: Solver| {
-        let finest = [finest(solver, true)?, finest(solver, false)?];
-        Some(Planned { solver: solver.word(), finest })
-    };
-    Solver::ALL.into_iter().filter_map(planned).collect()
+    let solvers = Solver::ALL.map(|solver| {
+        let of = move |route: Route| matches!(route, Route::Solver(_, s) if s == solver);
+        (solver.word(), finest(&of))
+    });
+    let optimum = ("proven optimum", finest(&|route| matches!(route, Route::Optimum(_))));
+    let rows = solvers.into_iter().chain([optimum]);
+    rows.filter_map(|(solver, finest)| Some(Planned { solver, finest: finest? })).collect()
 }
