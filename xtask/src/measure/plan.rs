@@ -106,7 +106,7 @@ fn jobs(tolerances: &[f64], all: bool) -> Vec<Job> {
     for method in Method::ALL {
         // Over the kinks of the survey our own active set takes a number of steps that grows with the grid: minutes from here.
         series(Route::Solver(method, Solver::ActiveSet), 0.0, if all { 1_000_000 } else { 100_000 });
-        series(Route::Solver(method, Solver::FourStep), 0.0, if all { 10_000 } else { 3000 });
+        series(Route::Solver(method, Solver::FourStep), 0.0, if all { 10_000 } else { 1000 });
         for &tolerance in tolerances {
             series(Route::Solver(method, Solver::Nsor), tolerance, 300);
             // Interior-point iterations are as many on fine grids: two tolerances are enough to know the price of the finest.

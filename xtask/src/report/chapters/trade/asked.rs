@@ -72,6 +72,23 @@ pub(super) fn million(lines: &Lines<'_>) -> Option<Million> {
     })
 }
 
+/// Errors of our route against exact arithmetic.
+#[derive(Debug, Serialize)]
+pub(super) struct Exactness {
+    interior: usize,
+    /// The largest of the four observables.
+    error: Asked,
+}
+
+/// On the two grids that are asked for.
+pub(super) fn exactness(lines: &Lines<'_>) -> Vec<Exactness> {
+    let on = |(intervals, limit): (usize, f64)| {
+        let line = lines.find(OURS, intervals, "0e0")?;
+        Some(Exactness { interior: intervals - 1, error: Asked::at_most(limit, worst(line, &SOLVER)?) })
+    };
+    [(30, 1e-14), (10_000, 1e-11)].into_iter().filter_map(on).collect()
+}
+
 /// Interior-point peers on the finest grid on which one of them ends.
 #[derive(Debug, Serialize)]
 pub(super) struct Interior {

@@ -30,7 +30,27 @@ pub(super) struct Values {
     sharp: usize,
     /// Where it falls short.
     slow: Vec<Short>,
-    blunt: Vec<Short>,
+    blunt: usize,
+    /// Observable by observable, grid by grid.
+    accuracy: Vec<Accuracy>,
+}
+
+/// How many times less accurate the libraries are in one observable.
+#[derive(Debug, Serialize)]
+struct Accuracy {
+    observable: &'static str,
+    /// On the required grids that were measured.
+    cells: Vec<Spread>,
+}
+
+/// Comparisons on one grid.
+#[derive(Debug, Serialize, Default)]
+struct Spread {
+    intervals: usize,
+    sharp: usize,
+    compared: usize,
+    /// The least of the factors.
+    least: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -64,7 +84,6 @@ struct Row {
 struct Short {
     intervals: usize,
     route: String,
-    what: &'static str,
     factor: f64,
 }
 
@@ -80,33 +99,44 @@ pub(super) fn of(lines: &Lines<'_>) -> Values {
         observed: 0,
         sharp: 0,
         slow: Vec::new(),
-        blunt: Vec::new(),
+        blunt: 0,
+        accuracy: Vec::new(),
     };
-    for grid in values.grids.iter().filter(|grid| REQUIRED.contains(&grid.intervals)) {
+    let required = || values.grids.iter().filter(|grid| REQUIRED.contains(&grid.intervals));
+    for grid in required() {
         for row in &grid.rows {
-            let (intervals, route) = (grid.intervals, format!("{}/{}", row.method, row.solver));
             values.compared += 1;
             if FASTER <= row.times {
                 values.fast += 1;
             } else {
-                values.slow.push(Short { intervals, route: route.clone(), what: "time", factor: row.times });
-            }
-            for ((what, theirs), ours) in OBSERVABLES.into_iter().zip(&row.errors).zip(&grid.errors) {
-                let Some(factor) = theirs.zip(*ours).map(|(theirs, ours)| ratio(theirs, ours)) else { continue };
-                // What both have to the last digit cannot be told apart.
-                if theirs.is_some_and(|theirs| theirs <= 2.0 * ROUNDING) {
-                    continue;
-                }
-                values.observed += 1;
-                if SHARPER <= factor {
-                    values.sharp += 1;
-                } else {
-                    values.blunt.push(Short { intervals, route: route.clone(), what, factor });
-                }
+                let (intervals, route) = (grid.intervals, format!("{}/{}", row.method, row.solver));
+                values.slow.push(Short { intervals, route, factor: row.times });
             }
         }
     }
+    for (i, observable) in OBSERVABLES.into_iter().enumerate() {
+        let cells: Vec<Spread> = required().map(|grid| spread(grid, i)).collect();
+        values.accuracy.push(Accuracy { observable, cells });
+    }
+    let cells = || values.accuracy.iter().flat_map(|row| &row.cells);
+    values.observed = cells().map(|cell| cell.compared).sum();
+    values.sharp = cells().map(|cell| cell.sharp).sum();
+    values.blunt = values.observed - values.sharp;
     values
+}
+
+/// The libraries on one grid, in one observable. What a library has to the last digit cannot be told apart.
+fn spread(grid: &Grid, observable: usize) -> Spread {
+    let ours = grid.errors.get(observable).copied().flatten();
+    let theirs = grid.rows.iter().filter_map(|row| row.errors.get(observable).copied().flatten());
+    let told_apart = theirs.filter(|theirs| 2.0 * ROUNDING < *theirs);
+    let factors: Vec<f64> = told_apart.filter_map(|theirs| Some(ratio(theirs, ours?))).collect();
+    Spread {
+        intervals: grid.intervals,
+        sharp: factors.iter().filter(|factor| SHARPER <= **factor).count(),
+        compared: factors.len(),
+        least: factors.into_iter().min_by(f64::total_cmp),
+    }
 }
 
 const OBSERVABLES: [&str; 4] = ["end reaction", "contact", "deflection", "energy"];

@@ -27,6 +27,10 @@ pub(super) struct Row {
     share: Option<f64>,
     /// Whether our judge changed its mind for the better.
     repaired: bool,
+    /// Or for the worse.
+    spoiled: bool,
+    /// Whether there was nothing to change.
+    kept: bool,
 }
 
 /// Every repair that was measured, scene by scene.
@@ -43,6 +47,7 @@ pub(super) fn of(store: &Store) -> Vec<Row> {
                     continue;
                 }
                 let added = after.number("added_s");
+                let certified = [before, after].map(|line| line.field("status") == Some("certified"));
                 rows.push(Row {
                     scene,
                     library,
@@ -54,7 +59,9 @@ pub(super) fn of(store: &Store) -> Vec<Row> {
                     error: [worst(before, &SOLVER), worst(after, &SOLVER)],
                     added: added.map(|seconds| 1e6 * seconds),
                     share: added.zip(before.seconds()).map(|(added, seconds)| added / seconds),
-                    repaired: before.field("status") != Some("certified") && after.field("status") == Some("certified"),
+                    repaired: certified == [false, true],
+                    spoiled: certified == [true, false],
+                    kept: certified == [true, true],
                 });
             }
         }
