@@ -12,18 +12,22 @@ pub(super) struct Asked {
     limit: f64,
     found: f64,
     pub(super) met: bool,
-    /// By how much it is met or missed, a factor of at least 1.
-    pub(super) factor: f64,
+    /// By how much it is met or missed, a factor of at least 1; none for nothing.
+    pub(super) factor: Option<f64>,
 }
 
 impl Asked {
     pub(super) fn at_most(limit: f64, found: f64) -> Self {
-        Self { limit, found, met: found <= limit, factor: (found / limit).max(limit / found) }
+        Self { limit, found, met: found <= limit, factor: factor(found, limit) }
     }
 
     pub(super) fn at_least(limit: f64, found: f64) -> Self {
-        Self { limit, found, met: limit <= found, factor: (found / limit).max(limit / found) }
+        Self { limit, found, met: limit <= found, factor: factor(found, limit) }
     }
+}
+
+fn factor(found: f64, limit: f64) -> Option<f64> {
+    Some((found / limit).max(limit / found)).filter(|factor| factor.is_finite())
 }
 
 /// The finest grid.

@@ -93,5 +93,8 @@ pub(super) fn survey(store: &Store) -> Option<Survey> {
     let (error_with, error_without) = (error(pair[0])?, error(pair[1])?);
     let (with, without) = (intervals(pair[0]), intervals(pair[1]));
     let [a, b] = [pair[0], pair[1]].map(super::lines::place);
+    if error_with <= 0.0 {
+        return None;
+    }
     Some(Survey { with, error_with, without, error_without, worse: error_without / error_with, finer: b / a })
 }

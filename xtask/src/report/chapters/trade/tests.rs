@@ -71,5 +71,7 @@ fn requirements_are_judged() {
 #[test]
 fn a_requirement_is_met_or_not() {
     let [a, b] = [Asked::at_most(5.0, 4.0), Asked::at_least(30.0, 15.0)];
-    assert!(a.met && !b.met && (a.factor - 1.25).abs() < 1e-15 && (b.factor - 2.0).abs() < 1e-15, "{a:?} {b:?}");
+    assert_eq!((a.met, a.factor, b.met, b.factor), (true, Some(1.25), false, Some(2.0)), "5/4 and 2 are exact");
+    let nothing = Asked::at_most(1e-14, 0.0);
+    assert_eq!((nothing.met, nothing.factor), (true, None), "no factor, but met");
 }
