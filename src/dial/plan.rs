@@ -171,9 +171,9 @@ impl Plan {
 
     /// A solver that had to be asked more strictly, and was better for it, is asked like that from now on.
     fn tolerance(&self, tries: &[Try], last: &Try) -> f64 {
-        let first = tries.iter().find(|t| t.intervals == last.intervals);
-        let helped = first.is_some_and(|first| last.error < 0.5 * first.error || self.demand.residual < first.residual);
-        if helped { last.tolerance } else { self.loose }
+        let first = tries.iter().find(|t| t.intervals == last.intervals).unwrap_or(last);
+        let helped = last.error < 0.5 * first.error || self.demand.residual < first.residual;
+        if helped || first.tolerance < self.loose { last.tolerance } else { self.loose }
     }
 }
 
