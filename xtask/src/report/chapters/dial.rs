@@ -22,9 +22,12 @@ const DEMANDED: [i32; 8] = [-1, -2, -3, -4, -5, -6, -7, -8];
 /// Powers of ten that are demanded in every scene of the gallery.
 const EVERYWHERE: [i32; 3] = [-2, -4, -6];
 
+/// At most so many intervals there: a second for all scenes.
+const EVERYWHERE_INTERVALS: usize = 20_000;
+
 /// Routes of the figure, and the finest grid that each may try here: a report is made within seconds.
 const ROUTES: [(Method, Solver, usize); 5] = [
-    (Method::Force, Solver::ActiveSet, 1_000_000),
+    (Method::Force, Solver::ActiveSet, 50_000),
     (Method::Complementarity, Solver::ActiveSet, 20_000),
     (Method::Force, Solver::Clarabel, 3_000),
     (Method::Displacement, Solver::Osqp, 250),
@@ -43,6 +46,8 @@ struct Values {
     /// The largest part of the work that went into grids before the last one, of our own route on the example.
     before: f64,
     routes: Vec<Limits>,
+    /// Finest grid that is tried in every scene.
+    finest: usize,
 }
 
 /// One turn of the dial.
@@ -121,6 +126,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         rows: runs.iter().filter(ours).cloned().collect(),
         demanded: EVERYWHERE.map(power).to_vec(),
         everywhere,
+        finest: EVERYWHERE_INTERVALS,
     };
     let everywhere = values.everywhere.iter().flat_map(|row| {
         row.cells.iter().zip(EVERYWHERE).map(|(cell, exponent)| {
@@ -172,14 +178,16 @@ fn ended(end: End) -> String {
 fn truth(dialled: &Dialled, exact: &Exact) -> Result<f64, Cause> {
     let nodes = dialled.outcome.state.nodes.as_ref().ok_or("a discretised state has nodes")?;
     let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
-    let largest = exact.state.deflection.max.max(-exact.state.deflection.min);
+    // The same size as that of the certified error.
+    let deflection = dialled.outcome.state.deflection;
+    let largest = deflection.max.max(-deflection.min);
     Ok(apart.fold(0.0, f64::max) / largest)
 }
 
 fn everywhere(scene: &Scene) -> Result<Everywhere, Cause> {
     let cell = |exponent: i32| -> Result<Cell, Cause> {
         let request = Request {
-            most_intervals: 100_000,
+            most_intervals: EVERYWHERE_INTERVALS,
             ..Request::new(Method::Force, Solver::ActiveSet, 10_f64.powi(exponent))
         };
         let dialled = dial(scene, &request)?;

@@ -1,11 +1,9 @@
 //! Forces that somebody brought: springs, libraries, the paper. What `palkki certify` says about them.
 
-use nalgebra::{DMatrix, DVector};
 use palkki::certificate::bounds::{Violation, ViolationKind, violations};
 use palkki::certificate::{ACCEPTED_ERROR, ContactLoad, Judged, certify};
-use palkki::methods::{Discrete, Method};
+use palkki::methods::Method;
 use palkki::paper::{example, figure_4, figure_7, theory};
-use palkki::problem::Dense;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
@@ -22,12 +20,11 @@ use crate::report::study::Study;
 pub(super) const SPACED: usize = 60;
 /// Stiffness of a spring over that of the beam, powers of ten.
 const STIFFNESSES: [i32; 7] = [0, 1, 2, 3, 4, 6, 8];
-/// Unknowns of the dense displacement form that a library is given, and the tolerance it is asked for: it becomes a gap and a
-/// feasibility of 10⁻⁸, the default of the library.
-const DENSE: usize = 400;
-const DEFAULT_OF_THE_LIBRARY: f64 = 1e-3;
-/// A run of the other library, stopped early: intervals and absolute residual.
-const EARLY: (usize, f64) = (256, 1e-3);
+/// Runs of libraries that were stopped early: method, solver, tolerance. For clarabel it becomes a gap of 10⁻⁷.
+const EARLY: [(Method, Solver, f64); 2] =
+    [(Method::Displacement, Solver::Clarabel, 1e-2), (Method::Force, Solver::Osqp, 1e-3)];
+/// Their intervals.
+const EARLY_INTERVALS: usize = 256;
 
 /// What is said about some forces.
 #[derive(Debug, Clone, Serialize)]
@@ -61,21 +58,17 @@ pub(super) fn of_springs() -> Result<Vec<(i32, Row)>, Cause> {
     STIFFNESSES.iter().map(row).collect()
 }
 
-/// Libraries at a setting at which they say that they solved the problem.
+/// Libraries at a setting at which they say that they solved the problem, on the cosine wave.
 pub(super) fn of_libraries(study: &Study<'_>) -> Result<Vec<Row>, Cause> {
-    let scene = example()?;
-    let (says, forces) = dense_displacement(&scene)?;
-    let who = format!("clarabel, dense displacement form, {} intervals", DENSE + 1);
-    let dense = judged(&scene, who, &says, forces, true)?;
-
     let wave = scenes::read(study.root, "wave")?;
-    let (intervals, tolerance) = EARLY;
-    let settings = Settings { tolerance, ..Settings::new(Method::Force, Solver::Osqp, intervals) };
-    let outcome = solve(&wave, &settings)?;
-    let forces = of_nodes(&outcome.state.nodes.unwrap_or_default());
-    let who = format!("osqp, force method, {intervals} intervals, loose settings, cosine wave");
-    let early = judged(&wave, who, &outcome.solver_status, forces, false)?;
-    Ok(vec![dense, early])
+    let row = |&(method, solver, tolerance): &(Method, Solver, f64)| {
+        let settings = Settings { tolerance, ..Settings::new(method, solver, EARLY_INTERVALS) };
+        let outcome = solve(&wave, &settings)?;
+        let forces = of_nodes(&outcome.state.nodes.unwrap_or_default());
+        let who = format!("{solver}, {method} method, {EARLY_INTERVALS} intervals, cosine wave");
+        judged(&wave, who, &outcome.solver_status, forces, false)
+    };
+    EARLY.iter().map(row).collect()
 }
 
 /// The paper's own.
@@ -91,25 +84,6 @@ pub(super) fn of_the_paper() -> Result<Vec<Row>, Cause> {
 
 fn of_nodes(nodes: &Nodes) -> Vec<(f64, f64)> {
     nodes.x.iter().copied().zip(nodes.contact_force.iter().copied()).collect()
-}
-
-/// The displacement method with its matrix written out, as the library gets it from whoever has no better form; its own word,
-/// and the contact forces, which are the multipliers.
-fn dense_displacement(scene: &Scene) -> Result<(String, Vec<(f64, f64)>), Cause> {
-    let scaled = scene.scaled()?;
-    let discrete = Discrete::new(&scaled.scene, DENSE + 1)?;
-    let programme = Method::Displacement.programme(&discrete);
-    let matrix = programme.matrix();
-    let dense = Dense {
-        matrix: DMatrix::from_fn(DENSE, DENSE, |i, j| matrix.entry(i, j)),
-        linear: DVector::from_vec(programme.linear()),
-        sizes: programme.sizes(),
-    };
-    let answer = Solver::Clarabel.run(&dense, DEFAULT_OF_THE_LIBRARY);
-    let scale = &scaled.scale;
-    let place = |i: usize| discrete.grid.place(i + 1) * scale.length;
-    let forces = answer.gradient.iter().enumerate().map(|(i, force)| (place(i), force * scale.force));
-    Ok((answer.words, forces.collect()))
 }
 
 /// What `palkki certify` says. For the example, which is symmetrical, the end reaction is half of what the forces leave.

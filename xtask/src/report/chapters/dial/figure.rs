@@ -28,7 +28,7 @@ pub(super) fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
         "The dial: what is demanded, what is certified, what is true, and what it takes",
         "Two scenes, two panels each. On the left the certified errors of all routes and the true errors over the error that is \
          demanded: all lie below the diagonal. On the right the work, iterations times unknowns, over the error that is demanded: \
-         that of the active set is least.",
+         it grows as the error becomes smaller, and each line ends where its route does.",
         panels,
     );
     Ok((Figure { columns: 2, ..figure }.svg()?, csv(&header, rows)))
