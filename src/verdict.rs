@@ -17,7 +17,9 @@
 //!
 //! [`Outcome::status`] is the first row alone: the verdict on the discrete problem.
 
-use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify, certify_contacts};
+use crate::certificate::{
+    ACCEPTED_ERROR, CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify, certify_contacts,
+};
 use crate::route::{Outcome, Status};
 use crate::scene::Scene;
 use crate::state::ContactState;
@@ -172,6 +174,13 @@ pub fn certificate(scene: &Scene, state: &ContactState) -> Option<Certificate> {
         }
         None => certify_contacts(scene, &state.contacts).ok(),
     }
+}
+
+/// Whether forces from somebody who says nothing of a grid are accepted: their certificate is one, and the deflection that they
+/// cause is certain to [`ACCEPTED_ERROR`] of its largest value.
+#[must_use]
+pub fn accepts(certificate: &Certificate) -> bool {
+    flaw(certificate).is_none() && certificate.deflection_error <= ACCEPTED_ERROR * certificate.deflection
 }
 
 /// What is wrong with a certificate itself.

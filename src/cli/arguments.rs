@@ -39,6 +39,7 @@ Exit codes:
 const SOLVE_EXAMPLES: &str = "\
 Examples:
   palkki solve report/scenes/heinisuo-1984.toml --method force
+  palkki solve report/scenes/ridge.toml --method force --tolerance 1e-4
   palkki solve scene.toml --method displacement --solver clarabel --intervals 200 --format json
   palkki solve scene.toml --method force --csv nodes.csv --plot beam.svg";
 
@@ -56,7 +57,11 @@ pub(super) enum Command {
     /// Without --method the answer is that of beam theory, with lift-off points that are found and not placed on a grid.
     /// The three methods of the paper cut the beam into equal intervals and hand a quadratic programme to a solver. Whoever
     /// solved it, the answer is checked by the same judge, who looks at the scene and the answer alone; the solver's own
-    /// opinion of itself is printed beside the verdict and does not count.
+    /// opinion of itself is printed beside the verdict and does not count. An answer is certified if it solves its own problem
+    /// and its forces prove bounds for the continuous beam; the error of its deflection is at most the one that is printed.
+    ///
+    /// How large that error may be can be asked for: --tolerance without --intervals is a dial, which chooses the grid and
+    /// prints what it took.
     #[command(after_help = SOLVE_EXAMPLES)]
     Solve(Solve),
     /// Solve a scene by every method with every solver, and set the answers side by side.
@@ -94,10 +99,17 @@ pub(super) struct Solve {
     /// Who solves the programme of a discretised method [default: active-set]
     #[arg(long, value_name = "SOLVER", value_enum)]
     pub(super) solver: Option<SolverArgument>,
-    /// Equal intervals of a discretised method, at least 2 [default: 30]
+    /// Equal intervals of a discretised method, at least 2 [default: 30, or as many as --tolerance takes]
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals)]
     pub(super) intervals: Option<usize>,
-    /// Scaled residual at which an iterative solver may stop; the check is not loosened by it [default: 1e-10]
+    /// Guaranteed error of the deflection, as a share of the largest deflection
+    ///
+    /// A discretised method refines its grid until the certified error is at most EPS, with as little work as it can, and says
+    /// which grids it tried; if that cannot be reached, the best answer is printed and the exit code is 1. With beam theory the
+    /// certified error has to be at most EPS.
+    ///
+    /// Together with --intervals the grid is fixed, and EPS is the scaled residual at which an iterative solver may stop; the
+    /// check is not loosened by it [default: 1e-10].
     #[arg(long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance)]
     pub(super) tolerance: Option<f64>,
     /// Print the nodes: in a table always, in JSON also those of more than 10000 intervals

@@ -1,9 +1,10 @@
 //! `certify`: how good are contact forces that somebody else computed?
 
 use palkki::certificate::bounds::{Violation, violations};
-use palkki::certificate::{ACCEPTED_ERROR, Certificate, ContactLoad, Judged, certify};
+use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
+use palkki::verdict::accepts;
 use std::path::Path;
 
 use super::failure::Failure;
@@ -35,9 +36,8 @@ impl Judgement {
         Ok(Self { load, certificate, violations })
     }
 
-    /// Certified if the deflection that the forces cause is certain to [`ACCEPTED_ERROR`] of its largest value.
+    /// Certified if the deflection that the forces cause is certain enough, see [`accepts`].
     pub(super) fn status(&self) -> Status {
-        let Certificate { deflection_error, deflection, .. } = self.certificate;
-        if deflection_error <= ACCEPTED_ERROR * deflection { Status::Certified } else { Status::NotCertified }
+        if accepts(&self.certificate) { Status::Certified } else { Status::NotCertified }
     }
 }

@@ -12,11 +12,14 @@ mod csv;
 mod exact;
 mod failure;
 mod given;
+mod grids;
 mod input;
 mod json;
+mod labels;
 mod number;
 mod output;
 mod sampled;
+mod table;
 mod text;
 
 use std::process::ExitCode;

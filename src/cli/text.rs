@@ -1,22 +1,19 @@
 //! Answers as tables for a person.
 
-use std::fmt::Write as _;
-
 use palkki::certificate::Certificate;
 use palkki::certificate::bounds::ViolationKind;
 use palkki::route::Status;
-use palkki::scene::Units;
 use palkki::state::{Contact, Extremes, Nodes};
 
-use super::answer::{Answer, Search};
+use super::answer::Answer;
 use super::certify::Judgement;
 use super::compare::{Comparison, Difference};
 use super::given::given;
+use super::grids::grids;
 use super::input::Input;
+use super::labels::Labels;
 use super::number::{at_least, at_most, magnitude, magnitude_at_most, result};
-
-/// Cells of a table; the first column is set flush left, the others flush right, except where they hold words.
-type Row = Vec<String>;
+use super::table::{Row, list, table};
 
 pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     let labels = Labels::of(input.scene.units());
@@ -62,42 +59,6 @@ fn how(answer: &Answer) -> String {
         ("iterations", answer.iterations.to_string()),
         ("seconds", magnitude(answer.seconds)),
     ])
-}
-
-/// What it took to find the grid.
-fn grids(answer: &Answer, search: &Search) -> String {
-    let rows: Vec<Row> = search
-        .tries
-        .iter()
-        .map(|(t, seconds)| {
-            vec![
-                t.intervals.to_string(),
-                magnitude(t.tolerance),
-                t.iterations.to_string(),
-                magnitude(t.residual),
-                magnitude_at_most(t.error),
-                magnitude(*seconds),
-            ]
-        })
-        .collect();
-    let header = ["intervals", "solver asked for", "iterations", "residual", "error, relative", "seconds"];
-    let mut text = table("Grids tried", &header, &rows);
-    // Writing to a string does not fail.
-    let _ = writeln!(
-        text,
-        "\n  demanded  a guaranteed error of the deflection of at most {} of its largest value\n  {:8}  {}, {}\n  seconds   {} in \
-         all, bounds included",
-        magnitude(search.demanded),
-        "end",
-        search.end,
-        match answer.error {
-            error if error.is_finite() =>
-                format!("with {} on {} intervals", magnitude_at_most(error), answer.intervals.unwrap_or(0)),
-            _ => "with no bound on the error".to_owned(),
-        },
-        magnitude(search.seconds),
-    );
-    text
 }
 
 fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
@@ -280,72 +241,4 @@ fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let error = magnitude_at_most(certificate.deflection_error);
     rows.push(vec![labels.length("error of the deflection"), String::new(), error]);
     table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows)
-}
-
-/// Names of quantities with the labels of their units.
-struct Labels {
-    length: Option<String>,
-    force: Option<String>,
-}
-
-impl Labels {
-    fn of(units: &Units) -> Self {
-        Self { length: units.length.clone(), force: units.force.clone() }
-    }
-
-    fn length(&self, name: &str) -> String {
-        with_unit(name, self.length.clone())
-    }
-
-    fn force(&self, name: &str) -> String {
-        with_unit(name, self.force.clone())
-    }
-
-    fn stiffness(&self, name: &str) -> String {
-        let unit = self.force.as_ref().zip(self.length.as_ref()).map(|(force, length)| format!("{force}/{length}"));
-        with_unit(name, unit)
-    }
-
-    fn moment(&self, name: &str) -> String {
-        let unit = self.force.as_ref().zip(self.length.as_ref()).map(|(force, length)| format!("{force} {length}"));
-        with_unit(name, unit)
-    }
-}
-
-fn with_unit(name: &str, unit: Option<String>) -> String {
-    unit.map_or_else(|| name.to_owned(), |unit| format!("{name} [{unit}]"))
-}
-
-fn list(lines: &[(&str, String)]) -> String {
-    let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    lines.iter().fold(String::new(), |mut text, (name, value)| {
-        // Writing to a string does not fail.
-        let _ = writeln!(text, "  {name:width$}  {value}");
-        text
-    })
-}
-
-/// A table with a title: words flush left, numbers flush right.
-fn table(title: &str, header: &[&str], rows: &[Row]) -> String {
-    let header: Row = header.iter().map(|&cell| cell.to_owned()).collect();
-    let lines = || std::iter::once(&header).chain(rows);
-    let widths: Vec<usize> = (0..header.len())
-        .map(|column| lines().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0))
-        .collect();
-    let words: Vec<bool> = (0..header.len())
-        .map(|column| {
-            rows.iter().all(|row| row.get(column).is_none_or(|cell| !cell.contains(|c: char| c.is_ascii_digit())))
-        })
-        .collect();
-    let mut text = format!("\n{title}\n");
-    for row in lines() {
-        let mut line = String::from("  ");
-        for ((cell, &width), &words) in row.iter().zip(&widths).zip(&words) {
-            let padding = " ".repeat(width - cell.chars().count());
-            line += &if words { format!("{cell}{padding}  ") } else { format!("{padding}{cell}  ") };
-        }
-        text += line.trim_end();
-        text.push('\n');
-    }
-    text
 }

@@ -125,7 +125,7 @@ impl Plan {
     /// The grid that the errors so far predict, at most a step away.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number far below 2⁵³")]
     fn predicted(&self, tries: &[Try], last: &Try) -> usize {
-        let aligned = |t: &&Try| (t.intervals % self.common == 0) == (last.intervals % self.common == 0);
+        let aligned = |t: &&Try| t.intervals.is_multiple_of(self.common) == last.intervals.is_multiple_of(self.common);
         let mut known: Vec<&Try> = Vec::new();
         for t in tries.iter().rev().filter(aligned) {
             // Of several tries on one grid the last is the best.
@@ -171,9 +171,9 @@ impl Plan {
 
     /// A solver that had to be asked more strictly, and was better for it, is asked like that from now on.
     fn tolerance(&self, tries: &[Try], last: &Try) -> f64 {
-        let first = tries.iter().find(|t| t.intervals == last.intervals);
-        let helped = first.is_some_and(|first| last.error < 0.5 * first.error || self.demand.residual < first.residual);
-        if helped { last.tolerance } else { self.loose }
+        let first = tries.iter().find(|t| t.intervals == last.intervals).unwrap_or(last);
+        let helped = last.error < 0.5 * first.error || self.demand.residual < first.residual;
+        if helped || first.tolerance < self.loose { last.tolerance } else { self.loose }
     }
 }
 
@@ -190,4 +190,76 @@ fn stalled(tries: &[Try]) -> bool {
     let before = least(&mut tries.iter().filter(old));
     let since = least(&mut tries.iter().filter(|t| !old(t)));
     tries.iter().any(|t| old(&t)) && 0.5 * before <= since
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::example;
+    use crate::route::Method;
+
+    fn plan(error: f64) -> Plan {
+        let scene = example().expect("the example is well posed");
+        Plan::new(&scene, &Request::new(Method::Force, Solver::ActiveSet, error))
+    }
+
+    /// A grid on which the error is `law(N)`.
+    fn tried(plan: &Plan, (intervals, tolerance): (usize, f64), law: impl Fn(f64) -> f64) -> Try {
+        let error = law(as_number(intervals));
+        let refusal = (plan.error < error).then_some(Refusal::Error { share: error, most: plan.error });
+        let (residual, pattern_proven, claims_success) = (0.0, true, true);
+        Try {
+            intervals,
+            tolerance,
+            unknowns: 0,
+            iterations: 0,
+            residual,
+            error,
+            pattern_proven,
+            claims_success,
+            refusal,
+        }
+    }
+
+    /// The grids for a law, and how it ended.
+    fn search(error: f64, law: impl Fn(f64) -> f64) -> (Vec<usize>, End) {
+        let plan = plan(error);
+        let mut tries = vec![tried(&plan, plan.start(), &law)];
+        loop {
+            match plan.next(&tries) {
+                Next::Solve { intervals, tolerance } => tries.push(tried(&plan, (intervals, tolerance), &law)),
+                Next::End(end) => return (tries.iter().map(|t| t.intervals).collect(), end),
+            }
+        }
+    }
+
+    #[test]
+    fn a_power_law_is_followed_without_waste() {
+        // The first step believes in the second order; with a higher one it goes too far.
+        for order in [1.0, ORDER] {
+            for error in [1e-2, 1e-3, 1e-4] {
+                let (grids, end) = search(error, |n| libm::pow(n, -order));
+                let (needed, last) = (libm::pow(error, -1.0 / order), as_number(*grids.last().expect("a grid")));
+                assert_eq!(end, End::Reached, "{grids:?}");
+                // The margin, a step that is no smaller than the least, rounding up to a grid that fits, or the first grid.
+                let most = (MARGIN * LEAST_STEP * NEAR * needed + 2.0).max(as_number(START));
+                assert!(needed <= last && last <= most, "order {order}, {error}: {needed} of {grids:?}");
+                assert!(grids.iter().sum::<usize>() <= 3 * grids[grids.len() - 1], "{grids:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_floor_is_seen() {
+        let (grids, end) = search(1e-12, |n| libm::pow(n, -2.0).max(1e-4));
+        assert!(matches!(end, End::Stalled { intervals } if intervals <= 100_000), "{grids:?}");
+        let (grids, end) = search(1e-3, |_| f64::INFINITY);
+        assert!(matches!(end, End::Stalled { .. }), "nothing can be proven: {grids:?}");
+    }
+
+    #[test]
+    fn the_finest_grid_is_the_last() {
+        let (grids, end) = search(1e-12, |n| 1.0 / n);
+        assert!(matches!(end, End::Limit { intervals } if 900_000 < intervals && intervals <= 1_000_000), "{grids:?}");
+    }
 }

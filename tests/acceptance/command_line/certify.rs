@@ -63,16 +63,51 @@ fn no_forces_are_a_question_too() {
     assert_eq!(code, Some(1), "a beam on the ground has");
 }
 
+/// Forces in any order, twice at a place, or far too large are forces: they are bounded, not believed.
+#[test]
+fn strange_forces_are_bounded() {
+    let folder = Folder::new("certify_strange");
+    folder.write("sorted.csv", "x,force\n2.5,1\n5,2\n7.5,1\n");
+    folder.write("shuffled.csv", "x,force\n7.5,1\n5,1.5\n2.5,1\n5,0.5\n");
+    let bounds = |forces: &str| folder.json(&format!("certify example.toml {forces}")).2["certificate"].clone();
+    assert_eq!(bounds("sorted.csv"), bounds("shuffled.csv"), "the same forces");
+
+    for (name, forces) in [
+        ("huge", "x,force\n5,1e300\n"),
+        ("overflowing", "x,force\n5,1e308\n5,1e308\n"),
+        ("cancelling", "x,force\n5,1e308\n6,-1e308\n"),
+        ("tiny", "x,force\n5,1e-320\n"),
+        ("at the supports", "x,force\n0,3\n10,3\n"),
+        ("beside a support", "x,force\n1e-300,3\n"),
+        ("pulling", "x,force\n5,-2\n"),
+    ] {
+        folder.write("strange.csv", forces);
+        let (code, text, json) = folder.json("certify example.toml strange.csv");
+        assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")), "{name}: {text}");
+        // J* = −q₀ u₀ (l − 4a/5), in closed form; what could not be bounded is null.
+        let energy = palkki::theory::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy;
+        let [lower, upper] = ["energy_lower", "energy_upper"].map(|key| json["certificate"][key].as_f64());
+        let holds = lower.is_none_or(|lower| lower <= energy) && upper.is_none_or(|upper| energy <= upper);
+        assert!(holds, "{name}: {text}");
+    }
+}
+
 #[test]
 fn what_cannot_be_read_is_refused() {
     let folder = Folder::new("certify_refused");
     folder.write("forces.csv", "x,force\n1,2\n3,much\n");
+    folder.write("nan.csv", "x,force\n1,2\n3,NaN\n");
+    folder.write("infinite.csv", "x,force\n1,1e999\n");
+    folder.write("empty.csv", "");
     folder.write("beside.csv", "x,force\n1,2\n30,1\n");
     for (arguments, why) in [
         ("certify example.toml", "<FORCES>"),
         ("certify example.toml missing.csv", "cannot read the contact forces: there is no such file"),
         ("certify missing.toml forces.csv", "cannot read the scene"),
         ("certify example.toml forces.csv", "forces.csv:3:3"),
+        ("certify example.toml nan.csv", "nan.csv:3:3"),
+        ("certify example.toml infinite.csv", "infinite.csv:2:3"),
+        ("certify example.toml empty.csv", "empty.csv:1:1"),
         ("certify example.toml beside.csv", "beside.csv:3:1"),
         ("certify example.toml .", "it is a directory"),
     ] {

@@ -55,7 +55,6 @@ fn usage_errors() {
         ("solve example.toml --solver nsor", "--solver belongs to a discretised method"),
         ("solve example.toml --method exact --solver nsor", "--solver belongs to a discretised method"),
         ("solve example.toml --method exact --intervals 30", "--intervals belongs to a discretised method"),
-        ("solve example.toml --tolerance 1e-8", "--tolerance belongs to a discretised method"),
         ("solve example.toml --nodes", "--nodes belongs to a discretised method"),
     ] {
         let run = folder.run(arguments);

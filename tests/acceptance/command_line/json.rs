@@ -110,8 +110,11 @@ fn compare_has_every_method_with_every_solver() {
     assert_eq!(json["intervals"], 12);
     let routes = json["routes"].as_array().expect("an array");
     for route in routes {
-        let keys: Vec<&str> = KEYS[1..18].iter().copied().chain(["solver_error", "model_error"]).collect();
+        let reason = (route["status"] != "certified").then_some("reason");
+        let errors = ["solver_error", "model_error"];
+        let keys: Vec<&str> = KEYS[1..18].iter().copied().chain(errors).chain(reason).collect();
         check_keys(route, &keys);
+        assert!(route["certificate"]["deflection_error"].is_number(), "every route has its certified error: {route}");
     }
     for method in Method::ALL {
         for solver in Solver::ALL {

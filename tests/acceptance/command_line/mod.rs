@@ -1,6 +1,7 @@
 //! The program as it is run: exit codes, standard output, files, JSON. The contract is what scripts rely on.
 
 mod certify;
+mod dial;
 mod exact;
 mod exit_codes;
 mod input;

@@ -1,35 +1,7 @@
 //! Random scenes from a fixed seed: waves, polynomials, polylines with kinks and steps, loads of every kind.
 
+pub(crate) use palkki::paper::random::Random;
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
-
-/// The generator "splitmix64" (Steele, Lea, Flood 2014): same numbers everywhere, no crate to change under us.
-pub(crate) struct Random(u64);
-
-impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Evenly between `lo` and `hi`.
-    pub(crate) fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
-        let unit = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        lo + (hi - lo) * unit
-    }
-
-    /// One of `0 … count − 1`.
-    pub(crate) fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.next() % count as u64).expect("a small number")
-    }
-}
 
 /// Scene number `i` of the series.
 pub(crate) fn scene(i: u64) -> Scene {

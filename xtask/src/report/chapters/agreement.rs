@@ -5,6 +5,8 @@ mod tolerance;
 use dashu_ratio::RBig;
 use palkki::paper::{INTERVALS, example, theory};
 use palkki::route::{Method, Outcome, Solver};
+use palkki::scene::Scene;
+use palkki::verdict::{Demand, Verdict};
 use palkki::{Settings, solve};
 use serde::Serialize;
 
@@ -55,6 +57,8 @@ struct Row {
     method: &'static str,
     solver: &'static str,
     status: &'static str,
+    /// Guaranteed error of the deflection over the largest deflection, if there is one.
+    certified: Option<f64>,
     /// With as many digits as the tolerance of the solver promises.
     first_force: String,
     left_reaction: String,
@@ -86,7 +90,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     }
     let (energy, differences) = (authority(&runs, Method::Force)?, authority(&runs, Method::Complementarity)?);
     let of = |run: &Run| if run.method == Method::Complementarity { &differences } else { &energy };
-    let rows: Vec<Row> = runs.iter().map(|run| row(run, of(run), &tolerances)).collect();
+    let rows: Vec<Row> = runs.iter().map(|run| row(&scene, run, of(run), &tolerances)).collect();
 
     let (mut pairs, mut pairs_agree) = (0, 0);
     for (i, a) in runs.iter().enumerate() {
@@ -139,7 +143,8 @@ fn authority(runs: &[Run], method: Method) -> Result<Authority, Cause> {
     })
 }
 
-fn row(run: &Run, authority: &Authority, tolerances: &Tolerances) -> Row {
+fn row(scene: &Scene, run: &Run, authority: &Authority, tolerances: &Tolerances) -> Row {
+    let verdict = Verdict::of_outcome(scene, &run.outcome, &Demand::default());
     let allowed = tolerances.of(run.solver);
     let places = tolerances.places(run.solver);
     let first = authority.forces.iter().position(|p| 0.0 < *p).unwrap_or(0);
@@ -149,7 +154,8 @@ fn row(run: &Run, authority: &Authority, tolerances: &Tolerances) -> Row {
     Row {
         method: run.method.word(),
         solver: run.solver.word(),
-        status: run.outcome.status.word(),
+        status: verdict.status.word(),
+        certified: verdict.error.is_finite().then_some(verdict.error),
         first_force: fixed(run.forces.get(first).copied().unwrap_or(f64::NAN), places),
         left_reaction: fixed(reaction, places),
         tolerance: tolerances.printed(run.solver),

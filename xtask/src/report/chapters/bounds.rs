@@ -1,7 +1,12 @@
-//! Guaranteed bounds for the continuous beam, beside the true errors, on every scene of the gallery.
+//! Guaranteed bounds for the continuous beam, beside the true errors, on every scene of the gallery; and for forces that
+//! somebody brought.
 
-use palkki::certificate::{ContactLoad, Judged, certify};
+mod brought;
+mod springs;
+
+use palkki::certificate::{ACCEPTED_ERROR, ContactLoad, Judged, certify};
 use palkki::methods::Method;
+use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::{Settings, solve, theory};
@@ -23,6 +28,15 @@ struct Values {
     /// Runs in which the true error is at most the certified one, and all runs.
     truthful: usize,
     runs: usize,
+    /// Springs, libraries, the paper.
+    brought: Vec<brought::Row>,
+    /// Intervals between the springs.
+    spaced: usize,
+    /// The softest and the stiffest springs.
+    softest: brought::Row,
+    stiffest: brought::Row,
+    /// Share of the largest deflection to which it has to be certain.
+    accepted: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -56,7 +70,54 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let table = csv(&["scene", "intervals", "true_error", "certified_error"], data);
     let truthful = cells().filter(|cell| cell.truth <= cell.certified).count();
     let runs = cells().count();
-    Ok(Evidence::new(Values { grids: GRIDS, truthful, runs, rows }).data("bounds", table))
+    let springs = brought::of_springs()?;
+    let (svg, springs_csv) = of_springs(&springs)?;
+    let nothing = || "no springs were tried";
+    let softest = springs.first().ok_or_else(nothing)?.1.clone();
+    let stiffest = springs.last().ok_or_else(nothing)?.1.clone();
+    let mut all: Vec<brought::Row> = springs.into_iter().map(|(_, row)| row).collect();
+    all.extend(brought::of_libraries(study)?);
+    all.extend(brought::of_the_paper()?);
+    let values = Values {
+        grids: GRIDS,
+        truthful,
+        runs,
+        rows,
+        brought: all,
+        spaced: brought::SPACED,
+        softest,
+        stiffest,
+        accepted: ACCEPTED_ERROR,
+    };
+    Ok(Evidence::new(values).data("bounds", table).figure("springs", svg, springs_csv))
+}
+
+/// The figure of the springs, and its numbers.
+fn of_springs(springs: &[(i32, brought::Row)]) -> Result<(String, String), PlotError> {
+    let line = |value: fn(&brought::Row) -> Option<f64>| {
+        let point = |(exponent, row): &(i32, brought::Row)| Some([10_f64.powi(*exponent), value(row)?]);
+        springs.iter().filter_map(point).collect::<Vec<_>>()
+    };
+    let lines = [
+        ("certified error of the deflection", line(|row| row.certified)),
+        ("worst violation", line(|row| Some(row.relative))),
+        ("true error of the end reaction", line(|row| row.reaction)),
+    ];
+    let x = Axis::new("stiffness of a spring over that of the beam, k l³/48EI").log();
+    let mut panel = Panel::new(x, Axis::new("relative error").log()).tall(700.0);
+    let mut rows = Vec::new();
+    for (i, (label, points)) in lines.into_iter().enumerate() {
+        rows.extend(points.iter().map(|p| vec![label.to_owned(), scientific(p[0], 0), scientific(p[1], 2)]));
+        panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: label.to_owned() });
+    }
+    let svg = Figure::new(
+        "Springs instead of a rigid foundation",
+        "Relative errors over the stiffness of the springs, both axes logarithmic: the certified error of the deflection, the worst \
+         violation and the true error of the end reaction fall as the springs become stiffer, until the grid is what remains.",
+        vec![panel],
+    )
+    .svg()?;
+    Ok((svg, csv(&["quantity", "stiffness_ratio", "relative_error"], rows)))
 }
 
 /// The force method with the active set on one grid: how far it is from beam theory, and how far it can be.

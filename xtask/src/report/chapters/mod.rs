@@ -9,6 +9,7 @@ mod bounds;
 mod claims;
 mod conditioning;
 mod convergence;
+mod dial;
 mod discrepancies;
 mod figures;
 mod front;
@@ -39,6 +40,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "50-agreement", evidence: agreement::evidence },
     Chapter { name: "55-bounds", evidence: bounds::evidence },
     Chapter { name: "56-judged", evidence: judged::evidence },
+    Chapter { name: "57-dial", evidence: dial::evidence },
     Chapter { name: "60-convergence", evidence: convergence::evidence },
     Chapter { name: "70-scenes", evidence: scenes::evidence },
     Chapter { name: "80-claims", evidence: claims::evidence },

@@ -1,0 +1,41 @@
+//! Tables and lists as text.
+
+use std::fmt::Write as _;
+
+/// Cells of a table; the first column is set flush left, the others flush right, except where they hold words.
+pub(super) type Row = Vec<String>;
+
+/// Names and what they have, line by line.
+pub(super) fn list(lines: &[(&str, String)]) -> String {
+    let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    lines.iter().fold(String::new(), |mut text, (name, value)| {
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "  {name:width$}  {value}");
+        text
+    })
+}
+
+/// A table with a title: words flush left, numbers flush right.
+pub(super) fn table(title: &str, header: &[&str], rows: &[Row]) -> String {
+    let header: Row = header.iter().map(|&cell| cell.to_owned()).collect();
+    let lines = || std::iter::once(&header).chain(rows);
+    let widths: Vec<usize> = (0..header.len())
+        .map(|column| lines().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0))
+        .collect();
+    let words: Vec<bool> = (0..header.len())
+        .map(|column| {
+            rows.iter().all(|row| row.get(column).is_none_or(|cell| !cell.contains(|c: char| c.is_ascii_digit())))
+        })
+        .collect();
+    let mut text = format!("\n{title}\n");
+    for row in lines() {
+        let mut line = String::from("  ");
+        for ((cell, &width), &words) in row.iter().zip(&widths).zip(&words) {
+            let padding = " ".repeat(width - cell.chars().count());
+            line += &if words { format!("{cell}{padding}  ") } else { format!("{padding}{cell}  ") };
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
