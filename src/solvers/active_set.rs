@@ -1,7 +1,7 @@
 //! An active set that goes on where the paper's four steps stop, and always ends.
 //!
-//! The four steps drop variables one by one and never release one. Here they are dropped all at once, released again where
-//! the gradient is negative, and the objective falls strictly from one feasible face minimum to the next: see
+//! The four steps drop variables one by one and never release one. Here one of each run of negative neighbours is dropped,
+//! others are released where the gradient is negative, and the objective falls strictly from one feasible face minimum to the next: see
 //! [`descent`](super::descent) for the steps and why they end.
 //!
 //! **Windows.** A guess of the face is wrong near the borders between free variables and others only. Programmes that allow
@@ -39,7 +39,7 @@ const ROUNDS: usize = 10;
 
 /// What it is set to.
 pub(super) fn words() -> String {
-    "of each run with a negative gradient the steepest is released; a sign counts if it is more than the rounding of a solve"
+    "of each run on the wrong side the worst changes sides; a sign counts if it is more than the rounding of a solve"
         .to_owned()
 }
 

@@ -1,8 +1,9 @@
 //! The optimum of a [`Window`], from face minimum to face minimum.
 //!
-//! 1. *Feasible*: solve step 1° on the face, drop all variables that came out negative, and again, until none does.
+//! 1. *Feasible*: solve step 1° on the face, drop of each run of neighbours that came out negative the most negative one,
+//!    and again, until none does.
 //! 2. *Release*: of each run of neighbours with a negative gradient the steepest one, and make that feasible as in 1. A run
-//!    as a whole would be released far too much: most of it would come out negative.
+//!    as a whole would be far too much: most of it would be on the wrong side next.
 //! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger
 //!    face, leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
 //!
@@ -25,8 +26,9 @@
 use super::neighbourhood::Window;
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
 
-/// Solves of one window that only rounding can need: the slowest known instances take some hundred.
-const EXHAUSTED: usize = 2000;
+/// Solves of a window that only rounding can need: so many, and as many for each of its variables. Of the slowest known
+/// instances some take a few hundred, and two thousand where a programme has no windows.
+const EXHAUSTED: [usize; 2] = [200, 20];
 
 /// Number of solves.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -65,11 +67,11 @@ pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: imp
     wrong.map(|(k, _)| k).collect()
 }
 
-/// The variables to release: of each run of neighbours with a negative gradient the steepest one.
-pub(super) fn steepest(violators: &[usize], gradient: &[f64]) -> Vec<usize> {
-    let steep: Vec<usize> = violators.iter().copied().filter(|&k| gradient[k] < 0.0).collect();
+/// Of each run of neighbours with a negative value the one with the smallest: of gradients, those to release.
+pub(super) fn steepest(variables: &[usize], values: &[f64]) -> Vec<usize> {
+    let steep: Vec<usize> = variables.iter().copied().filter(|&k| values[k] < 0.0).collect();
     let runs = steep.chunk_by(|i, j| i + 1 == *j);
-    runs.filter_map(|run| run.iter().copied().min_by(|&i, &j| gradient[i].total_cmp(&gradient[j]))).collect()
+    runs.filter_map(|run| run.iter().copied().min_by(|&i, &j| values[i].total_cmp(&values[j]))).collect()
 }
 
 /// A window whose optimum is looked for.
@@ -98,7 +100,7 @@ impl<'a> Descent<'a> {
         let mut point = self.feasible(free)?;
         loop {
             let violators = violators(self.programme, &point, self.places.iter().map(|&i| free[i]));
-            if violators.is_empty() || EXHAUSTED < self.solves {
+            if violators.is_empty() || EXHAUSTED[0] + EXHAUSTED[1] * self.places.len() < self.solves {
                 return Ok((point, violators.is_empty()));
             }
             let released = steepest(&violators, &point.gradient);
@@ -125,20 +127,17 @@ impl<'a> Descent<'a> {
         released.iter().for_each(|&k| free[self.places[k]] = true);
     }
 
-    /// Drops what comes out negative until nothing does.
+    /// Drops the most negative of each run until nothing comes out negative.
     fn feasible(&mut self, free: &mut [bool]) -> Result<Stationary, NotPositiveDefinite> {
         loop {
             let point = self.minimum_on(free)?;
             let signs = Signs::at(self.programme, &point);
-            let mut dropped = false;
-            for (x, &i) in point.x.iter().zip(&self.places) {
-                if free[i] && *x < signs.x {
-                    (free[i], dropped) = (false, true);
-                }
-            }
-            if !dropped {
+            let negative: Vec<usize> =
+                (0..point.x.len()).filter(|&k| free[self.places[k]] && point.x[k] < signs.x).collect();
+            if negative.is_empty() {
                 return Ok(point);
             }
+            steepest(&negative, &point.x).into_iter().for_each(|k| free[self.places[k]] = false);
         }
     }
 
