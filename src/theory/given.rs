@@ -112,7 +112,8 @@ impl Given {
                 let (mut a, mut b) = ([0.0; 2], [0.0; 2]);
                 shapes[left].taylor(places[i], &mut a);
                 shapes[right].taylor(places[i], &mut b);
-                (joints[i].step, joints[i].kink) = (snapped(b[0] - a[0], a[0], b[0]), b[1] - a[1]);
+                (joints[i].step, joints[i].kink) =
+                    (snapped(b[0] - a[0], shapes[left].start().abs().max(b[0].abs())), b[1] - a[1]);
             }
         }
         for p in load.point() {
@@ -237,9 +238,9 @@ fn cuts(lo: f64, hi: f64, most: f64) -> impl Iterator<Item = f64> {
 /// A profile that needs more cells than this is refused: [`super::TheoryError::TooManyPieces`].
 pub(super) const MOST_CELLS: f64 = 20_000.0;
 
-/// A step of the depth from `a` to `b`; none if it is the rounding of two interpolations.
-fn snapped(step: f64, a: f64, b: f64) -> f64 {
-    if step.abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) { 0.0 } else { step }
+/// A step of the depth; none if it is the rounding of an interpolation between depths of a `size`, which may meet at zero.
+fn snapped(step: f64, size: f64) -> f64 {
+    if step.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { step }
 }
 
 #[cfg(test)]

@@ -129,9 +129,9 @@ impl Node {
                 // The lower side of a step lies below the beam, which rests on the upper one.
                 let step = given.joints[joint].step;
                 let height = if cell < joint { (-step).max(0.0) } else { step.max(0.0) };
-                Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope }
+                Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope, turn: Some(self.slope) }
             }
-            _ => Hold::Clamped { height: 0.0, slope: 0.0 },
+            _ => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
         }
     }
 }
@@ -142,7 +142,7 @@ fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
         AtSupport::Free | AtSupport::Zone => {
             Hold::Hinged { height: given.derivative(cell, x, 0), curvature: given.derivative(cell, x, 2) }
         }
-        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0 },
+        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
     };
     End { x, rest: 0.0, cell, hold }
 }

@@ -60,6 +60,14 @@ impl Shape {
         Self::Polynomial { origin: x0, coefficients: vec![u0, (u1 - u0) / (x1 - x0)] }
     }
 
+    /// The depth from which it is interpolated: where its powers start, or the mean of its waves.
+    pub(super) fn start(&self) -> f64 {
+        match self {
+            Self::Polynomial { coefficients, .. } => coefficients.first().copied().unwrap_or(0.0),
+            Self::Cosine { mean, .. } => *mean,
+        }
+    }
+
     /// The degree, if it is a polynomial.
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
