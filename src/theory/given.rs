@@ -64,7 +64,7 @@ pub(super) struct Given {
     pub(super) energy_rule: Gauss,
     /// Magnitudes of all loads together.
     pub(super) total_load: f64,
-    /// Largest `|u|`, by a bound.
+    /// The size of depths that carries their rounding where a beam may touch.
     pub(super) magnitude: f64,
 }
 
@@ -131,7 +131,7 @@ impl Given {
             load_rule: Gauss::exact_to(if degree.is_some() { profile.saturating_sub(4).max(1) + 3 } else { profile }),
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
             total_load: load.magnitude(length) / stiffness,
-            magnitude: foundation.magnitude(length),
+            magnitude: within_reach(foundation, length),
         }
     }
 
@@ -237,6 +237,17 @@ fn cuts(lo: f64, hi: f64, most: f64) -> impl Iterator<Item = f64> {
 
 /// A profile that needs more cells than this is refused: [`super::TheoryError::TooManyPieces`].
 pub(super) const MOST_CELLS: f64 = 20_000.0;
+
+/// The size of depths, the rounding of which reaches the place where a beam touches: of polynomials and waves all of it, of
+/// straight lines only that of their shallow ends.
+fn within_reach(foundation: &Foundation, length: f64) -> f64 {
+    match foundation {
+        Foundation::Polyline { points } => {
+            points.windows(2).fold(f64::INFINITY, |least, w| least.min(w[0][1].abs().max(w[1][1].abs())))
+        }
+        smooth => smooth.magnitude(length),
+    }
+}
 
 /// A step of the depth; none if it is the rounding of an interpolation between depths of a `size`, which may meet at zero.
 fn snapped(step: f64, size: f64) -> f64 {

@@ -131,6 +131,15 @@ impl Node {
                 let height = if cell < joint { (-step).max(0.0) } else { step.max(0.0) };
                 Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope, turn: Some(self.slope) }
             }
+            // A node at the very end of its piece of the profile has the next one on its other side.
+            _ if given.cells[cell].shape != given.cells[self.cell].shape => {
+                let turn = given.derivative(self.cell, self.x, 1);
+                Hold::Clamped {
+                    height: given.derivative(cell, self.x, 0) - given.derivative(self.cell, self.x, 0),
+                    slope: given.derivative(cell, self.x, 1) - turn,
+                    turn: Some(turn),
+                }
+            }
             _ => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
         }
     }

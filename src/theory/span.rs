@@ -76,16 +76,24 @@ impl Span {
     pub(super) fn between(given: &Given, a: End, b: End) -> Self {
         let l = b.x - a.x;
         let (profile_a, profile_b) = (given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x));
-        let chord = 6.0 * profile_a[0].abs().max(profile_b[0].abs()) / (l * l);
-        if chord < profile_a[2].abs().max(profile_b[2].abs()).max(broken(given, &a, &b)) {
+        let (height_a, height_b) = (a.hold.height(), b.hold.height());
+        let (at_left, at_right) = (profile_a[0] - height_a, profile_b[0] - height_b);
+        let chord = |left: f64, right: f64| 6.0 * left.abs().max(right.abs()) / (l * l);
+        let in_clearance =
+            chord(height_a, height_b).max(profile_a[2].abs().max(profile_b[2].abs())).max(broken(given, &a, &b));
+        if chord(at_left, at_right) < in_clearance {
             // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
             let (from, to) = (given.cells[a.cell].shape, given.cells[b.cell].shape);
-            let rise = if from == to { given.shapes[from].rise(a.x, b.x) } else { profile_b[0] - profile_a[0] };
-            let beyond = |u: &[f64; 4], rest: f64, rise: f64| [rise + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
-            let holds =
-                [a.hold.of_beam(&beyond(&profile_a, a.rest, 0.0)), b.hold.of_beam(&beyond(&profile_b, b.rest, rise))];
+            let resting = height_a == 0.0 && height_b == 0.0 && from == to;
+            let rise = if resting { given.shapes[from].rise(a.x, b.x) } else { at_right - at_left };
+            // Of the profile moved up to the beam: its height is that of the beam then.
+            let beyond = |u: &[f64; 4], rest: f64, height: f64| [height + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
+            let holds = [
+                a.hold.of_beam(&beyond(&profile_a, a.rest, height_a)),
+                b.hold.of_beam(&beyond(&profile_b, b.rest, rise + height_b)),
+            ];
             let [mut beam_a, mut beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
-            (beam_a[0], beam_b[0]) = (profile_a[0] - a.hold.height(), profile_b[0] - b.hold.height());
+            (beam_a[0], beam_b[0]) = (at_left, at_right);
             let (mut at_a, mut at_b) = (difference(&profile_a, &beam_a), difference(&profile_b, &beam_b));
             for (end, at) in [(&a, &mut at_a), (&b, &mut at_b)] {
                 // What is given is known without rounding.

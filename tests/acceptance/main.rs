@@ -17,6 +17,7 @@ mod costs;
 mod determinism;
 mod digits;
 mod exact;
+mod extremes;
 mod faults;
 mod invariants;
 mod judge;

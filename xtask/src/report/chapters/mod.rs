@@ -10,6 +10,7 @@ mod claims;
 mod conditioning;
 mod convergence;
 mod discrepancies;
+mod extremes;
 mod figures;
 mod front;
 mod judged;
@@ -45,6 +46,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "90-recommendation", evidence: recommendation::evidence },
     Chapter { name: "100-trade", evidence: trade::evidence },
     Chapter { name: "102-conditioning", evidence: conditioning::evidence },
+    Chapter { name: "105-extremes", evidence: extremes::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];
