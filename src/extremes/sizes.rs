@@ -19,7 +19,7 @@ pub const INTERVALS: [usize; 7] = [2, 3, 4, 5, 7, 31, 100];
 pub fn deep(power: i32) -> Result<Extreme, SceneError> {
     // In two factors, since 10⁻³⁰⁰ has no neighbour to be divided by.
     let half = power / 2;
-    let depth = 10_f64.powi(half) * 10_f64.powi(power - half);
+    let depth = ten_to(half) * ten_to(power - half);
     let parts = Parts {
         length: 1.0,
         stiffness: 1.0,
@@ -29,6 +29,11 @@ pub fn deep(power: i32) -> Result<Extreme, SceneError> {
         foundation: Some(Foundation::Flat { depth }),
     };
     extreme(format!("flat, EI u₀/(q l⁴) = 1e{power}"), "closed form", &parts, flat(1.0, 1.0, depth, 1.0).into())
+}
+
+/// A power of ten.
+fn ten_to(power: i32) -> f64 {
+    libm::exp10(f64::from(power))
 }
 
 /// Sizes other than those of [`deep`].
@@ -50,7 +55,7 @@ pub fn sizes() -> Result<Vec<Extreme>, SceneError> {
     }
     // a = 2.364: on 4 intervals and fewer the lift-off is shorter than one of them.
     for (power, n) in [(-4, 30), (-8, 30), (-12, 7)] {
-        let depth = 10_f64.powi(power);
+        let depth = ten_to(power);
         let name = format!("lift-off shorter than one of {n} intervals, u₀ = 1e{power}");
         add(name, "closed form", Foundation::Flat { depth }, flat(l, ei, depth, 1.0).into(), n)?;
     }

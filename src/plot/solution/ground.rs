@@ -47,11 +47,8 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
         .iter()
         .map(|&gap| {
             let depth = if pieces.is_empty() { shallowest } else { deepest(gap) };
-            let word = if pieces.is_empty() { "or deeper" } else { "at its deepest" };
-            (
-                [0.5 * (gap[0] + gap[1]), bottom],
-                format!("ground further below, u = {} {word} ↓", significant(depth, DIGITS)),
-            )
+            let word = if pieces.is_empty() { " or deeper" } else { "" };
+            ([0.5 * (gap[0] + gap[1]), bottom], format!("ground at {}{word} ↓", significant(depth, DIGITS)))
         })
         .collect();
     let remark = if pieces.is_empty() {

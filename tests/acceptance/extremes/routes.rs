@@ -11,6 +11,10 @@ use super::all;
 /// paper ([`palkki::certificate::CERTIFIED_RESIDUAL`]), and reactions and resultants are sums of some.
 const SAME: f64 = 1e-6;
 
+/// Grids on which NSOR runs on every scene, and how many scenes share a run on finer ones.
+const NSOR: usize = 7;
+const EVERY: usize = 20;
+
 fn run(extreme: &Extreme, method: Method, solver: Solver) -> Outcome {
     palkki::solve(&extreme.scene, &Settings::new(method, solver, extreme.intervals)).expect("numbers in range")
 }
@@ -26,6 +30,10 @@ fn apart(extreme: &Extreme, a: &Outcome, b: &Outcome) -> f64 {
     pairs.iter().map(|(a, b)| (a - b).abs() / size).fold(0.0, |most, e| if e <= most { most } else { e })
 }
 
+/// Cliffs a thousand million times as high as the beam deflects, inside a span that ends in contact: clearances along that
+/// span are sums of numbers of the size of the cliff. Forces are right, clearances are not, and the judge says so.
+const LABELLED: [&str; 2] = ["steps of 1e9 depths beside the supports", "steps of 1e12 depths beside the supports"];
+
 #[test]
 fn force_with_the_active_set_is_right_at_every_extreme() {
     let mut wrong = Vec::new();
@@ -35,7 +43,8 @@ fn force_with_the_active_set_is_right_at_every_extreme() {
         let error = extreme.error(&force.state);
         let near = error <= extreme.allowance();
         let same = dual.status != Status::Certified || apart(&extreme, &force, &dual) <= SAME;
-        if force.status != Status::Certified || !near || !same {
+        let limit = LABELLED.contains(&extreme.name.as_str());
+        if (force.status == Status::Certified) == limit || !near || !same {
             let residual = force.residual;
             wrong.push(format!(
                 "{}: {:?}, residual {residual:e}, {error:e} from the truth, same: {same}",
@@ -53,10 +62,14 @@ fn no_route_is_wrong_and_certified() {
     extremes.extend([-300, -40, -12, 4, 100, 300].map(|power| deep(power).expect("a depth in range")));
     let mut wrong = Vec::new();
     let mut certified = 0;
-    for extreme in extremes.iter().filter(|e| e.intervals <= 31) {
+    for (number, extreme) in extremes.iter().filter(|e| e.intervals <= 31).enumerate() {
         for method in Method::ALL {
             let reference = run(extreme, method, Solver::ActiveSet);
             for solver in Solver::ALL {
+                // Thousands of sweeps each; the chapter runs it on all of them.
+                if solver == Solver::Nsor && NSOR < extreme.intervals && !number.is_multiple_of(EVERY) {
+                    continue;
+                }
                 let outcome = run(extreme, method, solver);
                 if outcome.status != Status::Certified {
                     continue;

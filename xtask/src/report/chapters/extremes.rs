@@ -25,6 +25,7 @@ struct Values {
     same: String,
     judged: usize,
     wrong: usize,
+    nsor: usize,
     decades: i32,
     maps: Vec<maps::Map>,
     waves: maps::Waves,
@@ -99,6 +100,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         same: numbers::bound(SAME),
         judged,
         wrong,
+        nsor: NSOR,
         decades: POWERS[POWERS.len() - 1] - POWERS[0],
         maps,
         shallowest: waves.shallowest,
@@ -116,6 +118,9 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     }
     Ok(evidence)
 }
+
+/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other chapters show.
+const NSOR: usize = 8;
 
 /// A run of a discretised route, and what it is beside the active set on the same programme.
 fn judged(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcome) -> Result<Verdict, Cause> {

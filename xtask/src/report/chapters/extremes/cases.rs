@@ -4,7 +4,7 @@ use palkki::extremes::Extreme;
 use palkki::route::{Method, Solver};
 use serde::Serialize;
 
-use super::{Count, Verdict, exact, judged, reference};
+use super::{Count, NSOR, Verdict, exact, judged, reference};
 use crate::report::csv::csv;
 use crate::report::error::Cause;
 use crate::report::numbers;
@@ -76,7 +76,12 @@ pub(super) fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, 
             for method in Method::ALL {
                 let active = reference(&extreme, method)?;
                 for solver in Solver::ALL {
-                    let verdict = judged(&extreme, method, solver, &active)?;
+                    let verdict = if solver == Solver::Nsor && NSOR < extreme.intervals {
+                        let coarse = Extreme { intervals: NSOR, ..extreme.clone() };
+                        judged(&coarse, method, solver, &reference(&coarse, method)?)?
+                    } else {
+                        judged(&extreme, method, solver, &active)?
+                    };
                     if method == Method::Force && solver == Solver::ActiveSet {
                         own = verdict;
                         continue;
