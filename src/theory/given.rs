@@ -64,7 +64,7 @@ pub(super) struct Given {
     pub(super) energy_rule: Gauss,
     /// Magnitudes of all loads together.
     pub(super) total_load: f64,
-    /// Largest `|u|`, by a bound.
+    /// The size of depths that carries their rounding where a beam may touch.
     pub(super) magnitude: f64,
 }
 
@@ -112,7 +112,8 @@ impl Given {
                 let (mut a, mut b) = ([0.0; 2], [0.0; 2]);
                 shapes[left].taylor(places[i], &mut a);
                 shapes[right].taylor(places[i], &mut b);
-                (joints[i].step, joints[i].kink) = (snapped(b[0] - a[0], a[0], b[0]), b[1] - a[1]);
+                (joints[i].step, joints[i].kink) =
+                    (snapped(b[0] - a[0], shapes[left].start().abs().max(b[0].abs())), b[1] - a[1]);
             }
         }
         for p in load.point() {
@@ -130,7 +131,7 @@ impl Given {
             load_rule: Gauss::exact_to(if degree.is_some() { profile.saturating_sub(4).max(1) + 3 } else { profile }),
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
             total_load: load.magnitude(length) / stiffness,
-            magnitude: foundation.magnitude(length),
+            magnitude: within_reach(foundation, length),
         }
     }
 
@@ -237,9 +238,20 @@ fn cuts(lo: f64, hi: f64, most: f64) -> impl Iterator<Item = f64> {
 /// A profile that needs more cells than this is refused: [`super::TheoryError::TooManyPieces`].
 pub(super) const MOST_CELLS: f64 = 20_000.0;
 
-/// A step of the depth from `a` to `b`; none if it is the rounding of two interpolations.
-fn snapped(step: f64, a: f64, b: f64) -> f64 {
-    if step.abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) { 0.0 } else { step }
+/// The size of depths, the rounding of which reaches the place where a beam touches: of polynomials and waves all of it, of
+/// straight lines only that of their shallow ends.
+fn within_reach(foundation: &Foundation, length: f64) -> f64 {
+    match foundation {
+        Foundation::Polyline { points } => {
+            points.windows(2).fold(f64::INFINITY, |least, w| least.min(w[0][1].abs().max(w[1][1].abs())))
+        }
+        smooth => smooth.magnitude(length),
+    }
+}
+
+/// A step of the depth; none if it is the rounding of an interpolation between depths of a `size`, which may meet at zero.
+fn snapped(step: f64, size: f64) -> f64 {
+    if step.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { step }
 }
 
 #[cfg(test)]

@@ -129,9 +129,18 @@ impl Node {
                 // The lower side of a step lies below the beam, which rests on the upper one.
                 let step = given.joints[joint].step;
                 let height = if cell < joint { (-step).max(0.0) } else { step.max(0.0) };
-                Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope }
+                Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope, turn: Some(self.slope) }
             }
-            _ => Hold::Clamped { height: 0.0, slope: 0.0 },
+            // A node at the very end of its piece of the profile has the next one on its other side.
+            _ if given.cells[cell].shape != given.cells[self.cell].shape => {
+                let turn = given.derivative(self.cell, self.x, 1);
+                Hold::Clamped {
+                    height: given.derivative(cell, self.x, 0) - given.derivative(self.cell, self.x, 0),
+                    slope: given.derivative(cell, self.x, 1) - turn,
+                    turn: Some(turn),
+                }
+            }
+            _ => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
         }
     }
 }
@@ -142,7 +151,7 @@ fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
         AtSupport::Free | AtSupport::Zone => {
             Hold::Hinged { height: given.derivative(cell, x, 0), curvature: given.derivative(cell, x, 2) }
         }
-        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0 },
+        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
     };
     End { x, rest: 0.0, cell, hold }
 }

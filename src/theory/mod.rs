@@ -8,20 +8,24 @@
 //! 2. `chain`, `guess`: a first idea of the list, from a chain of links above samples of the profile.
 //! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for its lift-off positions.
 //! 4. `piece`, `forces`, `pressure`, `bernstein`, `measure`, `verify`: all conditions, everywhere and not at samples.
-//! 5. `repair`, `tidy`, `search`: what fails its check changes the list; after a bounded number of lists it ends.
+//! 5. `repair`, `tidy`, `gap`, `search`, `alternatives`, `explore`: what fails its check changes the list, first all of it, then
+//!    fault by fault; after a bounded number of lists it ends.
 //! 6. `exact`, `summary`, `solve`: the answer in the units of the scene.
 //!
 //! [`flat()`] is the paper's own case in closed form, [`closed`] has others.
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the programme (32).
 
+mod alternatives;
 mod bernstein;
 mod chain;
 pub mod closed;
 mod cosine;
 mod exact;
+mod explore;
 mod flat;
 mod forces;
+mod gap;
 mod gauss;
 mod given;
 mod guess;

@@ -158,18 +158,38 @@ fn profile_curvature(given: &Given, list: &List, node: usize, cell: usize) -> f6
     }
 }
 
-/// How far the equations are from holding: the largest jump of `v''`, and the largest fraction of the beam by which a
-/// contact would have to move, which for steep profiles is rounding of its place long before the jump is small.
-pub(super) fn residual(given: &Given, list: &List) -> (f64, f64) {
+/// How far the equations are from holding.
+pub(super) struct Residual {
+    /// The largest jump of `v''`.
+    pub(super) jump: f64,
+    /// The largest fraction of the beam by which a contact would have to move, which for steep profiles is rounding of its
+    /// place long before the jump is small.
+    pub(super) step: f64,
+    /// The largest fraction of a span beside it by which a contact would have to move, and the node to the right of that span.
+    pub(super) crowded: (f64, usize),
+}
+
+/// The residual of the equations of `list`.
+pub(super) fn residual(given: &Given, list: &List) -> Residual {
     // A NaN is never small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
     let jump = equations(given, list).iter().map(|(_, r)| *r).fold(0.0, most);
-    let step = newton_step(list, equations(given, list), given.length).unwrap_or_default();
-    if step.len() < list.nodes.len() {
-        return (jump, f64::INFINITY);
+    let steps = newton_step(list, equations(given, list), given.length).unwrap_or_default();
+    if steps.len() < list.nodes.len() {
+        return Residual { jump, step: f64::INFINITY, crowded: (0.0, 0) };
     }
-    let moves = list.nodes.iter().zip(&step).filter(|(n, _)| !matches!(n.kind, Kind::Edge(_)));
-    (jump, moves.map(|(_, step)| step / given.length).fold(0.0, most))
+    let moving = |i: &usize| list.nodes.get(*i).is_some_and(|n| !matches!(n.kind, Kind::Edge(_)));
+    let step = (0..steps.len()).filter(moving).map(|i| steps[i] / given.length).fold(0.0, most);
+    let mut crowded = (0.0, 0);
+    for (i, span) in list.spans(given) {
+        for node in i.checked_sub(1).into_iter().chain([i]).filter(moving) {
+            let part = steps[node].abs() / span.length();
+            if crowded.0 < part {
+                crowded = (part, i);
+            }
+        }
+    }
+    Residual { jump, step, crowded }
 }
 
 /// Newton's step; [`None`] if the system is singular.

@@ -1,5 +1,6 @@
 //! What to try next when a list of contacts fails its check.
 
+use super::gap::half_bridge;
 use super::given::Given;
 use super::guess::{add_zones, edge_node};
 use super::list::{AtSupport, Kind, List, Node};
@@ -57,11 +58,13 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                 const SHORTER: f64 = 0.1;
                 let [from, to] = without_zone(given, list, zone, &mut supports, &mut keep);
                 let x = given.joints[joint].x;
-                added.push(zones_between(given, lifting, [from, x - SHORTER * (x - from)], &mut supports));
+                let bridge = half_bridge(given, joint);
+                let (left, right) = ((SHORTER * (x - from)).min(bridge), (SHORTER * (to - x)).min(bridge));
+                added.push(zones_between(given, lifting, [from, x - left], &mut supports));
                 if given.is_edge(joint) {
                     added.push(vec![edge_node(given, joint)]);
                 }
-                added.push(zones_between(given, lifting, [x + SHORTER * (to - x), to], &mut supports));
+                added.push(zones_between(given, lifting, [x + right, to], &mut supports));
             }
             Fault::Couple { support, .. } => {
                 if list.supports[support] == AtSupport::Zone {
@@ -85,7 +88,7 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                 at,
                 &mut Edit { supports: &mut supports, keep: &mut keep, added: &mut added },
             ),
-            Fault::Residual { .. } => {}
+            Fault::Unresolved { .. } | Fault::Residual { .. } => {}
         }
     }
     let mut all: Vec<Node> = nodes.into_iter().zip(&keep).filter(|(_, kept)| **kept).map(|(node, _)| node).collect();

@@ -1,5 +1,7 @@
-//! Finding the list of contacts: guess, Newton's method, check, mend; finer guesses until the check passes.
+//! Finding the list of contacts: guess, Newton's method, check, mend; finer guesses until the check passes; in the end the
+//! lists that were tried are changed one fault at a time.
 
+use super::explore::explored;
 use super::given::Given;
 use super::guess;
 use super::list::{AtSupport, List};
@@ -33,11 +35,14 @@ pub(super) struct Found {
 impl Found {
     /// True if every condition holds.
     pub(super) fn certified(&self) -> bool {
-        self.converged && self.checked.faults.is_empty()
+        /// Newton's method creeps towards a double root (the end of a zone at an edge that carries nothing) and may not
+        /// say that it is there; conditions that hold to a few units of rounding say so.
+        const ROUNDING: f64 = 1e-14;
+        self.checked.faults.is_empty() && (self.converged || self.checked.worst <= ROUNDING)
     }
 
     /// The better of two: one that is certified, one that converged, the one that violates less.
-    fn better(self, other: Self) -> Self {
+    pub(super) fn better(self, other: Self) -> Self {
         let rank = |f: &Self| u8::from(f.certified()) + u8::from(f.converged);
         let better = rank(&self).cmp(&rank(&other)).then(other.checked.worst.total_cmp(&self.checked.worst));
         if better.is_lt() { other } else { self }
@@ -51,7 +56,7 @@ pub(super) fn free(given: &Given) -> Found {
     Found { list, checked, steps: 0, lists: 1, converged: true }
 }
 
-/// The exact solution above a foundation; it ends after at most `LINKS.len() · ROUNDS` lists.
+/// The exact solution above a foundation; it ends after at most `LINKS.len() · ROUNDS` lists and those of [`explored`].
 pub(super) fn search(given: &Given) -> Found {
     let mut best = free(given);
     if best.certified() {
@@ -60,6 +65,7 @@ pub(super) fn search(given: &Given) -> Found {
     let lifting = lifting(given);
     let first = mended(given, &lifting, &best.list, &best.checked);
     let (mut steps, mut lists) = (0, 1);
+    let mut pool = Vec::new();
     for links in LINKS {
         let mut list = guess::list(given, &lifting, links);
         if list.nodes.is_empty() && list.supports == [AtSupport::Free; 2] {
@@ -78,12 +84,14 @@ pub(super) fn search(given: &Given) -> Found {
             lists += 1;
             let checked = check(given, &lifting, &list);
             let next = mended(given, &lifting, &list, &checked);
-            best = best.better(Found { list, checked, steps, lists, converged: run.converged });
+            let found = Found { list, checked, steps, lists, converged: run.converged };
+            pool.push(found.clone());
+            best = best.better(found);
             if best.certified() {
                 return best;
             }
             list = next;
         }
     }
-    Found { steps, lists, ..best }
+    explored(given, &lifting, Found { steps, lists, ..best }, pool)
 }

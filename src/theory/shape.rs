@@ -55,9 +55,19 @@ impl Shape {
         }
     }
 
-    /// A straight line through two points.
+    /// A straight line through two points, counted from the shallower one: that is where a beam may touch it, and beside a
+    /// cliff of a million depths the rounding of the other end is a million times as large.
     pub(super) fn line([x0, u0]: [f64; 2], [x1, u1]: [f64; 2]) -> Self {
-        Self::Polynomial { origin: x0, coefficients: vec![u0, (u1 - u0) / (x1 - x0)] }
+        let (origin, depth) = if u0.abs() <= u1.abs() { (x0, u0) } else { (x1, u1) };
+        Self::Polynomial { origin, coefficients: vec![depth, (u1 - u0) / (x1 - x0)] }
+    }
+
+    /// The depth from which it is interpolated: where its powers start, or the mean of its waves.
+    pub(super) fn start(&self) -> f64 {
+        match self {
+            Self::Polynomial { coefficients, .. } => coefficients.first().copied().unwrap_or(0.0),
+            Self::Cosine { mean, .. } => *mean,
+        }
     }
 
     /// The degree, if it is a polynomial.

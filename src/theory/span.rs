@@ -24,6 +24,8 @@ pub(super) enum Hold {
         height: f64,
         /// `h'`.
         slope: f64,
+        /// `v'`, where it is that which is given: at an edge. Beside a cliff `u' − h'` would lose its digits.
+        turn: Option<f64>,
     },
     /// `h` and `h''` are given: a simple support, `v = v'' = 0`.
     Hinged {
@@ -69,25 +71,34 @@ pub(super) struct Span {
 impl Span {
     /// The span between two ends.
     ///
-    /// The equations are the same in `v` with `v'''' = q`, and over many waves of a profile they have to be solved in `v`:
-    /// `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
+    /// The equations are the same in `v` with `v'''' = q`, and over many waves or cliffs of a profile they have to be solved
+    /// in `v`: `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
     pub(super) fn between(given: &Given, a: End, b: End) -> Self {
         let l = b.x - a.x;
         let (profile_a, profile_b) = (given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x));
-        let chord = 6.0 * profile_a[0].abs().max(profile_b[0].abs()) / (l * l);
-        if chord < profile_a[2].abs().max(profile_b[2].abs()) {
+        let (height_a, height_b) = (a.hold.height(), b.hold.height());
+        let (at_left, at_right) = (profile_a[0] - height_a, profile_b[0] - height_b);
+        let chord = |left: f64, right: f64| 6.0 * left.abs().max(right.abs()) / (l * l);
+        let in_clearance =
+            chord(height_a, height_b).max(profile_a[2].abs().max(profile_b[2].abs())).max(broken(given, &a, &b));
+        if chord(at_left, at_right) < in_clearance {
             // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
-            let rise = given.shapes[given.cells[a.cell].shape].rise(a.x, b.x);
-            let beyond = |u: &[f64; 4], rest: f64, rise: f64| [rise + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
-            let holds =
-                [a.hold.of_beam(&beyond(&profile_a, a.rest, 0.0)), b.hold.of_beam(&beyond(&profile_b, b.rest, rise))];
+            let (from, to) = (given.cells[a.cell].shape, given.cells[b.cell].shape);
+            let resting = height_a == 0.0 && height_b == 0.0 && from == to;
+            let rise = if resting { given.shapes[from].rise(a.x, b.x) } else { at_right - at_left };
+            // Of the profile moved up to the beam: its height is that of the beam then.
+            let beyond = |u: &[f64; 4], rest: f64, height: f64| [height + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
+            let holds = [
+                a.hold.of_beam(&beyond(&profile_a, a.rest, height_a)),
+                b.hold.of_beam(&beyond(&profile_b, b.rest, rise + height_b)),
+            ];
             let [mut beam_a, mut beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
-            (beam_a[0], beam_b[0]) = (profile_a[0] - a.hold.height(), profile_b[0] - b.hold.height());
+            (beam_a[0], beam_b[0]) = (at_left, at_right);
             let (mut at_a, mut at_b) = (difference(&profile_a, &beam_a), difference(&profile_b, &beam_b));
             for (end, at) in [(&a, &mut at_a), (&b, &mut at_b)] {
                 // What is given is known without rounding.
                 match end.hold {
-                    Hold::Clamped { height, slope } => (at[0], at[1]) = (height, slope),
+                    Hold::Clamped { height, slope, .. } => (at[0], at[1]) = (height, slope),
                     Hold::Hinged { height, curvature } => (at[0], at[2]) = (height, curvature),
                 }
             }
@@ -102,6 +113,14 @@ impl Span {
     pub(super) fn length(&self) -> f64 {
         self.b.x - self.a.x
     }
+}
+
+/// What kinks and steps inside a span do to `h''`, taken one by one: over a cliff that goes down and up again they are
+/// huge and cancel, and so `h` is not what to compute there.
+fn broken(given: &Given, a: &End, b: &End) -> f64 {
+    let l = b.x - a.x;
+    let joints = given.joints_between(a.cell, b.cell).iter();
+    joints.fold(0.0_f64, |most, j| most.max((4.0 * j.kink.abs() + 6.0 * j.step.abs() / l) / l))
 }
 
 /// Which fourth derivative.
@@ -163,7 +182,9 @@ impl Hold {
     /// The same for `v = u − h`.
     fn of_beam(self, profile: &[f64; 4]) -> Self {
         match self {
-            Self::Clamped { height, slope } => Self::Clamped { height: profile[0] - height, slope: profile[1] - slope },
+            Self::Clamped { height, slope, turn } => {
+                Self::Clamped { height: profile[0] - height, slope: turn.unwrap_or(profile[1] - slope), turn }
+            }
             Self::Hinged { height, curvature } => {
                 Self::Hinged { height: profile[0] - height, curvature: profile[2] - curvature }
             }

@@ -45,6 +45,14 @@ pub(super) fn consistent(given: &Given, list: List) -> List {
     while nodes.last().is_some_and(|n| given.length - n.x <= least) {
         inside = nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
     }
+    // A zone that starts, or ends, in the last digits beside a support where the foundation starts as well.
+    if nodes.first().is_some_and(|n| n.kind == Kind::ZoneStart && n.x <= least) && given.starts_at_zero(0) {
+        nodes.remove(0);
+        supports[0] = AtSupport::Zone;
+    }
+    if inside && given.starts_at_zero(1) {
+        supports[1] = AtSupport::Zone;
+    }
     if inside && supports[1] != AtSupport::Zone {
         // The zone that was opened last has no end.
         match nodes.iter().rposition(|n| n.kind == Kind::ZoneStart) {

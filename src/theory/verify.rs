@@ -63,6 +63,11 @@ pub(super) enum Fault {
         /// The moment there, over `EI`.
         moment: f64,
     },
+    /// A span that is too short for its ends to be told apart.
+    Unresolved {
+        /// Index of the node to its right.
+        span: usize,
+    },
     /// The equations of the list do not hold.
     Residual {
         /// Largest jump of the curvature.
@@ -93,6 +98,11 @@ pub(super) const TOLERANCE: f64 = 1e-12;
 /// A contact that would have to move by less than this fraction of the beam is where it should be: a few units of the last
 /// place of its position, which for steep profiles may be a jump of the moment above its tolerance.
 const PLACE: f64 = 4e-15;
+
+/// A contact that would have to move by more than this fraction of a span beside it leaves that span without a correct
+/// digit or two: what is in it, the lift-off beside a support for example, is rounding, however small its forces are beside
+/// the load.
+const CROWDED: f64 = 1e-3;
 
 /// Checks `list`.
 pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Checked {
@@ -165,10 +175,15 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
             judge(moment, scale.moment, Fault::Couple { support, moment });
         }
     }
-    let (jump, step) = newton::residual(given, list);
+    let newton::Residual { jump, step, crowded } = newton::residual(given, list);
     let fixed = list.nodes.iter().all(|n| matches!(n.kind, Kind::Edge(_)));
     let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
     judge(rounded, scale.moment, Fault::Residual { jump });
+    let (part, span) = crowded;
+    if CROWDED < part {
+        faults.push(Fault::Unresolved { span });
+        worst = worst.max(part);
+    }
     Checked { pieces, spans, forces, shear, faults, worst }
 }
 

@@ -18,6 +18,7 @@ mod determinism;
 mod dial;
 mod digits;
 mod exact;
+mod extremes;
 mod faults;
 mod invariants;
 mod judge;

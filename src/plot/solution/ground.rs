@@ -7,12 +7,16 @@ use crate::scene::{Foundation, Scene};
 
 /// The foundation as far as it is drawn.
 pub(super) struct Ground {
-    pub(super) line: Vec<Place>,
+    /// The stretches of it that are drawn, from left to right.
+    pub(super) pieces: Vec<Vec<Place>>,
+    /// Where it lies below the drawing, one place for each stretch, and how deep.
+    pub(super) below: Vec<(Place, String)>,
     /// Why something is missing, as a sentence of the description.
     pub(super) remark: Option<String>,
 }
 
-/// A foundation deeper than this many times the deflection would flatten the beam to a line: it is cut off there.
+/// A foundation deeper than this many times the deflection would flatten the beam to a line: it is not drawn there, and a
+/// label says how deep it is. A line at the border would look like ground.
 const DEEPEST: f64 = 4.0;
 
 pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
@@ -23,7 +27,7 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
     let line: Vec<Place> = match scene.foundation() {
         None => {
             let remark = Some("There is no foundation, so there is no clearance.".to_owned());
-            return Ground { line: Vec::new(), remark };
+            return Ground { pieces: Vec::new(), below: Vec::new(), remark };
         }
         Some(Foundation::Polyline { points }) => points.clone(),
         Some(Foundation::Flat { depth }) => vec![[0.0, *depth], [length, *depth]],
@@ -31,16 +35,80 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
     };
     let deflected = curves.deflection.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let limit = if 0.0 < deflected { DEEPEST * deflected } else { f64::INFINITY };
+    let (pieces, gaps) = cut(&line, limit);
+    // A stretch without ground is marked at the bottom of what is drawn.
+    let bottom = if pieces.is_empty() { deflected } else { limit };
+    let deepest = |[from, to]: [f64; 2]| {
+        let inside = line.iter().filter(|p| from <= p[0] && p[0] <= to);
+        inside.fold(limit, |most: f64, p| most.max(p[1]))
+    };
     let shallowest = line.iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-    if limit < shallowest {
+    let below: Vec<(Place, String)> = gaps
+        .iter()
+        .map(|&gap| {
+            let depth = if pieces.is_empty() { shallowest } else { deepest(gap) };
+            let word = if pieces.is_empty() { " or deeper" } else { "" };
+            ([0.5 * (gap[0] + gap[1]), bottom], format!("ground at {}{word} ↓", significant(depth, DIGITS)))
+        })
+        .collect();
+    let remark = if pieces.is_empty() {
         let depth = significant(shallowest, DIGITS);
-        let remark = format!("The foundation lies far below the beam, at {depth} or deeper, and is not drawn with it.");
-        return Ground { line: Vec::new(), remark: Some(remark) };
+        Some(format!("The foundation lies far below the beam, at {depth} or deeper, and is not drawn with it."))
+    } else if below.is_empty() {
+        None
+    } else {
+        Some(format!("The foundation is not drawn where it lies deeper than {}.", significant(limit, DIGITS)))
+    };
+    Ground { pieces, below, remark }
+}
+
+/// The stretches of a line that are not deeper than `limit`, and those from where to where it is.
+fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
+    let (mut pieces, mut gaps) = (Vec::new(), Vec::new());
+    let mut piece: Vec<Place> = Vec::new();
+    let mut since: Option<f64> = line.first().filter(|p| limit < p[1]).map(|p| p[0]);
+    for (i, &here) in line.iter().enumerate() {
+        let before = i.checked_sub(1).map_or(here, |i| line[i]);
+        if (limit < before[1]) != (limit < here[1]) {
+            let x = before[0] + (here[0] - before[0]) * ((limit - before[1]) / (here[1] - before[1]));
+            piece.push([x, limit]);
+            match since.take() {
+                Some(from) => gaps.push([from, x]),
+                None => {
+                    since = Some(x);
+                    pieces.push(std::mem::take(&mut piece));
+                }
+            }
+        }
+        if here[1] <= limit {
+            piece.push(here);
+        }
     }
-    if line.iter().any(|p| limit < p[1]) {
-        let line = line.into_iter().map(|[x, u]| [x, u.min(limit)]).collect();
-        let remark = format!("The foundation is cut off at the depth {}.", significant(limit, DIGITS));
-        return Ground { line, remark: Some(remark) };
+    if let (Some(from), Some(last)) = (since, line.last()) {
+        gaps.push([from, last[0]]);
     }
-    Ground { line, remark: None }
+    if !piece.is_empty() {
+        pieces.push(piece);
+    }
+    (pieces, gaps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cut;
+
+    #[test]
+    fn a_pit_is_cut_out_where_it_is_too_deep() {
+        let line = [[0.0, 1.0], [2.0, 3.0], [4.0, 1.0], [5.0, 1.0]];
+        let (pieces, gaps) = cut(&line, 2.0);
+        assert_eq!(pieces, [vec![[0.0, 1.0], [1.0, 2.0]], vec![[3.0, 2.0], [4.0, 1.0], [5.0, 1.0]]]);
+        assert_eq!(gaps, [[1.0, 3.0]]);
+    }
+
+    #[test]
+    fn ground_that_is_all_too_deep_is_one_gap() {
+        let (pieces, gaps) = cut(&[[0.0, 9.0], [5.0, 8.0]], 2.0);
+        assert!(pieces.is_empty(), "nothing is drawn");
+        assert_eq!(gaps, [[0.0, 5.0]]);
+    }
 }

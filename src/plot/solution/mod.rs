@@ -53,7 +53,7 @@ fn description(curves: &Curves, ground: &Ground, units: &UnitLabels) -> String {
     let mut parts = vec![format!(
         "From top to bottom: deflected beam{}, contact forces, bending moment and shear force along the beam; deflection \
          and moment are positive downwards.",
-        if ground.remark.is_some() && ground.line.is_empty() { "" } else { " above its foundation, clearance" }
+        if ground.pieces.is_empty() { "" } else { " above its foundation, clearance" }
     )];
     parts.extend(ground.remark.clone());
     let v = &curves.deflection_extremes;

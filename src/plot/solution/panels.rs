@@ -54,8 +54,12 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
     let length = scene.beam().length();
     let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(640.0);
-    if !ground.line.is_empty() {
-        panel = panel.with(Layer::Foundation { points: ground.line.clone(), label: "foundation u(x)".to_owned() });
+    for (i, points) in ground.pieces.iter().enumerate() {
+        let label = if i == 0 { "foundation u(x)" } else { "" };
+        panel = panel.with(Layer::Foundation { points: points.clone(), label: label.to_owned() });
+    }
+    for (at, text) in &ground.below {
+        panel = panel.with(Layer::Note { at: *at, text: text.clone(), dot: false });
     }
     let sketch = sketch(scene, curves, units);
     let load = !sketch.is_empty();

@@ -11,6 +11,7 @@ mod conditioning;
 mod convergence;
 mod dial;
 mod discrepancies;
+mod extremes;
 mod figures;
 mod front;
 mod judged;
@@ -47,6 +48,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "90-recommendation", evidence: recommendation::evidence },
     Chapter { name: "100-trade", evidence: trade::evidence },
     Chapter { name: "102-conditioning", evidence: conditioning::evidence },
+    Chapter { name: "105-extremes", evidence: extremes::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];

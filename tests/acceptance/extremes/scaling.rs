@@ -1,0 +1,55 @@
+//! Units: the same bits by our own solvers where units are powers of two, the same twelve digits where they are not.
+
+use palkki::Settings;
+use palkki::extremes::{Factors, units};
+use palkki::route::{Method, Solver, Status};
+use palkki::state::ContactState;
+
+/// Data that are rounded in new units, by half a unit in the last place each, times what 30 intervals amplify.
+const DIGITS: f64 = 1e-12;
+/// What a library is asked for, and its own scaling of rounded data.
+const LIBRARY: f64 = 1e-6;
+
+const GRID: usize = 30;
+
+/// Forces and energy in the original units.
+fn undone(state: &ContactState, factors: Factors) -> Vec<f64> {
+    let nodes = state.nodes.as_ref().expect("nodes");
+    let forces = [state.reactions.left, state.reactions.right].into_iter().chain(nodes.contact_force.iter().copied());
+    let depths = nodes.deflection.iter().map(|v| v / factors.depth);
+    forces.map(|f| f / factors.force).chain(depths).collect()
+}
+
+#[test]
+fn units_do_not_matter() {
+    let mut wrong = Vec::new();
+    for method in Method::ALL {
+        for solver in [Solver::FourStep, Solver::ActiveSet, Solver::Clarabel, Solver::Osqp] {
+            let mut reference: Option<(Vec<f64>, Status)> = None;
+            for (factors, extreme) in units().expect("scenes in range") {
+                let outcome =
+                    palkki::solve(&extreme.scene, &Settings::new(method, solver, GRID)).expect("numbers in range");
+                let found = undone(&outcome.state, factors);
+                let original = Factors { name: factors.name, length: 1.0, depth: 1.0, force: 1.0 };
+                if factors == original {
+                    reference = Some((found, outcome.status));
+                    continue;
+                }
+                let (expected, status) = reference.as_ref().expect("the first is in the original units");
+                let own = matches!(solver, Solver::FourStep | Solver::ActiveSet);
+                let size = expected.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
+                let error = found.iter().zip(expected).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max);
+                let same = found.iter().zip(expected).all(|(a, b)| a.to_bits() == b.to_bits());
+                let digits = if own { DIGITS } else { LIBRARY };
+                if outcome.status != *status
+                    || (own && factors.exact() && !same)
+                    || (*status == Status::Certified && digits < error)
+                {
+                    wrong
+                        .push(format!("{} by {method}/{solver}: {:?}, off by {error:e}", extreme.name, outcome.status));
+                }
+            }
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+}
