@@ -70,14 +70,15 @@ impl Span {
     /// The span between two ends.
     ///
     /// The equations are the same in `v` with `v'''' = q`, and over many waves of a profile they have to be solved in `v`:
-    /// `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
+    /// `h''` there is of the size of `u''`, and so would be the rounding of `v''`. So it is over steep flanks and great depths.
     pub(super) fn between(given: &Given, a: End, b: End) -> Self {
         let l = b.x - a.x;
         let (profile_a, profile_b) = (given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x));
         let chord = 6.0 * profile_a[0].abs().max(profile_b[0].abs()) / (l * l);
-        if chord < profile_a[2].abs().max(profile_b[2].abs()) {
+        if chord < profile_a[2].abs().max(profile_b[2].abs()) || is_steep(given, &a, &b) {
             // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
-            let rise = given.shapes[given.cells[a.cell].shape].rise(a.x, b.x);
+            let (left, right) = (given.cells[a.cell].shape, given.cells[b.cell].shape);
+            let rise = if left == right { given.shapes[left].rise(a.x, b.x) } else { profile_b[0] - profile_a[0] };
             let beyond = |u: &[f64; 4], rest: f64, rise: f64| [rise + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
             let holds =
                 [a.hold.of_beam(&beyond(&profile_a, a.rest, 0.0)), b.hold.of_beam(&beyond(&profile_b, b.rest, rise))];
@@ -103,6 +104,28 @@ impl Span {
         self.b.x - self.a.x
     }
 }
+
+/// True if the depths, steps and kinks that `h` has to follow are so much larger than what the beam does that the equations
+/// in `h` lose more than [`LOST`] of their size: great depth at a support, or points of a polyline that all but coincide.
+fn is_steep(given: &Given, a: &End, b: &End) -> bool {
+    let l = b.x - a.x;
+    let broken = given.joints_between(a.cell, b.cell).iter().map(|j| (4.0 * j.kink.abs() + 6.0 * j.step.abs() / l) / l);
+    let height = 6.0 * a.hold.height().abs().max(b.hold.height().abs()) / (l * l);
+    let bend = |end: &End| given.derivatives(end.cell, end.x)[2].abs();
+    let ground = broken.fold(height.max(bend(a)).max(bend(b)), f64::max);
+    // Curvatures of the beam: by its load, and by the places and slopes at which it is held.
+    let at = |end: &End| {
+        let u = given.derivatives(end.cell, end.x);
+        let slope = if let Hold::Clamped { slope, .. } = end.hold { u[1] - slope } else { 0.0 };
+        (u[0] - end.hold.height(), slope)
+    };
+    let ((v_a, slope_a), (v_b, slope_b)) = (at(a), at(b));
+    let held = (6.0 * (v_a - v_b).abs() / l + 4.0 * slope_a.abs().max(slope_b.abs())) / l;
+    LOST * held.max(given.total_load * l) < ground
+}
+
+/// Equations in `h` keep the digits of tiny gaps, so that three digits may be lost before those in `v` are better.
+const LOST: f64 = 1e3;
 
 /// Which fourth derivative.
 #[derive(Debug, Clone, Copy, PartialEq)]
