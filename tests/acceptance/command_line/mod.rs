@@ -3,6 +3,7 @@
 mod certify;
 mod exact;
 mod exit_codes;
+mod hostile;
 mod input;
 mod json;
 mod output;
