@@ -10,8 +10,12 @@ use palkki::scene::{Scene, SceneError};
 
 use super::failure::Failure;
 
-/// Bytes of the largest file that is read; a survey of this size has some millions of points.
-const LARGEST: u64 = 64 * 1024 * 1024;
+/// Bytes of the largest survey, or file of contact forces, that is read: it has some millions of rows.
+const LARGEST_TABLE: u64 = 64 * 1024 * 1024;
+
+/// Bytes of the largest scene file that is read. Its document takes some fifty times its size in memory; a foundation with more
+/// points has room in a survey.
+const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
 /// A scene with the files that it came from.
 #[derive(Debug)]
@@ -28,11 +32,12 @@ impl Input {
     /// Reads the scene file `path`.
     pub(super) fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        let text = read(path).map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
+        let text = read(path, LARGEST_SCENE)
+            .map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
         let files = RefCell::new(vec![path.to_owned()]);
         let scene = parse(&name, &text, |survey| {
             let survey = path.with_file_name(survey);
-            let text = read(&survey);
+            let text = read(&survey, LARGEST_TABLE);
             files.borrow_mut().push(survey);
             text
         })?;
@@ -47,8 +52,8 @@ impl Input {
     /// Reads contact forces for the beam of this scene.
     pub(super) fn forces(&self, path: &Path) -> Result<Vec<(f64, f64)>, Failure> {
         let name = path.display().to_string();
-        let text =
-            read(path).map_err(|problem| Box::new(FileError::whole(&name, Problem::UnreadableForces(problem))))?;
+        let text = read(path, LARGEST_TABLE)
+            .map_err(|problem| Box::new(FileError::whole(&name, Problem::UnreadableForces(problem))))?;
         Ok(parse_forces(&name, &text, self.scene.beam().length())?)
     }
 
@@ -58,22 +63,26 @@ impl Input {
     }
 }
 
-/// A file as text.
-fn read(path: &Path) -> Result<String, ReadProblem> {
+/// A file of at most `largest` bytes as text.
+fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
     let refused = |error: io::Error| match error.kind() {
         io::ErrorKind::NotFound => ReadProblem::Missing,
         io::ErrorKind::IsADirectory => ReadProblem::Directory,
         kind => ReadProblem::Refused { reason: kind.to_string() },
     };
+    // Opening one would wait until somebody writes.
+    if is_named_pipe(path) {
+        return Err(ReadProblem::NamedPipe);
+    }
     let file = File::open(path).map_err(refused)?;
     if file.metadata().map_err(refused)?.is_dir() {
         return Err(ReadProblem::Directory);
     }
     let mut bytes = Vec::new();
     // One byte more, to see that there is more. The size that a file claims is no help: a device claims none.
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(refused)?;
-    if usize::try_from(LARGEST).is_ok_and(|limit| limit < bytes.len()) {
-        return Err(ReadProblem::TooLarge { limit: LARGEST });
+    file.take(largest + 1).read_to_end(&mut bytes).map_err(refused)?;
+    if usize::try_from(largest).is_ok_and(|limit| limit < bytes.len()) {
+        return Err(ReadProblem::TooLarge { limit: largest });
     }
     String::from_utf8(bytes).map_err(|error| {
         let (good, _) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
@@ -81,4 +90,17 @@ fn read(path: &Path) -> Result<String, ReadProblem> {
         let column = good.rsplit('\n').next().map_or(0, |line| line.chars().count()) + 1;
         ReadProblem::NotText { line: good.matches('\n').count() + 1, column }
     })
+}
+
+/// True for a pipe with a name of its own; standard input and the pipes of a shell, which have writers, have none.
+#[cfg(unix)]
+fn is_named_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    let named = || std::fs::canonicalize(path).is_ok();
+    std::fs::metadata(path).is_ok_and(|there| there.file_type().is_fifo()) && named()
+}
+
+#[cfg(not(unix))]
+fn is_named_pipe(_: &Path) -> bool {
+    false
 }

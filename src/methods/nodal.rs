@@ -122,8 +122,8 @@ fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64)
     let mut contacts: Vec<Contact> = Vec::new();
     let mut previous = false;
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
-        // h/X < p/G without a division: most nodes of a fine grid pass here.
-        let touches = NO_FORCE * force < p && h * force < p * depth;
+        // h/X ≤ p/G without a division: most nodes of a fine grid pass here. Both are zero on ground that leaves no room at all.
+        let touches = NO_FORCE * force < p && h * force <= p * depth;
         match contacts.last_mut() {
             Some(run) if touches && previous => {
                 run.force += p;

@@ -43,11 +43,30 @@ impl Native {
         }
     }
 
+    /// All numbers of the form.
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let equations = self.equations.iter().flatten().map(|(_, value)| value);
+        self.quadratic.values.iter().chain(&self.linear).chain(&self.right).chain(equations).copied()
+    }
+
     /// Whether all numbers are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
-        let equations = self.equations.iter().flatten().map(|(_, value)| value);
-        self.quadratic.values.iter().chain(&self.linear).chain(&self.right).chain(equations).all(|v| v.is_finite())
+        self.numbers().all(f64::is_finite)
+    }
+
+    /// Whether all numbers are of a magnitude less than `limit`.
+    #[must_use]
+    pub fn is_within(&self, limit: f64) -> bool {
+        self.numbers().all(|number| number.abs() < limit)
+    }
+
+    /// Whether the diagonal of `P` alone shows that there need not be a minimum.
+    #[must_use]
+    pub fn has_negative_diagonal(&self) -> bool {
+        let UpperColumns { starts, rows, values } = &self.quadratic;
+        let columns = starts.windows(2).enumerate();
+        columns.into_iter().any(|(j, s)| (s[0]..s[1]).any(|k| rows[k] == j && values[k] < 0.0))
     }
 
     /// Equations and signs as the rows of one matrix by columns: `E` above, below it `sign` times the unit vectors of the

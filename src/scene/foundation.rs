@@ -68,6 +68,11 @@ impl Foundation {
         }
         for (support, at) in [(Support::Left, 0.0), (Support::Right, beam.length())] {
             let depth = self.depth(at);
+            if depth.is_nan() {
+                // Of finite numbers only the angle of a wave can overflow.
+                let (quantity, what) = (Quantity::Wavelength, "the depth at a support");
+                return Err(SceneError::Overflow { quantity, what, value: depth });
+            }
             if depth < 0.0 {
                 return Err(SceneError::AboveSupport { support, at, depth });
             }

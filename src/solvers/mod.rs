@@ -87,7 +87,13 @@ impl Solver {
 const LARGEST_MATRIX: usize = 2000;
 
 /// The sparse form for a library; from the matrix if the programme has no other, or a refusal.
+///
+/// Both libraries fail on a programme without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
+/// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
 fn native(programme: &dyn Programme) -> Result<Native, Answer> {
+    if programme.dimension() == 0 {
+        return Err(Answer::refused(0, "not tried: the programme has no unknowns".to_owned()));
+    }
     let native = match programme.native() {
         Some(native) => native,
         None => match too_large(programme) {
@@ -95,13 +101,20 @@ fn native(programme: &dyn Programme) -> Result<Native, Answer> {
             None => Native::of_matrix(programme),
         },
     };
-    if native.is_finite() {
-        Ok(native)
+    let words = if !native.is_finite() {
+        "not tried: the programme has numbers that are not finite"
+    } else if !native.is_within(INFINITE) {
+        "not tried: the programme has numbers beyond 1e20, which the library takes for infinite"
+    } else if native.has_negative_diagonal() {
+        "not tried: the matrix of the programme is not positive definite"
     } else {
-        let words = "not tried: the programme has numbers that are not finite";
-        Err(Answer::refused(programme.dimension(), words.to_owned()))
-    }
+        return Ok(native);
+    };
+    Err(Answer::refused(programme.dimension(), words.to_owned()))
 }
+
+/// What clarabel takes for infinite; osqp takes 1e30, and prints what it thinks of a factorisation that overflows.
+const INFINITE: f64 = 1e20;
 
 /// The refusal of a solver that would need a larger matrix, if it would.
 fn too_large(programme: &dyn Programme) -> Option<Answer> {

@@ -19,7 +19,29 @@ pub enum TheoryError {
         /// The least that is possible \[length\].
         least: f64,
     },
+    /// The phase of a wave is so large that its rounding moves the wave.
+    #[error("`foundation.cosine.phase` must be at most {most} in magnitude for an exact solution, but is {phase}")]
+    PhaseTooLarge {
+        /// The phase \[rad\].
+        phase: f64,
+        /// The most that is possible \[rad\].
+        most: f64,
+    },
+    /// The profile has so many points that its pieces cannot be listed.
+    #[error("a foundation given by points must have at most {most} of them for an exact solution, but has {count}")]
+    TooManyPoints {
+        /// How many there are.
+        count: usize,
+        /// The most that are possible.
+        most: usize,
+    },
 }
+
+/// Largest phase of a wave \[rad\]: half a unit in its last place is a tenth of what a condition may be violated by.
+const MOST_PHASE: f64 = 1000.0;
+
+/// Points of the longest polyline: the search takes time in the square of their number, here about a second at worst.
+const MOST_POINTS: usize = 20_000;
 
 /// The exact solution of `scene`.
 ///
@@ -31,13 +53,21 @@ pub enum TheoryError {
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
-    if let Some(&Foundation::Cosine { wavelength, .. }) = foundation {
+    if let Some(&Foundation::Cosine { wavelength, phase, .. }) = foundation {
+        if MOST_PHASE < phase.abs() {
+            return Err(TheoryError::PhaseTooLarge { phase, most: MOST_PHASE });
+        }
         // One cell is an eighth of a wave or so.
         let least = 8.0 * scaled.scene.beam().length() / MOST_CELLS;
         if wavelength < least {
             let unit = scaled.scale.length;
             return Err(TheoryError::TooManyPieces { wavelength: wavelength * unit, least: least * unit });
         }
+    }
+    if let Some(Foundation::Polyline { points }) = foundation
+        && MOST_POINTS < points.len()
+    {
+        return Err(TheoryError::TooManyPoints { count: points.len(), most: MOST_POINTS });
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let (given, found) = match foundation {

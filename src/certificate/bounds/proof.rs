@@ -36,7 +36,7 @@ const MOST_PARTS: usize = 400;
 
 /// The pair of some joints, if it can be proven.
 pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
-    if joints.windows(2).any(|w| w[1].x <= w[0].x) {
+    if !covers(joints, setting.length) || joints.windows(2).any(|w| w[1].x <= w[0].x) {
         return None;
     }
     let stiffness = Interval::exact(setting.stiffness);
@@ -83,6 +83,12 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
     let gap = Interval::between(gap.lo().max(0.0), gap.hi());
     let (first, last) = (shears.first()?, shears.last()?);
     Some(Pair { curve: Curve { pieces }, gap, reactions: [first[0], -last[1]] })
+}
+
+/// Whether joints reach from support to support. A zone that ends at a support may have been moved away from it by the search
+/// for places, and a deflection of a part of the beam proves nothing.
+fn covers(joints: &[Joint], length: f64) -> bool {
+    joints.first().is_some_and(|first| first.x <= 0.0) && joints.last().is_some_and(|last| length <= last.x)
 }
 
 /// `M` at a joint. Where only continuity is asked for, a number between the moments of the two spans.
@@ -187,6 +193,9 @@ pub(super) fn free(load: &Pieces, stiffness: f64, length: f64) -> Pair {
 
 /// The deflection of joints that are not proven.
 pub(super) fn drawn(setting: &Setting<'_>, joints: &[Joint]) -> Option<Curve> {
+    if !covers(joints, setting.length) {
+        return None;
+    }
     let mut pieces = Vec::new();
     for pair in joints.windows(2) {
         if pair[1].x <= pair[0].x {

@@ -97,10 +97,16 @@ impl Place {
         Self {
             line: text[..line_start].matches('\n').count() + 1,
             column: text[line_start..start].chars().count() + 1,
-            text: line.to_owned(),
+            text: line.replace(is_c1, "\u{b7}"),
             marked: start - line_start..end.min(line_end) - line_start,
         }
     }
+}
+
+/// U+0080 to U+009F, which a terminal may obey and the renderer passes on. What stands in their place has as many bytes, so
+/// that places in the line remain.
+fn is_c1(c: char) -> bool {
+    ('\u{80}'..='\u{9f}').contains(&c)
 }
 
 /// The last boundary between characters at or before byte `at`.

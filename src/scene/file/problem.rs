@@ -1,5 +1,6 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
+use super::survey::excerpt;
 use crate::scene::SceneError;
 
 /// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
@@ -11,6 +12,9 @@ pub enum ReadProblem {
     /// It is a directory.
     #[error("it is a directory, not a file")]
     Directory,
+    /// It is a named pipe.
+    #[error("it is a named pipe, which may wait forever; standard input is `/dev/stdin`")]
+    NamedPipe,
     /// The operating system refused.
     #[error("it cannot be read ({reason})")]
     Refused {
@@ -40,7 +44,7 @@ pub enum Problem {
     #[error("cannot read the scene: {0}")]
     Unreadable(ReadProblem),
     /// The survey could not be read.
-    #[error("cannot read the survey {path:?}: {problem}")]
+    #[error("cannot read the survey {:?}: {problem}", excerpt(path))]
     UnreadableSurvey {
         /// As the scene file has it.
         path: String,
@@ -60,13 +64,13 @@ pub enum Problem {
         message: String,
     },
     /// A key or a table for the second time.
-    #[error("the key `{key}` is there twice")]
+    #[error("the key `{}` is there twice", excerpt(key))]
     KeyTwice {
         /// The key.
         key: String,
     },
     /// A key that means nothing here.
-    #[error("unknown key {key:?} {}", in_table(table))]
+    #[error("unknown key {:?} {}", excerpt(key), in_table(table))]
     UnknownKey {
         /// The key.
         key: String,

@@ -94,7 +94,7 @@ pub(super) fn beside(scene: &str, path: &str) -> String {
     Path::new(scene).parent().map_or_else(|| path.to_owned(), |folder| folder.join(path).display().to_string())
 }
 
-/// A field as a message repeats it.
+/// A field, or a key, as a message repeats it.
 pub(super) fn excerpt(text: &str) -> String {
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {

@@ -1,9 +1,12 @@
 //! The keys of one table of a scene file: known ones only, each of its type, each with its path and place.
 
+use std::num::IntErrorKind;
+
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::Problem;
+use super::survey::excerpt;
 
 /// Bytes of the file, from `start` up to `end`.
 pub(super) type Span = std::ops::Range<usize>;
@@ -100,20 +103,29 @@ impl<'a> Value<'a> {
 
     /// A number, written as an integer or with a decimal point; `nan` and `inf` pass, the scene refuses them.
     pub(super) fn number(&self) -> Result<f64, Error> {
+        let not_a_number = || self.wrong_type("a number");
         let number = match self.value.get_ref() {
             DeValue::Float(float) => {
-                let number: Option<f64> = float.as_str().parse().ok();
-                number.filter(|number| number.is_finite() || !float.as_str().contains(|c: char| c.is_ascii_digit()))
+                let number: f64 = float.as_str().parse().map_err(|_| not_a_number())?;
+                let finite = number.is_finite() || !float.as_str().contains(|c: char| c.is_ascii_digit());
+                Some(number).filter(|_| finite)
             }
             // Rounded to the nearest f64, as a decimal point would be.
             DeValue::Integer(integer) if integer.radix() == 10 => {
-                integer.as_str().parse().ok().filter(|number: &f64| number.is_finite())
+                let number: f64 = integer.as_str().parse().map_err(|_| not_a_number())?;
+                Some(number).filter(|number| number.is_finite())
             }
-            #[expect(clippy::cast_precision_loss, reason = "rounded to the nearest f64, as a decimal point would be")]
-            DeValue::Integer(integer) => {
-                i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|number| number as f64)
-            }
-            _ => return Err(self.wrong_type("a number")),
+            DeValue::Integer(integer) => match i128::from_str_radix(integer.as_str(), integer.radix()) {
+                #[expect(
+                    clippy::cast_precision_loss,
+                    reason = "rounded to the nearest f64, as a decimal point would be"
+                )]
+                Ok(number) => Some(number as f64),
+                Err(error) if matches!(error.kind(), IntErrorKind::PosOverflow | IntErrorKind::NegOverflow) => None,
+                // `0x` alone.
+                Err(_) => return Err(not_a_number()),
+            },
+            _ => return Err(not_a_number()),
         };
         number.ok_or_else(|| Error { span: self.span(), problem: Problem::BeyondRange { path: self.path.clone() } })
     }
@@ -144,8 +156,8 @@ impl<'a> Value<'a> {
         let found = match self.value.get_ref() {
             DeValue::String(text) if text.chars().nth(LONGEST_QUOTE).is_some() => "a long text".to_owned(),
             DeValue::String(text) => format!("the text {:?}", &**text),
-            DeValue::Integer(number) => format!("the integer {number}"),
-            DeValue::Float(number) => format!("the number {number}"),
+            DeValue::Integer(number) => format!("the integer {}", excerpt(&number.to_string())),
+            DeValue::Float(number) => format!("the number {}", excerpt(&number.to_string())),
             DeValue::Boolean(value) => value.to_string(),
             DeValue::Datetime(_) => "a date or time".to_owned(),
             DeValue::Array(array) => format!("an array of length {}", array.len()),

@@ -42,11 +42,11 @@ fn a_scene_file_that_is_too_large() {
     let folder = Folder::new("large_scene");
     let file = fs::File::create(folder.path("large.toml")).expect("a file for the test");
     // A hole: it takes no room on the disk.
-    file.set_len(64 * 1024 * 1024 + 1).expect("a large file");
+    file.set_len(16 * 1024 * 1024 + 1).expect("a large file");
     let run = folder.run("solve large.toml");
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
     insta::assert_snapshot!(run.err.trim_end(), @"
-    error: cannot read the scene: it is larger than 67108864 bytes, the most that is read
+    error: cannot read the scene: it is larger than 16777216 bytes, the most that is read
     --> large.toml
     ");
 }

@@ -4,6 +4,7 @@ mod certify;
 mod dial;
 mod exact;
 mod exit_codes;
+mod hostile;
 mod input;
 mod json;
 mod output;

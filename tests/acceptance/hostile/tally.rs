@@ -1,0 +1,101 @@
+//! Counts over many runs.
+
+use std::collections::BTreeMap;
+
+use palkki::route::Status;
+
+use super::scenes::Family;
+use super::trial::{self, Trial};
+
+/// What became of the runs of one family.
+#[derive(Debug, Default, Clone)]
+pub(crate) struct Count {
+    pub(crate) runs: usize,
+    pub(crate) refused: usize,
+    /// Beam theory: certified, not certified, no answer.
+    pub(crate) exact: [usize; 3],
+    /// Of the certified answers of theory those for which the bounds are finite as well.
+    pub(crate) bounded: usize,
+    /// The active set on a grid: certified, not certified.
+    pub(crate) reference: [usize; 2],
+    /// A route with any method and solver: certified, not certified.
+    pub(crate) route: [usize; 2],
+    /// Runs in which a solver says success and the judge does not.
+    pub(crate) contradicted: usize,
+    /// The most lists of contacts that theory tried, the most iterations of a route.
+    pub(crate) work: [usize; 2],
+    pub(crate) wrong: usize,
+    pub(crate) panics: usize,
+}
+
+/// Counts by family, and the runs that went wrong.
+#[derive(Debug, Default)]
+pub(crate) struct Tally {
+    pub(crate) families: BTreeMap<Family, Count>,
+    /// Seed and message.
+    pub(crate) wrong: Vec<(u64, String)>,
+}
+
+impl Tally {
+    /// Runs one seed. A panic is caught here and counted: this is the one place that looks for it.
+    pub(crate) fn run(&mut self, seed: u64) {
+        match std::panic::catch_unwind(|| trial::run(seed)) {
+            Ok((family, trial)) => self.add(seed, family, trial),
+            Err(_) => {
+                let (family, ..) = trial::draft(seed);
+                let count = self.families.entry(family).or_default();
+                count.runs += 1;
+                count.panics += 1;
+                self.wrong.push((seed, format!("{}: panic", family.word())));
+            }
+        }
+    }
+
+    /// With the counts of another part of the runs.
+    #[cfg_attr(test, expect(dead_code, reason = "the suite makes all its runs in one go"))]
+    pub(crate) fn join(&mut self, other: Self) {
+        for (family, b) in other.families {
+            let a = self.families.entry(family).or_default();
+            let sums = [
+                (&mut a.runs, b.runs),
+                (&mut a.refused, b.refused),
+                (&mut a.bounded, b.bounded),
+                (&mut a.contradicted, b.contradicted),
+                (&mut a.wrong, b.wrong),
+                (&mut a.panics, b.panics),
+            ];
+            sums.into_iter().for_each(|(a, b)| *a += b);
+            a.exact.iter_mut().zip(b.exact).for_each(|(a, b)| *a += b);
+            a.reference.iter_mut().zip(b.reference).for_each(|(a, b)| *a += b);
+            a.route.iter_mut().zip(b.route).for_each(|(a, b)| *a += b);
+            a.work.iter_mut().zip(b.work).for_each(|(a, b)| *a = b.max(*a));
+        }
+        self.wrong.extend(other.wrong);
+    }
+
+    fn add(&mut self, seed: u64, family: Family, trial: Trial) {
+        let count = self.families.entry(family).or_default();
+        count.runs += 1;
+        if !trial.accepted {
+            count.refused += 1;
+            return;
+        }
+        let certified = |status: Status| usize::from(status != Status::Certified);
+        count.exact[trial.exact.map_or(2, certified)] += 1;
+        if trial.exact == Some(Status::Certified) {
+            count.bounded += usize::from(trial.bounded);
+        }
+        if let Some(status) = trial.reference {
+            count.reference[certified(status)] += 1;
+        }
+        if let Some(status) = trial.route {
+            count.route[certified(status)] += 1;
+        }
+        count.contradicted += usize::from(trial.contradicted);
+        for (most, work) in count.work.iter_mut().zip(trial.work) {
+            *most = work.max(*most);
+        }
+        count.wrong += usize::from(!trial.wrong.is_empty());
+        self.wrong.extend(trial.wrong.into_iter().map(|what| (seed, format!("{}: {what}", family.word()))));
+    }
+}
