@@ -54,7 +54,7 @@ impl<'a> Ground<'a> {
         let mut levelled = taylor.minus(&Polynomial::new(&[a + slope * Interval::exact(x), slope]));
         // What is taken off at a support is its own depth.
         if (left.is_some() && x <= 0.0) || (right.is_some() && self.length <= x) {
-            levelled = levelled.from_zero();
+            levelled = levelled.vanishing();
         }
         levelled
     }

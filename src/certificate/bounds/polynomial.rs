@@ -71,7 +71,7 @@ impl Polynomial {
     }
 
     /// The same, known to vanish at its origin.
-    pub(super) fn from_zero(mut self) -> Self {
+    pub(super) fn vanishing(mut self) -> Self {
         self.coefficients[0] = Interval::ZERO;
         self
     }
