@@ -100,6 +100,9 @@ impl Interval {
     /// The square, which is not the product of two different numbers of the interval.
     #[must_use]
     pub fn square(self) -> Self {
+        if self.is_zero() {
+            return Self::ZERO;
+        }
         let (most, least) = (self.magnitude(), self.lo.max(-self.hi).max(0.0));
         Self::between((least * least).next_down().max(0.0), (most * most).next_up())
     }
@@ -107,6 +110,9 @@ impl Interval {
     /// The square root of what in it is not negative.
     #[must_use]
     pub fn sqrt(self) -> Self {
+        if self.is_zero() {
+            return Self::ZERO;
+        }
         let root = |x: f64| x.max(0.0).sqrt();
         Self::between(root(self.lo).next_down().max(0.0), root(self.hi).next_up())
     }

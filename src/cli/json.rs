@@ -122,6 +122,9 @@ struct CertificateObject {
     gap: f64,
     deflection_error: f64,
     deflection_error_at: f64,
+    /// For forces that somebody else computed, whose own deflection may be far from the best one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    best_deflection_error: Option<f64>,
     reactions: BracketsObject,
     stiffness: Option<[f64; 2]>,
 }
@@ -197,7 +200,10 @@ pub(super) fn certify(input: &Input, judgement: &Judgement) -> String {
     print(&JudgementObject {
         scene: input.title(),
         status: judgement.status().word(),
-        certificate: certificate_of(&judgement.certificate),
+        certificate: CertificateObject {
+            best_deflection_error: Some(judgement.certificate.best_deflection_error),
+            ..certificate_of(&judgement.certificate)
+        },
         violations: violations.collect(),
     })
 }
@@ -260,6 +266,7 @@ fn certificate_of(certificate: &Certificate) -> CertificateObject {
         gap: certificate.gap,
         deflection_error: certificate.deflection_error,
         deflection_error_at: certificate.deflection_error_at,
+        best_deflection_error: None,
         reactions: BracketsObject { left, right },
         stiffness: certificate.stiffness,
     }

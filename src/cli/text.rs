@@ -205,6 +205,8 @@ pub(super) fn certify(input: &Input, judgement: &Judgement) -> String {
     };
     text += &list(&[("status", status), (&labels.force("forces cut off"), cut)]);
     text += &bounds(&judgement.certificate, &labels);
+    let best = magnitude_at_most(judgement.certificate.best_deflection_error);
+    text += &list(&[(&labels.length("error of the best deflection found"), best)]);
     if judgement.violations.is_empty() {
         text += "\nViolations: none\n";
         return text;

@@ -1,6 +1,7 @@
 //! Changes of a pattern that does not fit.
 
 use super::fill::pressure;
+use super::hold;
 use super::joints::{Joint, Kind, Setting};
 use super::load::cells;
 use super::span::Span;
@@ -8,6 +9,9 @@ use super::span::Span;
 /// Changes the pattern where it does not fit: joints that pull go, a point at which the beam is bent more than the
 /// foundation becomes a zone, zones that pull open, and the beam gets a joint where it is deepest in the foundation. True if anything changed.
 pub(super) fn adjust(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
+    if hold::at_supports(setting, joints, true) {
+        return true;
+    }
     let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
     let shear = |span: &Option<Span>, jet: fn(&Span) -> f64| span.as_ref().map(|s| -setting.stiffness * jet(s));
     let mut pulls: Option<(usize, f64)> = None;

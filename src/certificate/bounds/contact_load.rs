@@ -1,6 +1,7 @@
 //! Contact forces that somebody computed.
 
 use crate::scene::Scale;
+use crate::state::Contact;
 
 /// Forces of the foundation on the beam, at places, upwards; those that pull are cut off.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,6 +81,29 @@ impl ContactLoad {
         let pressing = all.iter().copied().filter(|f| 0.0 < f.1).collect();
         let pulling = all.into_iter().filter(|f| f.1 < 0.0).collect();
         Ok(Self { pressing, pulling, spacing })
+    }
+
+    /// The forces of contacts: those at the ends of zones, and the rest of a zone's evenly over it.
+    pub(super) fn of_contacts(length: f64, contacts: &[Contact]) -> Self {
+        /// Forces in a zone.
+        const PARTS: u32 = 256;
+        let mut forces = Vec::new();
+        for Contact { from, to, force, end_forces } in contacts {
+            let Some([left, right]) = end_forces.filter(|_| from < to) else {
+                forces.push((*from, *force));
+                continue;
+            };
+            forces.extend([(*from, left), (*to, right)]);
+            let each = (force - left - right) / f64::from(PARTS);
+            forces.extend((0..PARTS).map(|k| (from + (to - from) * ((f64::from(k) + 0.5) / f64::from(PARTS)), each)));
+        }
+        // Places and forces that are no numbers bound nothing.
+        Self::new(length, forces).unwrap_or_else(|_| Self::none(length))
+    }
+
+    /// No forces at all.
+    fn none(length: f64) -> Self {
+        Self { pressing: Vec::new(), pulling: Vec::new(), spacing: LONE * length }
     }
 
     /// The forces that pulled and were cut off: places and forces, all negative.

@@ -9,8 +9,8 @@ pub(super) fn fill(setting: &Setting<'_>, joints: &mut Vec<Joint>) {
     let mut filled: Vec<Joint> = Vec::with_capacity(joints.len());
     for right in joints.drain(..) {
         let left = filled.last().copied().filter(|left| {
-            matches!(left.kind, Kind::Touch | Kind::End)
-                && matches!(right.kind, Kind::Touch | Kind::Start)
+            (matches!(left.kind, Kind::Touch | Kind::End) || lies_at(setting, left))
+                && (matches!(right.kind, Kind::Touch | Kind::Start) || lies_at(setting, &right))
                 && setting.ground.is_smooth_between(left.x, right.x)
                 && is_even(setting, left.x, right.x)
         });
@@ -20,14 +20,21 @@ pub(super) fn fill(setting: &Setting<'_>, joints: &mut Vec<Joint>) {
         };
         // A point becomes an end of the zone; the end of a zone on this side is none any more.
         filled.pop();
-        if left.kind == Kind::Touch {
+        if left.kind != Kind::End {
             filled.push(Joint::new(Kind::Start, left.x));
         }
-        if right.kind == Kind::Touch {
+        if right.kind != Kind::Start {
             filled.push(Joint::new(Kind::End, right.x));
         }
     }
     *joints = filled;
+}
+
+/// Whether a zone can begin at a support: where the foundation is level with it, and not bent the other way.
+fn lies_at(setting: &Setting<'_>, joint: &Joint) -> bool {
+    matches!(joint.kind, Kind::Support | Kind::Clamp)
+        && setting.ground.depth(joint.x).magnitude() <= 0.0
+        && 0.0 <= setting.ground.jet(joint.x)[2].hi()
 }
 
 /// Whether a zone between two places is possible, and the beam would otherwise be in the foundation between them.

@@ -9,7 +9,15 @@ use crate::scene::{Foundation, Scene};
 pub(super) struct Ground<'a> {
     foundation: &'a Foundation,
     length: f64,
+    /// Depths at the supports where they are zero but for rounding; a straight line through them is taken off the
+    /// foundation, which makes it level with these supports.
+    level: [Option<Interval>; 2],
 }
+
+/// A depth at a support is zero but for rounding if it is at most this share of the largest that the terms of the formula
+/// could add up to. The formula of a scene file is decimal, and known no better: with a depth of `−10⁻¹⁷` the scene would have
+/// no solution, with `10⁻¹⁷` the beam would lift off just beside the support.
+const LEVEL: f64 = 16.0 * f64::EPSILON;
 
 /// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
 const MOST_CELLS: f64 = 1e5;
@@ -21,7 +29,34 @@ const CELLS_OF_A_LONG_POLYNOMIAL: f64 = 256.0;
 impl<'a> Ground<'a> {
     /// [`None`] where there is no foundation.
     pub(super) fn of(scene: &'a Scene) -> Option<Self> {
-        Some(Self { foundation: scene.foundation()?, length: scene.beam().length() })
+        Some(Self::on(scene.foundation()?, scene.beam().length()))
+    }
+
+    pub(super) fn on(foundation: &'a Foundation, length: f64) -> Self {
+        let given = Self { foundation, length, level: [None; 2] };
+        if matches!(foundation, Foundation::Flat { .. } | Foundation::Polyline { .. }) {
+            return given;
+        }
+        let nothing = LEVEL * foundation.magnitude(length);
+        let level = [0.0, length]
+            .map(|x| Some(given.cell(x, x).at(Interval::ZERO)).filter(|u| u.lo() <= nothing && -nothing <= u.hi()));
+        Self { level, ..given }
+    }
+
+    /// Takes off the line that makes the foundation level with supports; `taylor` is about `x`.
+    fn levelled(&self, taylor: &Polynomial, x: f64) -> Polynomial {
+        let [left, right] = self.level;
+        if left.is_none() && right.is_none() {
+            return *taylor;
+        }
+        let [a, b] = [left, right].map(|u| u.unwrap_or(Interval::ZERO));
+        let slope = (b - a) / Interval::exact(self.length);
+        let mut levelled = taylor.minus(&Polynomial::new(&[a + slope * Interval::exact(x), slope]));
+        // What is taken off at a support is its own depth.
+        if (left.is_some() && x <= 0.0) || (right.is_some() && self.length <= x) {
+            levelled = levelled.vanishing();
+        }
+        levelled
     }
 
     /// Ends of cells strictly between two places.
@@ -53,9 +88,11 @@ impl<'a> Ground<'a> {
     pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
         match self.foundation {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
-            Foundation::Polynomial { coefficients } => taylor_of_polynomial(coefficients, from, to),
+            Foundation::Polynomial { coefficients } => {
+                self.levelled(&taylor_of_polynomial(coefficients, from, to), from)
+            }
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], from)
+                self.levelled(&taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], from), from)
             }
             Foundation::Polyline { points } => {
                 let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
@@ -78,10 +115,12 @@ impl<'a> Ground<'a> {
     /// `u(to − s)` for `0 ≤ s ≤ to − from`.
     pub(super) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
         let taylor = match self.foundation {
-            Foundation::Polynomial { coefficients } => taylor_of_polynomial_at(coefficients, to, [from, to]),
+            Foundation::Polynomial { coefficients } => {
+                self.levelled(&taylor_of_polynomial_at(coefficients, to, [from, to]), to)
+            }
             Foundation::Flat { .. } => self.cell(from, to),
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], to)
+                self.levelled(&taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], to), to)
             }
             Foundation::Polyline { .. } => {
                 let left = self.cell(from, to);

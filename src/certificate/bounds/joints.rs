@@ -6,6 +6,7 @@
 //! | joint | given | unknown | equation |
 //! |---|---|---|---|
 //! | support | `v = 0` | slope | `v'' = 0` |
+//! | clamp: a support that the foundation is level with and holds the slope at | `v = 0`, `v' = u'` | none | |
 //! | corner | `v = u` | slope | `v''` continuous |
 //! | touch | `v = u`, `v' = u'` | place | `v''` continuous |
 //! | start, end of a zone | `v = u`, `v' = u'` | place | `v'' = u''` |
@@ -20,10 +21,18 @@ use crate::certificate::interval::Interval;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Support,
+    Clamp,
     Corner,
     Touch,
     Start,
     End,
+}
+
+impl Kind {
+    /// True where the slope of the beam is not that of the foundation.
+    pub(super) fn is_hinge(self) -> bool {
+        matches!(self, Self::Support | Self::Corner)
+    }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +68,7 @@ impl Setting<'_> {
         match joint.kind {
             Kind::Support => [Interval::ZERO, Interval::exact(joint.slope)],
             Kind::Corner => [self.ground.depth(joint.x), Interval::exact(joint.slope)],
+            Kind::Clamp => [Interval::ZERO, self.ground.jet(joint.x)[1]],
             Kind::Touch | Kind::Start | Kind::End => {
                 let [u, slope, ..] = self.ground.jet(joint.x);
                 [u, slope]
@@ -110,6 +120,7 @@ pub(super) fn newton(setting: &Setting<'_>, joints: &mut [Joint]) -> Option<f64>
             Kind::Support if i == 0 => (0.0, 1.0, 0.0),
             Kind::Support => (1.0, 0.0, 0.0),
             Kind::Corner | Kind::Touch => (1.0, -1.0, 0.0),
+            Kind::Clamp => continue,
             Kind::Start if i == 0 => continue,
             Kind::End if i + 1 == n => continue,
             Kind::Start => (-1.0, 0.0, 1.0),

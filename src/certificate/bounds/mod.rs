@@ -16,32 +16,42 @@
 //! How it is built decides how sharp the bounds are. The forces show a *pattern* of contact (module `pattern`): zones, points
 //! and corners. Their places are refined (modules `refine`, `adjust`, `fill`), and from them alone follow a deflection and a moment field for which the gap is
 //! of second order in whatever is left (modules `joints`, `proof`). The refinement may go wrong; admissibility is proven
-//! afterwards in interval arithmetic, between all nodes and for every kind of profile. Where it cannot be proven, the
-//! deflection that the given forces cause is lifted off the foundation instead (module `admissible`), which always works and
-//! is coarse.
+//! afterwards in interval arithmetic, between all nodes and for every kind of profile, and what cannot be proven is amended
+//! (modules `clearance`, `pressing`, `hold`). Where the amends are more than rounding, the deflection that the given forces
+//! cause is lifted off the foundation as well (module `admissible`), which always works and is coarse; the better one counts.
+//!
+//! What is taken for given: a foundation is known to a few units in the last place of its terms. If its depth at a support is
+//! zero but for that, it is level with it (module `ground`); points of a polyline that are on one line but for that, are on
+//! one line (module `tidied`).
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
 mod adjust;
 mod admissible;
+mod best;
+mod clearance;
 mod contact_load;
 mod curve;
 mod error;
 mod fill;
 mod ground;
+mod hold;
 mod joints;
 mod load;
 mod pattern;
 mod polynomial;
+mod pressing;
 mod proof;
 mod refine;
 mod span;
 mod statics;
+mod tidied;
 mod violations;
 
 pub use contact_load::{ContactLoad, NotAForce};
 pub use violations::{Violation, ViolationKind, violations};
 
+use self::best::Best;
 use self::curve::{Curve, Piece, overlay};
 use self::error::Error;
 use self::ground::Ground;
@@ -51,7 +61,7 @@ use self::polynomial::Polynomial;
 use self::proof::Pair;
 use self::statics::{Carried, deflection};
 use super::interval::Interval;
-use crate::scene::{Scale, Scene, SceneError};
+use crate::scene::{Foundation, Scale, Scene, SceneError};
 use crate::state::{Contact, Nodes};
 
 /// Bounds that hold for the continuous beam, in the units of the scene. Infinite where nothing could be shown.
@@ -67,6 +77,9 @@ pub struct Certificate {
     pub deflection_error: f64,
     /// Where that bound is largest.
     pub deflection_error_at: f64,
+    /// At least `max |v̂ − v*|` of the admissible deflection `v̂` that was built: how well the true deflection is known, even
+    /// if the one that was judged is far off.
+    pub best_deflection_error: f64,
     /// The largest magnitude of the deflection that was judged, rounded up.
     pub deflection: f64,
     /// What the reactions of the two supports lie between, left and right; [`None`] where nothing could be shown.
@@ -99,7 +112,8 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
     let scaled = scene.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let forces = forces.scaled(scale);
-    let inner = Inner::of(scene);
+    let tidied = scene.foundation().and_then(tidied::tidied);
+    let inner = Inner::of(scene, tidied.as_ref().or(scene.foundation()));
     let length = scene.beam().length();
     let carried = Carried::of(&forces.pressing, &inner.load, inner.stiffness, length);
     let joints = inner.setting().map_or_else(
@@ -112,18 +126,11 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
     let pair = joints.as_ref().and_then(|joints| inner.pair(joints));
     let own = || carried.cells.iter().map(|c| (c.0, deflection(c, &inner.load, inner.stiffness)));
 
-    let (curve, energy, best) = if let Some(pair) = &pair {
-        (pair.curve.clone(), pair.curve.energy(&inner.load, inner.stiffness), pair.gap)
-    } else {
+    let Best { curve, energy, gap: best } = inner.best(pair.as_ref(), || {
         let caused = Curve { pieces: own().map(|([from, to], v)| Piece { from, to, v, follows: false }).collect() };
-        let lift =
-            |curve: &Curve| admissible::lifted(curve, inner.ground.as_ref(), &inner.load, inner.stiffness, length);
-        let drawn = joints.as_ref().zip(inner.setting()).and_then(|(j, setting)| lift(&proof::drawn(&setting, j)?));
-        let candidates = [lift(&caused), drawn];
-        let best = candidates.into_iter().flatten().min_by(|a, b| a.1.hi().total_cmp(&b.1.hi()));
-        let (curve, energy) = best.unwrap_or((caused, Interval::WHOLE));
-        (curve, energy, Interval::WHOLE)
-    };
+        let drawn = joints.as_ref().zip(inner.setting()).and_then(|(joints, setting)| proof::drawn(&setting, joints));
+        std::iter::once(caused).chain(drawn).collect()
+    });
     let gap = if energy.hi().is_finite() {
         inner.mismatch(&curve, own()) + curve.idle_work(&forces.pressing, inner.ground.as_ref())
     } else {
@@ -141,29 +148,46 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
 }
 
 /// Bounds from the contacts of an exact answer: its zones and points, at the places that it gives. The deflection that is
-/// judged is the one that these places make; the pressure in a zone is `q − EI u''''`.
+/// judged is the one that these places make; the pressure in a zone is `q − EI u''''`. Where no pattern can be made of the
+/// places, it is the deflection that the forces of the contacts cause, those of zones spread over them.
 ///
 /// # Errors
 ///
 /// As [`certify`].
-pub fn certify_contacts(scene: &Scene, contacts: &[Contact]) -> Result<Certificate, SceneError> {
-    let scaled = scene.scaled()?;
+pub fn certify_contacts(given: &Scene, contacts: &[Contact]) -> Result<Certificate, SceneError> {
+    let scaled = given.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
-    let inner = Inner::of(scene);
+    let tidied = scene.foundation().and_then(tidied::tidied);
+    let inner = Inner::of(scene, tidied.as_ref().or(scene.foundation()));
     let length = scene.beam().length();
-    let free = || vec![Joint::new(Kind::Support, 0.0), Joint::new(Kind::Support, length)];
-    let places: Vec<[f64; 2]> = contacts.iter().map(|c| [c.from / scale.length, c.to / scale.length]).collect();
-    let pair = match inner.setting() {
-        Some(setting) => inner.pair(&refine::with_slopes(&setting, pattern::of_contacts(&setting, &places))),
-        None => inner.pair(&free()),
+    let places = contacts.iter().map(|c| [c.from / scale.length, c.to / scale.length]);
+    let places: Vec<[f64; 2]> = places.filter(|c| c[0] < c[1] || (0.0 < c[0] && c[0] < length)).collect();
+    let (pair, judged) = match inner.setting() {
+        Some(setting) => {
+            let joints = refine::with_slopes(&setting, pattern::of_contacts(&setting, &places));
+            let drawn = proof::drawn(&setting, &joints);
+            let mut pair = inner.pair(&joints);
+            if !pair.as_ref().is_some_and(|pair| inner.is_sharp(pair)) {
+                let refined = refine::refined(&setting, joints).and_then(|joints| inner.pair(&joints));
+                pair = [pair, refined].into_iter().flatten().min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()));
+            }
+            (pair, drawn)
+        }
+        None => {
+            let pair = inner.pair(&[]);
+            let judged = pair.as_ref().map(|pair| pair.curve.clone());
+            (pair, judged)
+        }
     };
-    let (energy, gap, error) = match &pair {
-        Some(pair) => {
-            let judged = pair.curve.pieces.iter().map(|p| ([p.from, p.to], p.v));
+    let (energy, gap, error) = match (&pair, judged) {
+        (None, _) | (_, None) => {
+            return certify(given, &ContactLoad::of_contacts(given.beam().length(), contacts), Judged::Caused);
+        }
+        (Some(pair), Some(judged)) => {
+            let judged = judged.pieces.iter().map(|p| ([p.from, p.to], p.v));
             let error = error::deflection(&pair.curve, judged, pair.gap.hi(), inner.stiffness, length);
             (pair.curve.energy(&inner.load, inner.stiffness), pair.gap, error)
         }
-        None => (Interval::WHOLE, Interval::WHOLE, Error::UNKNOWN),
     };
     Ok(inner.certificate(scene, scale, energy, gap, gap.hi(), error, pair.as_ref()))
 }
@@ -177,9 +201,9 @@ struct Inner<'a> {
 }
 
 impl<'a> Inner<'a> {
-    fn of(scene: &'a Scene) -> Self {
+    fn of(scene: &'a Scene, foundation: Option<&'a Foundation>) -> Self {
         Self {
-            ground: Ground::of(scene),
+            ground: foundation.map(|foundation| Ground::on(foundation, scene.beam().length())),
             load: Pieces::of(scene),
             stiffness: scene.beam().bending_stiffness(),
             length: scene.beam().length(),
@@ -190,24 +214,12 @@ impl<'a> Inner<'a> {
         Some(Setting { ground: self.ground?, load: &self.load, stiffness: self.stiffness, length: self.length })
     }
 
-    /// The pair of some joints. Zones are made longer by steps until rounding cannot hide that the beam lifts off.
+    /// The pair of some joints.
     fn pair(&self, joints: &[Joint]) -> Option<Pair> {
-        /// Shares of the length by which zones are made longer.
-        const LONGER: [f64; 9] = [0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7];
-        let Some(setting) = self.setting() else {
-            return Some(proof::free(&self.load, self.stiffness, self.length));
-        };
-        LONGER.iter().find_map(|share| {
-            let mut longer = joints.to_vec();
-            for joint in &mut longer {
-                match joint.kind {
-                    Kind::Start if 0.0 < joint.x => joint.x -= share * self.length,
-                    Kind::End if joint.x < self.length => joint.x += share * self.length,
-                    _ => {}
-                }
-            }
-            proof::pair(&setting, &longer)
-        })
+        match self.setting() {
+            Some(setting) => proof::pair(&setting, joints),
+            None => Some(proof::free(&self.load, self.stiffness, self.length)),
+        }
     }
 
     /// `½ ∫ (EI v̂'' + M)²/EI dx` with the moments of the deflection that the forces cause.
@@ -236,7 +248,7 @@ impl<'a> Inner<'a> {
     ) -> Certificate {
         let lower = (Interval::exact(energy.lo()) - Interval::exact(gap.hi())).lo();
         let energies = [lower, energy.hi()];
-        let reactions = error::reactions(pair, self.ground.as_ref(), sharpest, self.stiffness, self.length);
+        let reactions = error::reactions(pair, self.ground.as_ref(), self.stiffness, self.length);
         let reactions = reactions.map(|r| r.map(|r| [r.lo() * scale.force, r.hi() * scale.force]));
         let stiffness = stiffness(energies, scene.load().resultant(self.length));
         Certificate {
@@ -245,10 +257,11 @@ impl<'a> Inner<'a> {
             gap: gap.hi() * scale.energy(),
             deflection_error: error.most * scale.depth,
             deflection_error_at: error.at * scale.length,
+            best_deflection_error: error::of_gap(sharpest, self.stiffness, self.length) * scale.depth,
             deflection: error.size * scale.depth,
             reactions,
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
-            pattern_proven: pair.is_some(),
+            pattern_proven: pair.is_some_and(|pair| self.is_sharp(pair)),
         }
     }
 }

@@ -49,8 +49,12 @@ pub(super) fn of_contacts(setting: &Setting<'_>, contacts: &[[f64; 2]]) -> Vec<J
             vec![Joint::new(Kind::Corner, from)]
         }
     });
-    with_supports(setting, joints.collect(), 0.0)
+    with_supports(setting, joints.collect(), AT_A_SUPPORT * setting.length)
 }
+
+/// A share of the beam's length: a zone that begins so near to a support, where the foundation is level with it, begins there
+/// but for rounding.
+const AT_A_SUPPORT: f64 = 1e-12;
 
 /// Adds the supports. A zone that begins within `near` of a support at which the foundation is level with it begins there.
 fn with_supports(setting: &Setting<'_>, mut joints: Vec<Joint>, near: f64) -> Vec<Joint> {

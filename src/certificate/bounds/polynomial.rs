@@ -70,6 +70,17 @@ impl Polynomial {
         derivative
     }
 
+    /// The same, known to vanish at its origin.
+    pub(super) fn vanishing(mut self) -> Self {
+        self.coefficients[0] = Interval::ZERO;
+        self
+    }
+
+    /// How wide its values for `0 ≤ s ≤ w` are because its coefficients are not known exactly, about.
+    pub(super) fn uncertainty(&self, width: f64) -> f64 {
+        self.coefficients().iter().rev().fold(0.0, |sum, c| sum * width + (c.hi() - c.lo()))
+    }
+
     /// The quotient by `s^order`, for a polynomial whose lower coefficients are known to vanish.
     pub(super) fn divided(&self, order: usize) -> Self {
         Self::new(self.coefficients().get(order..).unwrap_or_default())

@@ -11,11 +11,24 @@
 //!
 //! To prove are `u − v̂ ≥ 0` in spans, `q − EI u'''' ≥ 0` in zones, and the concentrated forces at the joints,
 //! `M'(x+) − M'(x−) + P ≥ 0` with a point load `P` that stands there.
+//!
+//! Where one of them fails, the pair is amended until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
+//! wherever the beam is pressed, and pressure that pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the
+//! simple beam. With `‖m‖² = ∫ m²/EI dx`
+//!
+//! ```text
+//! ‖M⁻‖ ≤ ∫ p⁻ x (l − x) / √(3 EI l) dx,     gap = ½ (‖r‖ + ‖EI α φ''‖ + ‖M⁻‖)²
+//! ```
+//!
+//! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong pattern what it is wrong by.
 
+use super::clearance;
 use super::curve::{Curve, Piece};
+use super::hold;
 use super::joints::{Joint, Kind, Setting};
 use super::load::{Pieces, cells};
-use super::polynomial::{Polynomial, number};
+use super::polynomial::number;
+use super::pressing::{self, Cut};
 use super::span::Span;
 use super::statics::{Carried, deflection};
 use crate::certificate::interval::Interval;
@@ -29,72 +42,106 @@ pub(super) struct Pair {
     pub(super) gap: Interval,
     /// `M'` at the two ends: the reactions that belong to `M`, without loads on the supports themselves.
     pub(super) reactions: [Interval; 2],
+    /// At least `‖EI α φ''‖ + ‖M⁻‖`, by which the pair was amended.
+    pub(super) amends: f64,
 }
 
-/// Parts into which a cell is cut before it is given up.
-const MOST_PARTS: usize = 400;
-
-/// The pair of some joints, if it can be proven.
+/// The pair of some joints, if there is one.
 pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
-    if !covers(joints, setting.length) || joints.windows(2).any(|w| w[1].x <= w[0].x) {
+    if !is_complete(setting, joints) {
         return None;
     }
+    let mut joints = joints.to_vec();
+    hold::at_corners(setting, &mut joints);
+    let joints = &joints[..];
     let stiffness = Interval::exact(setting.stiffness);
     let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
     let moment = |i: usize| moment_at(setting, joints, &spans, i);
     let mut gap = Interval::ZERO;
+    let mut lifts = Interval::ZERO;
+    let mut cut = Cut::new(setting);
     let mut shears = Vec::new();
     let mut pieces = Vec::new();
     for (i, span) in spans.iter().enumerate() {
         let (left, right) = (&joints[i], &joints[i + 1]);
-        if let Some(span) = span {
-            let length = Interval::exact(span.to) - Interval::exact(span.from);
-            let r = [stiffness * span.start[2] + moment(i), stiffness * span.end[2] + moment(i + 1)];
-            let turn = (r[1] - r[0]) / length;
-            shears.push([turn - stiffness * span.start[3], turn - stiffness * span.end[3]]);
-            gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
-            if !is_clear(setting, span, left, right) {
-                return None;
-            }
-            let curve = span.curve(Vec::new(), setting.load, setting.stiffness);
-            pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
-        } else {
-            if !presses(setting, left.x, right.x) {
-                return None;
-            }
+        let Some(span) = span else {
+            pressing::zone(setting, left.x, right.x, &mut cut)?;
             let third = |x: f64| -(stiffness * setting.ground.jet(x)[3]);
             shears.push([third(left.x), third(right.x)]);
-            let mut breaks = setting.ground.breaks(left.x, right.x);
-            breaks.extend(setting.load.breaks(left.x, right.x));
-            pieces.extend(cells(left.x, right.x, breaks).into_iter().map(|[from, to]| Piece {
-                from,
-                to,
-                v: setting.ground.cell(from, to),
-                follows: true,
-            }));
+            pieces.extend(lying(setting, left.x, right.x));
+            continue;
+        };
+        let length = Interval::exact(span.to) - Interval::exact(span.from);
+        let r = [stiffness * span.start[2] + moment(i), stiffness * span.end[2] + moment(i + 1)];
+        let turn = (r[1] - r[0]) / length;
+        shears.push([turn - stiffness * span.start[3], turn - stiffness * span.end[3]]);
+        gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
+        let mut curve = span.curve(Vec::new(), setting.load, setting.stiffness);
+        let alpha = clearance::lift(setting, span, left, right)?;
+        if 0.0 < alpha {
+            let lift = clearance::shape(span, left, right).times(Interval::exact(alpha));
+            lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
+            for ([from, _], v) in &mut curve {
+                *v = v.minus(&lift.shifted(Interval::exact(*from) - Interval::exact(span.from)));
+            }
         }
+        pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
     }
     for i in 1..joints.len() - 1 {
         let point = setting.load.point(joints[i].x).unwrap_or(Interval::ZERO);
-        if (shears[i][0] - shears[i - 1][1] + point).lo() < 0.0 {
-            return None;
-        }
+        cut.force(joints[i].x, shears[i][0] - shears[i - 1][1] + point);
     }
-    let gap = Interval::between(gap.lo().max(0.0), gap.hi());
+    for i in [0, joints.len() - 1] {
+        cut.couple(moment(i));
+    }
+    let amends = lifts.sqrt() + cut.moments;
+    let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + amends;
     let (first, last) = (shears.first()?, shears.last()?);
-    Some(Pair { curve: Curve { pieces }, gap, reactions: [first[0], -last[1]] })
+    let amended = Interval::around_zero(cut.shear.hi());
+    Some(Pair {
+        curve: Curve { pieces },
+        // Without amends the square would only add rounding.
+        gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { root.square().half().hi() }),
+        reactions: [first[0] + amended, -last[1] + amended],
+        amends: amends.hi(),
+    })
 }
 
-/// Whether joints reach from support to support. A zone that ends at a support may have been moved away from it by the search
-/// for places, and a deflection of a part of the beam proves nothing.
-fn covers(joints: &[Joint], length: f64) -> bool {
-    joints.first().is_some_and(|first| first.x <= 0.0) && joints.last().is_some_and(|last| length <= last.x)
+/// Whether joints are in order, reach from support to support and end every zone that they start. A search for a pattern may
+/// come to something else, of which nothing follows.
+fn is_complete(setting: &Setting<'_>, joints: &[Joint]) -> bool {
+    let [first, .., last] = joints else { return false };
+    let in_order = joints.windows(2).all(|w| w[0].x < w[1].x);
+    let zones_end = joints.windows(2).all(|w| (w[0].kind == Kind::Start) <= (w[1].kind == Kind::End));
+    let from_the_left = first.x.abs() <= 0.0 && matches!(first.kind, Kind::Support | Kind::Clamp | Kind::Start);
+    let to_the_right = setting.length <= last.x && matches!(last.kind, Kind::Support | Kind::Clamp | Kind::End);
+    let held = [first, last].iter().all(|j| j.kind == Kind::Support || setting.ground.depth(j.x).magnitude() <= 0.0);
+    let inside = joints[1..joints.len() - 1].iter().all(|j| !matches!(j.kind, Kind::Support | Kind::Clamp));
+    in_order && zones_end && from_the_left && to_the_right && last.x <= setting.length && inside && held
+}
+
+/// The foundation between two places, as pieces.
+fn lying(setting: &Setting<'_>, from: f64, to: f64) -> impl Iterator<Item = Piece> {
+    let mut breaks = setting.ground.breaks(from, to);
+    breaks.extend(setting.load.breaks(from, to));
+    let ground = setting.ground;
+    cells(from, to, breaks).into_iter().map(move |[from, to]| Piece {
+        from,
+        to,
+        v: ground.cell(from, to),
+        follows: true,
+    })
 }
 
 /// `M` at a joint. Where only continuity is asked for, a number between the moments of the two spans.
 fn moment_at(setting: &Setting<'_>, joints: &[Joint], spans: &[Option<Span>], i: usize) -> Interval {
     match joints[i].kind {
         Kind::Support => Interval::ZERO,
+        Kind::Clamp => {
+            let span =
+                if i == 0 { spans[0].as_ref().map(|s| s.start[2]) } else { spans[i - 1].as_ref().map(|s| s.end[2]) };
+            -(Interval::exact(setting.stiffness) * span.unwrap_or(Interval::ZERO))
+        }
         Kind::Start | Kind::End => -(Interval::exact(setting.stiffness) * setting.ground.jet(joints[i].x)[2]),
         Kind::Corner | Kind::Touch => {
             let left = i.checked_sub(1).and_then(|k| spans[k].as_ref()).map_or(0.0, |s| s.end[2].middle());
@@ -104,83 +151,6 @@ fn moment_at(setting: &Setting<'_>, joints: &[Joint], spans: &[Option<Span>], i:
     }
 }
 
-/// Whether the beam can lie on the foundation all the way between two places, and is pressed onto it.
-fn presses(setting: &Setting<'_>, from: f64, to: f64) -> bool {
-    let smooth = setting.ground.is_smooth_between(from, to);
-    // Where a zone begins at a support, support and foundation together exert a moment: the limit of a contact force that
-    // grows as it comes nearer to the support. It presses if it bends the beam upwards, and costs nothing in the limit:
-    // the gap of a force at the distance ε is M² ε / 6 EI.
-    let level = |x: f64| 0.0 <= setting.ground.jet(x)[2].lo() && setting.ground.depth(x).magnitude() <= 0.0;
-    let held = (0.0 < from || level(from)) && (to < setting.length || level(to));
-    let mut breaks = setting.ground.breaks(from, to);
-    breaks.extend(setting.load.breaks(from, to));
-    let stiffness = Interval::exact(setting.stiffness);
-    let pressure = |&[from, to]: &[f64; 2]| {
-        let fourth = setting.ground.cell(from, to).derivative().derivative().derivative().derivative();
-        let p = setting.load.cell(from, to).minus(&fourth.times(stiffness));
-        is_positive(&p, Interval::exact(to) - Interval::exact(from))
-    };
-    let points = setting.load.breaks(from, to);
-    let points_press = points.iter().all(|&x| setting.load.point(x).is_none_or(|p| 0.0 <= p.lo()));
-    smooth && held && points_press && cells(from, to, breaks).iter().all(pressure)
-}
-
-/// Which power of the distance from a joint is a factor of the clearance beside it.
-fn order(setting: &Setting<'_>, joint: &Joint, from_the_left: bool) -> usize {
-    let touches =
-        setting.ground.side(joint.x, from_the_left).is_none_or(|u| (u - setting.end(joint)[0].middle()).abs() <= 0.0);
-    match joint.kind {
-        Kind::Support => usize::from(setting.ground.depth(joint.x).magnitude() <= 0.0),
-        Kind::Corner => usize::from(touches),
-        Kind::Touch | Kind::Start | Kind::End => 2,
-    }
-}
-
-/// Proves `u − v̂ ≥ 0` in a span. Beside a joint, where the clearance vanishes with a power of the distance, the quotient by
-/// that power is proven to be positive.
-fn is_clear(setting: &Setting<'_>, span: &Span, left: &Joint, right: &Joint) -> bool {
-    let smooth = |j: &Joint| matches!(j.kind, Kind::Support | Kind::Corner) || setting.ground.is_smooth_at(j.x);
-    if !smooth(left) || !smooth(right) {
-        return false;
-    }
-    let mut breaks = setting.ground.breaks(span.from, span.to);
-    breaks.push(0.5 * (span.from + span.to));
-    let curve = span.curve(breaks, setting.load, setting.stiffness);
-    let last = curve.len() - 1;
-    curve.iter().enumerate().all(|(k, (cell, v))| {
-        let [from, to] = *cell;
-        let width = Interval::exact(to) - Interval::exact(from);
-        if k == last {
-            let v = span.mirrored(from, setting.load, setting.stiffness);
-            let h = setting.ground.mirrored_cell(from, to).minus(&v).divided(order(setting, right, true));
-            is_positive(&h, width)
-        } else {
-            let h = setting.ground.cell(from, to).minus(v);
-            let h = if k == 0 { h.divided(order(setting, left, false)) } else { h };
-            is_positive(&h, width)
-        }
-    })
-}
-
-/// Proves that a polynomial is not negative on `0 ≤ s ≤ w`.
-fn is_positive(polynomial: &Polynomial, width: Interval) -> bool {
-    is_positive_within(polynomial, width, &mut MOST_PARTS.clone())
-}
-
-fn is_positive_within(polynomial: &Polynomial, width: Interval, parts: &mut usize) -> bool {
-    let range = polynomial.range(width);
-    if 0.0 <= range.lo() {
-        return true;
-    }
-    *parts = parts.saturating_sub(1);
-    if *parts == 0 || polynomial.at(width).hi() < 0.0 || polynomial.at(Interval::ZERO).hi() < 0.0 {
-        return false;
-    }
-    // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
-    let half = Interval::exact(0.5 * width.hi());
-    is_positive_within(polynomial, half, parts) && is_positive_within(&polynomial.shifted(half), half, parts)
-}
-
 /// The pair of a beam that hangs free: where there is no foundation.
 pub(super) fn free(load: &Pieces, stiffness: f64, length: f64) -> Pair {
     let carried = Carried::of(&[], load, stiffness, length);
@@ -188,30 +158,21 @@ pub(super) fn free(load: &Pieces, stiffness: f64, length: f64) -> Pair {
         let [from, to] = cell.0;
         Piece { from, to, v: deflection(cell, load, stiffness), follows: false }
     });
-    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions }
+    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions, amends: 0.0 }
 }
 
 /// The deflection of joints that are not proven.
 pub(super) fn drawn(setting: &Setting<'_>, joints: &[Joint]) -> Option<Curve> {
-    if !covers(joints, setting.length) {
+    if !is_complete(setting, joints) {
         return None;
     }
     let mut pieces = Vec::new();
     for pair in joints.windows(2) {
-        if pair[1].x <= pair[0].x {
-            return None;
-        }
         let Some(span) = setting.span(&pair[0], &pair[1]) else {
             if !setting.ground.is_smooth_between(pair[0].x, pair[1].x) {
                 return None;
             }
-            let breaks = setting.ground.breaks(pair[0].x, pair[1].x);
-            pieces.extend(cells(pair[0].x, pair[1].x, breaks).into_iter().map(|[from, to]| Piece {
-                from,
-                to,
-                v: setting.ground.cell(from, to),
-                follows: true,
-            }));
+            pieces.extend(lying(setting, pair[0].x, pair[1].x));
             continue;
         };
         let curve = span.curve(Vec::new(), setting.load, setting.stiffness);

@@ -3,6 +3,7 @@
 
 use super::adjust::adjust;
 use super::fill::fill;
+use super::hold;
 use super::joints::{Joint, Kind, Setting, newton};
 
 /// Newton steps and changes of the pattern together.
@@ -122,10 +123,18 @@ fn collapse(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
 
 /// Joints whose places are known: only the slopes at supports and corners are found.
 pub(super) fn with_slopes(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Vec<Joint> {
+    find_slopes(setting, &mut joints);
+    if hold::at_supports(setting, &mut joints, false) {
+        find_slopes(setting, &mut joints);
+    }
+    joints
+}
+
+fn find_slopes(setting: &Setting<'_>, joints: &mut [Joint]) {
     let places: Vec<f64> = joints.iter().map(|j| j.x).collect();
     // Linear in the slopes; the second step is for rounding.
     for _ in 0..3 {
-        let mut moved = joints.clone();
+        let mut moved = joints.to_vec();
         if newton(setting, &mut moved).is_none() {
             break;
         }
@@ -134,5 +143,4 @@ pub(super) fn with_slopes(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Vec<
             joint.x = *x;
         }
     }
-    joints
 }

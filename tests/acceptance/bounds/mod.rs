@@ -5,6 +5,7 @@ mod cli;
 mod flat;
 mod interval;
 mod sharpness;
+mod truth;
 mod uneven;
 mod wrong;
 

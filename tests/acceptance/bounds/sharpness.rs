@@ -19,21 +19,12 @@ fn the_example_is_certified_to_the_accuracy_asked_for() {
     }
 }
 
-/// Ground at the level of both supports, given by a polynomial whose value at the right one is not zero in 64-bit numbers but
-/// a rounding error: whether the beam can lie on it up to the support is then not decidable, and the bounds are coarse.
-const UNDECIDABLE: &str = "sill";
-
-/// The scenes of the report that are decidable.
-fn decidable() -> Vec<(String, palkki::scene::Scene)> {
-    report().into_iter().filter(|(name, _)| name != UNDECIDABLE).collect()
-}
-
 /// Where the pattern of contact is proven, what remains is the answer's own error and how its range between nodes is bounded.
 #[test]
 fn certified_errors_are_close_to_true_ones() {
     /// Between four places in each interval the true error may be a little larger than at them.
     const LOOSE: f64 = 1.1;
-    for (name, scene) in decidable() {
+    for (name, scene) in report() {
         let truth = theory::solve(&scene).expect("theory has an answer");
         for intervals in [30, 100, 300] {
             let outcome = run(&scene, Method::Force, Solver::ActiveSet, intervals);
@@ -50,7 +41,7 @@ fn certified_errors_are_close_to_true_ones() {
 fn exact_answers_are_certified() {
     /// Of the largest deflection.
     const ERROR: f64 = 1e-10;
-    for (name, scene) in decidable() {
+    for (name, scene) in report() {
         let exact = theory::solve(&scene).expect("theory has an answer");
         assert_eq!(exact.status, Status::Certified, "{name}");
         let certificate = certify_contacts(&scene, &exact.state.contacts).expect("the scene can be scaled");
