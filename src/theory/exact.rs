@@ -105,14 +105,6 @@ pub enum Violation {
         /// To where \[length\].
         to: f64,
     },
-    /// Points of a polyline lie so close together that rounding of the slope between them moves the beam.
-    #[error("the foundation turns by a slope of {slope} at x = {at}, which is too steep for 64-bit floating point")]
-    Steep {
-        /// Where \[length\].
-        at: f64,
-        /// By how much.
-        slope: f64,
-    },
     /// The moment is not continuous.
     #[error("the moment jumps by {jump} at a contact")]
     Jump {
@@ -125,8 +117,7 @@ impl Exact {
     /// From the search's result.
     pub(super) fn new(given: Given, found: Found, scale: Scale, stiffness: f64, founded: bool) -> Self {
         let state = summary::state(&given, &found, &scale, stiffness);
-        let steep = steep(&given, &state, &scale);
-        let status = if found.certified() && steep.is_none() {
+        let status = if found.certified() {
             Status::Certified
         } else if found.converged {
             Status::NotCertified
@@ -134,8 +125,7 @@ impl Exact {
             Status::NotConverged
         };
         let Found { list, checked, steps, lists, .. } = found;
-        let faults = checked.faults.iter().map(|f| in_units(f, &given, &list, &scale, stiffness));
-        let violations = faults.chain(steep.map(|(_, violation)| violation)).collect();
+        let violations = checked.faults.iter().map(|f| in_units(f, &given, &list, &scale, stiffness)).collect();
         let support_couples = [0, 1].map(|i| {
             let span = match (list.supports[i], i) {
                 (AtSupport::Clamped, 0) => checked.spans.first().map(|(_, s)| s.at_a[2]),
@@ -152,7 +142,7 @@ impl Exact {
             unknowns: list.nodes.len(),
             iterations: steps,
             lists,
-            residual: checked.worst.max(steep.map_or(0.0, |(rounding, _)| rounding)),
+            residual: checked.worst,
             violations,
             support_couples,
             pieces: checked.pieces,
@@ -241,18 +231,6 @@ impl Exact {
         piece.deflection(&self.given, &mut taylor);
         derivatives(&taylor, t)
     }
-}
-
-/// The steepest kink, if its rounding may move a beam that touches the foundation by more than a share of its deflection; and
-/// that share. The conditions are checked with the same rounded numbers, so they do not show it.
-fn steep(given: &Given, state: &ContactState, scale: &Scale) -> Option<(f64, Violation)> {
-    /// What theory promises, and three digits that the sums over kinks may lose or not.
-    const MOST: f64 = 1e-9;
-    let deflection = state.deflection.max.abs().max(state.deflection.min.abs()) / scale.depth;
-    let joint = given.joints.iter().max_by(|a, b| a.kink.abs().total_cmp(&b.kink.abs()))?;
-    let rounding = f64::EPSILON * joint.kink.abs() * given.length / deflection;
-    let (at, slope) = (joint.x * scale.length, joint.kink.abs() * scale.depth / scale.length);
-    (!state.contacts.is_empty() && MOST < rounding).then_some((rounding, Violation::Steep { at, slope }))
 }
 
 /// A fault in the units of the scene.
