@@ -104,15 +104,27 @@ fn by_right(setting: &Setting<'_>, span: &Span, joint: &Joint) -> [f64; 2] {
     }
 }
 
+/// What Newton's method may change besides slopes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Places {
+    /// Nothing: the equations of joints whose places are unknown are left out.
+    Given,
+    /// The places of joints that touch the foundation with its own slope.
+    Free,
+}
+
 /// One step of Newton's method; the largest change, in units of length and slope.
 ///
 /// Each equation reads `α v''(left span, right end) + β v''(right span, left end) + γ u'' = 0` and knows the unknowns of
 /// its own joint and of the two beside it: a tridiagonal system.
-pub(super) fn newton(setting: &Setting<'_>, joints: &mut [Joint]) -> Option<f64> {
+pub(super) fn newton(setting: &Setting<'_>, joints: &mut [Joint], places: Places) -> Option<f64> {
     let n = joints.len();
     let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
     let mut rows = vec![[0.0, 1.0, 0.0, 0.0]; n];
     for (i, joint) in joints.iter().enumerate() {
+        if places == Places::Given && joint.has_place_unknown() {
+            continue;
+        }
         let left = i.checked_sub(1).and_then(|k| spans[k].as_ref());
         let right = spans.get(i).and_then(Option::as_ref);
         let u = || setting.ground.jet(joint.x);

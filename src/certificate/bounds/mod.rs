@@ -166,11 +166,10 @@ pub fn certify_contacts(given: &Scene, contacts: &[Contact]) -> Result<Certifica
         Some(setting) => {
             let joints = refine::with_slopes(&setting, pattern::of_contacts(&setting, &places));
             let drawn = proof::drawn(&setting, &joints);
-            let mut pair = inner.pair(&joints);
-            if !pair.as_ref().is_some_and(|pair| inner.is_sharp(pair)) {
-                let refined = refine::refined(&setting, joints).and_then(|joints| inner.pair(&joints));
-                pair = [pair, refined].into_iter().flatten().min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()));
-            }
+            // What is near the given places may bound better than they do themselves.
+            let own = inner.pair(&joints);
+            let refined = refine::refined(&setting, joints).and_then(|joints| inner.pair(&joints));
+            let pair = [own, refined].into_iter().flatten().min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()));
             (pair, drawn)
         }
         None => {

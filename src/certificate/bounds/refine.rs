@@ -4,7 +4,7 @@
 use super::adjust::adjust;
 use super::fill::fill;
 use super::hold;
-use super::joints::{Joint, Kind, Setting, newton};
+use super::joints::{Joint, Kind, Places, Setting, newton};
 
 /// Newton steps and changes of the pattern together.
 const MOST_STEPS: usize = 120;
@@ -26,7 +26,7 @@ pub(super) fn refined(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Option<V
     fill(setting, &mut joints);
     for _ in 0..MOST_STEPS {
         let before = joints.clone();
-        let change = newton(setting, &mut joints)?;
+        let change = newton(setting, &mut joints, Places::Free)?;
         let confined = confine(setting, &before, &mut joints);
         joints.dedup_by(|next, kept| next.kind == Kind::Corner && kept.kind == Kind::Corner && next.x <= kept.x);
         if confined || collapse(setting, &mut joints) {
@@ -131,16 +131,12 @@ pub(super) fn with_slopes(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Vec<
 }
 
 fn find_slopes(setting: &Setting<'_>, joints: &mut [Joint]) {
-    let places: Vec<f64> = joints.iter().map(|j| j.x).collect();
     // Linear in the slopes; the second step is for rounding.
-    for _ in 0..3 {
-        let mut moved = joints.to_vec();
-        if newton(setting, &mut moved).is_none() {
+    for _ in 0..2 {
+        let mut turned = joints.to_vec();
+        if newton(setting, &mut turned, Places::Given).is_none() {
             break;
         }
-        for ((joint, moved), x) in joints.iter_mut().zip(moved).zip(&places) {
-            joint.slope = moved.slope;
-            joint.x = *x;
-        }
+        joints.copy_from_slice(&turned);
     }
 }

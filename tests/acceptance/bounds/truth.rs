@@ -121,3 +121,31 @@ fn right_and_wrong_forces_on_random_scenes_are_bounded_truthfully() {
     }
     assert!(SCENES < compared as u64, "theory is certified on most scenes: {compared}");
 }
+
+/// The example with a lift-off point moved by `δ`: what it is off by, from the closed form of a span that ends at `a + δ` with
+/// `v = u`, `v' = 0`. It grows with `δ²`, and the certificate says so.
+#[test]
+fn a_lift_off_point_that_is_off_is_off_by_the_square() {
+    /// The bound is the true error to a few per cent, and what rounding adds.
+    const LOOSE: f64 = 1.05;
+    /// Of the depth: places known to a unit in the last place, over a span.
+    const ROUNDING: f64 = 1e-12;
+    let scene = palkki::paper::example().expect("the example is well posed");
+    let ei = scene.beam().bending_stiffness();
+    let span = |a: f64, x: f64| {
+        let third = -(ei + a * a * a * a / 8.0) / (2.0 * a * a * a);
+        let first = -3.0 * third * a * a - a * a * a / 6.0;
+        if x < a { (first * x + third * x * x * x + x * x * x * x / 24.0) / ei } else { 1.0 }
+    };
+    let exact = theory::solve(&scene).expect("theory has an answer");
+    for share in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        let mut contacts = exact.state.contacts.clone();
+        let a = contacts[0].from;
+        contacts[0].from += share * scene.beam().length();
+        let moved = contacts[0].from;
+        let places = (0..4000).map(|k| moved * f64::from(k) / 4000.0);
+        let off = places.map(|x| (span(a, x) - span(moved, x)).abs()).fold(0.0, f64::max);
+        let bound = certify_contacts(&scene, &contacts).expect("the scene can be scaled").deflection_error;
+        assert!(off <= bound && bound <= LOOSE * off + ROUNDING, "moved by {share:e}: {off:e}, bound {bound:e}");
+    }
+}
