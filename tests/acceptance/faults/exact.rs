@@ -26,7 +26,7 @@ const REFUSED: f64 = 1e-8;
 /// The end of a zone may be off by the root of what is allowed before it is felt: there `v = u`, `v' = u'` and `v'' = u''`, so
 /// that a beam that lifts off a little too early or too late is off by the square of that.
 const REFUSED_AT_ZONES: f64 = 1e-4;
-/// A point of contact that is about to become a zone: there `v'' = u''`, too.
+/// A point of contact that is about to become a zone: there `v''` is nearly `u''`, too.
 const VERGE: &str = "verge";
 
 #[test]
