@@ -21,8 +21,12 @@ pub(super) fn settled_gap(given: &Given, [lo, hi]: [f64; 2]) -> [f64; 2] {
     /// Turns of the two ends; a dozen leave nothing to do.
     const TURNS: usize = 40;
     const HALVINGS: usize = 60;
-    let end =
-        |x: f64, cell: usize| End { x, rest: 0.0, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0, turn: None } };
+    let end = |x: f64, cell: usize| End {
+        x,
+        rest: 0.0,
+        cell,
+        hold: Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
+    };
     let narrow = |gap: [f64; 2], side: usize| {
         let span = Span::between(given, end(gap[0], given.cell_from(gap[0])), end(gap[1], given.cell_to(gap[1])));
         0.0 < [span.at_a[2], span.at_b[2]][side]

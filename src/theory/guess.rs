@@ -203,8 +203,12 @@ fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f6
     const WIDER: f64 = 1.3;
     /// From a thousand-millionth of the beam to the whole of it, on either side.
     const TRIES: u32 = 150;
-    let end =
-        |x: f64, cell: usize| End { x, rest: 0.0, cell, hold: Hold::Clamped { height: 0.0, slope: 0.0, turn: None } };
+    let end = |x: f64, cell: usize| End {
+        x,
+        rest: 0.0,
+        cell,
+        hold: Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
+    };
     let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
     let mut gap = [lo, hi];
     for _ in 0..TRIES {

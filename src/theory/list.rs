@@ -129,7 +129,12 @@ impl Node {
                 // The lower side of a step lies below the beam, which rests on the upper one.
                 let step = given.joints[joint].step;
                 let height = if cell < joint { (-step).max(0.0) } else { step.max(0.0) };
-                Hold::Clamped { height, slope: given.derivative(cell, self.x, 1) - self.slope, turn: Some(self.slope) }
+                Hold::Clamped {
+                    height,
+                    slope: given.derivative(cell, self.x, 1) - self.slope,
+                    turn: Some(self.slope),
+                    level: Some(given.depth(self.x)),
+                }
             }
             // A node at the very end of its piece of the profile has the next one on its other side.
             _ if given.cells[cell].shape != given.cells[self.cell].shape => {
@@ -138,9 +143,10 @@ impl Node {
                     height: given.derivative(cell, self.x, 0) - given.derivative(self.cell, self.x, 0),
                     slope: given.derivative(cell, self.x, 1) - turn,
                     turn: Some(turn),
+                    level: Some(given.derivative(self.cell, self.x, 0)),
                 }
             }
-            _ => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
+            _ => Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
         }
     }
 }
@@ -151,7 +157,7 @@ fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
         AtSupport::Free | AtSupport::Zone => {
             Hold::Hinged { height: given.derivative(cell, x, 0), curvature: given.derivative(cell, x, 2) }
         }
-        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0, turn: None },
+        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
     };
     End { x, rest: 0.0, cell, hold }
 }

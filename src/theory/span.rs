@@ -26,6 +26,8 @@ pub(super) enum Hold {
         slope: f64,
         /// `v'`, where it is that which is given: at an edge. Beside a cliff `u' − h'` would lose its digits.
         turn: Option<f64>,
+        /// `v`, where a break of the profile is not as deep as what `h` counts from: at the edge of a deep step.
+        level: Option<f64>,
     },
     /// `h` and `h''` are given: a simple support, `v = v'' = 0`.
     Hinged {
@@ -77,7 +79,7 @@ impl Span {
         let l = b.x - a.x;
         let (profile_a, profile_b) = (given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x));
         let (height_a, height_b) = (a.hold.height(), b.hold.height());
-        let (at_left, at_right) = (profile_a[0] - height_a, profile_b[0] - height_b);
+        let (at_left, at_right) = (a.hold.level(profile_a[0]), b.hold.level(profile_b[0]));
         let chord = |left: f64, right: f64| 6.0 * left.abs().max(right.abs()) / (l * l);
         let in_clearance =
             chord(height_a, height_b).max(profile_a[2].abs().max(profile_b[2].abs())).max(broken(given, &a, &b));
@@ -182,12 +184,20 @@ impl Hold {
     /// The same for `v = u − h`.
     fn of_beam(self, profile: &[f64; 4]) -> Self {
         match self {
-            Self::Clamped { height, slope, turn } => {
-                Self::Clamped { height: profile[0] - height, slope: turn.unwrap_or(profile[1] - slope), turn }
+            Self::Clamped { height, slope, turn, level } => {
+                Self::Clamped { height: profile[0] - height, slope: turn.unwrap_or(profile[1] - slope), turn, level }
             }
             Self::Hinged { height, curvature } => {
                 Self::Hinged { height: profile[0] - height, curvature: profile[2] - curvature }
             }
+        }
+    }
+
+    /// `v`, beside a profile at `depth`.
+    fn level(self, depth: f64) -> f64 {
+        match self {
+            Self::Clamped { level: Some(level), .. } => level,
+            _ => depth - self.height(),
         }
     }
 

@@ -1,7 +1,9 @@
 //! Beam theory at the extremes: right to twelve digits, or not certified.
 
 use palkki::extremes::deep;
+use palkki::paper::random::Random;
 use palkki::route::Status;
+use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::theory::{Violation, solve};
 
 use super::all;
@@ -44,4 +46,39 @@ fn a_lift_off_that_cannot_be_resolved_is_not_certified() {
             assert!(extreme.error(&exact.state) <= DIGITS, "1e{power}: off by {:e}", extreme.error(&exact.state));
         }
     }
+}
+
+/// A cliff of a width `w` is a step but for its width: contact forces move by `w` over the length of the beam.
+#[test]
+fn a_narrow_cliff_is_a_step() {
+    let mut random = Random::new(77);
+    let mut certified = 0;
+    for i in 0..260 {
+        let (length, power) = (10.0, 9 + i % 7);
+        let width = libm::exp10(-f64::from(power));
+        let big = libm::exp10(random.between(0.0, 9.0));
+        let x = random.between(1.0, 9.0);
+        let [first, left, right, last] = [0.0, -1.0, -1.0, 0.0].map(|least| random.between(least, 3.0));
+        // A pit behind the cliff, or a cliff that leads up to the contact.
+        let depths = if i % 2 == 0 { [first, left, big, last] } else { [first + big, left, right, last] };
+        let solved = |width: f64| {
+            let beam = Beam::new(length, 1.3).expect("a beam");
+            let load = Load::uniform_on(&beam, 1.0).expect("a load");
+            let places = [0.0, x, x + width, length];
+            let points = places.iter().zip(depths).map(|(&x, depth)| [x, depth]).collect();
+            let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene");
+            solve(&scene).expect("numbers in range")
+        };
+        let (cliff, step) = (solved(width), solved(0.0));
+        assert_eq!(step.status, Status::Certified, "a step, {depths:?} at {x}: {:?}", step.violations);
+        if cliff.status == Status::Certified {
+            certified += 1;
+            let size = length.max(cliff.state.contact_force());
+            let apart = (cliff.state.reactions.left - step.state.reactions.left)
+                .abs()
+                .max((cliff.state.contact_force() - step.state.contact_force()).abs());
+            assert!(apart <= (width + DIGITS) * size, "{width:e} wide, {depths:?} at {x}: {:e}", apart / size);
+        }
+    }
+    assert!(200 < certified, "few are too narrow: {certified}");
 }
