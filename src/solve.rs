@@ -60,13 +60,14 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
     drop(discrete);
 
     let verdict = Kkt::of(&scaled.scene, &state);
+    let state = state.in_units_of(&scaled.scale);
     let status = match verdict {
-        Some(kkt) if kkt.holds() => Status::Certified,
+        Some(kkt) if kkt.holds() && state.is_finite() => Status::Certified,
         _ if claims_success => Status::NotCertified,
         _ => Status::NotConverged,
     };
     Ok(Outcome {
-        state: state.in_units_of(&scaled.scale),
+        state,
         status,
         solver_status: words,
         solver_claims_success: claims_success,

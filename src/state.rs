@@ -188,6 +188,16 @@ impl ContactState {
     pub fn contact_force(&self) -> f64 {
         self.contacts.iter().map(|c| c.force).sum()
     }
+
+    /// Whether reactions, contacts, extremes and energy are numbers: in the units of a scene they may overflow.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let Self { reactions, deflection, moment, energy, .. } = self;
+        let numbers =
+            [reactions.left, reactions.right, deflection.max, deflection.min, moment.max, moment.min, *energy];
+        let contacts = self.contacts.iter().flat_map(|c| [c.from, c.to, c.force]);
+        numbers.into_iter().chain(contacts).all(f64::is_finite)
+    }
 }
 
 #[cfg(test)]

@@ -105,6 +105,9 @@ pub enum Violation {
         /// To where \[length\].
         to: f64,
     },
+    /// The dimensionless answer is one, but in the units of the scene some of its numbers are not.
+    #[error("a number of the answer is beyond the range of 64-bit floating point in the units of the scene")]
+    Overflow,
     /// The moment is not continuous.
     #[error("the moment jumps by {jump} at a contact")]
     Jump {
@@ -117,7 +120,8 @@ impl Exact {
     /// From the search's result.
     pub(super) fn new(given: Given, found: Found, scale: Scale, stiffness: f64, founded: bool) -> Self {
         let state = summary::state(&given, &found, &scale, stiffness);
-        let status = if found.certified() {
+        let overflow = (!state.is_finite()).then_some(Violation::Overflow);
+        let status = if found.certified() && overflow.is_none() {
             Status::Certified
         } else if found.converged {
             Status::NotCertified
@@ -125,7 +129,8 @@ impl Exact {
             Status::NotConverged
         };
         let Found { list, checked, steps, lists, .. } = found;
-        let violations = checked.faults.iter().map(|f| in_units(f, &given, &list, &scale, stiffness)).collect();
+        let faults = checked.faults.iter().map(|f| in_units(f, &given, &list, &scale, stiffness));
+        let violations = faults.chain(overflow).collect();
         let support_couples = [0, 1].map(|i| {
             let span = match (list.supports[i], i) {
                 (AtSupport::Clamped, 0) => checked.spans.first().map(|(_, s)| s.at_a[2]),

@@ -23,19 +23,19 @@ const LEVELS: &str = "x,depth\n0,1\n4,0.5\n10,1\n";
 const LONGEST_MESSAGE: usize = 24_000;
 
 /// Reads bytes as a scene; true if it is one. What is not UTF-8 is refused before it gets here.
-pub fn scene(bytes: &[u8]) -> bool {
+pub(crate) fn scene(bytes: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(bytes) else { return false };
     accepted(text, parse("scene.toml", text, |_| Ok(LEVELS.to_owned())))
 }
 
 /// Reads bytes as the survey of a scene; true if it is one.
-pub fn survey(bytes: &[u8]) -> bool {
+pub(crate) fn survey(bytes: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(bytes) else { return false };
     accepted(text, parse("scene.toml", SURVEYED, |_| Ok::<_, ReadProblem>(text.to_owned())))
 }
 
 /// Reads bytes as contact forces; true if that is what they are.
-pub fn forces(bytes: &[u8]) -> bool {
+pub(crate) fn forces(bytes: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(bytes) else { return false };
     match parse_forces("forces.csv", text, LENGTH) {
         Ok(forces) => {
@@ -120,7 +120,7 @@ fn refused(text: &str, error: &FileError) {
     assert!(!plain.chars().any(|c| c.is_control() && c != '\n'), "control characters in {plain:?}");
     assert!(plain.len() <= LONGEST_MESSAGE, "a message of {} bytes", plain.len());
     // The same with escape sequences; it takes as long, so not always.
-    if text.len() % 16 == 0 {
+    if text.len().is_multiple_of(16) {
         assert!(error.render(true).len() <= LONGEST_MESSAGE, "a coloured message");
     }
 }

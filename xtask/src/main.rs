@@ -1,9 +1,11 @@
-//! The tasks of the repository that need the library: `cargo xtask report`, `cargo xtask judge` and `cargo xtask measure`.
+//! The tasks of the repository that need the library: `cargo xtask report`, `judge`, `measure`, `fuzz` and `hostile`.
 #![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
 #[path = "../../tests/authority/mod.rs"]
 #[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
 mod authority;
+mod fuzz;
+mod hostile;
 mod judge;
 mod measure;
 mod report;
@@ -25,6 +27,10 @@ fn main() -> ExitCode {
             Some(wish) => measure::run(&root, wish, &mut show),
             None => return unknown(&arguments),
         },
+        ["fuzz"] => fuzz::run(&root, fuzz::RUNS, &mut show),
+        ["fuzz", "--runs", runs] => count(runs).and_then(|runs| fuzz::run(&root, runs, &mut show)),
+        ["hostile"] => hostile::run(&root, hostile::RUNS, &mut show),
+        ["hostile", "--runs", runs] => count(runs).and_then(|runs| hostile::run(&root, runs, &mut show)),
         _ => return unknown(&arguments),
     };
     match outcome {
@@ -40,6 +46,11 @@ fn main() -> ExitCode {
 fn unknown(arguments: &[&str]) -> ExitCode {
     eprintln!("xtask: unknown task `{}`; `cargo xtask help` lists them", arguments.join(" "));
     ExitCode::from(2)
+}
+
+/// A number of runs.
+fn count(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("the number of runs must be a whole number, but is {text}"))
 }
 
 /// One line per step, on stderr.

@@ -52,7 +52,6 @@ impl Tally {
     }
 
     /// With the counts of another part of the runs.
-    #[cfg_attr(test, expect(dead_code, reason = "the suite makes all its runs in one go"))]
     pub(crate) fn join(&mut self, other: Self) {
         for (family, b) in other.families {
             let a = self.families.entry(family).or_default();

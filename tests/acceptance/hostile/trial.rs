@@ -4,7 +4,7 @@
 //! Authorities that do not know each other: beam theory, guaranteed bounds (in interval arithmetic, from forces and scene
 //! alone), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
 
-use palkki::certificate::{Certificate, ContactLoad, Judged, certify, certify_contacts};
+use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify, certify_contacts};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
@@ -29,9 +29,9 @@ const SAME: f64 = 1e-4;
 /// Share of the sizes that make up an energy, or of the largest deflection, that twelve digits of theory leave open.
 const THEORY: f64 = 1e-9;
 
-/// Share of the deflection that all forces together would cause which no sum of forces resolves, with a thousandfold margin: it
-/// is multiplied by one of the shares above.
-const ROUNDING: f64 = 1e-9;
+/// The least deflection that answers are measured by, as a share of what all forces together would cause: that of the judge,
+/// sixteen units in the last place over what is certified.
+const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 
 /// Intervals of the finest grid.
 const MOST_INTERVALS: usize = 60;
@@ -165,6 +165,11 @@ fn forces(scene: &Scene, state: &ContactState) -> f64 {
     sizes(scene, state).0
 }
 
+/// True also for what is no number.
+fn exceeds(value: f64, limit: f64) -> bool {
+    value.is_nan() || limit < value
+}
+
 /// A certified state consists of numbers, and its forces are in balance.
 fn balanced(trial: &mut Trial, who: &str, scene: &Scene, state: &ContactState) {
     let ContactState { reactions, deflection, moment, energy, .. } = state;
@@ -178,11 +183,11 @@ fn balanced(trial: &mut Trial, who: &str, scene: &Scene, state: &ContactState) {
     let contact = state.nodes.as_ref().map_or_else(|| state.contact_force(), |nodes| nodes.contact_force.iter().sum());
     let rest = load - reactions.left - reactions.right - contact;
     let size = forces(scene, state);
-    if !(rest.abs() <= BALANCE * size) {
+    if exceeds(rest.abs(), BALANCE * size) {
         trial.wrong.push(format!("{who}: certified, but {rest:e} of {size:e} is not in balance"));
     }
     let listed = (contact - state.contact_force()).abs();
-    if !(listed <= LISTED * size) {
+    if exceeds(listed, LISTED * size) {
         trial.wrong.push(format!("{who}: certified, but contacts of {listed:e} of {size:e} are not listed"));
     }
     let outside = |c: &palkki::state::Contact| !(0.0 <= c.from && c.from <= c.to && c.to <= scene.beam().length());
@@ -263,12 +268,12 @@ fn same(trial: &mut Trial, settings: &Settings, scene: &Scene, state: &ContactSt
     let (force, size) = sizes(scene, other);
     let off =
         (state.reactions.left - other.reactions.left).abs().max((state.reactions.right - other.reactions.right).abs());
-    if !(off <= SAME * force) {
+    if exceeds(off, SAME * force) {
         trial.wrong.push(format!("{}: certified, but reactions are off by {:e}", name(settings), off / force));
     }
     let (Some(a), Some(b)) = (&state.nodes, &other.nodes) else { return };
     let off = a.deflection.iter().zip(&b.deflection).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
-    if !(off <= SAME * size) {
+    if exceeds(off, SAME * size) {
         trial.wrong.push(format!("{}: certified, but deflections are off by {:e}", name(settings), off / size));
     }
 }

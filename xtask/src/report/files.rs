@@ -1,4 +1,4 @@
-//! The report on disk: comparing, and writing each file whole or not at all.
+//! The report on disk: comparing, and writing all of it or, if anything goes wrong before the last text is there, nothing.
 
 use std::fs;
 use std::io;
@@ -43,16 +43,23 @@ pub(super) fn compare(root: &Path, rendered: &Rendered) -> Result<Vec<Stale>, Er
     Ok(stale)
 }
 
+/// The file that refers to all others, and so is the last to change.
+const LAST: &str = "README.md";
+
 /// Writes what changed and removes what is left over; returns how many files that were.
+///
+/// All texts are written beside their files before the first of them takes its place, so that a run that is interrupted while
+/// it writes leaves the old report. What it leaves beside the files is removed by the next one.
 pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
-    let mut changes = 0;
-    for (path, text) in rendered {
+    let mut staged = Staged::default();
+    let (last, others): (Vec<_>, Vec<_>) = rendered.iter().partition(|(path, _)| *path == LAST);
+    for (path, text) in others.into_iter().chain(last) {
         let path = root.join("report").join(path);
         if read(&path)?.as_ref() != Some(text) {
-            replace(&path, text).map_err(|source| Error::File { path, source })?;
-            changes += 1;
+            staged.add(&path, text).map_err(|source| Error::File { path, source })?;
         }
     }
+    let mut changes = staged.publish()?;
     for path in left_over(root, rendered)? {
         let path = root.join(path);
         fs::remove_file(&path).map_err(|source| Error::File { path, source })?;
@@ -61,18 +68,37 @@ pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
     Ok(changes)
 }
 
-/// Writes beside the file and renames, so that a reader sees the old text or the new one and never half of it.
-fn replace(path: &Path, text: &str) -> io::Result<()> {
-    if let Some(directory) = path.parent() {
-        fs::create_dir_all(directory)?;
+/// Files that are written and have not taken their places yet: `(beside, place)`. Dropped, they are removed.
+#[derive(Debug, Default)]
+struct Staged(Vec<(PathBuf, PathBuf)>);
+
+impl Staged {
+    fn add(&mut self, path: &Path, text: &str) -> io::Result<()> {
+        if let Some(directory) = path.parent() {
+            fs::create_dir_all(directory)?;
+        }
+        let beside = PathBuf::from(format!("{}.{}.new", path.display(), std::process::id()));
+        self.0.push((beside.clone(), path.to_owned()));
+        fs::write(&beside, text)
     }
-    let beside = PathBuf::from(format!("{}.{}.new", path.display(), std::process::id()));
-    let outcome = fs::write(&beside, text).and_then(|()| fs::rename(&beside, path));
-    if outcome.is_err() {
-        // The reason of the failure is what counts; a half file that cannot be removed shows as left over.
-        let _ = fs::remove_file(&beside);
+
+    /// Renames, so that a reader of any file sees its old text or its new one and never half of it.
+    fn publish(mut self) -> Result<usize, Error> {
+        let changes = self.0.len();
+        for (beside, path) in self.0.drain(..) {
+            fs::rename(&beside, &path).map_err(|source| Error::File { path, source })?;
+        }
+        Ok(changes)
     }
-    outcome
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        for (beside, _) in &self.0 {
+            // The reason of the failure is what counts; a half file that cannot be removed shows as left over.
+            let _ = fs::remove_file(beside);
+        }
+    }
 }
 
 /// The text of a file, `None` if there is none. What is not UTF-8 is not ours either, and reads as something else.

@@ -19,6 +19,8 @@ usage: cargo xtask <task>
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
+  fuzz             look for texts that break the parsers, guided by coverage: counts go to report/data/fuzzing.csv; --runs N
+  hostile          random and adversarial scenes through the whole program: counts go to report/data/hostile.csv; --runs N
   doctor           what this machine lacks to build and to test, and what to do about it
 ";
 
@@ -37,8 +39,12 @@ fn main() -> ExitCode {
 /// Builds package `xtask`, showing that it does, and runs it with the same arguments.
 fn pass_on(arguments: &[String]) -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    // Times of an unoptimised build would mislead.
-    let profile = if arguments.first().is_some_and(|task| task == "measure") { "release" } else { "dev" };
+    // Times of an unoptimised build would mislead, and very many runs should not take longer than they must.
+    let profile = if arguments.first().is_some_and(|task| matches!(task.as_str(), "measure" | "hostile")) {
+        "release"
+    } else {
+        "dev"
+    };
     let build = Command::new(&cargo).args(["build", "--package", "xtask", "--locked", "--profile", profile]).status();
     if !build.is_ok_and(|status| status.success()) {
         eprintln!("\nxtask: the build failed. What `cargo xtask doctor` says of this machine:\n");

@@ -14,6 +14,7 @@ mod discrepancies;
 mod extremes;
 mod figures;
 mod front;
+mod hostile;
 mod judged;
 mod methods;
 mod problem;
@@ -49,6 +50,7 @@ pub(super) const CHAPTERS: &[Chapter] = &[
     Chapter { name: "100-trade", evidence: trade::evidence },
     Chapter { name: "102-conditioning", evidence: conditioning::evidence },
     Chapter { name: "105-extremes", evidence: extremes::evidence },
+    Chapter { name: "107-hostile", evidence: hostile::evidence },
     Chapter { name: "110-discrepancies", evidence: discrepancies::evidence },
     Chapter { name: "120-reproduce", evidence: reproduce::evidence },
 ];
