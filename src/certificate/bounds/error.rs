@@ -1,6 +1,7 @@
 //! From a gap to deflections and reactions.
 
-use super::curve::{Curve, overlay};
+use super::cells;
+use super::curve::{Curve, Piece, overlay};
 use super::ground::Ground;
 use super::polynomial::{Polynomial, number};
 use super::proof::Pair;
@@ -41,6 +42,53 @@ pub(super) struct Error {
 impl Error {
     /// Nothing is known.
     pub(super) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY };
+
+    /// Nothing has been compared.
+    const NONE: Self = Self { most: 0.0, at: 0.0, size: 0.0 };
+
+    /// Takes in a bound in a cell, and the largest magnitude of the judged deflection there. No number is no bound.
+    pub(super) fn include(&mut self, bound: f64, size: f64, at: f64) {
+        if bound.is_nan() || size.is_nan() {
+            *self = Self { at, ..Self::UNKNOWN };
+            return;
+        }
+        self.size = self.size.max(size);
+        if self.most < bound {
+            (self.most, self.at) = (bound, at);
+        }
+    }
+
+    /// Compares pieces of the admissible deflection with cells of the judged one in intervals. Returns how far they go.
+    pub(super) fn compare(
+        &mut self,
+        pieces: &[Piece],
+        judged: impl Iterator<Item = ([f64; 2], Polynomial)>,
+        factor: Interval,
+        length: f64,
+    ) -> f64 {
+        let mut reached = 0.0;
+        let l = Interval::exact(length);
+        let curve = pieces.iter().map(|p| ([p.from, p.to], p.v));
+        overlay(curve, judged, |a, b, v, own| {
+            reached = b;
+            let width = Interval::exact(b) - Interval::exact(a);
+            let difference = v.minus(own);
+            let mut apart = difference.range(width).magnitude();
+            if WIDE * length < b - a && self.most < apart {
+                apart = closer(&difference, width);
+            }
+            // x (l − x) is largest in the middle, and monotone on either side of it.
+            let lever = if a <= 0.5 * length && 0.5 * length <= b {
+                (l * l / number(4)).hi()
+            } else {
+                let end = |x: f64| (Interval::exact(x) * (l - Interval::exact(x))).hi();
+                end(a).max(end(b))
+            };
+            let bound = (factor * Interval::exact(lever) + Interval::exact(apart)).hi();
+            self.include(bound, own.range(width).magnitude(), Interval::between(a, b).middle());
+        });
+        reached
+    }
 }
 
 /// The range of a cell that is wider than this share of the beam is found in parts: the coefficients of Bernstein, between
@@ -68,64 +116,28 @@ pub(super) fn deflection(
     if !gap.is_finite() {
         return Error::UNKNOWN;
     }
-    let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
-    let mut reached = 0.0;
-    let factor = factor(gap, stiffness, length);
-    let l = Interval::exact(length);
-    let curve = admissible.pieces.iter().map(|p| ([p.from, p.to], p.v));
-    overlay(curve, judged, |a, b, v, own| {
-        reached = b;
-        let width = Interval::exact(b) - Interval::exact(a);
-        let difference = v.minus(own);
-        let mut apart = difference.range(width).magnitude();
-        if WIDE * length < b - a && error.most < apart {
-            apart = closer(&difference, width);
-        }
-        let place = Interval::between(a, b);
-        // x (l − x) is largest in the middle, and monotone on either side of it.
-        let lever = if a <= 0.5 * length && 0.5 * length <= b {
-            (l * l / number(4)).hi()
-        } else {
-            let end = |x: f64| (Interval::exact(x) * (l - Interval::exact(x))).hi();
-            end(a).max(end(b))
-        };
-        let bound = (factor * Interval::exact(lever) + Interval::exact(apart)).hi();
-        error.size = error.size.max(own.range(width).magnitude());
-        if error.most < bound {
-            (error.most, error.at) = (bound, place.middle());
-        }
-    });
+    let mut error = Error::NONE;
+    let reached = error.compare(&admissible.pieces, judged, factor(gap, stiffness, length), length);
     // A deflection that is not there all the way cannot be judged.
     if length <= reached { error } else { Error::UNKNOWN }
 }
 
-/// The cubics between the nodes of a grid, in dimensionless numbers: `M = −EI v''` is linear between nodes, and deflections
-/// and moments at the two ends are given. The supports, with neither, are nodes too. None if the lists do not match.
-pub(super) fn cubics<'a>(
-    nodes: &'a Nodes,
-    scale: &'a Scale,
+/// The same for the cubics between the nodes of a grid: cell by cell in plain numbers where cells are narrow.
+pub(super) fn of_nodes(
+    admissible: &Curve,
+    given: &Nodes,
+    scale: &Scale,
+    gap: f64,
     stiffness: f64,
     length: f64,
-) -> impl Iterator<Item = ([f64; 2], Polynomial)> + 'a {
-    let n = nodes.x.len();
-    let matching = nodes.deflection.len() == n && nodes.moment.len() == n;
-    let at = move |i: usize| {
-        if i == 0 || i == n + 1 {
-            return [if i == 0 { 0.0 } else { length }, 0.0, 0.0];
-        }
-        let k = i - 1;
-        [nodes.x[k] / scale.length, nodes.deflection[k] / scale.depth, nodes.moment[k] / scale.moment()]
-    };
-    let ei = Interval::exact(stiffness);
-    let last = if matching { n + 1 } else { 0 };
-    (0..last).map(move |i| {
-        let ([a, v0, m0], [b, v1, m1]) = (at(i), at(i + 1));
-        let [v0, m0, v1, m1] = [v0, m0, v1, m1].map(Interval::exact);
-        let width = Interval::exact(b) - Interval::exact(a);
-        let slope = (v1 - v0) / width + width * (number(2) * m0 + m1) / (number(6) * ei);
-        let third = -((m1 - m0) / width) / (number(6) * ei);
-        ([a, b], Polynomial::new(&[v0, slope, -(m0.half() / ei), third]))
-    })
+) -> Error {
+    let Some(nodes) = cells::nodes(given, scale, length) else { return Error::UNKNOWN };
+    if gap.is_finite() && nodes.windows(2).all(|pair| pair[1].x - pair[0].x <= WIDE * length) {
+        let mut error = Error::NONE;
+        cells::compare(&mut error, &admissible.pieces, &nodes, factor(gap, stiffness, length), stiffness);
+        return error;
+    }
+    deflection(admissible, nodes.windows(2).map(|pair| cells::cubic(pair, stiffness)), gap, stiffness, length)
 }
 
 /// What the two reactions lie between.

@@ -29,6 +29,7 @@
 mod adjust;
 mod admissible;
 mod best;
+mod cells;
 mod clearance;
 mod contact_load;
 mod curve;
@@ -52,6 +53,8 @@ pub use contact_load::{ContactLoad, NotAForce};
 pub use violations::{Violation, ViolationKind, violations};
 
 use self::best::Best;
+use std::cell::LazyCell;
+
 use self::curve::{Curve, Piece, overlay};
 use self::error::Error;
 use self::ground::Ground;
@@ -115,7 +118,7 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
     let tidied = scene.foundation().and_then(tidied::tidied);
     let inner = Inner::of(scene, tidied.as_ref().or(scene.foundation()));
     let length = scene.beam().length();
-    let carried = Carried::of(&forces.pressing, &inner.load, inner.stiffness, length);
+    let carried = LazyCell::new(|| Carried::of(&forces.pressing, &inner.load, inner.stiffness, length));
     let joints = inner.setting().map_or_else(
         || Some(vec![Joint::new(Kind::Support, 0.0), Joint::new(Kind::Support, length)]),
         |setting| {
@@ -131,18 +134,18 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
         let drawn = joints.as_ref().zip(inner.setting()).and_then(|(joints, setting)| proof::drawn(&setting, joints));
         std::iter::once(caused).chain(drawn).collect()
     });
-    let gap = if energy.hi().is_finite() {
-        inner.mismatch(&curve, own()) + curve.idle_work(&forces.pressing, inner.ground.as_ref())
-    } else {
-        Interval::WHOLE
+    let gap = match judged {
+        // Of a grid nobody wants to know what its forces would do to a beam that feels them one by one.
+        Judged::Nodes(_) if best.hi().is_finite() => best,
+        _ if energy.hi().is_finite() => {
+            inner.mismatch(&curve, own()) + curve.idle_work(&forces.pressing, inner.ground.as_ref())
+        }
+        _ => Interval::WHOLE,
     };
     let sharpest = best.hi().min(gap.hi());
     let error = match judged {
         Judged::Caused => error::deflection(&curve, own(), sharpest, inner.stiffness, length),
-        Judged::Nodes(nodes) => {
-            let cubics = error::cubics(nodes, scale, inner.stiffness, length);
-            error::deflection(&curve, cubics, sharpest, inner.stiffness, length)
-        }
+        Judged::Nodes(nodes) => error::of_nodes(&curve, nodes, scale, sharpest, inner.stiffness, length),
     };
     Ok(inner.certificate(scene, scale, energy, gap, sharpest, error, pair.as_ref()))
 }
