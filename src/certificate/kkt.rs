@@ -56,7 +56,9 @@ impl Kkt {
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
         // Forces, and their moments about the left support over `l`: what is not balanced, and the sums of magnitudes, which are sizes only.
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-        let lever = |i: usize| i as f64 / (n + 1) as f64;
+        let per_interval = 1.0 / (n + 1) as f64;
+        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+        let lever = |i: usize| i as f64 * per_interval;
         let (mut total, mut moment) = (Sum::default(), Sum::default());
         let (mut load, mut contact) = (0.0_f64, 0.0_f64);
         for (i, &q) in loads.iter().enumerate() {
@@ -72,19 +74,23 @@ impl Kkt {
         let moved = worst(v.iter().map(|v| v.abs())).max(idle);
         let depth = nonzero(moved.max(ROUNDING * flexibility * force));
 
-        let (mut record, mut moments) = (Worst::default(), Worst::default());
+        let (mut moments, mut clearances, mut places) = (Worst::default(), Worst::default(), Worst::default());
         let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes, &mut moments);
-        record.see(moments.value() / (force * length));
         let (mut penetration, mut tension, mut complementarity, mut elastic) =
             (Worst::default(), Worst::default(), Worst::default(), Worst::default());
         for (i, ((v, p), caused)) in v.iter().zip(p).zip(&caused[1..]).enumerate() {
-            let h = depth_at(i + 1) - v;
+            let place = grid.place(i + 1);
+            let u = scene.depth(place);
+            let h = u - v;
             penetration.see(-h);
             tension.see(-p);
-            complementarity.see((h / depth).min(p / force));
+            // Anything else is not positive, or no number, which the lines around this one see.
+            if 0.0 < h && 0.0 < *p {
+                complementarity.see((h / depth).min(p / force));
+            }
             elastic.see((v - caused).abs());
-            record.see(mistaken(nodes.clearance[i], depth_at(i + 1), h) / depth);
-            record.see((nodes.x[i] - grid.place(i + 1)).abs() / length);
+            clearances.see(mistaken(nodes.clearance[i], u, h));
+            places.see((nodes.x[i] - place).abs());
         }
         // Reactions that balance forces, and moments about the left support.
         let mut balance = Worst::default();
@@ -95,7 +101,7 @@ impl Kkt {
             tension: tension.value() / force,
             complementarity: complementarity.value(),
             equilibrium: (elastic.value() / depth).max(balance.value() / force),
-            record: record.value(),
+            record: worst([moments.value() / (force * length), clearances.value() / depth, places.value() / length]),
         })
     }
 
@@ -208,10 +214,9 @@ fn integrate_twice(y: &mut [f64], spacing: f64) {
         height.add(slope.value);
         height.lost += slope.lost;
     }
-    let intervals = (y.len() - 1) as f64;
-    let end = y[y.len() - 1];
+    let turn = y[y.len() - 1] / (y.len() - 1) as f64;
     for (i, y) in y.iter_mut().enumerate() {
-        *y = (*y - end * (i as f64 / intervals)) * spacing;
+        *y = (*y - turn * i as f64) * spacing;
     }
 }
 
