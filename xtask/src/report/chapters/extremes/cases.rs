@@ -1,5 +1,7 @@
 //! The table of what was tried.
 
+use std::cmp::Reverse;
+
 use palkki::extremes::Extreme;
 use palkki::route::{Method, Solver};
 use serde::Serialize;
@@ -135,7 +137,7 @@ pub(super) fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, 
         }
     }
     all.hardest.retain(|row| 0 < row.labelled);
-    all.hardest.sort_by(|a, b| b.labelled.cmp(&a.labelled));
+    all.hardest.sort_by_key(|row| Reverse(row.labelled));
     all.hardest.truncate(HARDEST);
     let header = [
         "scene",
