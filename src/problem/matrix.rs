@@ -48,8 +48,8 @@ impl Matrix {
     #[must_use]
     pub fn row_times(&self, i: usize, x: &[f64]) -> f64 {
         match self {
-            // A column is contiguous, and the matrix symmetric.
-            Self::Dense(a) => a.column(i).iter().zip(x).map(|(a, x)| a * x).sum(),
+            // Columns are contiguous, one after the other, and the matrix is symmetric.
+            Self::Dense(a) => a.as_slice()[i * a.nrows()..][..a.nrows()].iter().zip(x).map(|(a, x)| a * x).sum(),
             Self::Pentadiagonal(_) => self.neighbours(i).map(|j| self.entry(i, j) * x[j]).sum(),
         }
     }

@@ -8,6 +8,9 @@
 //! It converges for every symmetric positive definite `A` and `0 < ω < 2`. The best `ω` depends on the matrix and is found
 //! in a race: every candidate makes some sweeps, the one with the largest residual leaves, the others go on twice as long.
 //! The first to pass the convergence test wins; all sweeps count.
+//!
+//! Rounding may keep the residual above what is asked for. The sweeps then end in a cycle, mostly of a single point, and a
+//! candidate that has come round once without passing the test never will: it makes no more sweeps.
 
 // Discrepancy: nsor-relaxation
 //
@@ -37,7 +40,7 @@ const MULTIPLICATIONS: usize = 1 << 30;
 pub(super) fn words(tolerance: f64) -> String {
     format!(
         "ω from a race of {} factors from {:.2} to {:.2}; stops at a scaled residual of {tolerance:.0e}, looked at every \
-         {SWEEPS_PER_LOOK} sweeps; a budget of {} million multiplications",
+         {SWEEPS_PER_LOOK} sweeps; a budget of {} million multiplications, less where rounding makes the sweeps go in circles",
         FACTORS.len(),
         FACTORS[0],
         FACTORS[FACTORS.len() - 1],
@@ -53,14 +56,16 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     let relaxation = Relaxation { programme, matrix: programme.matrix(), linear: programme.linear() };
     let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * programme.dimension()))
         .max(FACTORS.len() * SWEEPS_PER_LOOK);
-    let start = |factor| Candidate { factor, x: vec![0.0; programme.dimension()], residual: f64::INFINITY };
-    let mut race = FACTORS.map(start).to_vec();
+    let mut race = FACTORS.map(|factor| Candidate::new(factor, programme.dimension())).to_vec();
     let (mut sweeps, mut round) = (0, FIRST_ROUND);
     let mut winner = None;
-    while winner.is_none() && sweeps < limit {
+    while winner.is_none() && sweeps < limit && !race.iter().all(Candidate::cycles) {
         let looks = (round / SWEEPS_PER_LOOK).min(1 + (limit - sweeps) / SWEEPS_PER_LOOK / race.len());
         'round: for (k, candidate) in race.iter_mut().enumerate() {
             for _ in 0..looks {
+                if candidate.cycles() {
+                    break;
+                }
                 relaxation.advance(candidate);
                 sweeps += SWEEPS_PER_LOOK;
                 if candidate.residual <= tolerance {
@@ -76,11 +81,12 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         round *= 2;
     }
     let ahead = (0..race.len()).min_by(|&i, &j| race[i].residual.total_cmp(&race[j].residual));
-    let Candidate { factor, x, residual } = race.swap_remove(winner.or(ahead).unwrap_or(0));
+    let Candidate { factor, x, residual, cycle } = race.swap_remove(winner.or(ahead).unwrap_or(0));
     let words = if winner.is_some() {
         format!("converged with ω = {factor}")
     } else {
-        format!("not converged: residual {residual:.1e} after {sweeps} sweeps, at last with ω = {factor}")
+        let end = if cycle.closed { ", which go in circles" } else { "" };
+        format!("not converged: residual {residual:.1e} after {sweeps} sweeps, at last with ω = {factor}{end}")
     };
     Answer { gradient: programme.gradient(&x), x, claims_success: winner.is_some(), words, iterations: sweeps }
 }
@@ -91,6 +97,39 @@ struct Candidate {
     factor: f64,
     x: Vec<f64>,
     residual: f64,
+    cycle: Cycle,
+}
+
+impl Candidate {
+    fn new(factor: f64, dimension: usize) -> Self {
+        let x = vec![0.0; dimension];
+        Self { factor, cycle: Cycle { mark: x.clone(), looks: 0, closed: false }, x, residual: f64::INFINITY }
+    }
+
+    /// Whether all that more sweeps could bring has been looked at.
+    fn cycles(&self) -> bool {
+        self.cycle.closed
+    }
+}
+
+/// Whether a sequence has come back to where it was, by Brent's method ("An improved Monte Carlo factorization algorithm",
+/// BIT 20, 1980): one point of it is kept, a later one whenever the number of looks has doubled. A sweep depends on `x`
+/// alone, so that equal bits now mean equal bits for ever.
+#[derive(Clone)]
+struct Cycle {
+    mark: Vec<f64>,
+    looks: usize,
+    closed: bool,
+}
+
+impl Cycle {
+    fn look(&mut self, x: &[f64]) {
+        self.closed = self.mark.iter().zip(x).all(|(mark, x)| mark.to_bits() == x.to_bits());
+        self.looks += 1;
+        if self.looks.is_power_of_two() {
+            self.mark.copy_from_slice(x);
+        }
+    }
 }
 
 struct Relaxation<'a> {
@@ -102,13 +141,42 @@ struct Relaxation<'a> {
 impl Relaxation<'_> {
     /// Some sweeps over all variables, and a look at the residual.
     fn advance(&self, candidate: &mut Candidate) {
-        let Candidate { factor, x, .. } = candidate;
+        let Candidate { factor, x, residual: found, cycle } = candidate;
         for _ in 0..SWEEPS_PER_LOOK {
             for i in 0..x.len() {
                 let gradient = self.matrix.row_times(i, x) - self.linear[i];
                 x[i] = (x[i] - *factor * gradient / self.matrix.entry(i, i)).max(0.0);
             }
         }
-        candidate.residual = residual(self.programme.sizes(), x, &self.programme.gradient(x));
+        *found = residual(self.programme.sizes(), x, &self.programme.gradient(x));
+        cycle.look(x);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cycle;
+
+    /// Looks until a sequence of numbers is known to repeat itself, at most a thousand.
+    fn looks(next: impl Fn(f64) -> f64) -> Option<usize> {
+        let (mut x, mut cycle) = (0.0, Cycle { mark: vec![0.0], looks: 0, closed: false });
+        for look in 1..=1000 {
+            x = next(x);
+            cycle.look(&[x]);
+            if cycle.closed {
+                return Some(look);
+            }
+        }
+        None
+    }
+
+    #[test]
+    fn cycles_are_noticed_and_nothing_else() {
+        // Away from 0 in seven steps, to circle through 7, 8, 9; the mark is at the eighth look when it comes round.
+        assert_eq!(looks(|x| if x < 9.0 { x + 1.0 } else { 7.0 }), Some(11));
+        assert_eq!(looks(|x| x), Some(1));
+        // Newton's steps to √2 end in a point, and a sequence that grows for ever does not.
+        assert!(looks(|x| 0.5 * (x.max(1.0) + 2.0 / x.max(1.0))).is_some_and(|looks| looks < 20), "steps to a root");
+        assert_eq!(looks(|x| x + f64::EPSILON), None);
     }
 }

@@ -92,6 +92,21 @@ fn no_route_is_wrong_and_certified() {
     assert!(extremes.len() < certified, "something is certified: {certified}");
 }
 
+/// Over ground 10¹⁶ times as deep as the beam could sag, rounding alone keeps the residual above what NSOR is asked for. It
+/// says so once its sweeps have come round, and does not use up a budget of millions.
+#[test]
+fn nsor_ends_where_its_sweeps_go_in_circles() {
+    /// A sweep on one or two unknowns gains a digit or more; sixteen digits, nine factors, and as much again to come round.
+    const SWEEPS: usize = 2000;
+    let extreme = deep(16).expect("a depth in range");
+    for intervals in [2, 3] {
+        let outcome = run(&Extreme { intervals, ..extreme.clone() }, Method::Displacement, Solver::Nsor);
+        assert!(!outcome.solver_claims_success, "{intervals}: {}", outcome.solver_status);
+        assert!(outcome.solver_status.ends_with("which go in circles"), "{intervals}: {}", outcome.solver_status);
+        assert!(outcome.iterations < SWEEPS, "{intervals}: {} sweeps", outcome.iterations);
+    }
+}
+
 /// Up to a hundred thousand intervals; the answer goes to the closed form as the square of the spacing at most.
 #[test]
 fn the_finest_grids_are_right() {
