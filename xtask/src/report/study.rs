@@ -1,7 +1,7 @@
 //! What several chapters rest on, computed once.
 
-use std::cell::OnceCell;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use palkki::paper::claims::Ledger;
 use palkki::scene::SceneError;
@@ -13,13 +13,13 @@ use super::error::Cause;
 pub(crate) struct Study<'a> {
     /// Root of the repository.
     pub(super) root: &'a Path,
-    ledger: OnceCell<Result<Ledger, SceneError>>,
+    ledger: OnceLock<Result<Ledger, SceneError>>,
 }
 
 impl<'a> Study<'a> {
     /// Nothing is computed yet.
     pub(super) fn new(root: &'a Path) -> Self {
-        Self { root, ledger: OnceCell::new() }
+        Self { root, ledger: OnceLock::new() }
     }
 
     /// What the claims of the paper are judged by.
