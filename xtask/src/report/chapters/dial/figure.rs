@@ -25,7 +25,7 @@ pub(super) fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
     });
     let header = ["scene", "route", "demanded", "end", "intervals", "certified_error", "true_error", "work"];
     let figure = Figure::new(
-        "The dial: what is demanded, what is certified, what is true, and what it takes",
+        "The dial: errors demanded, certified and true, and the work",
         "Two scenes, two panels each. On the left the certified errors of all routes and the true errors over the error that is \
          demanded: all lie below the diagonal. On the right the work, iterations times unknowns, over the error that is demanded: \
          it grows as the error becomes smaller, and each line ends where its route does.",

@@ -91,7 +91,7 @@ pub(super) fn depth_against_grid(method: Method) -> Result<(Map, String, String)
         }
     }
     let svg = drawn(
-        &format!("The {method} method over EI u₀/(q l⁴): solvers and numbers of intervals"),
+        &format!("The {method} method: solver and intervals over EI u₀/(q l⁴)"),
         "A map: rows are solvers and numbers of intervals, columns are depths. R right and certified, L labelled, W wrong and certified.",
         &rows,
     )?;
@@ -138,11 +138,13 @@ pub(super) fn amplitude_against_depth() -> Result<(Waves, String, String), Cause
             data.push(vec![format!("{share:e}"), power.to_string(), verdict.word().to_owned()]);
             cells.push(cell(verdict));
         }
-        rows.push((format!("amplitude {share:e}"), cells));
+        // As a person writes it: 0, 0.5 and 1, but 1e-12.
+        let amplitude = if 0.0 < share && share < AMPLITUDES[4] { format!("{share:e}") } else { share.to_string() };
+        rows.push((format!("amplitude {amplitude}"), cells));
     }
     let svg = drawn(
-        "Beam theory over EI u₀/(q l⁴): amplitudes of five waves, over their mean depth",
-        "A map: rows are amplitudes, columns are depths. R certified, L labelled.",
+        "Beam theory: amplitude of waves over EI u₀/(q l⁴)",
+        "A map: rows are amplitudes of waves over their mean depth, columns are mean depths. R certified, L labelled.",
         &rows,
     )?;
     let runs = data.len();

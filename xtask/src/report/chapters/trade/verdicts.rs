@@ -31,7 +31,7 @@ pub(super) fn of_example(lines: &Lines<'_>) -> Result<Option<Map>, PlotError> {
     map("Verdicts over the number of intervals", rows)
 }
 
-/// The routes that are meant for fine grids on the other scenes.
+/// The routes that are meant for fine grids on the other scenes, those of which something is measured.
 pub(super) fn of_others(store: &Store) -> Result<Option<Map>, PlotError> {
     let mut rows = Vec::new();
     for scene in OTHERS {
@@ -39,7 +39,10 @@ pub(super) fn of_others(store: &Store) -> Result<Option<Map>, PlotError> {
         for method in METHODS {
             for solver in ["active-set", "clarabel", "osqp"] {
                 let route = format!("{method}/{solver}");
-                rows.push((format!("{scene}: {route}"), lines.asked(&route)));
+                let asked = lines.asked(&route);
+                if asked.iter().any(|line| verdict(Some(line)).0 != Tone::Absent) {
+                    rows.push((format!("{scene}: {route}"), asked));
+                }
             }
         }
     }
