@@ -42,7 +42,7 @@ pub struct Exact {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Violation {
     /// The beam lies below the foundation.
-    #[error("the beam penetrates the foundation by {depth} at x = {at}")]
+    #[error("the beam penetrates the foundation by {depth:?} at x = {at:?}")]
     Penetration {
         /// Where it is worst \[length\].
         at: f64,
@@ -50,7 +50,7 @@ pub enum Violation {
         depth: f64,
     },
     /// A contact pulls.
-    #[error("the contact at x = {at} pulls with a force of {force}")]
+    #[error("the contact at x = {at:?} pulls with a force of {force:?}")]
     Tension {
         /// Where \[length\].
         at: f64,
@@ -58,7 +58,7 @@ pub enum Violation {
         force: f64,
     },
     /// At a point of contact the foundation is bent less than the beam.
-    #[error("the moment at the contact at x = {at} is {moment} less than the foundation can leave room for")]
+    #[error("the moment at the contact at x = {at:?} is {moment:?} less than the foundation can leave room for")]
     Bulge {
         /// Where \[length\].
         at: f64,
@@ -66,7 +66,7 @@ pub enum Violation {
         moment: f64,
     },
     /// A zone has negative pressure.
-    #[error("the foundation pulls between x = {from} and x = {to}")]
+    #[error("the foundation pulls between x = {from:?} and x = {to:?}")]
     Pull {
         /// From where \[length\].
         from: f64,
@@ -74,13 +74,13 @@ pub enum Violation {
         to: f64,
     },
     /// A zone goes over a kink or a step.
-    #[error("a zone of contact goes over the break of the foundation at x = {at}, which no beam can follow")]
+    #[error("a zone of contact goes over the break of the foundation at x = {at:?}, which no beam can follow")]
     Broken {
         /// Where \[length\].
         at: f64,
     },
     /// A zone ends before it starts.
-    #[error("a zone of contact starts at x = {from} and ends at x = {to}, before it")]
+    #[error("a zone of contact starts at x = {from:?} and ends at x = {to:?}, before it")]
     Inverted {
         /// Its start \[length\].
         from: f64,
@@ -88,7 +88,7 @@ pub enum Violation {
         to: f64,
     },
     /// A support and the foundation beside it would have to pull at each other.
-    #[error("the foundation at the support x = {at} holds the beam with a moment of {moment}, which it cannot")]
+    #[error("the foundation at the support x = {at:?} holds the beam with a moment of {moment:?}, which it cannot")]
     Couple {
         /// Which support \[length\].
         at: f64,
@@ -97,7 +97,7 @@ pub enum Violation {
     },
     /// Two ends of a stretch without contact are too close together to be told apart.
     #[error(
-        "the beam lifts off between x = {from} and x = {to}, too short a stretch to be resolved on a beam of this length"
+        "the beam lifts off between x = {from:?} and x = {to:?}, too short a stretch to be resolved on a beam of this length"
     )]
     Unresolved {
         /// From where \[length\].
@@ -108,8 +108,14 @@ pub enum Violation {
     /// The dimensionless answer is one, but in the units of the scene some of its numbers are not.
     #[error("a number of the answer is beyond the range of 64-bit floating point in the units of the scene")]
     Overflow,
+    /// Reactions and contacts do not carry the load.
+    #[error("reactions and contacts together carry the load but for a force of {force:?}")]
+    Unbalanced {
+        /// What they do not carry, downwards \[force\].
+        force: f64,
+    },
     /// The moment is not continuous.
-    #[error("the moment jumps by {jump} at a contact")]
+    #[error("the moment jumps by {jump:?} at a contact")]
     Jump {
         /// By how much \[force · length\].
         jump: f64,
@@ -262,6 +268,7 @@ fn in_units(fault: &Fault, given: &Given, list: &List, scale: &Scale, stiffness:
             from: span.checked_sub(1).map_or(0.0, |i| place(list.nodes[i].x)),
             to: place(list.nodes.get(span).map_or(given.length, |n| n.x)),
         },
+        Fault::Unbalanced { force } => Violation::Unbalanced { force: force * stiffness * scale.force },
         Fault::Residual { jump } => Violation::Jump { jump: jump * stiffness * scale.moment() },
     }
 }

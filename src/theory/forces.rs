@@ -34,3 +34,18 @@ pub(super) fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Ve
     }
     (forces, shear)
 }
+
+/// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
+pub(super) fn zone_force(given: &Given, from: f64, to: f64) -> f64 {
+    let (first, last) = (given.cell_from(from), given.cell_to(to));
+    let mut sum = 0.0;
+    for cell in first..=last {
+        let c = &given.cells[cell];
+        let (lo, hi) = (c.lo.max(from), c.hi.min(to));
+        if lo < hi {
+            sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
+        }
+    }
+    sum += given.joints.iter().filter(|j| from < j.x && j.x < to).map(|j| j.force).sum::<f64>();
+    sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
+}

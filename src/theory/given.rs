@@ -45,6 +45,26 @@ pub(super) struct Joint {
     pub(super) kink: f64,
 }
 
+/// The foundation at a support.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AtEnd {
+    /// The numbers that add up to its depth there: at the left support a polynomial is its first coefficient.
+    pub(super) size: f64,
+    /// True if it starts at the level of the support: a point exactly, a formula up to the rounding of these numbers.
+    pub(super) level: bool,
+}
+
+impl AtEnd {
+    fn of(foundation: &Foundation, x: f64, length: f64) -> Self {
+        const ROUNDING: f64 = 4.0 * f64::EPSILON;
+        let size = match foundation {
+            Foundation::Polyline { .. } | Foundation::Flat { .. } => 0.0,
+            smooth => smooth.magnitude_at(x).min(smooth.magnitude(length)),
+        };
+        Self { size, level: foundation.depth(x) <= ROUNDING * size }
+    }
+}
+
 /// Profile and load of a scene by pieces.
 #[derive(Debug, Clone)]
 pub(super) struct Given {
@@ -66,6 +86,8 @@ pub(super) struct Given {
     pub(super) total_load: f64,
     /// The size of depths that carries their rounding where a beam may touch.
     pub(super) magnitude: f64,
+    /// The foundation at the left and the right support.
+    pub(super) supports: [AtEnd; 2],
 }
 
 impl Given {
@@ -132,6 +154,7 @@ impl Given {
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
             total_load: load.magnitude(length) / stiffness,
             magnitude: within_reach(foundation, length),
+            supports: [0.0, length].map(|x| AtEnd::of(foundation, x, length)),
         }
     }
 
@@ -196,9 +219,7 @@ impl Given {
 
     /// True if the foundation starts at the level of a support (0: left, 1: right), up to the rounding of its depth.
     pub(super) fn starts_at_zero(&self, support: usize) -> bool {
-        const ROUNDING: f64 = 4.0 * f64::EPSILON;
-        let depth = if support == 0 { self.derivative(0, 0.0, 0) } else { self.depth(self.length) };
-        depth <= ROUNDING * self.magnitude
+        self.supports[support].level
     }
 
     /// Point load exactly at `x`.
@@ -238,13 +259,11 @@ fn cuts(lo: f64, hi: f64, most: f64) -> impl Iterator<Item = f64> {
 /// A profile that needs more cells than this is refused: [`super::TheoryError::TooManyPieces`].
 pub(super) const MOST_CELLS: f64 = 20_000.0;
 
-/// The size of depths, the rounding of which reaches the place where a beam touches: of polynomials and waves all of it, of
-/// straight lines only that of their shallow ends.
+/// The size of depths, the rounding of which reaches the place where a beam touches: of polynomials and waves what adds up to
+/// the depth, of straight lines only that of their shallowest point, which is given.
 fn within_reach(foundation: &Foundation, length: f64) -> f64 {
     match foundation {
-        Foundation::Polyline { points } => {
-            points.windows(2).fold(f64::INFINITY, |least, w| least.min(w[0][1].abs().max(w[1][1].abs())))
-        }
+        Foundation::Polyline { points } => points.iter().fold(f64::INFINITY, |least, p| least.min(p[1].abs())),
         smooth => smooth.magnitude(length),
     }
 }

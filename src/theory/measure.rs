@@ -11,6 +11,8 @@ const AT_REST: f64 = 1e-3;
 pub(super) struct Scale {
     /// Largest deflection.
     pub(super) depth: f64,
+    /// The same beside the left and the right support, where the profile may be known far better than elsewhere.
+    pub(super) beside: [f64; 2],
     /// Largest of all forces.
     pub(super) force: f64,
     /// Largest curvature: a moment over `EI`.
@@ -33,8 +35,10 @@ impl Scale {
         let force = forces.iter().chain(shear).fold(0.0_f64, |most, f| most.max(f.abs()));
         // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
         let (l, load) = (given.length, AT_REST * given.total_load);
+        let deflection = depth.max(load * l * l * l / 384.0);
         Self {
-            depth: depth.max(load * l * l * l / 384.0).max(AT_REST * given.magnitude),
+            depth: deflection.max(AT_REST * given.magnitude),
+            beside: given.supports.map(|depths| deflection.max(AT_REST * depths.size)),
             force: force.max(moment / l).max(load),
             moment: moment.max(load * l / 8.0),
         }

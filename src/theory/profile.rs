@@ -29,7 +29,6 @@ fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<f64>) {
 fn without_straight_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     /// The rounding of a decimal depth, twice, and that of the interpolation.
     const ROUNDING: f64 = 8.0 * f64::EPSILON;
-    let magnitude = points.iter().fold(0.0_f64, |most, p| most.max(p[1].abs()));
     // A step of no height is no step.
     let mut points = points.to_vec();
     points.dedup();
@@ -41,6 +40,8 @@ fn without_straight_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         {
             let s = (p[0] - before[0]) / (after[0] - before[0]);
             let straight = before[1] + (after[1] - before[1]) * s;
+            // Of the numbers that make up the depth at that place: a point far below rounds nothing elsewhere.
+            let magnitude = p[1].abs().max((before[1] * (1.0 - s)).abs()).max((after[1] * s).abs());
             if (p[1] - straight).abs() <= ROUNDING * magnitude {
                 continue;
             }
@@ -58,5 +59,11 @@ mod tests {
     fn points_on_a_line_are_no_kinks() {
         let points: Vec<[f64; 2]> = (0..=10).map(|i| [0.1 * f64::from(i), 0.3 + 0.07 * f64::from(i)]).collect();
         assert_eq!(without_straight_points(&points).len(), 2);
+    }
+
+    #[test]
+    fn a_point_far_below_does_not_straighten_a_ridge() {
+        let points = [[0.0, 1e-16], [1.0, 1e-7], [2.0, -1e-16], [3.0, 1e-16], [4.0, 1e9]];
+        assert_eq!(without_straight_points(&points), points);
     }
 }

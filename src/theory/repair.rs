@@ -88,7 +88,7 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                 at,
                 &mut Edit { supports: &mut supports, keep: &mut keep, added: &mut added },
             ),
-            Fault::Unresolved { .. } | Fault::Residual { .. } => {}
+            Fault::Unresolved { .. } | Fault::Unbalanced { .. } | Fault::Residual { .. } => {}
         }
     }
     let mut all: Vec<Node> = nodes.into_iter().zip(&keep).filter(|(_, kept)| **kept).map(|(node, _)| node).collect();

@@ -88,12 +88,11 @@ impl Span {
             let (from, to) = (given.cells[a.cell].shape, given.cells[b.cell].shape);
             let resting = height_a == 0.0 && height_b == 0.0 && from == to;
             let rise = if resting { given.shapes[from].rise(a.x, b.x) } else { at_right - at_left };
-            // Of the profile moved up to the beam: its height is that of the beam then.
+            // Of the profile moved up to the beam: its height is that of the beam then. To add the clearance and take it off
+            // again would cost the digits of the beam over a cliff.
             let beyond = |u: &[f64; 4], rest: f64, height: f64| [height + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
-            let holds = [
-                a.hold.of_beam(&beyond(&profile_a, a.rest, height_a)),
-                b.hold.of_beam(&beyond(&profile_b, b.rest, rise + height_b)),
-            ];
+            let holds =
+                [a.hold.of_beam(&beyond(&profile_a, a.rest, 0.0)), b.hold.of_beam(&beyond(&profile_b, b.rest, rise))];
             let [mut beam_a, mut beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
             (beam_a[0], beam_b[0]) = (at_left, at_right);
             let (mut at_a, mut at_b) = (difference(&profile_a, &beam_a), difference(&profile_b, &beam_b));
@@ -181,15 +180,13 @@ fn solve(l: f64, [a, b]: [Hold; 2], fixed: &FixedEnd) -> [[f64; 4]; 2] {
 }
 
 impl Hold {
-    /// The same for `v = u − h`.
+    /// The same for `v = u − h`, beside a profile that has been moved up by `h`.
     fn of_beam(self, profile: &[f64; 4]) -> Self {
         match self {
-            Self::Clamped { height, slope, turn, level } => {
-                Self::Clamped { height: profile[0] - height, slope: turn.unwrap_or(profile[1] - slope), turn, level }
+            Self::Clamped { slope, turn, level, .. } => {
+                Self::Clamped { height: profile[0], slope: turn.unwrap_or(profile[1] - slope), turn, level }
             }
-            Self::Hinged { height, curvature } => {
-                Self::Hinged { height: profile[0] - height, curvature: profile[2] - curvature }
-            }
+            Self::Hinged { curvature, .. } => Self::Hinged { height: profile[0], curvature: profile[2] - curvature },
         }
     }
 

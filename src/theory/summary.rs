@@ -1,6 +1,7 @@
 //! Reactions, contacts, extremes and energy of a list, in the units of the scene.
 
 use super::bernstein::sign_changes;
+use super::forces::zone_force;
 use super::given::Given;
 use super::list::List;
 use super::piece::{Piece, derivatives};
@@ -69,21 +70,6 @@ fn contacts(given: &Given, found: &Found) -> Vec<Contact> {
         }
     }
     contacts
-}
-
-/// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
-fn zone_force(given: &Given, from: f64, to: f64) -> f64 {
-    let (first, last) = (given.cell_from(from), given.cell_to(to));
-    let mut sum = 0.0;
-    for cell in first..=last {
-        let c = &given.cells[cell];
-        let (lo, hi) = (c.lo.max(from), c.hi.min(to));
-        if lo < hi {
-            sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
-        }
-    }
-    sum += given.joints.iter().filter(|j| from < j.x && j.x < to).map(|j| j.force).sum::<f64>();
-    sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.

@@ -1,7 +1,7 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::bernstein::lowest_below;
-use super::forces::forces;
+use super::forces::{forces, zone_force};
 use super::given::Given;
 use super::list::{AtSupport, Kind, List};
 use super::measure::Scale;
@@ -68,6 +68,11 @@ pub(super) enum Fault {
         /// Index of the node to its right.
         span: usize,
     },
+    /// Reactions and contacts do not carry the load.
+    Unbalanced {
+        /// What is left over.
+        force: f64,
+    },
     /// The equations of the list do not hold.
     Residual {
         /// Largest jump of the curvature.
@@ -103,6 +108,11 @@ const PLACE: f64 = 4e-15;
 /// digit or two: what is in it, the lift-off beside a support for example, is rounding, however small its forces are beside
 /// the load.
 const CROWDED: f64 = 1e-3;
+
+/// What a force out of balance counts as a violation: a thousand-millionth of the forces may be, which is what the judge of a
+/// discretised answer allows. A force between contacts that are close together is the difference of far larger ones, and has
+/// fewer digits than the moments: up to 8·10⁻¹⁰ is lost on surveys like saws with a hundred contacts.
+const BALANCE: f64 = TOLERANCE / 1e-9;
 
 /// Checks `list`.
 pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Checked {
@@ -162,6 +172,18 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
         let found = penetration(given, &pieces, span, TOLERANCE * scale.depth);
         let (at, depth) = found.unwrap_or((span.a.x, 0.0));
         judge(depth, scale.depth, Fault::Penetration { span: *i, at, depth });
+        // Beside a support that the foundation starts at, the slope decides: how deep the beam is in a foundation that falls
+        // off steeply may be next to nothing, and what holds its slope is not.
+        for (support, end, at, outer) in
+            [(0, &span.a, &span.at_a, *i == 0), (1, &span.b, &span.at_b, *i == list.nodes.len())]
+        {
+            let turn = if support == 0 { -at[1] } else { at[1] };
+            if outer && list.supports[support] == AtSupport::Free && given.starts_at_zero(support) {
+                // As deep as the parabola `h = −turn t + h'' t²/2` goes.
+                let depth = turn * (turn / (2.0 * at[2].abs())).min(0.5 * span.length());
+                judge(turn * given.length, scale.beside[support], Fault::Penetration { span: *i, at: end.x, depth });
+            }
+        }
     }
     for (i, &(from, to)) in (0..=list.nodes.len()).filter(|&i| list.in_zone_before(i)).zip(&zones) {
         for &(lo, hi) in lifting.iter().filter(|l| l.0 < to && (from < l.1 || from < l.0)) {
@@ -175,6 +197,8 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
             judge(moment, scale.moment, Fault::Couple { support, moment });
         }
     }
+    let force = unbalanced(given, list, &forces, &shear);
+    judge(BALANCE * force.abs(), scale.force, Fault::Unbalanced { force });
     let newton::Residual { jump, step, crowded } = newton::residual(given, list);
     let fixed = list.nodes.iter().all(|n| matches!(n.kind, Kind::Edge(_)));
     let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
@@ -221,6 +245,17 @@ fn mean_pull(given: &Given, lo: f64, hi: f64) -> f64 {
         }
     }
     point.max(sum / (hi - lo)).max(given.drive(first, lo)).max(given.drive(last, hi))
+}
+
+/// What is left of the load when reactions and contact forces are taken off.
+fn unbalanced(given: &Given, list: &List, forces: &[f64], shear: &[f64; 2]) -> f64 {
+    let loads = (0..given.cells.len()).map(|cell| {
+        let c = &given.cells[cell];
+        0.5 * (given.load(cell, c.lo) + given.load(cell, c.hi)) * (c.hi - c.lo)
+    });
+    let inside = given.joints.get(1..given.cells.len()).unwrap_or_default().iter().map(|j| j.force);
+    let zones = list.zones(given).into_iter().map(|(from, to)| zone_force(given, from, to));
+    loads.chain(inside).sum::<f64>() - shear[0] + shear[1] - forces.iter().sum::<f64>() - zones.sum::<f64>()
 }
 
 /// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.

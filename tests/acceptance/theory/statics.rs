@@ -164,7 +164,7 @@ fn rough_scenes_are_solved_and_pass_statics() {
     const COUNT: u64 = 40;
     let (certified, wrong) = series(COUNT, ROUGH_SAMPLES, random::rough);
     assert_eq!(wrong, Vec::<String>::new());
-    assert_eq!(certified, COUNT, "all but 3 of a series of 12 000 are certified");
+    assert_eq!(certified, COUNT, "all but 2 of a series of 12 000 are certified");
 }
 
 /// Scenes on which mending all faults at once goes round in circles or Newton's method creeps: surveys like saws on which
@@ -173,7 +173,7 @@ fn rough_scenes_are_solved_and_pass_statics() {
 /// upwards stands beside one downwards.
 #[test]
 fn scenes_that_took_a_search_are_solved_and_pass_statics() {
-    let rough = [2317, 2362, 3765, 4559, 6287, 6696, 6926, 10_214].map(random::rough);
+    let rough = [2317, 2362, 3765, 4559, 6227, 6287, 6696, 6926, 10_214].map(random::rough);
     let lattice = [26_900, 54_464, 59_383].map(random::on_lattice);
     for scene in rough.into_iter().chain(lattice).chain([random::scene(15_186)]) {
         let exact = solve(&scene).expect("an answer");
@@ -182,10 +182,10 @@ fn scenes_that_took_a_search_are_solved_and_pass_statics() {
     }
 }
 
-/// Two of the three scenes for which no list passes, in a series of 12 000: surveys like saws with more than a hundred contacts, on ground a
+/// The two scenes for which no list passes, in a series of 12 000: surveys like saws with more than a hundred contacts, on ground a
 /// millionth as deep as the beam would sag.
 fn unsolved() -> [Scene; 2] {
-    [6227, 7949].map(random::rough)
+    [7949, 11_070].map(random::rough)
 }
 
 #[test]
