@@ -71,3 +71,14 @@ fn beam_theory_is_judged_like_everybody() {
     let refusal = Verdict::of_exact(&scene, &wrong, &Demand::default()).refusal;
     assert!(matches!(refusal, Some(Refusal::Theory { .. })), "{refusal:?}");
 }
+
+#[test]
+fn beam_theory_is_certified_on_every_scene_of_the_gallery() {
+    let gallery = crate::scenes::report();
+    assert!(10 < gallery.len(), "{} scenes", gallery.len());
+    for (name, scene) in gallery {
+        let exact = theory::solve(&scene).expect("beam theory has an answer");
+        let verdict = Verdict::of_exact(&scene, &exact, &Demand::of_error(1e-9));
+        assert_eq!((verdict.status, verdict.refusal), (Status::Certified, None), "{name}: {}", verdict.error);
+    }
+}

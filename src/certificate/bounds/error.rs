@@ -3,6 +3,7 @@
 use super::cells;
 use super::curve::{Curve, Piece, overlay};
 use super::ground::Ground;
+use super::largest::largest;
 use super::polynomial::{Polynomial, number};
 use super::proof::Pair;
 use crate::certificate::interval::Interval;
@@ -108,7 +109,7 @@ fn closer(polynomial: &Polynomial, width: Interval) -> f64 {
 /// The largest value of `√(2 gap x² (l − x)²/(3 EI l)) + |v̂ − v|`, and where it is.
 pub(super) fn deflection(
     admissible: &Curve,
-    judged: impl Iterator<Item = ([f64; 2], Polynomial)>,
+    judged: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone,
     gap: f64,
     stiffness: f64,
     length: f64,
@@ -117,7 +118,8 @@ pub(super) fn deflection(
         return Error::UNKNOWN;
     }
     let mut error = Error::NONE;
-    let reached = error.compare(&admissible.pieces, judged, factor(gap, stiffness, length), length);
+    let reached = error.compare(&admissible.pieces, judged.clone(), factor(gap, stiffness, length), length);
+    error.size = largest(judged);
     // A deflection that is not there all the way cannot be judged.
     if length <= reached { error } else { Error::UNKNOWN }
 }

@@ -38,6 +38,7 @@ mod fill;
 mod ground;
 mod hold;
 mod joints;
+mod largest;
 mod load;
 mod pattern;
 mod polynomial;

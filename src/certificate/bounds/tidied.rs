@@ -6,7 +6,7 @@
 
 use crate::scene::Foundation;
 
-/// How far off the line a point may be, as a share of the depths of it and its neighbours.
+/// How far off the line a point may be, as a share of its depth and of what its neighbours add to that of the line there.
 const ON_THE_LINE: f64 = 8.0 * f64::EPSILON;
 /// Points between two that are kept, at most: each is compared anew with every longer line.
 const MOST_BETWEEN: usize = 64;
@@ -40,6 +40,8 @@ fn lies_between(a: [f64; 2], p: [f64; 2], b: [f64; 2]) -> bool {
     if p[0] <= a[0] || b[0] <= p[0] {
         return false;
     }
-    let on_the_line = a[1] + (b[1] - a[1]) * ((p[0] - a[0]) / (b[0] - a[0]));
-    (p[1] - on_the_line).abs() <= ON_THE_LINE * a[1].abs().max(p[1].abs()).max(b[1].abs())
+    let share = (p[0] - a[0]) / (b[0] - a[0]);
+    let on_the_line = a[1] + (b[1] - a[1]) * share;
+    let added = (a[1] * (1.0 - share)).abs().max((b[1] * share).abs());
+    (p[1] - on_the_line).abs() <= ON_THE_LINE * p[1].abs().max(added)
 }
