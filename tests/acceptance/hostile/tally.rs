@@ -14,7 +14,7 @@ pub(crate) struct Count {
     pub(crate) refused: usize,
     /// Beam theory: certified, not certified, no answer.
     pub(crate) exact: [usize; 3],
-    /// Of the certified answers of theory those for which the bounds are finite as well.
+    /// Of the certified answers of theory those that the program calls so in the end: with a certificate that agrees.
     pub(crate) bounded: usize,
     /// The active set on a grid: certified, not certified.
     pub(crate) reference: [usize; 2],

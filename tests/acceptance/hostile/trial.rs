@@ -4,12 +4,13 @@
 //! Authorities that do not know each other: beam theory, guaranteed bounds (in interval arithmetic, from forces and scene
 //! alone), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
 
-use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify, certify_contacts};
+use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
+use palkki::verdict::{Demand, Verdict};
 use palkki::{Settings, solve};
 
 use super::draft::Draft;
@@ -43,7 +44,7 @@ pub(crate) struct Trial {
     pub(crate) accepted: bool,
     /// Verdict on beam theory, if it has an answer.
     pub(crate) exact: Option<Status>,
-    /// Whether a certificate backs it: bounds that are finite.
+    /// Whether the program calls it certified in the end: its bounds are finite, and its deflection is that of its contacts.
     pub(crate) bounded: bool,
     /// Verdict on the reference on the same grid, force method or finite differences with the active set.
     pub(crate) reference: Option<Status>,
@@ -80,9 +81,10 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
     let bounds = exact.as_ref().and_then(|exact| {
         trial.exact = Some(exact.status);
         trial.work[0] = exact.lists;
-        certify_contacts(&scene, &exact.state.contacts).ok()
+        let verdict = Verdict::of_exact(&scene, exact, &Demand::default());
+        trial.bounded = verdict.status == Status::Certified;
+        verdict.certificate
     });
-    trial.bounded = bounds.as_ref().is_some_and(|c| c.gap.is_finite());
     if let Some(exact) = exact.as_ref().filter(|exact| exact.status == Status::Certified) {
         balanced(&mut trial, "theory", &scene, &exact.state);
         if let Some(bounds) = &bounds {

@@ -32,6 +32,14 @@ const HEADER: &str = "family,runs,refused,theory_certified,theory_not_certified,
 /// Threads; each takes the next seed, and counts do not depend on who took it.
 const THREADS: u64 = 2;
 
+/// The scene file of a run, and what is wrong with it as comments.
+pub(crate) fn scene(seed: u64) -> String {
+    let (family, draft, _) = trial::draft(seed);
+    let (_, trial) = trial::run(seed);
+    let wrong: String = trial.wrong.iter().map(|what| format!("# {what}\n")).collect();
+    format!("# {}\n{wrong}{}", family.word(), draft.text())
+}
+
 /// Runs `0 … runs − 1`, and writes the counts; an error if anything is wrong.
 pub(crate) fn run(root: &Path, runs: u64, progress: &mut dyn FnMut(&str)) -> Result<(), String> {
     // Panics are counted, and their messages are in the way.
