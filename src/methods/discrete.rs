@@ -108,6 +108,17 @@ impl Discrete {
         self.profile.as_ref().map_or(0.0, |profile| profile.magnitude_at(self.grid.place(node)))
     }
 
+    /// Whether the ground falls off so far beside a support of the beam that slopes to its depth there, which the beam does not
+    /// feel, would cost more digits than the plain differences of the depths at which three nodes are held.
+    fn drops_off(&self, nodes: [usize; 3], [before, behind]: [f64; 2]) -> bool {
+        let [u0, u1, u2] = nodes.map(|i| self.support_depth(i).abs());
+        let plain = (u0 + u1) / before + (u1 + u2) / behind;
+        let below = |at_support: bool, depth: f64, length: f64| if at_support { depth.abs() / length } else { 0.0 };
+        let left = below(nodes[0] == 0, self.below_supports[0], before);
+        let right = below(nodes[2] == self.intervals, self.below_supports[1], behind);
+        plain < left.max(right)
+    }
+
     /// By how much the slope of the polyline through three nodes, held on the foundation or by the supports of the beam,
     /// grows at the middle one.
     #[inline]
@@ -116,6 +127,10 @@ impl Discrete {
         #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
         let [before, behind] = [node - left, right - node].map(|steps| self.spacing * steps as f64);
         let place = |i: usize| self.grid.place(i);
+        if (left == 0 || right == self.intervals) && self.drops_off([left, node, right], [before, behind]) {
+            let depth = |i: usize| self.support_depth(i);
+            return (depth(right) - depth(node)) / behind - (depth(node) - depth(left)) / before;
+        }
         let mut bend = match profile {
             Foundation::Flat { .. } => 0.0,
             profile => profile.bend(place(node), before, behind, [place(left), place(right)]),
