@@ -9,6 +9,9 @@ pub struct Grid {
     intervals: usize,
 }
 
+/// Nodes whose places and depths are taken together: few enough for the nearest cache.
+const BATCH: usize = 256;
+
 impl Grid {
     /// A grid of `intervals` on the beam of `scene`.
     ///
@@ -49,19 +52,40 @@ impl Grid {
         self.length * i as f64 / self.intervals as f64
     }
 
+    /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+    pub fn places(&self, first: usize, places: &mut [f64]) {
+        for (k, batch) in places.chunks_mut(BATCH).enumerate() {
+            let begin = (first + k * BATCH) as f64;
+            // In a batch a small whole number counts: it becomes a number of the kind that is divided at no cost.
+            for (x, i) in batch.iter_mut().zip(0_i32..) {
+                *x = self.length * (begin + f64::from(i)) / self.intervals as f64;
+            }
+        }
+    }
+
     /// The places of the interior nodes, `x_1 … x_n`.
     #[must_use]
     pub fn interior_places(&self) -> Vec<f64> {
-        (1..self.intervals).map(|i| self.place(i)).collect()
+        let mut places = vec![0.0; self.interior()];
+        self.places(1, &mut places);
+        places
     }
 
     /// Depths `u_i` at the interior nodes; infinite where there is no foundation.
     #[must_use]
     pub fn depths(&self, scene: &Scene) -> Vec<f64> {
         if let Some(Foundation::Flat { depth }) = scene.foundation() {
-            return vec![*depth; self.intervals - 1];
+            return vec![*depth; self.interior()];
         }
-        (1..self.intervals).map(|i| scene.depth(self.place(i))).collect()
+        let mut depths = self.interior_places();
+        let mut places = [0.0; BATCH];
+        for batch in depths.chunks_mut(BATCH) {
+            let places = &mut places[..batch.len()];
+            places.copy_from_slice(batch);
+            scene.depths(places, batch);
+        }
+        depths
     }
 
     /// Loads as forces on all `N + 1` nodes, supports included \[force\].
