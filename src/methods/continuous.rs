@@ -171,18 +171,21 @@ impl<'a> Continuous<'a> {
                 continue;
             }
             let ends = [self.moments[i], self.moments[i + 1]];
-            let sags = curve.of(self.discrete, first..last, ends, &wanted);
+            let sags = &mut clearance[wanted.start - nodes.start..wanted.end - nodes.start];
+            curve.of(self.discrete, first..last, ends, &wanted, sags);
             let [from, to] = [first, last].map(|node| self.discrete.support_depth(node));
             #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
             let steps = (last - first) as f64;
             // What the end moments bend: `M L²/EI`.
             let bent = unit * ends[0].abs().max(ends[1].abs()) * (steps * steps);
-            for (node, sag) in wanted.zip(sags) {
+            // Clearances take the place of the sags.
+            let depths = &self.discrete.depths[wanted.start - 1..];
+            for ((node, h), depth) in wanted.zip(sags).zip(depths) {
                 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
                 let chord = from + (to - from) * ((node - first) as f64 / steps);
-                let open = (self.discrete.depths[node - 1] - chord) - sag;
+                let open = (depth - chord) - *h;
                 let doubtful = open < 0.0 && -small < open && is_rounding(self.discrete, node, open, bent);
-                clearance[node - nodes.start] = if doubtful { 0.0 } else { open };
+                *h = if doubtful { 0.0 } else { open };
             }
         }
     }
@@ -197,13 +200,11 @@ pub(super) fn is_rounding(discrete: &Discrete, node: usize, clearance: f64, bent
 #[derive(Default)]
 struct Curve {
     moments: Vec<f64>,
-    angles: Vec<f64>,
-    sags: Vec<f64>,
 }
 
 impl Curve {
     /// Sags at the `wanted` inner nodes of a span with the given end moments.
-    fn of(&mut self, discrete: &Discrete, span: Range<usize>, ends: [f64; 2], wanted: &Range<usize>) -> &[f64] {
+    fn of(&mut self, discrete: &Discrete, span: Range<usize>, ends: [f64; 2], wanted: &Range<usize>, sags: &mut [f64]) {
         // The stretch around the wanted nodes, with the moments and sags at its two ends.
         let from = wanted.start - 1;
         let to = wanted.end;
@@ -214,20 +215,12 @@ impl Curve {
         let [from_moment, from_sag] = if from == span.start { [ends[0], 0.0] } else { cut(from) };
         let [to_moment, to_sag] = if to == span.end { [ends[1], 0.0] } else { cut(to) };
 
-        let count = wanted.len();
-        self.moments.clear();
-        self.moments.resize(count + 2, 0.0);
-        (self.moments[0], self.moments[count + 1]) = (from_moment, to_moment);
-        statics::funicular(&discrete.loads[wanted.clone()], &mut self.moments);
+        let moments = [from_moment, to_moment];
+        self.moments.resize(wanted.len(), 0.0);
+        statics::funicular(&discrete.loads[wanted.clone()], moments, 1.0, &mut self.moments);
         // Mohr's analogy, in 6 EI / Δ³.
-        self.angles.clear();
-        self.angles.extend(self.moments.windows(3).map(|m| m[0] + 4.0 * m[1] + m[2]));
-        self.sags.clear();
-        self.sags.resize(count + 2, 0.0);
-        (self.sags[0], self.sags[count + 1]) = (from_sag, to_sag);
-        statics::funicular(&self.angles, &mut self.sags);
+        statics::curvatures(&mut self.moments, moments, |m| m[0] + 4.0 * m[1] + m[2]);
         let unit = discrete.spacing * discrete.spacing * discrete.spacing / (6.0 * discrete.stiffness);
-        self.sags.iter_mut().for_each(|sag| *sag *= unit);
-        &self.sags[1..=count]
+        statics::funicular(&self.moments, [from_sag, to_sag], unit, sags);
     }
 }

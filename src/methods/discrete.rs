@@ -158,9 +158,5 @@ fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
 
 /// Deflection at the interior nodes under nodal forces.
 fn deflection(forces: &[f64], spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
-    let moments = statics::moments(forces, spacing);
-    let mut v = statics::deflections(&moments, spacing, stiffness, bending);
-    v.pop();
-    v.remove(0);
-    v
+    statics::deflections(statics::moments(forces, spacing), spacing, stiffness, bending)
 }
