@@ -1,28 +1,34 @@
 //! What loads and contact forces on the nodes of a grid do to the beam: the judge's own statics and elasticity.
 //!
-//! Moments by statics, then integration of `v'' = −M/EI` from the left with the right end brought back to zero:
+//! Moments by statics, deflections by integration of `v'' = −M/EI`, both from left to right:
 //!
 //! ```text
-//! M_{i+1} = M_i + V_i Δ,   V_i = V_{i−1} − t_i,                  V_0 from M_N = 0
-//! θ_i     = θ_{i−1} − (Δ/EI) c_i,   v_{i+1} = v_i + θ_i Δ        θ_0 from v_N = 0
+//! M_i = M_{i−1} + V_{i−1} Δ,   V_i = V_{i−1} − t_i,   t = q − p          V_0 from M_N = 0
+//! v_i = v_{i−1} + θ_{i−1} Δ,   θ_i = θ_{i−1} − (Δ/EI) c_i                θ_0 from v_N = 0
 //! ```
 //!
-//! with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. Both start
-//! horizontally, and are turned about the left end afterwards.
+//! both over `Δ` as they are summed, with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. `V_0` and
+//! `θ_0` are found by a shot from a horizontal start, which misses the right end by `N` times what is looked for. Nothing is
+//! stored: to go along the beam once more costs less than to keep a million numbers.
 
 use super::twice::Twice;
 use super::worst::Worst;
 use crate::scene::{Grid, Scene};
 use crate::state::{Bending, Nodes};
 
-/// The beam under `t = q − p` before it is bent.
-pub(super) struct Carried {
+/// Nodes that are taken from the scene together.
+pub(super) const BATCH: usize = 256;
+
+/// The beam under the loads of a scene and the contact forces of a state.
+pub(super) struct Carried<'a> {
+    scene: &'a Scene,
     grid: Grid,
-    /// Moments `M_0 … M_N` from a horizontal start, in `force · Δ`.
-    raw: Vec<f64>,
+    nodes: &'a Nodes,
     /// Sum of all forces, those on the supports included, and what of it the right support carries \[force\].
     pub(super) total: f64,
     pub(super) right: f64,
+    /// `V_0`, the left reaction without the load that acts on the support itself.
+    shear: f64,
     /// Sums of magnitudes of loads and of contact forces, which are sizes only \[force\].
     pub(super) load: f64,
     pub(super) contact: f64,
@@ -30,88 +36,97 @@ pub(super) struct Carried {
     pub(super) moved: Worst,
 }
 
-impl Carried {
-    /// One pass over loads, contact forces and deflections; the first two are as many as the grid has inner nodes.
-    pub(super) fn new(grid: Grid, scene: &Scene, nodes: &Nodes) -> Self {
-        // Moments take the place of the loads.
-        let mut raw = grid.nodal_loads(scene.load());
-        let ends = [raw[0], raw[grid.intervals()]];
+impl<'a> Carried<'a> {
+    /// The first shot. Contact forces and deflections are as many as the grid has inner nodes.
+    pub(super) fn new(scene: &'a Scene, grid: Grid, nodes: &'a Nodes) -> Self {
+        let ends = [0, grid.intervals()].map(|node| {
+            let mut load = [0.0];
+            grid.loads(scene.load(), node, &mut load);
+            load[0]
+        });
         let (mut load, mut contact) = (ends[0].abs() + ends[1].abs(), 0.0);
-        let (mut sums, mut moved) = (Twice::default(), Worst::default());
-        raw[0] = sums.step(0.0);
-        for ((y, p), v) in raw[1..].iter_mut().zip(&nodes.contact_force).zip(&nodes.deflection) {
-            let q = *y;
-            load += q.abs();
-            contact += p.abs();
-            moved.see(v.abs());
-            *y = sums.step(q - p);
+        let (mut sums, mut moved) = (Twice::rising(0.0), Worst::default());
+        let mut room = [0.0; BATCH];
+        let forces = nodes.contact_force.chunks(BATCH).zip(nodes.deflection.chunks(BATCH)).enumerate();
+        for (batch, (forces, deflection)) in forces {
+            let falls = &mut room[..forces.len()];
+            grid.loads(scene.load(), batch * BATCH + 1, falls);
+            for ((q, p), v) in falls.iter_mut().zip(forces).zip(deflection) {
+                load += q.abs();
+                contact += p.abs();
+                moved.see(v.abs());
+                *q -= p;
+            }
+            sums.along(falls);
         }
         let inner = -sums.slope();
-        let last = sums.step(0.0);
-        raw[grid.intervals()] = last;
-        // The last moment is that of all forces about the right end: what of it the left support has to balance.
-        let left = -last / count(&grid);
-        Self { grid, raw, total: inner + ends[0] + ends[1], right: (inner - left) + ends[1], load, contact, moved }
+        let shear = -sums.next() / count(&grid);
+        let right = (inner - shear) + ends[1];
+        Self { scene, grid, nodes, total: inner + ends[0] + ends[1], right, shear, load, contact, moved }
     }
 
-    /// Deflections at the inner nodes. The differences of `M_i` from the moments of the state are seen by `moments` on the
-    /// way.
-    pub(super) fn deflection(self, stiffness: f64, nodes: &Nodes, moments: &mut Worst) -> Deflection {
-        let Self { grid, raw: mut y, .. } = self;
-        let spacing = grid.spacing();
-        let turned = Turned::new(&grid, y[grid.intervals()]);
-        let (at_nodes, between) = (spacing / stiffness, spacing / (6.0 * stiffness));
-        let (mut before, mut here) = (0.0, turned.at(1.0, y[1]));
-        let (mut sums, mut number) = (Twice::default(), 2.0);
-        sums.step(0.0);
-        for (i, moment) in nodes.moment.iter().enumerate() {
-            let next = turned.at(number, y[i + 2]);
-            moments.see((here - moment).abs());
-            y[i + 1] = sums.step(match nodes.bending {
-                Bending::AtNodes => at_nodes * here,
-                Bending::Between => between * ((before + next) + 4.0 * here),
-            });
-            (before, here) = (here, next);
-            number += 1.0;
+    /// The second shot, and the beam as it bends.
+    pub(super) fn bent(&self, stiffness: f64) -> Bent<'_> {
+        let mut shot = Bent::new(self, stiffness, 0.0);
+        let intervals = self.grid.intervals();
+        for first in (1..intervals).step_by(BATCH) {
+            shot.along(first, BATCH.min(intervals - first));
         }
-        let last = sums.step(0.0);
-        Deflection { turned: Turned::new(&grid, last), raw: y }
+        Bent::new(self, stiffness, -shot.sums[1].next() / count(&self.grid))
+    }
+
+    /// `t_i` for `i = first, …`; nothing at the right support.
+    fn falls(&self, first: usize, falls: &mut [f64]) {
+        self.grid.loads(self.scene.load(), first, falls);
+        let forces = &self.nodes.contact_force[first - 1..];
+        falls.iter_mut().zip(forces).for_each(|(q, p)| *q -= p);
+        falls.iter_mut().skip(forces.len()).for_each(|q| *q = 0.0);
     }
 }
 
-/// Deflections that the forces of a state cause.
-pub(super) struct Deflection {
-    turned: Turned,
-    raw: Vec<f64>,
+/// The beam from left to right: some nodes, and both sums behind them.
+pub(super) struct Bent<'a> {
+    carried: &'a Carried<'a>,
+    /// Of forces and of curvatures.
+    sums: [Twice; 2],
+    /// Moments over `Δ` at the node before, at those of the last call, and at the next one.
+    moments: [f64; BATCH + 2],
+    deflections: [f64; BATCH],
+    /// How many of them there are.
+    count: usize,
+    /// What a moment, at the node itself and at both its neighbours, makes of the slope.
+    shares: [f64; 2],
 }
 
-impl Deflection {
-    /// At the nodes from `first` on, with their numbers.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    pub(super) fn from(&self, first: usize) -> impl Iterator<Item = f64> + '_ {
-        let mut number = first as f64;
-        self.raw[first..].iter().map(move |y| {
-            let v = self.turned.at(number, *y);
-            number += 1.0;
-            v
-        })
+impl<'a> Bent<'a> {
+    /// At the left support, with the slope `θ_0`.
+    fn new(carried: &'a Carried<'a>, stiffness: f64, slope: f64) -> Self {
+        let unit = carried.grid.spacing() * carried.grid.spacing() / stiffness;
+        let shares = match carried.nodes.bending {
+            Bending::AtNodes => [unit, 0.0],
+            Bending::Between => [4.0 * (unit / 6.0), unit / 6.0],
+        };
+        let sums = [Twice::rising(carried.shear), Twice::rising(slope)];
+        let mut bent = Self { carried, sums, moments: [0.0; BATCH + 2], deflections: [0.0; BATCH], count: 0, shares };
+        carried.falls(1, &mut bent.moments[1..2]);
+        bent.sums[0].along(&mut bent.moments[1..2]);
+        bent
     }
-}
 
-/// The turn that brings the right end back to zero, and the unit of heights.
-struct Turned {
-    turn: f64,
-    spacing: f64,
-}
-
-impl Turned {
-    fn new(grid: &Grid, last: f64) -> Self {
-        Self { turn: last / count(grid), spacing: grid.spacing() }
-    }
-
-    #[inline]
-    fn at(&self, number: f64, height: f64) -> f64 {
-        (height - self.turn * number) * self.spacing
+    /// Moments over `Δ`, and deflections over `Δ`, at `count` inner nodes from `first` on: those behind the ones of the call
+    /// before.
+    pub(super) fn along(&mut self, first: usize, count: usize) -> (&[f64], &[f64]) {
+        self.moments.copy_within(self.count..self.count + 2, 0);
+        self.count = count;
+        let next = &mut self.moments[2..count + 2];
+        self.carried.falls(first + 1, next);
+        self.sums[0].along(next);
+        let deflections = &mut self.deflections[..count];
+        for (v, m) in deflections.iter_mut().zip(self.moments.windows(3)) {
+            *v = self.shares[0] * m[1] + self.shares[1] * (m[0] + m[2]);
+        }
+        self.sums[1].along(deflections);
+        (&self.moments[1..=count], deflections)
     }
 }
 

@@ -53,7 +53,7 @@ impl Kkt {
         }
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        let carried = Carried::new(grid, scene, nodes);
+        let carried = Carried::new(scene, grid, nodes);
         let idle = if carried.load == 0.0 { within_reach(&grid.depths(scene)) } else { 0.0 };
         let force = nonzero(carried.load.max(carried.contact).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
@@ -64,16 +64,15 @@ impl Kkt {
         balance.see((carried.total - left - right).abs());
         balance.see((carried.right - right).abs());
 
-        let mut moments = Worst::default();
-        let caused = carried.deflection(scene.beam().bending_stiffness(), nodes, &mut moments);
-        let seen = Seen::of(scene, &grid, nodes, &caused, [force, depth]);
+        let bent = carried.bent(scene.beam().bending_stiffness());
+        let seen = Seen::of(scene, &grid, nodes, bent, [force, depth]);
         Some(Self {
             penetration: seen.penetration.value() / depth,
             tension: seen.tension.value() / force,
             complementarity: seen.complementarity.value(),
             equilibrium: (seen.elastic.value() / depth).max(balance.value() / force),
             record: worst([
-                moments.value() / (force * length),
+                seen.moments.value() / (force * length),
                 seen.clearances.value() / depth,
                 seen.places.value() / length,
             ]),
