@@ -50,8 +50,10 @@ pub(super) struct Part {
 /// Contact forces and clearances at the nodes `nodes.start … nodes.end − 1`, interior nodes, of the beam that is held where
 /// `touches` says so for node 1, 2, …
 pub(super) fn part(discrete: &Discrete, touches: &[bool], nodes: Range<usize>) -> Result<Part, NotPositiveDefinite> {
-    let beam = Continuous::solve(discrete, supports(touches, &nodes))?;
-    let mut part = Part { contact_force: vec![0.0; nodes.len()], clearance: vec![0.0; nodes.len()] };
+    let (beam, mut room) = Continuous::solve(discrete, supports(touches, &nodes), nodes.len())?;
+    room.clear();
+    room.resize(nodes.len(), 0.0);
+    let mut part = Part { contact_force: room, clearance: vec![0.0; nodes.len()] };
     beam.contact_forces(&nodes, &mut part.contact_force);
     beam.clearances(&nodes, &mut part.clearance);
     Ok(part)
@@ -102,26 +104,32 @@ fn any(flags: &[bool]) -> bool {
 }
 
 impl<'a> Continuous<'a> {
-    /// Elimination from left to right, substitution back.
-    fn solve(discrete: &'a Discrete, supports: Vec<usize>) -> Result<Self, NotPositiveDefinite> {
+    /// Elimination from left to right, substitution back. Memory that was used on the way comes back, with room for so many
+    /// numbers.
+    fn solve(
+        discrete: &'a Discrete,
+        supports: Vec<usize>,
+        room: usize,
+    ) -> Result<(Self, Vec<f64>), NotPositiveDefinite> {
         let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
         let mut moments = vec![0.0; supports.len()];
         // What an eliminated moment keeps of its right neighbour: M_i = moments[i] − passed[i] M_{i+1}.
-        let mut passed = vec![0.0; supports.len()];
+        let mut passed = Vec::with_capacity(supports.len().max(room));
+        passed.push(0.0);
         let mut left = Segment::default();
+        let mut row = Row::default();
         for (i, pair) in supports.windows(2).enumerate() {
             let right = discrete.span(pair[0], pair[1]);
             if 0 < i {
-                let (a, b) = (left.steps, right.steps);
                 let bend = unit * discrete.bend(supports[i - 1], pair[0], pair[1]);
-                let pivot = 2.0 * (a + b) - a * passed[i - 1];
-                let rest = -(left.rotations[1] + right.rotations[0]) - bend - a * moments[i - 1];
+                let rest = -(left.rotations[1] + right.rotations[0]) - bend - left.steps * moments[i - 1];
+                row = row.next(left.steps, right.steps);
                 // The pivot is at least 3/2 (a + b); the comparison refuses NaN.
-                if !(0.0 < pivot && rest.is_finite()) {
-                    return Err(NotPositiveDefinite { index: i - 1, pivot });
+                if !(0.0 < row.pivot && rest.is_finite()) {
+                    return Err(NotPositiveDefinite { index: i - 1, pivot: row.pivot });
                 }
-                let inverse = 1.0 / pivot;
-                (moments[i], passed[i]) = (rest * inverse, b * inverse);
+                moments[i] = rest * row.inverse;
+                passed.push(row.passed);
             }
             left = right;
         }
@@ -131,7 +139,7 @@ impl<'a> Continuous<'a> {
         if let Some(end) = moments.last_mut() {
             *end = 0.0;
         }
-        Ok(Self { discrete, supports, moments })
+        Ok((Self { discrete, supports, moments }, passed))
     }
 
     /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
@@ -188,6 +196,33 @@ impl<'a> Continuous<'a> {
                 *h = if doubtful { 0.0 } else { open };
             }
         }
+    }
+}
+
+/// A row of the elimination: its pivot, the inverse of that, and what the row passes on.
+#[derive(Clone, Copy, Default)]
+struct Row {
+    /// The two spans, and what the row before passed on, to the bit: all that a row depends on.
+    left: u64,
+    right: u64,
+    before: u64,
+    pivot: f64,
+    inverse: f64,
+    passed: f64,
+}
+
+impl Row {
+    /// The next row, between spans of `a` and `b` intervals. In dense contact rows soon are the same to the bit, and no division
+    /// has to be waited for.
+    #[inline]
+    fn next(self, a: f64, b: f64) -> Self {
+        let (left, right, before) = (a.to_bits(), b.to_bits(), self.passed.to_bits());
+        if before == self.before && left == self.left && right == self.right {
+            return self;
+        }
+        let pivot = 2.0 * (a + b) - a * self.passed;
+        let inverse = 1.0 / pivot;
+        Self { left, right, before, pivot, inverse, passed: b * inverse }
     }
 }
 

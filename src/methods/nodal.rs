@@ -37,23 +37,23 @@ pub fn free_beam(discrete: &Discrete, bending: Bending) -> Nodal {
     }
 }
 
-/// The state of the beam that nodal values describe.
+/// The state of the beam that nodal values describe. Its memory is that of the discrete problem, as far as it goes.
 #[must_use]
-pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
-    let Discrete { intervals, spacing, stiffness, .. } = *discrete;
-    let (mut carried, energy) = carried(discrete.interior_loads(), &nodal);
+pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
+    let sizes = discrete.sizes();
+    let Discrete { grid, intervals, spacing, stiffness, .. } = discrete;
+    let loads = discrete.into_loads();
+    let ends = [loads[0], loads[intervals]];
+    let (mut carried, energy) = carried(loads, &nodal);
     let moments = statics::moments(&carried, spacing);
     // The shear forces of the first and the last interval.
-    let reactions = Reactions {
-        left: moments[0] / spacing + discrete.loads[0],
-        right: moments[moments.len() - 1] / spacing + discrete.loads[intervals],
-    };
+    let reactions =
+        Reactions { left: moments[0] / spacing + ends[0], right: moments[moments.len() - 1] / spacing + ends[1] };
 
-    let sizes = discrete.sizes();
     // Ground so close that the beam moves less than its forces are rounded: clearances are that rounding.
-    let length = discrete.grid.place(intervals);
+    let length = grid.place(intervals);
     let rounded = AT_REST * sizes.gradient * length * length * length / (48.0 * stiffness);
-    let contacts = contacts(&nodal, sizes.x.max(rounded), sizes.gradient, |i| discrete.grid.place(i));
+    let contacts = contacts(&nodal, sizes.x.max(rounded), sizes.gradient, |i| grid.place(i));
     // Places are counted in intervals until an extreme is found.
     let (heights, bends) = (Ranges::of(&nodal.deflection), Ranges::of(&moments));
     let seen = heights.extremes();
@@ -63,13 +63,13 @@ pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
     };
     let moment = bends.extremes();
     // The forces are not needed any more.
-    discrete.grid.places(1, &mut carried);
+    grid.places(1, &mut carried);
     ContactState {
         regime: Regime::of(&contacts),
         reactions,
         contacts,
-        deflection: placed(deflection, &discrete.grid),
-        moment: placed(moment, &discrete.grid),
+        deflection: placed(deflection, &grid),
+        moment: placed(moment, &grid),
         energy,
         nodes: Some(Nodes {
             bending: nodal.bending,
@@ -82,20 +82,26 @@ pub fn contact_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
     }
 }
 
-/// `t = q − p`, and `J(v) = ½ tᵀv − qᵀv`, since `v = C t`. Summed in blocks: one sum over a fine grid would lose digits that
-/// the answer has.
-fn carried(loads: &[f64], nodal: &Nodal) -> (Vec<f64>, f64) {
+/// `t = q − p` in place of the loads, and `J(v) = ½ tᵀv − qᵀv`, since `v = C t`. Summed in blocks: one sum over a fine grid
+/// would lose digits that the answer has.
+fn carried(mut loads: Vec<f64>, nodal: &Nodal) -> (Vec<f64>, f64) {
     /// About as many terms in a block as there are blocks on a fine grid.
     const BLOCK: usize = 256;
-    let mut carried = Vec::with_capacity(loads.len());
-    let blocks = loads.chunks(BLOCK).zip(nodal.contact_force.chunks(BLOCK)).zip(nodal.deflection.chunks(BLOCK));
-    let energy = blocks.map(|((loads, forces), deflection)| -> f64 {
-        let first = carried.len();
-        carried.extend(loads.iter().zip(forces).map(|(q, p)| q - p));
-        carried[first..].iter().zip(loads).zip(deflection).map(|((t, q), v)| (0.5 * t - q) * v).sum()
-    });
-    let energy = energy.sum();
-    (carried, energy)
+    let mut energy = 0.0;
+    let blocks = nodal.contact_force.chunks(BLOCK).zip(nodal.deflection.chunks(BLOCK)).enumerate();
+    for (b, (forces, deflection)) in blocks {
+        // The load on the left support has no force below it: all move up by one.
+        let loads = &mut loads[b * BLOCK..b * BLOCK + forces.len() + 1];
+        let mut sum = 0.0;
+        for (k, (p, v)) in forces.iter().zip(deflection).enumerate() {
+            let q = loads[k + 1];
+            loads[k] = q - p;
+            sum += (0.5 * loads[k] - q) * v;
+        }
+        energy += sum;
+    }
+    loads.truncate(nodal.contact_force.len());
+    (loads, energy)
 }
 
 /// Extremes with places along the beam instead of numbers of nodes.

@@ -72,11 +72,15 @@ fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
 fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     // A whole block has a power of two for its length, and loses nothing by a product instead of a quotient.
     let share = 1.0 / length;
+    // What waits for the node before comes first, alone; the chord is the same for all and waits for nothing.
     let mut height = 0.0;
-    for ((f, y), place) in f.iter().zip(y).zip(PLACES) {
+    for (f, y) in f.iter().zip(y.iter_mut()) {
         height += slope;
         slope -= f;
-        *y = ((ends[0] * ((length - place) * share) + ends[1] * (place * share)) + height) * unit;
+        *y = height;
+    }
+    for (y, place) in y.iter_mut().zip(PLACES) {
+        *y = ((ends[0] * ((length - place) * share) + ends[1] * (place * share)) + *y) * unit;
     }
 }
 

@@ -124,14 +124,17 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
         Ok(point) => (point.x, point.gradient),
         Err(_) => (answer.x, answer.gradient),
     };
-    let state = contact_state(&discrete, Method::Force.nodal(&discrete, x, gradient));
+    let unknowns = programme.dimension();
+    drop(programme);
+    let nodal = Method::Force.nodal(&discrete, x, gradient);
+    let state = contact_state(discrete, nodal);
     let verdict = Kkt::of(&scaled.scene, &state);
     Ok(Measured {
         status: if verdict.is_some_and(|kkt| kkt.holds()) { Status::Certified } else { Status::NotCertified },
         claims_success: answer.claims_success,
         residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
         iterations: answer.iterations,
-        unknowns: programme.dimension(),
+        unknowns,
         added: Some(start.elapsed().as_secs_f64()),
         ..Measured::untimed(state.in_units_of(&scaled.scale))
     })
