@@ -120,26 +120,19 @@ fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
 /// A node is in contact if its force, measured by all forces, is larger than its clearance, measured by the deflection:
 /// the natural reading of an answer in which both are small positive numbers.
 fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64) -> Vec<Contact> {
-    let mut contacts: Vec<Contact> = Vec::new();
-    let mut previous = false;
+    let mut contacts = Vec::new();
+    let contact = |first, last, force| Contact { from: place(first), to: place(last), force, end_forces: None };
+    // While a run goes on: its first node, and the sum of its forces.
+    let (mut first, mut sum) = (None, 0.0);
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
         // h/X ≤ p/G without a division: most nodes of a fine grid pass here. Both are zero on ground that leaves no room at all.
-        let touches = NO_FORCE * force < p && h * force <= p * depth;
-        match contacts.last_mut() {
-            Some(run) if touches && previous => {
-                run.force += p;
-            }
-            Some(run) if previous => run.to = place(k),
-            _ if touches => {
-                let at = place(k + 1);
-                contacts.push(Contact { from: at, to: at, force: p, end_forces: None });
-            }
-            _ => {}
+        if NO_FORCE * force < p && h * force <= p * depth {
+            first = first.or(Some(k + 1));
+            sum += p;
+        } else if let Some(first) = first.take() {
+            contacts.push(contact(first, k, std::mem::take(&mut sum)));
         }
-        previous = touches;
     }
-    if let Some(run) = contacts.last_mut().filter(|_| previous) {
-        run.to = place(nodal.contact_force.len());
-    }
+    contacts.extend(first.map(|first| contact(first, nodal.contact_force.len(), sum)));
     contacts
 }

@@ -61,15 +61,18 @@ fn numbered(first: usize, values: &[f64]) -> impl Iterator<Item = (f64, f64)> + 
     values.iter().enumerate().map(move |(k, value)| ((first + k) as f64, *value))
 }
 
-/// Greatest and least of some values, which may be no numbers. Four at a time: each is compared with the fourth before it.
+/// Greatest and least of some values, which may be no numbers. Each of four lanes waits for itself only.
 fn range(values: &[f64]) -> [f64; 2] {
-    let mut four = [[f64::NEG_INFINITY, f64::INFINITY]; 4];
-    for values in values.chunks(4) {
-        for (range, value) in four.iter_mut().zip(values) {
-            *range = wider(*range, [*value; 2]);
+    const LANES: usize = 4;
+    let (mut max, mut min) = ([f64::NEG_INFINITY; LANES], [f64::INFINITY; LANES]);
+    let (all, rest) = values.as_chunks::<LANES>();
+    for four in all {
+        for k in 0..LANES {
+            [max[k], min[k]] = wider([max[k], min[k]], [four[k]; 2]);
         }
     }
-    four.into_iter().reduce(wider).unwrap_or_default()
+    let lanes = max.into_iter().zip(min).map(|(max, min)| [max, min]);
+    lanes.chain(rest.iter().map(|value| [*value; 2])).reduce(wider).unwrap_or_default()
 }
 
 /// Not `max` and `min`: a comparison is all that a number needs.
