@@ -56,8 +56,7 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
         let Answer { x, gradient, claims_success, words, iterations } = answer;
         (method.nodal(&discrete, x, gradient), claims_success, words, programme.dimension(), iterations)
     };
-    let state = methods::contact_state(&discrete, nodal);
-    drop(discrete);
+    let state = methods::contact_state(discrete, nodal);
 
     let verdict = Kkt::of(&scaled.scene, &state);
     let state = state.in_units_of(&scaled.scale);

@@ -90,8 +90,15 @@ impl Extremes {
         if max < min {
             return Self::default();
         }
+        Self::known(max, min, |_, _| values.clone())
+    }
+
+    /// The same for values of which the extremes are known. `near(extreme, equal)` may pass over values as long as it shows
+    /// one of each stretch that is passed over, and its two ends if it comes within `equal` of the extreme.
+    pub(crate) fn known<I: Iterator<Item = (f64, f64)>>(max: f64, min: f64, near: impl Fn(f64, f64) -> I) -> Self {
         let largest = max.abs().max(min.abs());
-        let place = |extreme: f64| place_of(values.clone(), extreme, Self::EQUAL * largest);
+        let equal = Self::EQUAL * largest;
+        let place = |extreme: f64| place_of(near(extreme, equal), extreme, equal);
         // What is left of a value that is zero is rounding, and has no sign.
         let clean = |value: f64| if value.abs() <= 16.0 * f64::EPSILON * largest { 0.0 } else { value };
         Self { max: clean(max), max_at: place(max), min: clean(min), min_at: place(min) }

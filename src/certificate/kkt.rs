@@ -1,7 +1,10 @@
 //! The optimality conditions of a discrete problem as four dimensionless numbers, and a fifth for what is said beside them.
 
+use super::carried::Carried;
+use super::seen::Seen;
+use super::worst::{Worst, worst};
 use crate::scene::{Grid, Scene};
-use crate::state::{Bending, ContactState, Nodes};
+use crate::state::{ContactState, Reactions};
 
 /// A state whose worst residual is at most this is certified.
 ///
@@ -48,60 +51,31 @@ impl Kkt {
         if [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.moment].iter().any(|list| list.len() != n) {
             return None;
         }
-        let loads = grid.nodal_loads(scene.load());
-        let depth_at = |i: usize| scene.depth(grid.place(i));
-        let (v, p) = (&nodes.deflection, &nodes.contact_force);
-
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        // Forces, and their moments about the left support over `l`: what is not balanced, and the sums of magnitudes, which are sizes only.
-        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-        let per_interval = 1.0 / (n + 1) as f64;
-        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-        let lever = |i: usize| i as f64 * per_interval;
-        let (mut total, mut moment) = (Sum::default(), Sum::default());
-        let (mut load, mut contact) = (0.0_f64, 0.0_f64);
-        for (i, &q) in loads.iter().enumerate() {
-            let p = if i == 0 || i == n + 1 { 0.0 } else { p[i - 1] };
-            total.add(q - p);
-            moment.add((q - p) * lever(i));
-            load += q.abs();
-            contact += p.abs();
-        }
-        let idle = if load == 0.0 { within_reach((1..=n).map(depth_at)) } else { 0.0 };
-        let force = nonzero(load.max(contact).max(idle / flexibility));
+        let carried = Carried::new(scene, grid, nodes);
+        let idle = if carried.load == 0.0 { within_reach(&grid.depths(scene)) } else { 0.0 };
+        let force = nonzero(carried.load.max(carried.contact).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
-        let moved = worst(v.iter().map(|v| v.abs())).max(idle);
-        let depth = nonzero(moved.max(ROUNDING * flexibility * force));
-
-        let (mut moments, mut clearances, mut places) = (Worst::default(), Worst::default(), Worst::default());
-        let caused = deflection(&grid, scene.beam().bending_stiffness(), &loads, nodes, &mut moments);
-        let (mut penetration, mut tension, mut complementarity, mut elastic) =
-            (Worst::default(), Worst::default(), Worst::default(), Worst::default());
-        for (i, ((v, p), caused)) in v.iter().zip(p).zip(&caused[1..]).enumerate() {
-            let place = grid.place(i + 1);
-            let u = scene.depth(place);
-            let h = u - v;
-            penetration.see(-h);
-            tension.see(-p);
-            // Anything else is not positive, or no number, which the lines around this one see.
-            if 0.0 < h && 0.0 < *p {
-                complementarity.see((h / depth).min(p / force));
-            }
-            elastic.see((v - caused).abs());
-            clearances.see(mistaken(nodes.clearance[i], u, h));
-            places.see((nodes.x[i] - place).abs());
-        }
+        let depth = nonzero(carried.moved.value().max(idle).max(ROUNDING * flexibility * force));
         // Reactions that balance forces, and moments about the left support.
         let mut balance = Worst::default();
-        balance.see((total.total() - state.reactions.left - state.reactions.right).abs());
-        balance.see((moment.total() - state.reactions.right).abs());
+        let Reactions { left, right } = state.reactions;
+        balance.see((carried.total - left - right).abs());
+        balance.see((carried.right - right).abs());
+
+        let bent = carried.bent(scene.beam().bending_stiffness());
+        let seen = Seen::of(scene, &grid, nodes, bent, [force, depth]);
         Some(Self {
-            penetration: penetration.value() / depth,
-            tension: tension.value() / force,
-            complementarity: complementarity.value(),
-            equilibrium: (elastic.value() / depth).max(balance.value() / force),
-            record: worst([moments.value() / (force * length), clearances.value() / depth, places.value() / length]),
+            penetration: seen.penetration.value() / depth,
+            tension: seen.tension.value() / force,
+            complementarity: seen.complementarity.value(),
+            equilibrium: (seen.elastic.value() / depth).max(balance.value() / force),
+            record: worst([
+                seen.moments.value() / (force * length),
+                seen.clearances.value() / depth,
+                seen.places.value() / length,
+            ]),
         })
     }
 
@@ -118,125 +92,14 @@ impl Kkt {
     }
 }
 
-/// The largest of some numbers, at least 0; infinite if one of them is NaN.
-fn worst(values: impl IntoIterator<Item = f64>) -> f64 {
-    let mut worst = Worst::default();
-    values.into_iter().for_each(|value| worst.see(value));
-    worst.value()
-}
-
-/// The largest number seen, at least 0, and whether all were numbers.
-#[derive(Default)]
-struct Worst {
-    largest: f64,
-    nan: bool,
-}
-
-impl Worst {
-    fn see(&mut self, value: f64) {
-        self.nan |= value.is_nan();
-        if self.largest < value {
-            self.largest = value;
-        }
-    }
-
-    fn value(&self) -> f64 {
-        if self.nan { f64::INFINITY } else { self.largest }
-    }
-}
-
-/// By how much a clearance is said wrong, beyond the rounding of the depth `u` that it was taken from.
-fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
-    // Where there is no foundation both are infinite.
-    if u == f64::INFINITY && said == f64::INFINITY {
-        return 0.0;
-    }
-    (said - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
-}
-
 /// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
 /// Zero where there is no ground.
-fn within_reach(depths: impl Iterator<Item = f64>) -> f64 {
-    let highest = depths.fold(f64::INFINITY, f64::min);
+fn within_reach(depths: &[f64]) -> f64 {
+    let highest = depths.iter().copied().fold(f64::INFINITY, f64::min);
     if highest.is_finite() { highest.abs() } else { 0.0 }
 }
 
 /// A divisor: 1 where there is nothing to measure by.
 fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
-}
-
-/// Deflections at all nodes under the loads and the contact forces of a state: moments by statics, then
-/// integration of `v'' = −M/EI` from the left with the right end brought back to zero.
-///
-/// ```text
-/// M_{i+1} = M_i + V_i Δ,   V_i = V_{i−1} − t_i,                  V_0 from M_N = 0
-/// θ_i     = θ_{i−1} − (Δ/EI) c_i,   v_{i+1} = v_i + θ_i Δ        θ_0 from v_N = 0
-/// ```
-///
-/// with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. The
-/// differences of `M_i` from the moments of the state are seen by `moments` on the way.
-fn deflection(grid: &Grid, stiffness: f64, loads: &[f64], nodes: &Nodes, moments: &mut Worst) -> Vec<f64> {
-    let spacing = grid.spacing();
-    let unit = spacing / stiffness;
-    let mut y = vec![0.0; loads.len()];
-    for ((y, q), p) in y[1..].iter_mut().zip(&loads[1..]).zip(&nodes.contact_force) {
-        *y = q - p;
-    }
-    integrate_twice(&mut y, spacing);
-    // In place: the moment of the node before is kept.
-    let mut before = 0.0;
-    for i in 1..y.len() - 1 {
-        let here = y[i];
-        moments.see((here - nodes.moment[i - 1]).abs());
-        y[i] = match nodes.bending {
-            Bending::AtNodes => unit * here,
-            Bending::Between => unit * ((before + 4.0 * here + y[i + 1]) / 6.0),
-        };
-        before = here;
-    }
-    integrate_twice(&mut y, spacing);
-    y
-}
-
-/// From `f_1 … f_{N−1}`, between two zeros, to `y_0 … y_N` with `y_0 = y_N = 0` and slopes that fall by `f_i` at node `i`.
-///
-/// A million roundings of a slope would be a million times larger in the height: both sums keep what rounding takes from
-/// them, as in Kahan's and Neumaier's sums, and the slope passes its share on.
-#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-fn integrate_twice(y: &mut [f64], spacing: f64) {
-    // First with a horizontal start, then turned so that the right end comes to zero. Heights in units of the spacing.
-    let (mut slope, mut height) = (Sum::default(), Sum::default());
-    for y in y.iter_mut() {
-        let f = *y;
-        *y = height.total();
-        slope.add(-f);
-        height.add(slope.value);
-        height.lost += slope.lost;
-    }
-    let turn = y[y.len() - 1] / (y.len() - 1) as f64;
-    for (i, y) in y.iter_mut().enumerate() {
-        *y = (*y - turn * i as f64) * spacing;
-    }
-}
-
-/// A sum, and what rounding has taken from it.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    value: f64,
-    lost: f64,
-}
-
-impl Sum {
-    /// Adds a number; `lost` gets the exact error of the addition (Knuth's two-sum).
-    fn add(&mut self, next: f64) {
-        let sum = self.value + next;
-        let of_next = sum - self.value;
-        self.lost += (self.value - (sum - of_next)) + (next - of_next);
-        self.value = sum;
-    }
-
-    fn total(self) -> f64 {
-        self.value + self.lost
-    }
 }

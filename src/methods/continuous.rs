@@ -50,8 +50,10 @@ pub(super) struct Part {
 /// Contact forces and clearances at the nodes `nodes.start … nodes.end − 1`, interior nodes, of the beam that is held where
 /// `touches` says so for node 1, 2, …
 pub(super) fn part(discrete: &Discrete, touches: &[bool], nodes: Range<usize>) -> Result<Part, NotPositiveDefinite> {
-    let beam = Continuous::solve(discrete, supports(touches, &nodes))?;
-    let mut part = Part { contact_force: vec![0.0; nodes.len()], clearance: vec![0.0; nodes.len()] };
+    let (beam, mut room) = Continuous::solve(discrete, supports(touches, &nodes), nodes.len())?;
+    room.clear();
+    room.resize(nodes.len(), 0.0);
+    let mut part = Part { contact_force: room, clearance: vec![0.0; nodes.len()] };
     beam.contact_forces(&nodes, &mut part.contact_force);
     beam.clearances(&nodes, &mut part.clearance);
     Ok(part)
@@ -102,26 +104,32 @@ fn any(flags: &[bool]) -> bool {
 }
 
 impl<'a> Continuous<'a> {
-    /// Elimination from left to right, substitution back.
-    fn solve(discrete: &'a Discrete, supports: Vec<usize>) -> Result<Self, NotPositiveDefinite> {
+    /// Elimination from left to right, substitution back. Memory that was used on the way comes back, with room for so many
+    /// numbers.
+    fn solve(
+        discrete: &'a Discrete,
+        supports: Vec<usize>,
+        room: usize,
+    ) -> Result<(Self, Vec<f64>), NotPositiveDefinite> {
         let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
         let mut moments = vec![0.0; supports.len()];
         // What an eliminated moment keeps of its right neighbour: M_i = moments[i] − passed[i] M_{i+1}.
-        let mut passed = vec![0.0; supports.len()];
+        let mut passed = Vec::with_capacity(supports.len().max(room));
+        passed.push(0.0);
         let mut left = Segment::default();
+        let mut row = Row::default();
         for (i, pair) in supports.windows(2).enumerate() {
             let right = discrete.span(pair[0], pair[1]);
             if 0 < i {
-                let (a, b) = (left.steps, right.steps);
                 let bend = unit * discrete.bend(supports[i - 1], pair[0], pair[1]);
-                let pivot = 2.0 * (a + b) - a * passed[i - 1];
-                let rest = -(left.rotations[1] + right.rotations[0]) - bend - a * moments[i - 1];
+                let rest = -(left.rotations[1] + right.rotations[0]) - bend - left.steps * moments[i - 1];
+                row = row.next(left.steps, right.steps);
                 // The pivot is at least 3/2 (a + b); the comparison refuses NaN.
-                if !(0.0 < pivot && rest.is_finite()) {
-                    return Err(NotPositiveDefinite { index: i - 1, pivot });
+                if !(0.0 < row.pivot && rest.is_finite()) {
+                    return Err(NotPositiveDefinite { index: i - 1, pivot: row.pivot });
                 }
-                let inverse = 1.0 / pivot;
-                (moments[i], passed[i]) = (rest * inverse, b * inverse);
+                moments[i] = rest * row.inverse;
+                passed.push(row.passed);
             }
             left = right;
         }
@@ -131,7 +139,7 @@ impl<'a> Continuous<'a> {
         if let Some(end) = moments.last_mut() {
             *end = 0.0;
         }
-        Ok(Self { discrete, supports, moments })
+        Ok((Self { discrete, supports, moments }, passed))
     }
 
     /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
@@ -171,20 +179,50 @@ impl<'a> Continuous<'a> {
                 continue;
             }
             let ends = [self.moments[i], self.moments[i + 1]];
-            let sags = curve.of(self.discrete, first..last, ends, &wanted);
+            let sags = &mut clearance[wanted.start - nodes.start..wanted.end - nodes.start];
+            curve.of(self.discrete, first..last, ends, &wanted, sags);
             let [from, to] = [first, last].map(|node| self.discrete.support_depth(node));
             #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
             let steps = (last - first) as f64;
             // What the end moments bend: `M L²/EI`.
             let bent = unit * ends[0].abs().max(ends[1].abs()) * (steps * steps);
-            for (node, sag) in wanted.zip(sags) {
+            // Clearances take the place of the sags.
+            let depths = &self.discrete.depths[wanted.start - 1..];
+            for ((node, h), depth) in wanted.zip(sags).zip(depths) {
                 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
                 let chord = from + (to - from) * ((node - first) as f64 / steps);
-                let open = (self.discrete.depths[node - 1] - chord) - sag;
+                let open = (depth - chord) - *h;
                 let doubtful = open < 0.0 && -small < open && is_rounding(self.discrete, node, open, bent);
-                clearance[node - nodes.start] = if doubtful { 0.0 } else { open };
+                *h = if doubtful { 0.0 } else { open };
             }
         }
+    }
+}
+
+/// A row of the elimination: its pivot, the inverse of that, and what the row passes on.
+#[derive(Clone, Copy, Default)]
+struct Row {
+    /// The two spans, and what the row before passed on, to the bit: all that a row depends on.
+    left: u64,
+    right: u64,
+    before: u64,
+    pivot: f64,
+    inverse: f64,
+    passed: f64,
+}
+
+impl Row {
+    /// The next row, between spans of `a` and `b` intervals. In dense contact rows soon are the same to the bit, and no division
+    /// has to be waited for.
+    #[inline]
+    fn next(self, a: f64, b: f64) -> Self {
+        let (left, right, before) = (a.to_bits(), b.to_bits(), self.passed.to_bits());
+        if before == self.before && left == self.left && right == self.right {
+            return self;
+        }
+        let pivot = 2.0 * (a + b) - a * self.passed;
+        let inverse = 1.0 / pivot;
+        Self { left, right, before, pivot, inverse, passed: b * inverse }
     }
 }
 
@@ -197,13 +235,11 @@ pub(super) fn is_rounding(discrete: &Discrete, node: usize, clearance: f64, bent
 #[derive(Default)]
 struct Curve {
     moments: Vec<f64>,
-    angles: Vec<f64>,
-    sags: Vec<f64>,
 }
 
 impl Curve {
     /// Sags at the `wanted` inner nodes of a span with the given end moments.
-    fn of(&mut self, discrete: &Discrete, span: Range<usize>, ends: [f64; 2], wanted: &Range<usize>) -> &[f64] {
+    fn of(&mut self, discrete: &Discrete, span: Range<usize>, ends: [f64; 2], wanted: &Range<usize>, sags: &mut [f64]) {
         // The stretch around the wanted nodes, with the moments and sags at its two ends.
         let from = wanted.start - 1;
         let to = wanted.end;
@@ -214,20 +250,12 @@ impl Curve {
         let [from_moment, from_sag] = if from == span.start { [ends[0], 0.0] } else { cut(from) };
         let [to_moment, to_sag] = if to == span.end { [ends[1], 0.0] } else { cut(to) };
 
-        let count = wanted.len();
-        self.moments.clear();
-        self.moments.resize(count + 2, 0.0);
-        (self.moments[0], self.moments[count + 1]) = (from_moment, to_moment);
-        statics::funicular(&discrete.loads[wanted.clone()], &mut self.moments);
+        let moments = [from_moment, to_moment];
+        self.moments.resize(wanted.len(), 0.0);
+        statics::funicular(&discrete.loads[wanted.clone()], moments, 1.0, &mut self.moments);
         // Mohr's analogy, in 6 EI / Δ³.
-        self.angles.clear();
-        self.angles.extend(self.moments.windows(3).map(|m| m[0] + 4.0 * m[1] + m[2]));
-        self.sags.clear();
-        self.sags.resize(count + 2, 0.0);
-        (self.sags[0], self.sags[count + 1]) = (from_sag, to_sag);
-        statics::funicular(&self.angles, &mut self.sags);
+        statics::curvatures(&mut self.moments, moments, |m| m[0] + 4.0 * m[1] + m[2]);
         let unit = discrete.spacing * discrete.spacing * discrete.spacing / (6.0 * discrete.stiffness);
-        self.sags.iter_mut().for_each(|sag| *sag *= unit);
-        &self.sags[1..=count]
+        statics::funicular(&self.moments, [from_sag, to_sag], unit, sags);
     }
 }

@@ -70,6 +70,11 @@ impl Discrete {
         &self.loads[1..self.intervals]
     }
 
+    /// The loads on all nodes; the memory of everything else is given back.
+    pub(super) fn into_loads(self) -> Vec<f64> {
+        self.loads
+    }
+
     /// Deflection at the interior nodes under nodal forces `t_1 … t_n`: `v = C t`, (25), by statics and without `C`.
     #[must_use]
     pub fn deflection(&self, forces: &[f64], bending: Bending) -> Vec<f64> {
@@ -173,9 +178,5 @@ fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
 
 /// Deflection at the interior nodes under nodal forces.
 fn deflection(forces: &[f64], spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
-    let moments = statics::moments(forces, spacing);
-    let mut v = statics::deflections(&moments, spacing, stiffness, bending);
-    v.pop();
-    v.remove(0);
-    v
+    statics::deflections(statics::moments(forces, spacing), spacing, stiffness, bending)
 }

@@ -75,26 +75,24 @@ impl<'a> Held<'a> {
                 continue;
             }
             let steps = last - first;
-            let mut moments = vec![0.0; steps + 1];
-            (moments[0], moments[steps]) = (ends[0], ends[1]);
-            statics::funicular(&loads[first + 1..last], &mut moments);
-            let curvature = |m: &[f64]| match self.bending {
+            let mut curvature = vec![0.0; steps - 1];
+            statics::funicular(&loads[first + 1..last], [ends[0], ends[1]], 1.0, &mut curvature);
+            statics::curvatures(&mut curvature, [ends[0], ends[1]], |m| match self.bending {
                 Bending::AtNodes => m[1],
                 Bending::Between => (m[0] + 4.0 * m[1] + m[2]) / 6.0,
-            };
-            let curvatures: Vec<f64> = moments.windows(3).map(curvature).collect();
-            let mut sag = vec![0.0; steps + 1];
-            statics::funicular(&curvatures, &mut sag);
+            });
+            let sags = &mut clearance[first..last - 1];
+            statics::funicular(&curvature, [0.0; 2], unit, sags);
             // What the end moments bend: `M L²/EI`.
             #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
             let bent = unit * ends[0].abs().max(ends[1].abs()) * (steps as f64 * steps as f64);
             let [from, to] = [first, last].map(|node| self.discrete.support_depth(node));
-            for k in 1..steps {
+            for (k, (h, depth)) in sags.iter_mut().zip(&depths[first..]).enumerate() {
                 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-                let chord = from + (to - from) * (k as f64 / steps as f64);
-                let open = (depths[first + k - 1] - chord) - unit * sag[k];
-                let doubtful = open < 0.0 && continuous::is_rounding(self.discrete, first + k, open, bent);
-                clearance[first + k - 1] = if doubtful { 0.0 } else { open };
+                let chord = from + (to - from) * ((k + 1) as f64 / steps as f64);
+                let open = (depth - chord) - *h;
+                let doubtful = open < 0.0 && continuous::is_rounding(self.discrete, first + k + 1, open, bent);
+                *h = if doubtful { 0.0 } else { open };
             }
         }
         clearance

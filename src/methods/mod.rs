@@ -13,6 +13,7 @@
 
 mod complementarity;
 mod continuous;
+mod cubic;
 mod discrete;
 mod displacement;
 mod force;
@@ -21,6 +22,7 @@ mod hencky;
 mod method;
 mod native;
 mod nodal;
+mod ranges;
 mod rotations;
 mod segment;
 mod spectrum;

@@ -6,103 +6,126 @@ use crate::state::Bending;
 /// cache.
 const BLOCK: usize = 64;
 
+/// Places of the nodes in a block, as numbers.
+const PLACES: [f64; BLOCK] = {
+    let mut places = [1.0; BLOCK];
+    let mut k = 1;
+    while k < BLOCK {
+        places[k] = places[k - 1] + 1.0;
+        k += 1;
+    }
+    places
+};
+
 /// Solves `−(y_{i−1} − 2 y_i + y_{i+1}) = f_i`, `i = 1 … n`, for given `y_0` and `y_{n+1}`: the polygon of a string under
-/// forces. `f` has length n, `y` length n + 2 with its two ends set.
+/// forces. What is written to `y`, length n as `f`, are `y_i` times `unit`; the two ends are not.
 ///
 /// Summing forces to slopes and slopes to heights from one end to the other would round n times, and double summation turns
 /// that into `n ε` of the largest height. So forces go to the ends of blocks by the law of the lever; the block ends are a
 /// polygon with fewer nodes, found the same way; and within a block everything is small against its ends. Rounding is then
 /// that of some hundred operations for any n, and near an end it is relative to the distance from that end.
-pub(super) fn funicular(f: &[f64], y: &mut [f64]) {
-    polygon(f, 1.0, y);
+pub(super) fn funicular(f: &[f64], ends: [f64; 2], unit: f64, y: &mut [f64]) {
+    polygon(f, 1.0, ends, unit, y);
 }
 
 /// The same with a last interval of length `tail`, `0 < tail ≤ 1`; all others have length 1.
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-fn polygon(f: &[f64], tail: f64, y: &mut [f64]) {
+fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     let n = f.len();
     if n < BLOCK {
-        return string(f, n as f64 + tail, y);
+        let length = n as f64 + tail;
+        return string(f, length, lever(f, length)[0], ends, unit, y);
     }
-    // Node b of the polygon of block ends is node b · BLOCK of this one.
-    let unit = BLOCK as f64;
+    // Node b of the polygon of block ends is node b · BLOCK of this one, whose height is the last one of block b − 1.
+    let size = BLOCK as f64;
     let blocks = (n + 1).div_ceil(BLOCK);
     let last = (n - (blocks - 1) * BLOCK) as f64 + tail;
-    let length = |b: usize| if b + 1 < blocks { unit } else { last };
-    let inner = |b: usize| &f[b * BLOCK..n.min((b + 1) * BLOCK - 1)];
-    let mut ends = vec![0.0; blocks - 1];
+    let length = |b: usize| if b + 1 < blocks { size } else { last };
+    let inner = |b: usize| b * BLOCK..n.min((b + 1) * BLOCK - 1);
+    let mut slopes = Vec::with_capacity(blocks);
+    let mut forces = vec![0.0; blocks - 1];
     for b in 0..blocks {
-        let [left, right] = lever(inner(b), length(b));
+        let [left, right] = lever(&f[inner(b)], length(b));
+        slopes.push(left);
         if 0 < b {
-            ends[b - 1] += f[b * BLOCK - 1] + left;
+            forces[b - 1] += f[b * BLOCK - 1] + left;
         }
         if b + 1 < blocks {
-            ends[b] += right;
+            forces[b] += right;
         }
     }
-    // Heights in the unit of the coarser polygon, so that its intervals have length 1 again.
-    let mut heights = vec![0.0; blocks + 1];
-    heights[0] = y[0] / unit;
-    heights[blocks] = y[n + 1] / unit;
-    polygon(&ends, last / unit, &mut heights);
-    for b in 0..blocks {
-        let (from, to) = (b * BLOCK, (n + 1).min((b + 1) * BLOCK));
-        y[from] = heights[b] * unit;
-        y[to] = heights[b + 1] * unit;
-        string(inner(b), length(b), &mut y[from..=to]);
+    // In units of the coarser polygon, so that its intervals have length 1 again.
+    let mut heights = vec![0.0; blocks - 1];
+    polygon(&forces, last / size, ends.map(|end| end / size), size, &mut heights);
+    let mut from = ends[0];
+    for (b, slope) in slopes.into_iter().enumerate() {
+        let to = heights.get(b).copied().unwrap_or(ends[1]);
+        string(&f[inner(b)], length(b), slope, [from, to], unit, &mut y[inner(b)]);
+        if b + 1 < blocks {
+            y[(b + 1) * BLOCK - 1] = to * unit;
+        }
+        from = to;
     }
 }
 
-/// A short polygon of the given length: forces to slopes, slopes to heights above the chord.
-#[expect(clippy::cast_precision_loss, reason = "a block is short")]
-fn string(f: &[f64], length: f64, y: &mut [f64]) {
-    let (from, to) = (y[0], y[f.len() + 1]);
-    let [mut slope, _] = lever(f, length);
+/// A short polygon of the given length that begins with the given slope above its chord: forces to slopes, slopes to heights.
+fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     // A whole block has a power of two for its length, and loses nothing by a product instead of a quotient.
     let share = 1.0 / length;
+    // What waits for the node before comes first, alone; the chord is the same for all and waits for nothing.
     let mut height = 0.0;
-    for (k, f) in f.iter().enumerate() {
+    for (f, y) in f.iter().zip(y.iter_mut()) {
         height += slope;
         slope -= f;
-        let place = (k + 1) as f64;
-        y[k + 1] = (from * ((length - place) * share) + to * (place * share)) + height;
+        *y = height;
+    }
+    for (y, place) in y.iter_mut().zip(PLACES) {
+        *y = ((ends[0] * ((length - place) * share) + ends[1] * (place * share)) + *y) * unit;
     }
 }
 
 /// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length.
-#[expect(clippy::cast_precision_loss, reason = "a block is short")]
 fn lever(f: &[f64], length: f64) -> [f64; 2] {
     let (mut left, mut right) = (0.0, 0.0);
-    for (k, f) in f.iter().enumerate() {
-        let place = (k + 1) as f64;
+    for (f, place) in f.iter().zip(PLACES) {
         left += f * (length - place);
         right += f * place;
     }
     [left / length, right / length]
 }
 
-/// Bending moments `M_0 … M_{n+1}` of a simple beam under the nodal forces `t_1 … t_n` \[force · length\].
+/// Bending moments `M_1 … M_n` of a simple beam under the nodal forces `t_1 … t_n` \[force · length\].
 pub(super) fn moments(forces: &[f64], spacing: f64) -> Vec<f64> {
-    let mut moments = vec![0.0; forces.len() + 2];
-    funicular(forces, &mut moments);
-    moments.iter_mut().for_each(|m| *m *= spacing);
+    let mut moments = vec![0.0; forces.len()];
+    funicular(forces, [0.0; 2], spacing, &mut moments);
     moments
 }
 
-/// Deflections `v_0 … v_{n+1}` from bending moments at all nodes, with `v = 0` at both ends \[length\].
+/// Deflections `v_1 … v_n` from bending moments `M_1 … M_n`, with `M = 0` and `v = 0` at both ends \[length\].
 ///
 /// Mohr's analogy: `−(v_{i−1} − 2 v_i + v_{i+1})/Δ = Δ M_i / EI` for finite differences, and
 /// `Δ (M_{i−1} + 4 M_i + M_{i+1}) / (6 EI)` for moments that are linear between the nodes.
-pub(super) fn deflections(moments: &[f64], spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
+pub(super) fn deflections(mut moments: Vec<f64>, spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
     let unit = spacing * spacing / stiffness;
-    let angle = |m: &[f64]| match bending {
+    curvatures(&mut moments, [0.0; 2], |m| match bending {
         Bending::AtNodes => unit * m[1],
         Bending::Between => unit / 6.0 * (m[0] + 4.0 * m[1] + m[2]),
-    };
-    let angles: Vec<f64> = moments.windows(3).map(angle).collect();
+    });
     let mut deflections = vec![0.0; moments.len()];
-    funicular(&angles, &mut deflections);
+    funicular(&moments, [0.0; 2], 1.0, &mut deflections);
     deflections
+}
+
+/// In place of moments what they contribute to curvature: of each with its two neighbours, the first and the last of them at
+/// the `ends`.
+pub(super) fn curvatures(moments: &mut [f64], ends: [f64; 2], share: impl Fn([f64; 3]) -> f64) {
+    let mut before = ends[0];
+    let mut rest = moments.iter_mut().peekable();
+    while let Some(here) = rest.next() {
+        let behind = rest.peek().map_or(ends[1], |behind| **behind);
+        let moment = std::mem::replace(here, share([before, *here, behind]));
+        before = moment;
+    }
 }
 
 #[cfg(test)]
@@ -113,9 +136,9 @@ mod tests {
     #[test]
     fn uniform_forces_hang_as_a_parabola() {
         for n in [1, 2, 62, 63, 64, 65, 127, 128, 4095, 4096, 5000, 300_000_u32] {
-            let mut y = vec![0.0; n as usize + 2];
-            funicular(&vec![1.0; n as usize], &mut y);
-            for (i, y) in (0..).zip(&y) {
+            let mut y = vec![f64::NAN; n as usize];
+            funicular(&vec![1.0; n as usize], [0.0; 2], 1.0, &mut y);
+            for (i, y) in (1..).zip(&y) {
                 let exact = 0.5 * f64::from(i) * f64::from(n + 1 - i);
                 // Four units in the last place: the height of a block end, two shares of it, and the sum.
                 assert!((y - exact).abs() <= 4.0 * f64::EPSILON * exact, "{y} instead of {exact} at {i} of {n}");

@@ -1,5 +1,7 @@
 //! The foundation: rigid, uneven, its depth `u(x)` below the line of the supports known.
 
+use std::ops::Range;
+
 use super::Beam;
 use super::error::{Quantity, SceneError, Support, finite, on_beam, positive};
 
@@ -182,10 +184,16 @@ fn check_polyline(points: &[[f64; 2]], beam: &Beam) -> Result<(), SceneError> {
 fn polyline_depth(points: &[[f64; 2]], x: f64) -> f64 {
     let after = points.partition_point(|p| p[0] < x);
     let beyond = points.partition_point(|p| p[0] <= x);
-    if after < beyond {
-        return points[after..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
+    between(points, after..beyond, x)
+}
+
+/// The same, where it is known which points lie at `x`: the end of those before, and the beginning of those behind.
+pub(super) fn between(points: &[[f64; 2]], here: Range<usize>, x: f64) -> f64 {
+    if !here.is_empty() {
+        return points[here].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
     }
     // Strictly between two points, or, for `x` off the beam, the nearest one.
+    let after = here.start;
     let (Some(left), Some(right)) = (after.checked_sub(1).map(|i| points[i]), points.get(after)) else {
         return points[after.min(points.len() - 1)][1];
     };

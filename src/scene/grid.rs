@@ -9,6 +9,9 @@ pub struct Grid {
     intervals: usize,
 }
 
+/// Nodes whose places and depths are taken together: few enough for the nearest cache.
+const BATCH: usize = 256;
+
 impl Grid {
     /// A grid of `intervals` on the beam of `scene`.
     ///
@@ -49,19 +52,40 @@ impl Grid {
         self.length * i as f64 / self.intervals as f64
     }
 
+    /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+    pub fn places(&self, first: usize, places: &mut [f64]) {
+        for (k, batch) in places.chunks_mut(BATCH).enumerate() {
+            let begin = (first + k * BATCH) as f64;
+            // In a batch a small whole number counts: it becomes a number of the kind that is divided at no cost.
+            for (x, i) in batch.iter_mut().zip(0_i32..) {
+                *x = self.length * (begin + f64::from(i)) / self.intervals as f64;
+            }
+        }
+    }
+
     /// The places of the interior nodes, `x_1 … x_n`.
     #[must_use]
     pub fn interior_places(&self) -> Vec<f64> {
-        (1..self.intervals).map(|i| self.place(i)).collect()
+        let mut places = vec![0.0; self.interior()];
+        self.places(1, &mut places);
+        places
     }
 
     /// Depths `u_i` at the interior nodes; infinite where there is no foundation.
     #[must_use]
     pub fn depths(&self, scene: &Scene) -> Vec<f64> {
         if let Some(Foundation::Flat { depth }) = scene.foundation() {
-            return vec![*depth; self.intervals - 1];
+            return vec![*depth; self.interior()];
         }
-        (1..self.intervals).map(|i| scene.depth(self.place(i))).collect()
+        let mut depths = self.interior_places();
+        let mut places = [0.0; BATCH];
+        for batch in depths.chunks_mut(BATCH) {
+            let places = &mut places[..batch.len()];
+            places.copy_from_slice(batch);
+            scene.depths(places, batch);
+        }
+        depths
     }
 
     /// Loads as forces on all `N + 1` nodes, supports included \[force\].
@@ -71,11 +95,35 @@ impl Grid {
     /// `q₀Δ/2` on each support.
     #[must_use]
     pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
-        let half = 0.5 * load.uniform() * self.spacing();
-        let mut forces = vec![half + half; self.intervals + 1];
-        (forces[0], forces[self.intervals]) = (half, half);
+        let mut forces = vec![2.0 * self.half(load); self.intervals + 1];
+        self.add_uneven(load, 0, &mut forces);
+        forces
+    }
+
+    /// The same at the nodes `first, first + 1, …`, as many as there is room for.
+    pub fn loads(&self, load: &Load, first: usize, forces: &mut [f64]) {
+        forces.fill(2.0 * self.half(load));
+        self.add_uneven(load, first, forces);
+    }
+
+    /// Half of what an interval carries of the uniform load.
+    fn half(&self, load: &Load) -> f64 {
+        0.5 * load.uniform() * self.spacing()
+    }
+
+    /// Adds everything else to the uniform load of inner nodes; the supports carry only half of that.
+    fn add_uneven(&self, load: &Load, first: usize, forces: &mut [f64]) {
+        let behind = first + forces.len();
+        let mut add = |node: usize, force: f64| {
+            if (first..behind).contains(&node) {
+                forces[node - first] += force;
+            }
+        };
+        add(0, -self.half(load));
+        add(self.intervals, -self.half(load));
         for part in load.linear() {
-            for i in self.interval_of(part.from)..=self.interval_of(part.to) {
+            let (from, to) = (self.interval_of(part.from), self.interval_of(part.to));
+            for i in from.max(first.saturating_sub(1))..behind.min(to + 1) {
                 let (left, right) = (self.place(i), self.place(i + 1));
                 let (a, b) = (part.from.max(left), part.to.min(right));
                 if a < b {
@@ -84,8 +132,8 @@ impl Grid {
                     // First moment about `a` of a trapezoid.
                     let moment = (start + 2.0 * end) * (b - a) * (b - a) / 6.0;
                     let to_right = (force * (a - left) + moment) / (right - left);
-                    forces[i] += force - to_right;
-                    forces[i + 1] += to_right;
+                    add(i, force - to_right);
+                    add(i + 1, to_right);
                 }
             }
         }
@@ -93,10 +141,9 @@ impl Grid {
             let i = self.interval_of(part.at);
             let (left, right) = (self.place(i), self.place(i + 1));
             let to_right = part.force * ((part.at - left) / (right - left)).clamp(0.0, 1.0);
-            forces[i] += part.force - to_right;
-            forces[i + 1] += to_right;
+            add(i, part.force - to_right);
+            add(i + 1, to_right);
         }
-        forces
     }
 
     /// The interval `i`, from node `i` to node `i + 1`, in which `x` lies.

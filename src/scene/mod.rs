@@ -2,6 +2,7 @@
 
 mod beam;
 mod bend;
+mod depths;
 mod error;
 pub mod file;
 mod foundation;
@@ -87,6 +88,14 @@ impl Scene {
     #[must_use]
     pub fn depth(&self, x: f64) -> f64 {
         self.foundation.as_ref().map_or(f64::INFINITY, |f| f.depth(x))
+    }
+
+    /// The same at ascending places; `depths` is as long as `places`.
+    pub fn depths(&self, places: &[f64], depths: &mut [f64]) {
+        match &self.foundation {
+            Some(foundation) => foundation.depths(places, depths),
+            None => depths.fill(f64::INFINITY),
+        }
     }
 
     /// This scene in other units; `stiffness` is the unit of `EI`, that is `F L³ / U`.

@@ -69,7 +69,7 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer,
             // What is left below zero is within rounding of it.
             let clip = |mut values: Vec<f64>| {
                 if optimal {
-                    values.iter_mut().for_each(|v| *v = v.max(0.0));
+                    values.iter_mut().filter(|v| **v < 0.0).for_each(|v| *v = 0.0);
                 }
                 values
             };

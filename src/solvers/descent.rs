@@ -61,9 +61,17 @@ impl Signs {
 /// Variables on the wrong side: free ones that are negative, and those at zero with a negative gradient. `free` and what comes
 /// back are in the order of the point.
 pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: impl Iterator<Item = bool>) -> Vec<usize> {
-    let signs = Signs::at(programme, point);
     let values = point.x.iter().zip(&point.gradient).zip(free).enumerate();
-    let wrong = values.filter(|(_, ((x, slope), free))| if *free { **x < signs.x } else { **slope < signs.gradient });
+    let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
+    let doubtful: Vec<(usize, bool)> = negative.map(|(k, (_, free))| (k, free)).collect();
+    // Sizes of a million numbers are wanted only if one of them is on the wrong side.
+    if doubtful.is_empty() {
+        return Vec::new();
+    }
+    let signs = Signs::at(programme, point);
+    let wrong = doubtful
+        .into_iter()
+        .filter(|&(k, free)| if free { point.x[k] < signs.x } else { point.gradient[k] < signs.gradient });
     wrong.map(|(k, _)| k).collect()
 }
 

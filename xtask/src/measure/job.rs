@@ -1,5 +1,6 @@
 //! One measurement: an answer, our verdict on it, and how long it takes.
 
+use std::hint::black_box;
 use std::time::Instant;
 
 use palkki::certificate::Kkt;
@@ -8,7 +9,7 @@ use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
-use palkki::{Settings, solve, theory};
+use palkki::{Settings, solve, theory, verdict};
 
 use super::memory;
 use super::plan::{Job, Route};
@@ -34,6 +35,8 @@ pub(crate) struct Measured {
     pub(crate) added: Option<f64>,
     /// Seconds of the quickest tridiagonal solve of the same size, run in turns with it.
     pub(crate) yardstick: Option<f64>,
+    /// Seconds of the quickest certificate of the answer, run in turns with it as well.
+    pub(crate) certificate: Option<f64>,
     /// Kilobytes at the most, in a process of its own.
     pub(crate) peak: Option<u64>,
 }
@@ -43,8 +46,9 @@ impl Measured {
     pub(crate) fn of(scene_name: &str, scene: &Scene, job: Job) -> Result<Self, String> {
         let mut seconds = Vec::new();
         let (mut measured, mut added): (Option<Self>, Option<f64>) = (None, None);
+        // The yardstick and the certificate are laid beside the same jobs.
         let mut ruler = job.is_ruled().then(|| Tridiagonal::new(job.intervals - 1));
-        let mut yardstick: Option<f64> = None;
+        let (mut yardstick, mut certificate): (Option<f64>, Option<f64>) = (None, None);
         let quickest = |known: Option<f64>, seconds: f64| known.map_or(seconds, |known| known.min(seconds));
         while seconds.len() < RUNS && (ruler.is_some() || seconds.iter().sum::<f64>() < ENOUGH) {
             // The answer of the last run goes first: no run has to share memory with it.
@@ -55,13 +59,18 @@ impl Measured {
             let start = Instant::now();
             let answer = once(scene, job)?;
             seconds.push(start.elapsed().as_secs_f64());
+            if job.is_ruled() {
+                let start = Instant::now();
+                black_box(verdict::certificate(scene, &answer.state));
+                certificate = Some(quickest(certificate, start.elapsed().as_secs_f64()));
+            }
             added = answer.added.map(|seconds| quickest(added, seconds)).or(added);
             measured = Some(answer);
         }
         seconds.sort_by(f64::total_cmp);
         let peak = if job.is_weighed() { memory::peak(scene_name, job) } else { None };
         measured
-            .map(|answer| Self { seconds, added, yardstick, peak, ..answer })
+            .map(|answer| Self { seconds, added, yardstick, certificate, peak, ..answer })
             .ok_or_else(|| "no run at all".to_owned())
     }
 
@@ -69,8 +78,20 @@ impl Measured {
     fn untimed(state: ContactState) -> Self {
         let status = Status::NotCertified;
         let (claims_success, residual, iterations, unknowns) = (false, f64::INFINITY, 0, 0);
-        let (seconds, added, yardstick, peak) = (Vec::new(), None, None, None);
-        Self { state, status, claims_success, residual, iterations, unknowns, seconds, added, yardstick, peak }
+        let (seconds, added, yardstick, certificate, peak) = (Vec::new(), None, None, None, None);
+        Self {
+            state,
+            status,
+            claims_success,
+            residual,
+            iterations,
+            unknowns,
+            seconds,
+            added,
+            yardstick,
+            certificate,
+            peak,
+        }
     }
 
     /// The median of the runs.
@@ -124,14 +145,17 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
         Ok(point) => (point.x, point.gradient),
         Err(_) => (answer.x, answer.gradient),
     };
-    let state = contact_state(&discrete, Method::Force.nodal(&discrete, x, gradient));
+    let unknowns = programme.dimension();
+    drop(programme);
+    let nodal = Method::Force.nodal(&discrete, x, gradient);
+    let state = contact_state(discrete, nodal);
     let verdict = Kkt::of(&scaled.scene, &state);
     Ok(Measured {
         status: if verdict.is_some_and(|kkt| kkt.holds()) { Status::Certified } else { Status::NotCertified },
         claims_success: answer.claims_success,
         residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
         iterations: answer.iterations,
-        unknowns: programme.dimension(),
+        unknowns,
         added: Some(start.elapsed().as_secs_f64()),
         ..Measured::untimed(state.in_units_of(&scaled.scale))
     })

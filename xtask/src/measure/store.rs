@@ -14,7 +14,7 @@ pub(crate) const PATH: &str = "report/data/measurements.csv";
 
 const HEADER: &str = "scene,route,intervals,tolerance,status,claims,residual,iterations,unknowns,runs,median_s,min_s,max_s,\
     reaction_solver,contact_solver,deflection_solver,energy_solver,reaction_total,contact_total,deflection_total,energy_total,\
-    added_s,tridiagonal_s,peak_kb";
+    added_s,tridiagonal_s,peak_kb,certificate_s";
 
 /// Number of fields that identify a line.
 const KEY: usize = 4;
@@ -36,6 +36,7 @@ impl Line {
         fields.extend(errors.solver.iter().chain(&errors.total).map(|e| format!("{e:.2e}")));
         fields.extend([m.added, m.yardstick].map(|s| s.map_or_else(String::new, |s| format!("{s:.3e}"))));
         fields.push(m.peak.map_or_else(String::new, |kilobytes| kilobytes.to_string()));
+        fields.push(m.certificate.map_or_else(String::new, |s| format!("{s:.3e}")));
         Self(fields)
     }
 

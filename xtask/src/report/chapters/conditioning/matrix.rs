@@ -30,8 +30,9 @@ pub(super) fn solved(scene: &Scene, method: Method, touches: &[bool]) -> Result<
             (x, gradient)
         }),
     };
-    Ok(point
-        .map(|(x, gradient)| contact_state(&discrete, method.nodal(&discrete, x, gradient)).in_units_of(&scaled.scale)))
+    Ok(point.map(|(x, gradient)| {
+        contact_state(discrete.clone(), method.nodal(&discrete, x, gradient)).in_units_of(&scaled.scale)
+    }))
 }
 
 /// `A_ff x_f = b_f` by a banded factorisation.

@@ -93,6 +93,25 @@ pub(super) fn exactness(lines: &Lines<'_>) -> Vec<Exactness> {
     [(30, 1e-14), (10_000, 1e-11)].into_iter().filter_map(on).collect()
 }
 
+/// What a certificate costs beside the solve whose answer it is about.
+#[derive(Debug, Serialize)]
+pub(super) struct Certificate {
+    intervals: usize,
+    /// Milliseconds of both, and the certificate as a multiple of the solve: the quickest runs, taken in turns.
+    solve: f64,
+    milliseconds: f64,
+    times: Asked,
+}
+
+/// On the grid that is asked for.
+pub(super) fn certificate(lines: &Lines<'_>) -> Option<Certificate> {
+    let intervals = 100_000;
+    let line = lines.find(OURS, intervals, "0e0")?;
+    let (solve, certificate) = (quickest(line)?, line.number("certificate_s")?);
+    let times = Asked::at_most(1.0, certificate / solve);
+    Some(Certificate { intervals, solve: 1e3 * solve, milliseconds: 1e3 * certificate, times })
+}
+
 /// Interior-point peers on the finest grid on which one of them ends.
 #[derive(Debug, Serialize)]
 pub(super) struct Interior {
