@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | its own problem | the worst of the KKT residuals is at most [`CERTIFIED_RESIDUAL`], or what was [demanded](Demand) | every condition holds everywhere, to 12 digits |
 //! | the certificate | there is one: all bounds are finite, `energy_lower ≤ energy_upper`, `0 ≤ gap` | the same |
-//! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it |
+//! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it; its energy is between the bounds |
 //! | the error | only if demanded: `deflection_error` ≤ `EPS` × largest deflection | the same |
 //!
 //! A coarse grid that nobody asked to be finer is not punished for its model error: that error stands beside the answer as
@@ -28,6 +28,9 @@ use crate::theory::Exact;
 /// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
 /// guaranteed error.
 const ROUNDING: f64 = 1e-12;
+
+/// The same for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
+const ENERGY: f64 = 1e-9;
 
 /// What an answer has to be worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,6 +107,16 @@ pub enum Refusal {
         /// The guaranteed error.
         error: f64,
     },
+    /// Its energy is not between the bounds that its contacts prove.
+    #[error("its energy is {own:?}, but its contacts prove that it lies between {lower:?} and {upper:?}")]
+    Energy {
+        /// Its own.
+        own: f64,
+        /// Lower bound.
+        lower: f64,
+        /// Upper bound.
+        upper: f64,
+    },
     /// The guaranteed error is larger than what was demanded.
     #[error(
         "its guaranteed error is {share:.1e} of the largest deflection, more than the {most:.1e} that was demanded"
@@ -144,7 +157,7 @@ impl Verdict {
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let certificate = certificate(scene, &exact.state);
         let own = match exact.status {
-            Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, largest(&exact.state))),
+            Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state)),
             Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
         };
         let failed = if exact.status == Status::NotConverged { Status::NotConverged } else { Status::NotCertified };
@@ -198,8 +211,12 @@ fn flaw(certificate: &Certificate) -> Option<Refusal> {
 }
 
 /// An exact answer is judged by the places of its contacts: its own deflection has to be the one that they make.
-fn not_its_own(scene: &Scene, certificate: &Certificate, own: f64) -> Option<Refusal> {
-    let Certificate { deflection: judged, deflection_error: error, .. } = *certificate;
+///
+/// And its energy lies between the bounds that they prove: a beam that is not held where it should be has too little of it.
+fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
+    let Certificate { deflection: judged, deflection_error: error, energy_lower: lower, energy_upper: upper, .. } =
+        *certificate;
+    let own = largest(state);
     // A bound of more than half the deflection recognises nothing. A beam at rest moves by the rounding of what its loads would
     // do to it, `P l³ / 48 EI`, and of zero outwards.
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
@@ -207,7 +224,19 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, own: f64) -> Option<Ref
     let most = error.min(0.5 * judged) + ROUNDING * own + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE;
     // Also true where nothing is finite, which is another refusal's business.
     let apart = most < (judged - own).abs();
-    apart.then_some(Refusal::Deflection { own, judged, error })
+    if apart {
+        return Some(Refusal::Deflection { own, judged, error });
+    }
+    let rounding = ENERGY * energy_size(scene, state);
+    let outside = state.energy + rounding < lower || upper < state.energy - rounding;
+    outside.then_some(Refusal::Energy { own: state.energy, lower, upper })
+}
+
+/// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.
+fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
+    let depth = |x: f64| scene.depth(x).abs();
+    let held: f64 = state.contacts.iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
+    scene.load().magnitude(scene.beam().length()) * largest(state) + held
 }
 
 /// Not true of NaN.

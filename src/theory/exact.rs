@@ -95,6 +95,12 @@ pub enum Violation {
         /// The moment, positive \[force · length\].
         moment: f64,
     },
+    /// A contact is not where the piece of the foundation is that it was computed for.
+    #[error("the contact at x = {at:?} was computed for a piece of the foundation that does not reach there")]
+    Astray {
+        /// Where \[length\].
+        at: f64,
+    },
     /// Two ends of a stretch without contact are too close together to be told apart.
     #[error(
         "the beam lifts off between x = {from:?} and x = {to:?}, too short a stretch to be resolved on a beam of this length"
@@ -264,6 +270,7 @@ fn in_units(fault: &Fault, given: &Given, list: &List, scale: &Scale, stiffness:
             at: if support == 0 { 0.0 } else { place(given.length) },
             moment: moment * stiffness * scale.moment(),
         },
+        Fault::Astray { node } => Violation::Astray { at: place(list.nodes[node].x) },
         Fault::Unresolved { span } => Violation::Unresolved {
             from: span.checked_sub(1).map_or(0.0, |i| place(list.nodes[i].x)),
             to: place(list.nodes.get(span).map_or(given.length, |n| n.x)),

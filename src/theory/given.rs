@@ -217,6 +217,22 @@ impl Given {
         (self.cells[first].lo, self.cells[last - 1].hi)
     }
 
+    /// The size of depths that carries their rounding at `x`: of one polynomial what adds up to it there.
+    pub(super) fn magnitude_at(&self, x: f64) -> f64 {
+        match self.shapes.as_slice() {
+            [Shape::Polynomial { origin, coefficients }] => {
+                coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - origin).abs() + c.abs()).min(self.magnitude)
+            }
+            _ => self.magnitude,
+        }
+    }
+
+    /// The joint at `x`, if there is one.
+    pub(super) fn joint_at(&self, x: f64) -> Option<usize> {
+        let joint = self.joints.partition_point(|j| j.x < x);
+        self.joints.get(joint).filter(|j| j.x <= x).map(|_| joint)
+    }
+
     /// True if the foundation starts at the level of a support (0: left, 1: right), up to the rounding of its depth.
     pub(super) fn starts_at_zero(&self, support: usize) -> bool {
         self.supports[support].level
@@ -224,8 +240,7 @@ impl Given {
 
     /// Point load exactly at `x`.
     pub(super) fn force_at(&self, x: f64) -> f64 {
-        let joint = self.joints.partition_point(|j| j.x < x);
-        self.joints.get(joint).filter(|j| j.x <= x).map_or(0.0, |j| j.force)
+        self.joint_at(x).map_or(0.0, |joint| self.joints[joint].force)
     }
 
     /// The joints between cell `first` and cell `last`.

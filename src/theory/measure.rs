@@ -10,8 +10,8 @@ const AT_REST: f64 = 1e-3;
 /// What violations are measured against.
 pub(super) struct Scale {
     /// Largest deflection.
-    pub(super) depth: f64,
-    /// The same beside the left and the right support, where the profile may be known far better than elsewhere.
+    deflection: f64,
+    /// Largest deflection, or the rounding of the profile if that is larger, beside the left and the right support, where the profile may be known far better than elsewhere.
     pub(super) beside: [f64; 2],
     /// Largest of all forces.
     pub(super) force: f64,
@@ -37,10 +37,16 @@ impl Scale {
         let (l, load) = (given.length, AT_REST * given.total_load);
         let deflection = depth.max(load * l * l * l / 384.0);
         Self {
-            depth: deflection.max(AT_REST * given.magnitude),
+            deflection,
             beside: given.supports.map(|depths| deflection.max(AT_REST * depths.size)),
             force: force.max(moment / l).max(load),
             moment: moment.max(load * l / 8.0),
         }
+    }
+
+    /// Largest deflection, and the rounding of the profile at a place: near a support a polynomial is known far better than
+    /// where its highest powers have grown.
+    pub(super) fn depth_at(&self, given: &Given, x: f64) -> f64 {
+        self.deflection.max(AT_REST * given.magnitude_at(x))
     }
 }

@@ -88,6 +88,11 @@ pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked
                 at,
                 &mut Edit { supports: &mut supports, keep: &mut keep, added: &mut added },
             ),
+            Fault::Astray { node } => {
+                keep[node] = false;
+                let Node { kind, x, .. } = list.nodes[node];
+                added.push(vec![Node::new(kind, x, given.cell_from(x))]);
+            }
             Fault::Unresolved { .. } | Fault::Unbalanced { .. } | Fault::Residual { .. } => {}
         }
     }
@@ -166,7 +171,7 @@ fn penetrated(given: &Given, list: &List, checked: &Checked, i: usize, at: f64, 
             && (at - end.x).abs() < 0.5 * span.length()
         {
             edit.keep[node] = false;
-            edit.added.push(vec![Node::new(Kind::Smooth, at, end.cell)]);
+            edit.added.push(vec![Node::new(Kind::Smooth, at, given.cell_from(at))]);
             return;
         }
     }

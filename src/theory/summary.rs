@@ -54,10 +54,11 @@ fn contacts(given: &Given, found: &Found) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
+    let place = |i: usize| on_the_beam(nodes[i].x, given.length);
     for i in 0..=nodes.len() {
         if found.list.in_zone_before(i) {
-            let left = i.checked_sub(1).map(|i| (nodes[i].x, forces[i]));
-            let right = nodes.get(i).map(|n| (n.x, forces[i]));
+            let left = i.checked_sub(1).map(|i| (place(i), forces[i]));
+            let right = nodes.get(i).map(|_| (place(i), forces[i]));
             let (from, force_from) = left.unwrap_or((0.0, 0.0));
             let (to, force_to) = right.unwrap_or((given.length, 0.0));
             let force = force_from + force_to + zone_force(given, from, to);
@@ -66,10 +67,18 @@ fn contacts(given: &Given, found: &Found) -> Vec<Contact> {
         if let Some(node) = nodes.get(i)
             && !super::exact::is_zone(node.kind)
         {
-            contacts.push(Contact { from: node.x, to: node.x, force: forces[i], end_forces: None });
+            contacts.push(Contact { from: place(i), to: place(i), force: forces[i], end_forces: None });
         }
     }
     contacts
+}
+
+/// A place beside a support that rounding has put off the beam, on it.
+fn on_the_beam(x: f64, length: f64) -> f64 {
+    /// That of the check, which takes a contact that would have to move by less for being where it should be.
+    const ROUNDING: f64 = 4e-15;
+    let nearest = x.clamp(0.0, length);
+    if (x - nearest).abs() <= ROUNDING * length { nearest } else { x }
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.

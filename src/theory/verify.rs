@@ -6,7 +6,7 @@ use super::given::Given;
 use super::list::{AtSupport, Kind, List};
 use super::measure::Scale;
 use super::newton;
-use super::piece::{Piece, pieces_of, pieces_of_zone};
+use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::span::Span;
 
 /// A condition that does not hold.
@@ -62,6 +62,11 @@ pub(super) enum Fault {
         support: usize,
         /// The moment there, over `EI`.
         moment: f64,
+    },
+    /// A contact that is not on the piece of the foundation that it was computed for.
+    Astray {
+        /// Index of the node.
+        node: usize,
     },
     /// A span that is too short for its ends to be told apart.
     Unresolved {
@@ -125,6 +130,13 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
             worst = f64::INFINITY;
         }
     }
+    for (i, node) in list.nodes.iter().enumerate().filter(|(_, n)| !matches!(n.kind, Kind::Edge(_))) {
+        let (from, to) = given.reach(node.cell);
+        if node.x < from || to < node.x {
+            faults.push(Fault::Astray { node: i });
+            worst = f64::INFINITY;
+        }
+    }
     for (i, &(from, to)) in (0..=list.nodes.len()).filter(|&i| list.in_zone_before(i)).zip(&zones) {
         let broken =
             (0..given.joints.len()).find(|&j| given.breaks_at(j) && from < given.joints[j].x && given.joints[j].x < to);
@@ -169,9 +181,8 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
                 judge(-bend, scale.moment, Fault::Bulge { node, bend });
             }
         }
-        let found = penetration(given, &pieces, span, TOLERANCE * scale.depth);
-        let (at, depth) = found.unwrap_or((span.a.x, 0.0));
-        judge(depth, scale.depth, Fault::Penetration { span: *i, at, depth });
+        let (at, depth) = penetration(given, &pieces, span, &scale).unwrap_or((span.a.x, 0.0));
+        judge(depth, scale.depth_at(given, at), Fault::Penetration { span: *i, at, depth });
         // Beside a support that the foundation starts at, the slope decides: how deep the beam is in a foundation that falls
         // off steeply may be next to nothing, and what holds its slope is not.
         for (support, end, at, outer) in
@@ -211,17 +222,27 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
     Checked { pieces, spans, forces, shear, faults, worst }
 }
 
-/// The deepest penetration in a span, if it is deeper than `floor`: `(place, depth)`.
-fn penetration(given: &Given, pieces: &[Piece], span: &Span, floor: f64) -> Option<(f64, f64)> {
+/// The deepest penetration in a span, if it is deeper than rounding: `(place, depth)`.
+fn penetration(given: &Given, pieces: &[Piece], span: &Span, scale: &Scale) -> Option<(f64, f64)> {
     let first = pieces.partition_point(|p| p.hi <= span.a.x);
     let mut taylor = vec![0.0; given.terms];
     let mut worst: Option<(f64, f64)> = None;
     for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
+        let bar =
+            |worst: Option<(f64, f64)>| worst.map_or(TOLERANCE * scale.depth_at(given, piece.lo), |(_, depth)| depth);
         piece.clearance(given, &mut taylor);
         piece.outwards(&mut taylor);
-        let bar = worst.map_or(floor, |(_, depth)| depth);
-        if let Some((s, value)) = lowest_below(&taylor, piece.width(), -bar) {
+        if let Some((s, value)) = lowest_below(&taylor, piece.width(), -bar(worst)) {
             worst = Some((piece.place(s), -value));
+        }
+        // An edge at the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
+        let edge = given.joint_at(piece.hi).filter(|&joint| given.is_edge(joint) && piece.hi < span.b.x);
+        if edge.is_some() {
+            piece.deflection(given, &mut taylor);
+            let depth = derivatives(&taylor, piece.hi - piece.anchor)[0] - given.depth(piece.hi);
+            if bar(worst) < depth {
+                worst = Some((piece.hi, depth));
+            }
         }
     }
     worst
