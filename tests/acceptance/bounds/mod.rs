@@ -3,6 +3,7 @@
 mod anything;
 mod cli;
 mod flat;
+mod given;
 mod interval;
 mod sharpness;
 mod truth;
