@@ -2,6 +2,7 @@
 
 mod anything;
 mod cli;
+mod closed;
 mod flat;
 mod given;
 mod interval;
