@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::certificate::bounds::ground::Ground;
-use crate::scene::{Beam, Foundation, Load, Scene};
+use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -44,6 +44,72 @@ fn the_gap_is_the_difference_of_the_two_energies() {
         assert!(off.abs() <= ROUNDING * lower.abs(), "{a}, {b}, {share}: off by {off} in {:?}", pair.gap);
         for (reaction, a) in pair.reactions.iter().zip([a, b]) {
             assert!((reaction.middle() - 0.5 * LOAD * a).abs() <= ROUNDING * LOAD * a, "{a}, {b}: {reaction:?}");
+        }
+    }
+}
+
+/// What a pair is amended by: `J(v̂)` and `D(p)` are known apart from it, and their difference is the gap.
+#[track_caller]
+fn amended(foundation: Foundation, point: f64, slope: f64, corner: bool, lower: f64) -> Pair {
+    /// The lift and the cut are rounded outwards, over parts of a span.
+    const AMENDS: f64 = 1e-6;
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let middle = 0.5 * LENGTH;
+    let points = vec![PointLoad { at: middle, force: point }];
+    let load = Load::new(&beam, LOAD, Vec::new(), points).expect("finite");
+    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
+    let pieces = Pieces::of(&scene);
+    let setting =
+        Setting { ground: Ground::on(&foundation, LENGTH), load: &pieces, stiffness: STIFFNESS, length: LENGTH };
+    let support = |x: f64, slope: f64| Joint { kind: Kind::Support, x, slope };
+    let mut joints = vec![support(0.0, slope), support(LENGTH, -slope)];
+    if corner {
+        joints.insert(1, Joint::new(Kind::Corner, middle));
+    }
+    let pair = pair(&setting, &joints).expect("a pattern from support to support");
+    assert!(0.0 < pair.amends, "the pattern is wrong");
+    for k in 0..=200 {
+        let x = LENGTH * f64::from(k) / 200.0;
+        let piece = pair.curve.pieces.iter().find(|p| x <= p.to).expect("all the way");
+        let v = piece.v.at(Interval::exact(x) - Interval::exact(piece.from));
+        assert!(v.lo() <= foundation.depth(x), "the beam is in the ground at {x}: {v:?}");
+    }
+    let gap = pair.curve.energy(&pieces, STIFFNESS).middle() - lower;
+    assert!((pair.gap.hi() - gap).abs() <= AMENDS * gap, "{:?}, not {gap}", pair.gap);
+    pair
+}
+
+const CUBE: f64 = LENGTH * LENGTH * LENGTH;
+/// `−q² l⁵/240 EI` and `5 q l⁴/384 EI`, of the free beam.
+const FREE: f64 = -LOAD * LOAD * CUBE * LENGTH * LENGTH / (240.0 * STIFFNESS);
+const SAG: f64 = 5.0 * LOAD * CUBE * LENGTH / (384.0 * STIFFNESS);
+
+/// A span that is in the ground is lifted, by `α (s/L)(1 − s/L)`; the contact load of the pattern is none.
+#[test]
+fn what_lifts_a_span_counts_in_the_gap() {
+    for share in [0.5, 0.9] {
+        let slope = LOAD * CUBE / (24.0 * STIFFNESS);
+        amended(Foundation::Flat { depth: share * SAG }, 0.0, slope, false, FREE);
+    }
+}
+
+/// A corner that the beam does not reach pulls it down by `w`, with the force `R = 48 EI w/l³`. Cut off, it leaves the free
+/// beam under `q` and a point load `P`, with `J = −q² l⁵/240 EI − P 5 q l⁴/384 EI − P² l³/96 EI`.
+#[test]
+fn what_pulls_counts_in_the_gap() {
+    for point in [0.0, 5.0] {
+        let sag = SAG + point * CUBE / (48.0 * STIFFNESS);
+        let lower = FREE - point * SAG - point * point * CUBE / (96.0 * STIFFNESS);
+        let down = 0.3 * sag;
+        let points = [[0.0, 3.0 * sag], [0.5 * LENGTH, sag + down], [LENGTH, 3.0 * sag]].to_vec();
+        let slope = LOAD * CUBE / (24.0 * STIFFNESS) + 3.0 * (sag - SAG + down) / LENGTH;
+        let pair = amended(Foundation::Polyline { points }, point, slope, true, lower);
+        // The reactions of the moments that are left, and of those that pull, wherever they are.
+        let [reaction, pull] = [0.5 * (LOAD * LENGTH + point), 48.0 * STIFFNESS * down / CUBE];
+        for bracket in pair.reactions {
+            assert!(bracket.contains(reaction), "{reaction} in {bracket:?}");
+            let width = bracket.hi() - bracket.lo();
+            assert!((2.0 * pull..2.1 * pull).contains(&width), "{width} for a pull of {pull}");
         }
     }
 }
