@@ -2,7 +2,7 @@
 
 use palkki::certificate::bounds::stiffness;
 use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
-use palkki::scene::Foundation;
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 use crate::scenes::uniform;
 
@@ -88,4 +88,58 @@ fn without_an_energy_there_is_no_stiffness() {
     is("from above", most, 18.0, ROUNDING);
     // As wide as the resultant is uncertain: 1e-13 on either side of it, squared.
     assert!(1e-13 * 4.5 <= 4.5 - least && 1e-13 * 18.0 <= most - 18.0, "{least} to {most}");
+}
+
+/// A beam without a foundation under some load, and what is certified of it.
+fn free(linear: &[[f64; 4]], point: &[(f64, f64)]) -> Certificate {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let linear = linear.iter().map(|&[from, to, start, end]| LinearLoad { from, to, start, end }).collect();
+    let point = point.iter().map(|&(at, force)| PointLoad { at, force }).collect();
+    let load = Load::new(&beam, 0.0, linear, point).expect("finite loads on the beam");
+    let scene = Scene::new(beam, load, None).expect("well posed");
+    let none = ContactLoad::new(LENGTH, []).expect("no forces");
+    certify(&scene, &none, Judged::Caused).expect("the scene can be scaled")
+}
+
+#[track_caller]
+fn same(one: &Certificate, other: &Certificate) {
+    is("energy", one.energy_lower, other.energy_lower, ROUNDING);
+    is("deflection", one.deflection, other.deflection, ROUNDING);
+    for (one, other) in one.reactions.iter().zip(other.reactions) {
+        let ([a, b], [c, d]) = (one.expect("no ground"), other.expect("no ground"));
+        assert!((a - c).abs().max((b - d).abs()) <= ROUNDING * d.abs(), "{one:?}, not {other:?}");
+    }
+}
+
+/// `J = −P² a² b²/6 EI l`, reactions `P b/l` and `P a/l`.
+#[test]
+fn a_load_is_the_sum_of_its_parts() {
+    let point = free(&[], &[(8.0, 5.0)]);
+    is("energy", point.energy_upper, -25.0 * 64.0 * 144.0 / (6.0 * STIFFNESS * LENGTH), ROUNDING);
+    for (reaction, expected) in point.reactions.iter().zip([3.0, 2.0]) {
+        let [least, most] = reaction.expect("no ground");
+        assert!(least <= expected && expected <= most && most - least <= ROUNDING, "{least} to {most}, not {expected}");
+    }
+    same(&free(&[], &[(8.0, 2.0), (8.0, 4.0), (8.0, -1.0)]), &point);
+    let trapezoid = free(&[[2.0, 14.0, 1.0, 7.0]], &[]);
+    same(&free(&[[2.0, 6.0, 1.0, 3.0], [6.0, 14.0, 3.0, 7.0]], &[]), &trapezoid);
+    same(&free(&[[2.0, 14.0, 1.0, 1.0], [2.0, 14.0, 0.0, 6.0]], &[]), &trapezoid);
+    same(&free(&[[2.0, 14.0, 1.0, 4.0], [2.0, 6.0, 0.0, 1.0], [6.0, 14.0, 1.0, 3.0]], &[]), &trapezoid);
+}
+
+/// Sixteen times the depth and the load: only exponents change, of deflections by four, of energies by eight.
+#[test]
+fn other_units_change_exponents_only() {
+    let certificate = |unit: f64| {
+        let scene = uniform(LENGTH, STIFFNESS, LOAD * unit, Foundation::Flat { depth: 0.4 * unit });
+        let load = ContactLoad::new(LENGTH, [(4.0, 20.0 * unit), (16.0, 21.0 * unit)]).expect("finite forces");
+        certify(&scene, &load, Judged::Caused).expect("the scene can be scaled")
+    };
+    let (one, other) = (certificate(1.0), certificate(16.0));
+    let deflections = |c: &Certificate| [c.deflection_error, c.best_deflection_error, c.deflection];
+    let energies = |c: &Certificate| [c.energy_lower, c.energy_upper, c.gap];
+    assert!(deflections(&one).iter().chain(&[one.gap]).all(|number| 0.0 < *number), "{one:?}");
+    assert_eq!(deflections(&other).map(f64::to_bits), deflections(&one).map(|v| (16.0 * v).to_bits()));
+    assert_eq!(energies(&other).map(f64::to_bits), energies(&one).map(|e| (256.0 * e).to_bits()));
+    assert_eq!(other.deflection_error_at.to_bits(), one.deflection_error_at.to_bits());
 }

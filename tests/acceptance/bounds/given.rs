@@ -31,7 +31,9 @@ fn what_is_refused_is_named() {
     let infinite = refused([sound, (2.0, f64::INFINITY)]);
     assert!(matches!(infinite, NotAForce::NotFinite { index: 1, .. }), "{infinite}");
     assert_eq!(infinite.index(), 1);
-    assert!(matches!(refused([(f64::NAN, 1.0), sound]), NotAForce::NotFinite { index: 0, .. }));
+    let nowhere = refused([(f64::NAN, 1.0), sound]);
+    assert!(matches!(nowhere, NotAForce::NotFinite { index: 0, .. }), "{nowhere}");
+    assert_eq!(nowhere.index(), 0);
     for x in [-1e-9, LENGTH + 1e-9] {
         let outside = refused([sound, (x, 1.0)]);
         assert!(matches!(outside, NotAForce::OutsideBeam { index: 1, .. }), "{outside}");
@@ -80,6 +82,21 @@ fn a_force_across_a_clearance_is_measured_by_the_smaller_one() {
     let forces = [(4.0, 0.01), (10.0, 10.0)];
     let most = deflection(10.0, &forces);
     check(depth, &forces, &[(ViolationKind::Complementarity, 10.0, depth - most, (depth - most) / most)]);
+    // Both count, and the beam is where both of them hold it.
+    let forces = [(4.0, 8.0), (10.0, 10.0)];
+    let most = deflection(10.0, &forces);
+    assert!(
+        deflection(4.0, &forces) < most && 70.0 - most < most * 8.0 / 18.0,
+        "the force at mid-span is clear by less"
+    );
+    let share = most * 8.0 / 18.0;
+    assert!(share < 70.0 - deflection(4.0, &forces), "the other one by more than it is worth");
+    check(70.0, &forces, &[(ViolationKind::Complementarity, 4.0, share, 8.0 / 18.0)]);
+    let forces = [(4.0, 4.0), (10.0, 4.0)];
+    let (most, depth) = (deflection(10.0, &forces), 100.0);
+    let share = 0.5 * most;
+    assert!(depth - most < share && share < depth - deflection(4.0, &forces));
+    check(depth, &forces, &[(ViolationKind::Complementarity, 4.0, share, 0.5)]);
     // A force that is far from the ground, but as good as none.
     let forces = [(4.0, 1.0), (10.0, 30.0)];
     let (small, most) = (deflection(4.0, &forces), deflection(10.0, &forces));
