@@ -113,3 +113,56 @@ fn what_pulls_counts_in_the_gap() {
         }
     }
 }
+
+/// A beam that lies on `u = c x² (l − x)²` all the way, from one level support to the other: `M' = −EI u'''` is its shear.
+#[test]
+fn a_beam_that_lies_on_the_ground_has_its_shear() {
+    let c = 1e-5;
+    let coefficients = vec![0.0, 0.0, c * LENGTH * LENGTH, -2.0 * c * LENGTH, c];
+    let foundation = Foundation::Polynomial { coefficients };
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let pieces = Pieces::of(&Scene::new(beam, load, Some(foundation.clone())).expect("well posed"));
+    let setting =
+        Setting { ground: Ground::on(&foundation, LENGTH), load: &pieces, stiffness: STIFFNESS, length: LENGTH };
+    let joints = [Joint::new(Kind::Start, 0.0), Joint::new(Kind::End, LENGTH)];
+    let pair = pair(&setting, &joints).expect("from support to support");
+    for reaction in pair.reactions {
+        let expected = 12.0 * c * LENGTH * STIFFNESS;
+        assert!((reaction.middle() - expected).abs() <= ROUNDING * expected, "{reaction:?}, not {expected}");
+    }
+}
+
+#[test]
+fn of_joints_that_are_no_pattern_nothing_follows() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let flat = Foundation::Flat { depth: DEPTH };
+    let pieces = Pieces::of(&Scene::new(beam, load, Some(flat.clone())).expect("well posed"));
+    let setting = Setting { ground: Ground::on(&flat, LENGTH), load: &pieces, stiffness: STIFFNESS, length: LENGTH };
+    let [support, start, end, touch] = [Kind::Support, Kind::Start, Kind::End, Kind::Touch];
+    let complete = |joints: &[(Kind, f64)]| {
+        let joints: Vec<Joint> = joints.iter().map(|&(kind, x)| Joint::new(kind, x)).collect();
+        assert_eq!(pair(&setting, &joints).is_some(), drawn(&setting, &joints).is_some(), "{joints:?}");
+        is_complete(&setting, &joints)
+    };
+    assert!(complete(&[(support, 0.0), (support, LENGTH)]));
+    assert!(complete(&[(support, 0.0), (start, 3.0), (end, 7.0), (touch, 9.0), (support, LENGTH)]));
+    for joints in [
+        &[][..],
+        &[(support, 0.0)],
+        &[(support, 1.0), (support, LENGTH)],
+        &[(touch, 0.0), (support, LENGTH)],
+        &[(support, 0.0), (support, LENGTH - 1.0)],
+        &[(support, 0.0), (support, LENGTH + 1.0)],
+        &[(support, 0.0), (touch, LENGTH)],
+        &[(start, 0.0), (end, 7.0), (support, LENGTH)],
+        &[(support, 0.0), (support, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (touch, 9.0), (touch, 8.0), (support, LENGTH)],
+        &[(support, 0.0), (touch, 9.0), (touch, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (start, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (start, 9.0), (touch, 12.0), (support, LENGTH)],
+    ] {
+        assert!(!complete(joints), "{joints:?}");
+    }
+}
