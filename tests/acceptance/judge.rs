@@ -1,5 +1,7 @@
 //! The judge: correct states pass, and every fault that is put into one is found.
 
+mod measures;
+
 use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Foundation, Scene};

@@ -158,3 +158,6 @@ struct At {
 fn outwards(sum: f64) -> f64 {
     sum * OUTWARDS + f64::MIN_POSITIVE
 }
+
+#[cfg(test)]
+mod tests;

@@ -126,3 +126,38 @@ impl ContactLoad {
         self.pressing.iter().copied().filter(|f| 0.0 < f.0 && f.0 < length && NOTHING * most < f.1).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The forces at the ends of a zone stay there; what is left lies evenly between them, in its middle.
+    #[test]
+    fn zones_are_spread_and_points_are_not() {
+        /// Of a sum of hundreds of numbers.
+        const ROUNDING: f64 = 1e-12;
+        let zone = Contact { from: 2.0, to: 6.0, force: 10.0, end_forces: Some([1.0, 3.0]) };
+        let point = Contact { from: 8.0, to: 8.0, force: 5.0, end_forces: None };
+        let load = ContactLoad::of_contacts(20.0, &[zone, point]);
+        let ends = [load.pressing[0], load.pressing[load.pressing.len() - 2]];
+        assert_eq!(ends, [(2.0, 1.0), (6.0, 3.0)], "the ends of the zone");
+        assert_eq!(load.pressing.last(), Some(&(8.0, 5.0)));
+        let between = &load.pressing[1..load.pressing.len() - 2];
+        let sum = |moment: fn(&(f64, f64)) -> f64| between.iter().map(moment).sum::<f64>();
+        assert!((sum(|f| f.1) - 6.0).abs() <= ROUNDING, "the rest of the force");
+        assert!((sum(|f| f.0 * f.1) - 24.0).abs() <= 4.0 * ROUNDING, "in the middle");
+        let share = |f: &(f64, f64)| (f.0 - 2.0) / 4.0;
+        assert!(share(&between[0]) < 0.01 && 0.99 < share(&between[between.len() - 1]), "from end to end");
+        // What is no number is no force, and the spacing is that of a lone one.
+        let broken = Contact { force: f64::NAN, ..point };
+        assert_eq!(ContactLoad::of_contacts(20.0, &[broken]), ContactLoad::new(20.0, []).expect("no forces"));
+    }
+
+    /// Forces on supports, and forces that are nothing beside the others, say nothing of the pattern.
+    #[test]
+    fn forces_on_supports_are_not_inside() {
+        let forces = [(0.0, 1.0), (3.0, 1e-10), (4.0, 2.0), (5.0, 1e-8), (20.0, 1.0)];
+        let load = ContactLoad::new(20.0, forces).expect("finite forces on the beam");
+        assert_eq!(load.inside(20.0), [(4.0, 2.0), (5.0, 1e-8)]);
+    }
+}

@@ -207,3 +207,6 @@ fn clear_from(curve: &Curve, ground: &Ground<'_>, share: f64, length: f64, left:
     }
     reached
 }
+
+#[cfg(test)]
+mod tests;

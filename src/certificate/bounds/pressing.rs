@@ -92,3 +92,6 @@ fn pulls(pressure: &Polynomial, width: Interval, parts: &mut usize, cut: &mut Cu
     pulls(pressure, half, parts, cut);
     pulls(&pressure.shifted(half), half, parts, cut);
 }
+
+#[cfg(test)]
+mod tests;

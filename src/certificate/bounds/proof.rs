@@ -180,3 +180,6 @@ pub(super) fn drawn(setting: &Setting<'_>, joints: &[Joint]) -> Option<Curve> {
     }
     Some(Curve { pieces })
 }
+
+#[cfg(test)]
+mod tests;

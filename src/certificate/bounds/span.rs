@@ -99,3 +99,30 @@ impl Span {
         self.to - self.from
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, LinearLoad, Load, Scene};
+
+    /// A span under a load that grows, read from the left and from the right.
+    #[test]
+    fn the_mirror_image_is_the_same_deflection() {
+        /// Of some dozens of roundings.
+        const ROUNDING: f64 = 1e-12;
+        let stiffness = 70.0;
+        let beam = Beam::new(20.0, stiffness).expect("positive");
+        let growing = LinearLoad { from: 0.0, to: 20.0, start: 1.0, end: 5.0 };
+        let load = Load::new(&beam, 2.0, vec![growing], Vec::new()).expect("finite");
+        let load = Pieces::of(&Scene::new(beam, load, None).expect("well posed"));
+        let ends = [[0.3, 0.2], [0.5, -0.4]].map(|end| end.map(Interval::exact));
+        let span = Span::new([3.0, 10.0], ends, &load, stiffness);
+        let curve = span.curve(vec![6.0], &load, stiffness);
+        let ([from, to], last) = curve[1];
+        let mirrored = span.mirrored(from, &load, stiffness);
+        for s in [0.0, 1.0, 2.5, 4.0] {
+            let [one, other] = [(&mirrored, s), (&last, to - from - s)].map(|(v, s)| v.at(Interval::exact(s)).middle());
+            assert!((one - other).abs() <= ROUNDING, "{one} and {other} at {s} from the right");
+        }
+    }
+}

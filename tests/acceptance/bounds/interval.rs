@@ -95,3 +95,38 @@ fn what_has_no_value_is_the_whole_line() {
     assert_eq!(Interval::exact(f64::NAN), Interval::WHOLE);
     assert!((Interval::exact(f64::MAX) + Interval::exact(f64::MAX)).hi().is_infinite());
 }
+
+/// A sum with zero and a product with zero are exact: coefficients that vanish cost nothing. The least number is not zero.
+#[test]
+fn zero_is_exact_and_nothing_else_is() {
+    let three = Interval::exact(3.0);
+    for zero in [Interval::ZERO, Interval::exact(-0.0)] {
+        assert!(zero.is_zero());
+        for exact in [zero * three, three * zero, zero.square(), zero.sqrt()] {
+            assert_eq!(exact, Interval::ZERO);
+        }
+        for exact in [zero + three, three + zero, three - zero] {
+            assert_eq!(exact, three);
+        }
+    }
+    let least = f64::from_bits(1);
+    for number in [least, -least, 1.0] {
+        assert!(!Interval::exact(number).is_zero(), "{number:e}");
+    }
+    assert!(!Interval::between(0.0, least).is_zero() && !Interval::between(-least, 0.0).is_zero());
+    // Zero times no bound is no bound.
+    for open in [Interval::between(1.0, f64::INFINITY), Interval::between(f64::NEG_INFINITY, 1.0)] {
+        assert!(!open.is_finite());
+        assert_eq!(Interval::ZERO * open, Interval::WHOLE);
+        assert_eq!(open * Interval::ZERO, Interval::WHOLE);
+    }
+    assert!(three.is_finite());
+}
+
+#[test]
+fn an_interval_contains_what_is_between_its_ends() {
+    let interval = Interval::between(1.0, 2.0);
+    for (value, inside) in [(1.0, true), (1.5, true), (2.0, true), (0.9, false), (2.1, false), (f64::NAN, false)] {
+        assert_eq!(interval.contains(value), inside, "{value}");
+    }
+}

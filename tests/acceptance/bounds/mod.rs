@@ -2,7 +2,9 @@
 
 mod anything;
 mod cli;
+mod closed;
 mod flat;
+mod given;
 mod interval;
 mod sharpness;
 mod truth;
