@@ -147,3 +147,19 @@ fn nodes_that_are_not_in_order_or_not_complete_are_none() {
 fn nodes_of(given: &Nodes, scale: &Scale) -> Option<usize> {
     super::nodes(given, scale, LENGTH).map(|nodes| nodes.len())
 }
+
+/// A piece that lies within a cell is seen by no node, and counts.
+#[test]
+fn pieces_between_nodes_are_compared() {
+    let constant =
+        |from: f64, to: f64, v: f64| Piece { from, to, v: Polynomial::new(&[Interval::exact(v)]), follows: false };
+    for cell in [0.0, 4.0, 19.0] {
+        let pieces =
+            [constant(0.0, cell + 0.4, 0.0), constant(cell + 0.4, cell + 0.6, 1.0), constant(cell + 0.6, LENGTH, 0.0)];
+        let nodes: Vec<Node> = (0..=20_u32).map(|i| Node { x: f64::from(i), deflection: 0.0, moment: 0.0 }).collect();
+        let mut error = Error::UNKNOWN;
+        (error.most, error.size) = (0.0, 0.0);
+        compare(&mut error, &pieces, &nodes, Interval::ZERO, STIFFNESS);
+        at_least(error.most, 1.0);
+    }
+}
