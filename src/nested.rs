@@ -2,18 +2,21 @@
 //! has to change.
 //!
 //! Where a programme can be [settled](guess_from) in neighbourhoods, coarser grids only have to give a good guess, and the
-//! whole beam is solved on the coarsest and on the finest grid alone. Each of the others makes the error of the lift-off
-//! points smaller at a price that does not grow with the grid.
+//! whole beam is solved on small grids and on the finest alone. Each of the others makes the error of the lift-off points
+//! smaller at a price that does not grow with the grid. Only where neighbourhoods grow too large a grid is solved.
+
+mod refined;
 
 use crate::methods::{Discrete, Method};
 use crate::route::Solver;
 use crate::scene::{Scene, SceneError};
 use crate::solvers::{Answer, active_set_counted, active_set_from, guess_from};
+use refined::refined;
 
 /// Up to here the paper's start, all variables free, takes a handful of solves.
-const COARSEST: usize = 40;
+const COARSEST: usize = 30;
 
-/// From here on a grid is not solved, only guessed from, and the next one may be finer by more.
+/// From here on a grid is guessed from, and the next one may be finer by more.
 const GUESSED: usize = 1000;
 
 /// Refinement of grids that are solved, and of those that are guessed from.
@@ -38,30 +41,32 @@ fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer
 
 /// The face to start from on a grid, by a coarser one, and the number of solves for it; [`None`] on the coarsest.
 fn start(scene: &Scene, method: Method, intervals: usize) -> Result<Option<(Vec<bool>, usize)>, SceneError> {
-    let guessed = method.has_neighbourhoods() && GUESSED <= intervals;
-    let coarse = intervals / REFINEMENT[usize::from(guessed)];
+    let coarse = intervals / REFINEMENT[usize::from(method.is_guessed(intervals))];
     if coarse < COARSEST {
         return Ok(None);
     }
-    let coarser = Discrete::new(scene, coarse)?;
-    let programme = method.programme(&coarser);
-    let (touching, solves) = match start(scene, method, coarse)? {
-        Some((free, before)) if guessed && GUESSED <= coarse => {
-            let (free, solves) = guess_from(programme.as_ref(), free);
-            (free, before + solves)
+    let (touching, solves) = contact(scene, method, coarse)?;
+    Ok(Some((method.face(refined(&touching, intervals)), solves)))
+}
+
+/// Contact at the interior nodes of a coarse grid, and the number of solves for it.
+fn contact(scene: &Scene, method: Method, intervals: usize) -> Result<(Vec<bool>, usize), SceneError> {
+    let discrete = Discrete::new(scene, intervals)?;
+    let programme = method.programme(&discrete);
+    let (answer, before) = match start(scene, method, intervals)? {
+        None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), 0),
+        Some((free, before)) if method.is_guessed(intervals) => {
+            let guess = guess_from(programme.as_ref(), free);
+            let solves = before + guess.solves;
+            if guess.settled {
+                return Ok((method.face(guess.free), solves));
+            }
+            (active_set_from(programme.as_ref(), guess.free), solves)
         }
-        started => {
-            let (answer, before) = match started {
-                Some((free, before)) => (active_set_from(programme.as_ref(), free), before),
-                None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), 0),
-            };
-            let solves = before + answer.iterations;
-            let nodal = method.nodal(&coarser, answer.x, answer.gradient);
-            let touching = nodal.contact_force.iter().map(|p| 0.0 < *p);
-            (method.face(touching.collect()), solves)
-        }
+        Some((free, before)) => (active_set_from(programme.as_ref(), free), before),
     };
-    Ok(Some((method.face(refined(&method.face(touching), intervals)), solves)))
+    let nodal = method.nodal(&discrete, answer.x, answer.gradient);
+    Ok((nodal.contact_force.iter().map(|p| 0.0 < *p).collect(), before + answer.iterations))
 }
 
 impl Method {
@@ -71,30 +76,10 @@ impl Method {
         if self == Self::Force { flags } else { flags.into_iter().map(|flag| !flag).collect() }
     }
 
-    /// Whether its programme can be solved near some variables only.
-    fn has_neighbourhoods(self) -> bool {
-        self != Self::Complementarity
+    /// Whether a grid is fine enough to be guessed from: by programmes that can be solved near some variables only.
+    fn is_guessed(self, intervals: usize) -> bool {
+        self != Self::Complementarity && GUESSED <= intervals
     }
-}
-
-/// Contact on a grid of `intervals`, from contact at the interior nodes of a coarser one: nodes between two neighbours in
-/// contact, and the node nearest to each one in contact.
-fn refined(touching: &[bool], intervals: usize) -> Vec<bool> {
-    let coarse = touching.len() + 1;
-    let mut fine = vec![false; intervals - 1];
-    let mut before = false;
-    for (k, &touches) in touching.iter().enumerate() {
-        if touches {
-            let i = k + 1;
-            if before {
-                fine[(k * intervals).div_ceil(coarse) - 1..i * intervals / coarse].fill(true);
-            }
-            let nearest = (2 * i * intervals + coarse) / (2 * coarse);
-            fine[nearest.clamp(1, intervals - 1) - 1] = true;
-        }
-        before = touches;
-    }
-    fine
 }
 
 #[cfg(test)]

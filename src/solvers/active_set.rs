@@ -48,13 +48,24 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
     solve_from(programme, vec![true; programme.dimension()]).0
 }
 
-/// A guess of the optimal face from another one, by windows around its borders; the number of solves. Nothing is verified.
-pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> (Vec<bool>, usize) {
+/// What windows around the borders of one face make of it.
+pub(crate) struct Guess {
+    /// Another face.
+    pub(crate) free: Vec<bool>,
+    /// Whether the windows came to rest, small beside the whole. What is outside of them was not looked at.
+    pub(crate) settled: bool,
+    /// Number of solves.
+    pub(crate) solves: usize,
+}
+
+/// A guess of the optimal face from another one.
+pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> Guess {
     let mut run = Run { programme, cost: Cost::default() };
     let window = Window::around(&borders(&free), REACH, free.len());
     // A solve that fails here fails again where it is reported.
-    let _ = run.settle(&mut free, window);
-    (free, run.cost.windows)
+    let rested = run.settle(&mut free, window);
+    let settled = rested.is_ok_and(|window| run.is_worth_it(&window, free.len()));
+    Guess { free, settled, solves: run.cost.windows }
 }
 
 /// Solves from a given face: `free[i]` is false where `x_i = 0` at first.

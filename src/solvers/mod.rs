@@ -62,9 +62,8 @@ pub(crate) fn active_set_counted(programme: &dyn Programme, free: Vec<bool>) -> 
     (answer, cost.whole)
 }
 
-/// A guess of the optimal face from that of a coarser problem, and the number of solves that it took; nothing is verified.
-#[must_use]
-pub fn guess_from(programme: &dyn Programme, free: Vec<bool>) -> (Vec<bool>, usize) {
+/// A guess of the optimal face from that of a coarser problem.
+pub(crate) fn guess_from(programme: &dyn Programme, free: Vec<bool>) -> active_set::Guess {
     active_set::guess_from(programme, free)
 }
 

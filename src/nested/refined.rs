@@ -1,0 +1,127 @@
+//! Contact on a finer grid.
+
+use std::ops::Range;
+
+/// The longest run of nodes in contact that is an edge, and the longest hole behind an edge.
+const EDGE: usize = 3;
+const HOLE: usize = 4;
+
+/// Contact on a grid of `intervals`, from contact at the interior nodes of a coarser one.
+///
+/// The force with which a zone of contact begins, at the point of lift-off, is carried by one or two nodes of any grid, and
+/// the next one or two carry nothing. So edges keep their number of nodes, around the same place, and the holes behind them
+/// theirs; all between is in contact.
+pub(super) fn refined(touching: &[bool], intervals: usize) -> Vec<bool> {
+    let finer = Finer { coarse: touching.len() + 1, intervals };
+    let mut fine = vec![false; intervals - 1];
+    let runs = runs(touching);
+    for zone in runs.chunk_by(|run, next| next.start <= run.end + HOLE) {
+        let left = finer.run(&zone[0], Inward::Right);
+        let right = zone[1..].last().map_or(left.clone(), |last| finer.run(last, Inward::Left));
+        // What is behind an edge begins a hole further on.
+        let mut inner = left.start..right.end;
+        if let [edge, next, ..] = zone
+            && edge.len() <= EDGE
+        {
+            inner.start = left.end + (next.start - edge.end);
+        }
+        if let [.., before, edge] = zone
+            && edge.len() <= EDGE
+        {
+            inner.end = right.start.saturating_sub(edge.start - before.end);
+        }
+        for nodes in [left, inner, right] {
+            let indices = nodes.start.saturating_sub(1)..nodes.end.min(intervals) - 1;
+            if indices.start < indices.end {
+                fine[indices].fill(true);
+            }
+        }
+    }
+    fine
+}
+
+/// Runs of nodes in contact; node `i` is at index `i − 1`.
+fn runs(touching: &[bool]) -> Vec<Range<usize>> {
+    let mut node = 1;
+    let stretches = touching.chunk_by(|one, next| one == next).map(|stretch| {
+        node += stretch.len();
+        (stretch[0], node - stretch.len()..node)
+    });
+    stretches.filter(|(touches, _)| *touches).map(|(_, run)| run).collect()
+}
+
+/// On which side of an edge its zone is.
+#[derive(Clone, Copy, PartialEq)]
+enum Inward {
+    Left,
+    Right,
+}
+
+/// Places on one grid as places on a finer one.
+struct Finer {
+    coarse: usize,
+    intervals: usize,
+}
+
+impl Finer {
+    /// The nodes of a run: as many around the same middle if it is short, otherwise between the nodes nearest to its ends.
+    fn run(&self, run: &Range<usize>, inward: Inward) -> Range<usize> {
+        if EDGE < run.len() {
+            return self.nearest(run.start)..self.nearest(run.end - 1) + 1;
+        }
+        // The middle times two, as a node between two others may be; of two choices the one that is nearer to the zone.
+        let middle = (run.start + run.end - 1) * self.intervals;
+        let twice = if inward == Inward::Right { middle / self.coarse + 1 } else { middle.div_ceil(self.coarse) };
+        let first = (twice.saturating_sub(run.len() - 1) / 2).clamp(1, self.intervals - run.len());
+        first..first + run.len()
+    }
+
+    /// The inner node nearest to a node of the coarser grid.
+    fn nearest(&self, node: usize) -> usize {
+        ((2 * node * self.intervals + self.coarse) / (2 * self.coarse)).clamp(1, self.intervals - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::refined;
+
+    /// Edges of one or two nodes and the holes behind them keep their length, whichever side the zone is on; long runs are
+    /// scaled, and so is where they are.
+    #[test]
+    fn edges_keep_their_length() {
+        let flags = |runs: &[(usize, bool)]| -> Vec<bool> {
+            runs.iter().flat_map(|&(length, touches)| std::iter::repeat_n(touches, length)).collect()
+        };
+        let (on, off) = (true, false);
+        for (coarse, fine) in [
+            // Nodes 17 and 18 of 75 intervals, a hole, and the zone: 35 and 36 of 150.
+            (
+                flags(&[(16, off), (2, on), (1, off), (36, on), (1, off), (2, on), (16, off)]),
+                flags(&[(34, off), (2, on), (1, off), (75, on), (1, off), (2, on), (34, off)]),
+            ),
+            // One node stays one node, at the same place.
+            (flags(&[(9, off), (1, on), (29, off)]), flags(&[(19, off), (1, on), (59, off)])),
+            // A zone without edges, and one that reaches both supports.
+            (flags(&[(9, off), (20, on), (10, off)]), flags(&[(19, off), (39, on), (21, off)])),
+            (flags(&[(39, on)]), flags(&[(1, off), (77, on), (1, off)])),
+            // Nothing.
+            (flags(&[(39, off)]), flags(&[(79, off)])),
+        ] {
+            assert_eq!(refined(&coarse, fine.len() + 1), fine);
+        }
+    }
+
+    /// A guess has as many flags as its grid has inner nodes, whatever it is made from.
+    #[test]
+    fn any_contact_can_be_refined() {
+        for pattern in 0..1_u32 << 9 {
+            let touching: Vec<bool> = (0..9).map(|k| pattern >> k & 1 == 1).collect();
+            for intervals in [20, 21, 23, 80, 87] {
+                let fine = refined(&touching, intervals);
+                assert_eq!(fine.len(), intervals - 1);
+                assert_eq!(fine.iter().any(|touches| *touches), pattern != 0, "{touching:?} on {intervals} intervals");
+            }
+        }
+    }
+}
