@@ -12,7 +12,7 @@ use super::compare::{Comparison, Difference};
 use super::input::Input;
 
 /// Grids with more intervals are printed without their nodes, unless these are asked for.
-const MOST_INTERVALS_WITH_NODES: usize = 10_000;
+pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 
 /// The answer of `solve`.
 #[derive(Debug, Serialize)]

@@ -21,6 +21,7 @@ mod output;
 mod sampled;
 mod table;
 mod text;
+mod values;
 
 use std::process::ExitCode;
 
@@ -31,10 +32,11 @@ use palkki::route::Status;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
-use self::arguments::{Arguments, Command, Common, Format, Solve};
+use self::arguments::{Arguments, Command, Common, Solve};
 use self::failure::Failure;
 use self::input::Input;
 use self::output::Files;
+use self::values::Format;
 
 const CERTIFIED: u8 = 0;
 const NOT_CERTIFIED: u8 = 1;

@@ -2,9 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 use palkki::methods::{Discrete, Method, flexibility};
-use palkki::paper::random::Random;
 use palkki::problem::{Dense, Matrix, Programme};
 use palkki::scene::{Beam, Foundation, Grid, LinearLoad, Load, PointLoad, Scene};
+use palkki::verification::Random;
 use palkki::verification::observed_order;
 
 use crate::scenes::{apart, example, largest, report, uniform};

@@ -2,11 +2,12 @@
 
 mod corpus;
 mod draft;
+mod laws;
 mod mutate;
-mod random;
 mod scenes;
 mod tally;
 mod trial;
+mod units;
 
 use tally::Tally;
 

@@ -1,7 +1,8 @@
 //! Random and adversarial scenes: by families, each with its own idea of what could go wrong.
 
+use palkki::verification::Random;
+
 use super::draft::{Draft, Ground};
-use super::random::Random;
 
 /// What a scene tries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -201,7 +202,7 @@ fn rough(random: &mut Random) -> Draft {
 fn anything(random: &mut Random) -> f64 {
     match random.below(12) {
         0 => random.pick(&[0.0, -0.0, 1.0, 5e-324, 2.2250738585072014e-308, f64::MAX, f64::MIN, f64::EPSILON]),
-        1 => f64::from_bits(random.next()),
+        1 => f64::from_bits(random.bits()),
         2 => -power(random, -30.0, 30.0),
         3..=5 => power(random, -320.0, 308.0),
         6 | 7 => power(random, -150.0, 150.0),

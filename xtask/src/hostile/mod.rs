@@ -4,14 +4,16 @@
 
 #[path = "../../../tests/acceptance/hostile/draft.rs"]
 mod draft;
-#[path = "../../../tests/acceptance/hostile/random.rs"]
-mod random;
+#[path = "../../../tests/acceptance/hostile/laws.rs"]
+mod laws;
 #[path = "../../../tests/acceptance/hostile/scenes.rs"]
 mod scenes;
 #[path = "../../../tests/acceptance/hostile/tally.rs"]
 mod tally;
 #[path = "../../../tests/acceptance/hostile/trial.rs"]
 mod trial;
+#[path = "../../../tests/acceptance/hostile/units.rs"]
+mod units;
 
 use std::fmt::Write as _;
 use std::path::Path;
