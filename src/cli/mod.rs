@@ -18,7 +18,6 @@ mod json;
 mod labels;
 mod number;
 mod output;
-mod sampled;
 mod table;
 mod text;
 mod values;
@@ -105,7 +104,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
 /// The figure of `--plot`.
 fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
     let curves = match &answer.exact {
-        Some(exact) => sampled::curves(&input.scene, exact),
+        Some(exact) => Curves::exact(&input.scene, exact),
         None => Curves::of(&input.scene, &answer.state)?,
     };
     let subtitle = match answer.intervals {

@@ -10,7 +10,7 @@
 //! 4. `piece`, `forces`, `pressure`, `bernstein`, `measure`, `verify`: all conditions, everywhere and not at samples.
 //! 5. `repair`, `tidy`, `gap`, `search`, `alternatives`, `explore`: what fails its check changes the list, first all of it, then
 //!    fault by fault; after a bounded number of lists it ends.
-//! 6. `exact`, `summary`, `solve`: the answer in the units of the scene.
+//! 6. `exact`, `summary`, `samples`, `solve`: the answer in the units of the scene.
 //!
 //! [`flat()`] is the paper's own case in closed form, [`closed`] has others.
 //!
@@ -36,6 +36,7 @@ mod piece;
 mod pressure;
 mod profile;
 mod repair;
+mod samples;
 mod search;
 mod shape;
 mod solve;
@@ -46,4 +47,5 @@ mod verify;
 
 pub use exact::{Exact, Violation};
 pub use flat::{FlatSolution, flat};
+pub use samples::Sample;
 pub use solve::{TheoryError, solve};
