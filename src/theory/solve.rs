@@ -1,7 +1,8 @@
 //! The entrance: a scene in its own units to its exact solution.
 
+use super::cut::MOST_CELLS;
 use super::exact::Exact;
-use super::given::{Given, MOST_CELLS};
+use super::given::Given;
 use super::search;
 use crate::scene::{Foundation, Scene, SceneError};
 
