@@ -13,6 +13,7 @@ mod exact;
 mod figure;
 mod label;
 mod layer;
+mod load;
 mod number;
 mod palette;
 mod panel;
@@ -21,6 +22,7 @@ mod solution;
 pub mod study;
 mod svg;
 pub mod table;
+mod ticks;
 mod trace;
 
 pub use axis::{Axis, Direction, Scale};

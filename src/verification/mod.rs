@@ -7,6 +7,7 @@ mod numdiff;
 mod numeral;
 mod order;
 mod random;
+mod token;
 
 pub use numdiff::{Difference, Mismatch, numdiff, numdiff_svg};
 pub use order::observed_order;
