@@ -2,6 +2,7 @@
 
 mod corpus;
 mod draft;
+mod edges;
 mod laws;
 mod mutate;
 mod scenes;

@@ -4,6 +4,8 @@
 
 #[path = "../../../tests/acceptance/hostile/draft.rs"]
 mod draft;
+#[path = "../../../tests/acceptance/hostile/edges.rs"]
+mod edges;
 #[path = "../../../tests/acceptance/hostile/laws.rs"]
 mod laws;
 #[path = "../../../tests/acceptance/hostile/scenes.rs"]
