@@ -159,6 +159,19 @@ impl Resolved {
     }
 }
 
+/// The two axes of a panel in place.
+pub(super) struct Axes {
+    pub(super) x: Resolved,
+    pub(super) y: Resolved,
+}
+
+impl Axes {
+    /// Where a point in the numbers of the axes lies on the drawing.
+    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.x.place(x), self.y.place(y)]
+    }
+}
+
 /// A range with some room at either end, and never empty: equal numbers get as much room as they are large.
 fn widened(lo: f64, hi: f64, padding: f64) -> [f64; 2] {
     /// Below this part of their magnitude the differences between numbers are rounding, not data.

@@ -1,20 +1,16 @@
 //! From a layer to lines on the drawing.
 
-use super::canvas::{Canvas, TEXT};
+use super::axis::Axes;
+use super::canvas::{Canvas, SHAFT, TEXT};
 use super::error::{PlotError, finite};
 use super::label::{Frame, Label, Labels};
 use super::layer::{Arrows, Layer, Place, Reference};
 use super::load::load;
 use super::palette::{Color, Dash, Style};
-use super::panel::Axes;
-use super::trace::{Point, sampled, thinned};
+use super::trace::{INK, Point, sampled, thinned};
 
-/// Distance of the points that stand for a line when labels are placed.
-pub(super) const INK: f64 = 9.0;
 /// Least distance of two markers; those in between are left out.
 const MARKER_DISTANCE: f64 = 26.0;
-/// Width of the shaft of an arrow.
-pub(super) const SHAFT: u32 = 7;
 /// Shortest arrow that a force other than zero gets.
 const SHORTEST: f64 = 14.0;
 

@@ -1,13 +1,12 @@
 //! The sketch of a load above the beam: a block for what is distributed, arrows for point loads.
 
-use super::canvas::Canvas;
-use super::draw::{INK, SHAFT};
+use super::axis::Axes;
+use super::canvas::{Canvas, SHAFT};
 use super::error::{PlotError, finite};
 use super::label::{Label, Labels};
 use super::layer::{LoadSketch, Place};
 use super::palette::{Color, Dash};
-use super::panel::Axes;
-use super::trace::{Point, sampled};
+use super::trace::{INK, Point, sampled};
 
 /// Draws the load, and asks for the labels that it wants.
 pub(super) fn load(

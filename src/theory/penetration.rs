@@ -2,10 +2,9 @@
 
 use super::bernstein::lowest_below;
 use super::given::Given;
-use super::measure::Scale;
+use super::measure::{Scale, TOLERANCE};
 use super::piece::{Piece, derivatives};
 use super::span::Span;
-use super::verify::TOLERANCE;
 
 /// The deepest penetration in a span, if it is deeper than rounding: `(place, depth)`.
 pub(super) fn penetration(given: &Given, pieces: &[Piece], span: &Span, scale: &Scale) -> Option<(f64, f64)> {

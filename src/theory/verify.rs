@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::forces::{couple, forces, unbalanced};
 use super::given::Given;
 use super::list::{AtSupport, Kind, List};
-use super::measure::Scale;
+use super::measure::{Scale, TOLERANCE};
 use super::newton;
 use super::penetration::penetration;
 use super::piece::{Piece, pieces_of, pieces_of_zone};
@@ -27,9 +27,6 @@ pub(super) struct Checked {
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
     pub(super) worst: f64,
 }
-
-/// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
-pub(super) const TOLERANCE: f64 = 1e-12;
 
 /// A contact that would have to move by less than this fraction of the beam is where it should be: a few units of the last
 /// place of its position, which for steep profiles may be a jump of the moment above its tolerance.

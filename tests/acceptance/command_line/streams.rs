@@ -3,8 +3,8 @@
 use std::fs;
 use std::process::{Command, Stdio};
 
-use super::hostile::check;
 use super::Folder;
+use super::hostile::check;
 
 #[cfg(target_os = "linux")]
 #[test]
