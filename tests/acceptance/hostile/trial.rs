@@ -32,6 +32,8 @@ pub(crate) struct Trial {
     pub(crate) route: Option<Status>,
     /// True if the route's solver says that it succeeded and the judge does not.
     pub(crate) contradicted: bool,
+    /// True if an answer was compared with that in other units.
+    pub(crate) rescaled: bool,
     /// Lists of contacts that theory tried, and iterations of the routes: the most.
     pub(crate) work: [usize; 2],
     /// What is wrong. Empty, or the program is.

@@ -44,6 +44,7 @@ pub(super) fn in_other_units(
         if subnormal(a.0) || subnormal(b.0) {
             return;
         }
+        trial.rescaled = true;
         if a.1 != b.1 || bits(a.0, force) != bits(b.0, 1.0) {
             trial.wrong.push(format!("{who}: other units, other bits"));
         }
