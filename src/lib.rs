@@ -10,6 +10,34 @@
 //!
 //! `v''''` is a measure: where the beam lifts off, the contact pressure contains a concentrated force.
 //!
+//! # Solving a scene
+//!
+//! ```
+//! use palkki::route::{Method, Solver, Status};
+//! use palkki::scene::{Beam, Foundation, Load, Scene};
+//! use palkki::verdict::{Demand, Verdict};
+//! use palkki::{Settings, solve, theory};
+//!
+//! // The example of the paper: a beam that would sag a hundred times as far as the ground lies below it.
+//! let beam = Beam::new(10.0, 500.0 / 384.0)?;
+//! let load = Load::uniform_on(&beam, 1.0)?;
+//! let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 }))?;
+//!
+//! // Beam theory: lift-off points that are found, and no grid.
+//! let exact = theory::solve(&scene)?;
+//! assert_eq!(exact.status, Status::Certified);
+//!
+//! // A method of the paper with a solver, on 300 equal intervals, and how far it can be from the truth.
+//! let outcome = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
+//! let verdict = Verdict::of_outcome(&scene, &outcome, &Demand::default());
+//! let error = outcome.state.deflection.max - exact.state.deflection.max;
+//! assert!(verdict.certificate.is_some_and(|bounds| error.abs() <= bounds.deflection_error));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A scene file is read by [`scene::file::parse`]; [`dial::dial`] chooses the grid for an error that is demanded;
+//! [`certificate::certify`] judges contact forces from anywhere.
+//!
 //! # Notation
 //!
 //! | paper | name here | unit | sign and meaning | equation |
@@ -31,10 +59,14 @@
 //! # Map of rooms
 //!
 //! ```text
-//! scene ──► methods ──► problem (32) ──► solvers ──► methods ──► state ──► certificate
+//! scene ──► methods ──► problem (32) ──► solvers ──► methods ──► state ──► certificate ──► verdict
 //!   │                                                              ▲
 //!   └──────────────────────────► theory ───────────────────────────┘
 //! ```
+//!
+//! [`solve()`] is the upper way, [`theory::solve`] the lower one. Around them stand the paper's figures and claims
+//! ([`paper`]), scenes with known answers ([`extremes`]), the judge on trial ([`trial`]), drawings ([`plot`]) and what the
+//! evidence is measured with ([`verification`]).
 
 pub mod certificate;
 pub mod dial;

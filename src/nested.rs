@@ -85,7 +85,7 @@ impl Method {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paper::random::{Unevenness, scenes};
+    use crate::paper::uneven::{Unevenness, scenes};
 
     /// Kinks between the nodes of a grid leave holes behind them that exchanges wander through: thousands of solves of the
     /// whole beam, once. Windows take that upon themselves.

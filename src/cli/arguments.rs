@@ -2,16 +2,17 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValue;
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use palkki::route::{Method, Solver};
+use clap::{Args, Parser, Subcommand};
+use palkki::DEFAULT_TOLERANCE;
+use palkki::route::Solver;
+
+use super::json::MOST_INTERVALS_WITH_NODES;
+use super::values::{Format, MethodArgument, SolverArgument, intervals, tolerance};
 
 /// Intervals of a grid that nobody asked for: those of the paper's example.
 pub(super) const DEFAULT_INTERVALS: usize = 30;
 /// The solver that always ends, at an optimum.
 pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
-/// More intervals than any computer that this runs on has memory for.
-const MOST_INTERVALS: usize = 10_000_000;
 
 /// A beam above a rigid, uneven foundation: where does it touch, and how hard?
 ///
@@ -96,24 +97,15 @@ pub(super) struct Solve {
     /// How the beam is modelled
     #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArgument::Exact)]
     pub(super) method: MethodArgument,
-    /// Who solves the programme of a discretised method [default: active-set]
-    #[arg(long, value_name = "SOLVER", value_enum)]
+    // Options that only some methods take have no default that clap could print.
+    #[arg(long, value_name = "SOLVER", value_enum, help = solver_help())]
     pub(super) solver: Option<SolverArgument>,
-    /// Equal intervals of a discretised method, at least 2 [default: 30, or as many as --tolerance takes]
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, help = intervals_help())]
     pub(super) intervals: Option<usize>,
     /// Guaranteed error of the deflection, as a share of the largest deflection
-    ///
-    /// A discretised method refines its grid until the certified error is at most EPS, with as little work as it can, and says
-    /// which grids it tried; if that cannot be reached, the best answer is printed and the exit code is 1. With beam theory the
-    /// certified error has to be at most EPS.
-    ///
-    /// Together with --intervals the grid is fixed, and EPS is the scaled residual at which an iterative solver may stop; the
-    /// check is not loosened by it [default: 1e-10].
-    #[arg(long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance)]
+    #[arg(long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance, long_help = tolerance_help())]
     pub(super) tolerance: Option<f64>,
-    /// Print the nodes: in a table always, in JSON also those of more than 10000 intervals
-    #[arg(long)]
+    #[arg(long, help = nodes_help())]
     pub(super) nodes: bool,
     #[command(flatten)]
     pub(super) common: Common,
@@ -123,6 +115,31 @@ pub(super) struct Solve {
     /// Draw beam, foundation, contact forces, moment and shear into this file
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
+}
+
+fn solver_help() -> String {
+    format!("Who solves the programme of a discretised method [default: {DEFAULT_SOLVER}]")
+}
+
+fn intervals_help() -> String {
+    format!(
+        "Equal intervals of a discretised method, at least 2 [default: {DEFAULT_INTERVALS}, or as many as --tolerance takes]"
+    )
+}
+
+fn tolerance_help() -> String {
+    format!(
+        "Guaranteed error of the deflection, as a share of the largest deflection\n\n\
+         A discretised method refines its grid until the certified error is at most EPS, with as little work as it can, and \
+         says which grids it tried; if that cannot be reached, the best answer is printed and the exit code is 1. With beam \
+         theory the certified error has to be at most EPS.\n\n\
+         Together with --intervals the grid is fixed, and EPS is the scaled residual at which an iterative solver may stop; \
+         the check is not loosened by it [default: {DEFAULT_TOLERANCE:e}]."
+    )
+}
+
+fn nodes_help() -> String {
+    format!("Print the nodes: in a table always, in JSON also those of more than {MOST_INTERVALS_WITH_NODES} intervals")
 }
 
 #[derive(Debug, Args)]
@@ -141,91 +158,4 @@ pub(super) struct Certify {
     /// Contact forces as CSV, with the header x,force
     #[arg(value_name = "FORCES")]
     pub(super) forces: PathBuf,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    Text,
-    Json,
-}
-
-/// `--method`.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum MethodArgument {
-    Exact,
-    Discretised(Method),
-}
-
-impl MethodArgument {
-    pub(super) fn discretised(self) -> Option<Method> {
-        match self {
-            Self::Exact => None,
-            Self::Discretised(method) => Some(method),
-        }
-    }
-}
-
-impl ValueEnum for MethodArgument {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self::Exact,
-            Self::Discretised(Method::Complementarity),
-            Self::Discretised(Method::Displacement),
-            Self::Discretised(Method::Force),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(match self {
-            Self::Exact => PossibleValue::new("exact").help("beam theory with free lift-off points, no grid"),
-            Self::Discretised(method) => PossibleValue::new(method.word()).help(match method {
-                Method::Complementarity => "finite differences: no penetration, no tension, one of the two everywhere",
-                Method::Displacement => "beam elements: least potential energy without penetration at the nodes",
-                Method::Force => "flexibility: least complementary energy without tension at the nodes",
-            }),
-        })
-    }
-}
-
-/// `--solver`.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct SolverArgument(pub(super) Solver);
-
-impl ValueEnum for SolverArgument {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self(Solver::ActiveSet),
-            Self(Solver::Nsor),
-            Self(Solver::Clarabel),
-            Self(Solver::Osqp),
-            Self(Solver::FourStep),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.0.word()).help(match self.0 {
-            Solver::ActiveSet => "pivots until the contact set is right; always ends, and at an optimum",
-            Solver::Nsor => "over-relaxation with projection, the paper's choice for many unknowns",
-            Solver::Clarabel => "interior points, a library",
-            Solver::Osqp => "operator splitting, a library",
-            Solver::FourStep => "the paper's own four steps, for comparison; may stop short of the optimum",
-        }))
-    }
-}
-
-fn intervals(text: &str) -> Result<usize, String> {
-    let not = |what: &str| Err(format!("the number of intervals must be {what}, but is {text}"));
-    match text.parse::<usize>() {
-        Ok(..2) => not("at least 2"),
-        Ok(number) if number <= MOST_INTERVALS => Ok(number),
-        Err(error) if *error.kind() != std::num::IntErrorKind::PosOverflow => not("a whole number, at least 2"),
-        _ => not(&format!("at most {MOST_INTERVALS}")),
-    }
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
-        _ => Err(format!("the tolerance must be a positive, finite number, but is {text}")),
-    }
 }

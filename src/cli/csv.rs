@@ -2,10 +2,9 @@
 
 use palkki::scene::Scene;
 use palkki::state::Nodes;
-use palkki::theory::Exact;
+use palkki::theory::{Exact, Sample};
 
 use super::answer::Answer;
-use super::sampled::{Sample, samples};
 
 /// Columns of a discretised answer: place, deflection (positive downwards), clearance to the foundation, contact force (a
 /// force at the node, not a density) and bending moment (positive with the underside in tension).
@@ -14,6 +13,9 @@ const NODES: &str = "x,deflection,clearance,contact_force,moment";
 /// Columns of the exact answer. Pressure is a density, without the concentrated contact forces: they are the jumps of the
 /// shear force. Where something jumps, a place has two rows, its left and its right side.
 const SAMPLES: &str = "x,deflection,slope,clearance,pressure,moment,shear";
+
+/// Equal intervals between samples of the exact solution: drawn a hand wide they show no corners.
+const INTERVALS: u32 = 240;
 
 /// One row for each interior node, or for each sample of the exact solution. Numbers read back as the same `f64`; the
 /// clearance to no foundation is left empty.
@@ -32,7 +34,7 @@ fn of_nodes(nodes: &Nodes) -> String {
 
 fn of_samples(scene: &Scene, exact: &Exact) -> String {
     let row = |s: Sample| [s.x, s.deflection, s.slope, s.clearance, s.pressure, s.moment, s.shear];
-    rows(SAMPLES, samples(scene, exact).into_iter().map(row))
+    rows(SAMPLES, exact.samples(scene, INTERVALS).into_iter().map(row))
 }
 
 fn rows<const COLUMNS: usize>(header: &str, rows: impl Iterator<Item = [f64; COLUMNS]>) -> String {

@@ -18,9 +18,9 @@ mod json;
 mod labels;
 mod number;
 mod output;
-mod sampled;
 mod table;
 mod text;
+mod values;
 
 use std::process::ExitCode;
 
@@ -31,10 +31,11 @@ use palkki::route::Status;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
-use self::arguments::{Arguments, Command, Common, Format, Solve};
+use self::arguments::{Arguments, Command, Common, Solve};
 use self::failure::Failure;
 use self::input::Input;
 use self::output::Files;
+use self::values::Format;
 
 const CERTIFIED: u8 = 0;
 const NOT_CERTIFIED: u8 = 1;
@@ -103,7 +104,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
 /// The figure of `--plot`.
 fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
     let curves = match &answer.exact {
-        Some(exact) => sampled::curves(&input.scene, exact),
+        Some(exact) => Curves::exact(&input.scene, exact),
         None => Curves::of(&input.scene, &answer.state)?,
     };
     let subtitle = match answer.intervals {

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-/// Cells of a table; the first column is set flush left, the others flush right, except where they hold words.
+/// Cells of a table.
 pub(super) type Row = Vec<String>;
 
 /// Names and what they have, line by line.
 pub(super) fn list(lines: &[(&str, String)]) -> String {
-    let width = lines.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    let width = lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     lines.iter().fold(String::new(), |mut text, (name, value)| {
         // Writing to a string does not fail.
         let _ = writeln!(text, "  {name:width$}  {value}");
@@ -15,7 +15,7 @@ pub(super) fn list(lines: &[(&str, String)]) -> String {
     })
 }
 
-/// A table with a title: words flush left, numbers flush right.
+/// A table with a title: columns of words are set flush left, columns with numbers flush right.
 pub(super) fn table(title: &str, header: &[&str], rows: &[Row]) -> String {
     let header: Row = header.iter().map(|&cell| cell.to_owned()).collect();
     let lines = || std::iter::once(&header).chain(rows);

@@ -22,64 +22,16 @@
 
 mod breaks;
 mod plan;
+mod request;
 
-use crate::certificate::CERTIFIED_RESIDUAL;
-use crate::route::{Method, Outcome, Solver};
+use crate::route::Outcome;
 use crate::scene::{Scene, SceneError};
-use crate::solve::{DEFAULT_TOLERANCE, Settings, solve};
-use crate::verdict::{Demand, Refusal, Verdict};
+use crate::solve::{Settings, solve};
+use crate::verdict::{Refusal, Verdict};
 
 use self::plan::{Next, Plan};
 
-/// What is asked of a route.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Request {
-    /// Which of the paper's methods sets up the programme.
-    pub method: Method,
-    /// Which solver solves it.
-    pub solver: Solver,
-    /// `EPS`: the guaranteed error of the deflection, as a share of the largest deflection.
-    pub error: f64,
-    /// The finest grid to be tried.
-    pub most_intervals: usize,
-}
-
-impl Request {
-    /// A request with the finest grid on which the solver still ends within seconds.
-    #[must_use]
-    pub fn new(method: Method, solver: Solver, error: f64) -> Self {
-        Self { method, solver, error, most_intervals: most_intervals(solver) }
-    }
-
-    /// What the judge is asked.
-    fn demand(&self) -> Demand {
-        Demand::of_error(self.error)
-    }
-
-    /// What an iterative solver is asked first: the same share of what is demanded as without a dial.
-    fn tolerance(&self) -> f64 {
-        if iterates(self.solver) {
-            self.demand().residual * (DEFAULT_TOLERANCE / CERTIFIED_RESIDUAL)
-        } else {
-            DEFAULT_TOLERANCE
-        }
-    }
-}
-
-/// Whether the solver stops at a tolerance; the others end at an optimum or not at all.
-fn iterates(solver: Solver) -> bool {
-    matches!(solver, Solver::Nsor | Solver::Clarabel | Solver::Osqp)
-}
-
-/// The finest grid of a solver. The active set needs seconds there; the libraries are no longer certified well before, and
-/// the four steps solve `n` times.
-fn most_intervals(solver: Solver) -> usize {
-    match solver {
-        Solver::ActiveSet => 1_000_000,
-        Solver::Clarabel | Solver::Osqp => 20_000,
-        Solver::Nsor | Solver::FourStep => 2_000,
-    }
-}
+pub use self::request::Request;
 
 /// One grid that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -42,67 +42,88 @@ fn ten_to(power: i32) -> f64 {
 ///
 /// None for these numbers; a [`SceneError`] would say which scene is not well posed.
 pub fn sizes() -> Result<Vec<Extreme>, SceneError> {
-    let (l, ei) = (10.0, 500.0 / 384.0);
-    let example = flat(l, ei, 1.0, 1.0);
-    let mut found = Vec::new();
-    let mut add = |name: String, authority, foundation, truth: Truth, intervals| -> Result<(), SceneError> {
-        found.push(Extreme { intervals, ..extreme(name, authority, &Parts::over(foundation), truth)? });
-        Ok(())
+    let kinds = [intervals()?, lift_off_within_an_interval()?, next_to_nothing()?, out_of_reach()?, dishes()?];
+    Ok(kinds.into_iter().flatten().collect())
+}
+
+/// Length, stiffness and load of the example.
+const LENGTH: f64 = 10.0;
+const STIFFNESS: f64 = 500.0 / 384.0;
+const LOAD: f64 = 1.0;
+
+/// Beam theory for the example above a flat foundation.
+fn above(depth: f64) -> Truth {
+    flat(LENGTH, STIFFNESS, depth, LOAD).into()
+}
+
+/// A scene with the beam and the load of the example, on a grid.
+fn over(
+    name: String,
+    authority: &'static str,
+    foundation: Foundation,
+    truth: Truth,
+    intervals: usize,
+) -> Result<Extreme, SceneError> {
+    Ok(Extreme { intervals, ..extreme(name, authority, &Parts::over(foundation), truth)? })
+}
+
+fn intervals() -> Result<Vec<Extreme>, SceneError> {
+    let example = |n| {
+        let name = format!("the example on {n} intervals");
+        over(name, "closed form", Foundation::Flat { depth: 1.0 }, above(1.0), n)
     };
-    let one = || Foundation::Flat { depth: 1.0 };
-    for n in INTERVALS {
-        add(format!("the example on {n} intervals"), "closed form", one(), example.into(), n)?;
-    }
-    // a = 2.364: on 4 intervals and fewer the lift-off is shorter than one of them.
-    for (power, n) in [(-4, 30), (-8, 30), (-12, 7)] {
+    INTERVALS.into_iter().map(example).collect()
+}
+
+/// Of the example itself `a = 2.364`: on 4 intervals and fewer its lift-off is shorter than one of them as well.
+fn lift_off_within_an_interval() -> Result<Vec<Extreme>, SceneError> {
+    let shallow = |(power, n)| {
         let depth = ten_to(power);
         let name = format!("lift-off shorter than one of {n} intervals, u₀ = 1e{power}");
-        add(name, "closed form", Foundation::Flat { depth }, flat(l, ei, depth, 1.0).into(), n)?;
-    }
+        over(name, "closed form", Foundation::Flat { depth }, above(depth), n)
+    };
+    [(-4, 30), (-8, 30), (-12, 7)].into_iter().map(shallow).collect()
+}
+
+fn next_to_nothing() -> Result<Vec<Extreme>, SceneError> {
     // The beam touches at mid-span only, which is a node.
-    let touch = 99.0;
-    add(
-        "contact at one node".to_owned(),
-        "closed form",
-        Foundation::Flat { depth: touch },
-        flat(l, ei, touch, 1.0).into(),
-        30,
-    )?;
+    let depth = 99.0;
+    let touch = over("contact at one node".to_owned(), "closed form", Foundation::Flat { depth }, above(depth), 30)?;
     // A wave that carries next to nothing: by the principle of least energy |ΔJ| ≤ q l A, far below what is asked.
     let ripple = Foundation::Cosine { mean: 1.0, amplitude: 1e-15, wavelength: 5.0, phase: 0.0 };
-    add("a wave of amplitude 1e-15".to_owned(), "flat, closed form", ripple, example.into(), 30)?;
-    // Ground that the beam does not reach does not matter: pits and cliffs beside the supports, inside the lift-off.
-    for depth in [1e3, 1e6, 1e9, 1e12] {
+    let wave = over("a wave of amplitude 1e-15".to_owned(), "flat, closed form", ripple, above(1.0), 30)?;
+    Ok(vec![touch, wave])
+}
+
+/// Ground that the beam does not reach does not matter.
+fn out_of_reach() -> Result<Vec<Extreme>, SceneError> {
+    // Pits and cliffs beside the supports, inside the lift-off.
+    let cliffs = [1e3, 1e6, 1e9, 1e12].into_iter().map(|depth: f64| {
         let points = vec![[0.0, depth], [1.0, depth], [1.0, 1.0], [9.0, 1.0], [9.0, depth], [10.0, depth]];
         let name = format!("steps of {depth:e} depths beside the supports");
-        add(name, "flat, closed form", Foundation::Polyline { points }, example.into(), 30)?;
-    }
+        over(name, "flat, closed form", Foundation::Polyline { points }, above(1.0), 30)
+    });
     // A crest that alone is in reach, at mid-span: F from the deflection there.
-    for deep in [1e8, 1e12, 1e15] {
+    let ridges = [1e8, 1e12, 1e15].into_iter().map(|deep: f64| {
+        let (l, ei) = (LENGTH, STIFFNESS);
         let points = vec![[0.0, deep], [5.0, 50.0], [10.0, deep]];
         let force = 48.0 * ei / (l * l * l) * (100.0 - 50.0);
         let reaction = 0.5 * (l - force);
         let energy = -l * l * l * l * l / (240.0 * ei) + force * force * l * l * l / (96.0 * ei);
         let truth = Truth::symmetric(reaction, force, energy);
-        add(
-            format!("ground {deep:e} deep but for a ridge"),
-            "closed form",
-            Foundation::Polyline { points },
-            truth,
-            30,
-        )?;
-    }
-    for (depth, rise) in [(1e-6, 1e-9), (1e-3, -1e-4), (1.0, 1e-12)] {
-        let closed = parabola(l, ei, depth, rise, 1.0);
-        let coefficients = vec![depth, 4.0 * rise / l, -4.0 * rise / (l * l)];
+        let name = format!("ground {deep:e} deep but for a ridge");
+        over(name, "closed form", Foundation::Polyline { points }, truth, 30)
+    });
+    cliffs.chain(ridges).collect()
+}
+
+fn dishes() -> Result<Vec<Extreme>, SceneError> {
+    let dish = |(depth, rise): (f64, f64)| {
+        let closed = parabola(LENGTH, STIFFNESS, depth, rise, LOAD);
+        let coefficients = vec![depth, 4.0 * rise / LENGTH, -4.0 * rise / (LENGTH * LENGTH)];
         let truth = Truth::symmetric(closed.reaction, closed.contact_force, closed.energy);
-        add(
-            format!("a dish, {depth:e} deep with a rise of {rise:e}"),
-            "closed form",
-            Foundation::Polynomial { coefficients },
-            truth,
-            30,
-        )?;
-    }
-    Ok(found)
+        let name = format!("a dish, {depth:e} deep with a rise of {rise:e}");
+        over(name, "closed form", Foundation::Polynomial { coefficients }, truth, 30)
+    };
+    [(1e-6, 1e-9), (1e-3, -1e-4), (1.0, 1e-12)].into_iter().map(dish).collect()
 }

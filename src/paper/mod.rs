@@ -5,7 +5,7 @@ pub mod claims;
 pub mod convergence;
 mod example;
 mod figures;
-pub mod random;
+pub mod uneven;
 
 pub use example::{
     INTERVALS, PRINTED_FORCE, PRINTED_REACTION, PRINTED_USEFUL_INTERVALS, beam, example, scene_over, theory,

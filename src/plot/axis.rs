@@ -1,7 +1,8 @@
 //! Axes: a label with its unit, linear or logarithmic, and which way its numbers grow.
 
 use super::error::{PlotError, finite};
-use super::number::{decade, fixed, power_of_ten, ten_to};
+use super::number::{decade, power_of_ten, ten_to};
+use super::ticks::{Tick, linear_ticks, log_ticks};
 
 /// How numbers are spread over an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -134,13 +135,6 @@ impl Axis {
     }
 }
 
-/// A labelled place on an axis.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tick {
-    pub(super) value: f64,
-    pub(super) label: String,
-}
-
 /// An axis that knows its numbers and its place on the drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Resolved {
@@ -165,6 +159,19 @@ impl Resolved {
     }
 }
 
+/// The two axes of a panel in place.
+pub(super) struct Axes {
+    pub(super) x: Resolved,
+    pub(super) y: Resolved,
+}
+
+impl Axes {
+    /// Where a point in the numbers of the axes lies on the drawing.
+    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.x.place(x), self.y.place(y)]
+    }
+}
+
 /// A range with some room at either end, and never empty: equal numbers get as much room as they are large.
 fn widened(lo: f64, hi: f64, padding: f64) -> [f64; 2] {
     /// Below this part of their magnitude the differences between numbers are rounding, not data.
@@ -178,42 +185,6 @@ fn widened(lo: f64, hi: f64, padding: f64) -> [f64; 2] {
         1.0
     };
     [(lo - room).max(f64::MIN), (hi + room).min(f64::MAX)]
-}
-
-/// Round numbers in a range, about `count` of them, and the power of ten that their labels leave out.
-fn linear_ticks(lo: f64, hi: f64, count: f64) -> (Vec<Tick>, i32) {
-    // A quarter more than asked for is better than half of it, which the next larger step might leave.
-    let raw = (0.5 * hi - 0.5 * lo) / (0.625 * count);
-    let unit = ten_to(decade(raw));
-    let step = [1.0, 2.0, 5.0, 10.0].iter().map(|m| m * unit).find(|&step| raw <= step).unwrap_or(10.0 * unit);
-    let magnitude = decade(lo.abs().max(hi.abs()));
-    // Numbers from 0.01 up to 99 999 are written out.
-    let factor = if (-2..=4).contains(&magnitude) { 0 } else { 3 * magnitude.div_euclid(3) };
-    let decimals = usize::try_from(factor - decade(step)).unwrap_or(0);
-    let (first, last) = ((lo / step).ceil(), (hi / step).floor());
-    let mut ticks = Vec::new();
-    let mut i = first;
-    // A range far from zero compared with its width cannot be counted in steps; it gets no labels rather than equal ones.
-    while i <= last && ticks.len() < 64 {
-        let value = i * step;
-        ticks.push(Tick { value, label: fixed(value / ten_to(factor), decimals) });
-        i += 1.0;
-    }
-    (ticks, factor)
-}
-
-/// Decades, all of them or every second, third …, so that there are at most about `count`.
-fn log_ticks(first: i32, last: i32, count: f64) -> Vec<Tick> {
-    let mut every = 1;
-    while count < f64::from((last - first) / every) {
-        every += 1;
-    }
-    (first..=last)
-        .filter(|n| n.rem_euclid(every) == 0)
-        .map(|n| Tick { value: ten_to(n), label: power_of_ten(n) })
-        // The decades just beyond the range of f64 have no number.
-        .filter(|tick| 0.0 < tick.value && tick.value < f64::INFINITY)
-        .collect()
 }
 
 #[cfg(test)]

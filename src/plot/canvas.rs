@@ -13,6 +13,8 @@ use super::error::{PlotError, finite};
 use super::palette::{Color, Dash, Marker};
 use super::trace::{Point, dashes, thinned};
 
+/// Width of the shaft of an arrow.
+pub(super) const SHAFT: u32 = 7;
 /// Size of ordinary text \[drawing units\]: 12 pixels once the drawing is shown 800 pixels wide.
 pub(super) const TEXT: f64 = 36.0;
 

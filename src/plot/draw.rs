@@ -1,19 +1,16 @@
 //! From a layer to lines on the drawing.
 
-use super::canvas::{Canvas, TEXT};
+use super::axis::Axes;
+use super::canvas::{Canvas, SHAFT, TEXT};
 use super::error::{PlotError, finite};
 use super::label::{Frame, Label, Labels};
-use super::layer::{Arrows, Layer, LoadSketch, Place, Reference};
+use super::layer::{Arrows, Layer, Place, Reference};
+use super::load::load;
 use super::palette::{Color, Dash, Style};
-use super::panel::Axes;
-use super::trace::{Point, sampled, thinned};
+use super::trace::{INK, Point, sampled, thinned};
 
-/// Distance of the points that stand for a line when labels are placed.
-const INK: f64 = 9.0;
 /// Least distance of two markers; those in between are left out.
 const MARKER_DISTANCE: f64 = 26.0;
-/// Width of the shaft of an arrow.
-const SHAFT: u32 = 7;
 /// Shortest arrow that a force other than zero gets.
 const SHORTEST: f64 = 14.0;
 
@@ -28,16 +25,7 @@ pub(super) fn draw(
     match layer {
         Layer::Series { points, style, .. } => series(canvas, &placed(points, axes), *style, labels),
         Layer::Area { points, level, color, .. } => {
-            let line = placed(points, axes);
-            if let (Some(first), Some(last)) = (line.first(), line.last()) {
-                let base = axes.y.place(*level);
-                let ends = [[last[0], base], [first[0], base]];
-                let outline: Vec<Point> = line.iter().copied().chain(ends).collect();
-                canvas.fill(&outline, *color, 0.25)?;
-            }
-            canvas.line(&line, *color, 5, Dash::Solid)?;
-            labels.avoid(sampled(&thinned(&line), INK));
-            Ok(())
+            area(canvas, &placed(points, axes), axes.y.place(*level), *color, labels)
         }
         Layer::Arrows(layer) => arrows(canvas, layer, axes, frame, labels),
         Layer::Foundation { points, .. } => foundation(canvas, &placed(points, axes), frame, labels),
@@ -47,22 +35,7 @@ pub(super) fn draw(
             }
             Ok(())
         }
-        Layer::Reference { at, text } => {
-            let (line, near) = match *at {
-                Reference::X(x) => {
-                    let x = axes.x.place(x);
-                    ([[x, frame.top], [x, frame.bottom]], [x, frame.top + 0.7 * TEXT])
-                }
-                Reference::Y(y) => {
-                    let y = axes.y.place(y);
-                    ([[frame.left, y], [frame.right, y]], [frame.right - 300.0, y])
-                }
-            };
-            canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;
-            labels.avoid(sampled(&line, INK));
-            labels.ask(Label { text: text.clone(), at: near, color: Color::GRAY, optional: false, below: false });
-            Ok(())
-        }
+        Layer::Reference { at, text } => reference(canvas, *at, text, axes, frame, labels),
         Layer::Note { at, text, dot } => {
             let at = axes.place(*at);
             if *dot {
@@ -157,6 +130,43 @@ fn arrows(
     Ok(())
 }
 
+/// A line, and a light colour between it and the level `base`.
+fn area(canvas: &Canvas<'_>, line: &[Point], base: f64, color: Color, labels: &mut Labels) -> Result<(), PlotError> {
+    if let (Some(first), Some(last)) = (line.first(), line.last()) {
+        let ends = [[last[0], base], [first[0], base]];
+        let outline: Vec<Point> = line.iter().copied().chain(ends).collect();
+        canvas.fill(&outline, color, 0.25)?;
+    }
+    canvas.line(line, color, 5, Dash::Solid)?;
+    labels.avoid(sampled(&thinned(line), INK));
+    Ok(())
+}
+
+/// A dotted line across the frame.
+fn reference(
+    canvas: &Canvas<'_>,
+    at: Reference,
+    text: &str,
+    axes: &Axes,
+    frame: &Frame,
+    labels: &mut Labels,
+) -> Result<(), PlotError> {
+    let (line, near) = match at {
+        Reference::X(x) => {
+            let x = axes.x.place(x);
+            ([[x, frame.top], [x, frame.bottom]], [x, frame.top + 0.7 * TEXT])
+        }
+        Reference::Y(y) => {
+            let y = axes.y.place(y);
+            ([[frame.left, y], [frame.right, y]], [frame.right - 300.0, y])
+        }
+    };
+    canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;
+    labels.avoid(sampled(&line, INK));
+    labels.ask(Label { text: text.to_owned(), at: near, color: Color::GRAY, optional: false, below: false });
+    Ok(())
+}
+
 /// Ground below a line, with short strokes along it as on a drawing board.
 fn foundation(canvas: &Canvas<'_>, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
     let (Some(first), Some(last)) = (line.first(), line.last()) else {
@@ -195,61 +205,4 @@ fn support(canvas: &Canvas<'_>, [x, y]: Point, rolls: bool) -> Result<(), PlotEr
     canvas.line(&[triangle[0], triangle[1], triangle[2], triangle[0]], Color::BLACK, 4, Dash::Solid)?;
     let ground = if rolls { y + 52.0 } else { y + 42.0 };
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
-}
-
-fn load(canvas: &Canvas<'_>, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
-    /// Height of the greatest intensity, length of the greatest point load, distance from the beam.
-    const BLOCK: f64 = 90.0;
-    const POINT: f64 = 170.0;
-    const CLEAR: f64 = 16.0;
-    let mut most: f64 = 0.0;
-    let mut least: f64 = 0.0;
-    for p in &sketch.intensity {
-        let q = finite("the intensity of a load", p[1])?;
-        (least, most) = (least.min(q), most.max(q));
-    }
-    let largest = most.max(-least);
-    let beam = axes.y.place(sketch.level);
-    if 0.0 < largest {
-        // A load that acts upwards hangs below the base line, which makes room for it.
-        let base = beam - CLEAR - BLOCK * (-least / largest);
-        let edge = |[x, q]: Place| [axes.x.place(x), base - BLOCK * (q / largest)];
-        let outline: Vec<Point> = sketch.intensity.iter().map(|&p| edge(p)).collect();
-        if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
-            let closed: Vec<Point> = outline.iter().copied().chain([[last[0], base], [first[0], base]]).collect();
-            canvas.fill(&closed, Color::SKY, 0.3)?;
-            canvas.line(&outline, Color::BLUE, 3, Dash::Solid)?;
-            canvas.line(&[[first[0], base], [last[0], base]], Color::BLUE, 3, Dash::Solid)?;
-        }
-        for pair in outline.windows(2) {
-            let ([from, y], [to, to_y]) = (pair[0], pair[1]);
-            let mut x = (from / 80.0).ceil() * 80.0;
-            while x < to {
-                let height = y + (to_y - y) * (x - from) / (to - from);
-                if 20.0 < (height - base).abs() {
-                    canvas.arrow([x, height], [x, base], Color::BLUE, 3, Dash::Solid)?;
-                }
-                x += 80.0;
-            }
-        }
-        for (x, q, text) in &sketch.values {
-            let at = edge([*x, q.max(0.0)]);
-            labels.ask(Label { text: text.clone(), at, color: Color::BLUE, optional: false, below: false });
-        }
-        labels.avoid(sampled(&outline, INK));
-    }
-    let mut greatest: f64 = 0.0;
-    for p in &sketch.points {
-        greatest = greatest.max(finite("a point load", p.1)?.abs());
-    }
-    for (x, force, text) in sketch.points.iter().filter(|p| p.1 != 0.0) {
-        let length = (POINT * (force.abs() / greatest)).max(60.0);
-        let x = axes.x.place(*x);
-        let (near, far) = ([x, beam - 6.0], [x, beam - 6.0 - length]);
-        let (tail, tip) = if 0.0 < *force { (far, near) } else { (near, far) };
-        canvas.arrow(tail, tip, Color::BLACK, SHAFT, Dash::Solid)?;
-        labels.avoid(sampled(&[near, far], INK));
-        labels.ask(Label { text: text.clone(), at: far, color: Color::BLACK, optional: false, below: false });
-    }
-    Ok(())
 }

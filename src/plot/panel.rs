@@ -1,6 +1,6 @@
 //! A panel: two axes, a light grid, a legend above, and layers.
 
-use super::axis::{Axis, Resolved};
+use super::axis::{Axes, Axis};
 use super::canvas::{Align, Canvas, Type, text_width};
 use super::draw::{draw, swatch};
 use super::error::PlotError;
@@ -143,18 +143,5 @@ impl Panel {
         let label = self.x.heading(axes.x.factor);
         let middle = 0.5 * (frame.left + frame.right);
         canvas.text(&label, [middle, frame.bottom + NUMBERS + 0.4 * X_LABEL], Align::Center, Type::PLAIN)
-    }
-}
-
-/// The two axes of a panel in place.
-pub(super) struct Axes {
-    pub(super) x: Resolved,
-    pub(super) y: Resolved,
-}
-
-impl Axes {
-    /// Where a point in the numbers of the axes lies on the drawing.
-    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [self.x.place(x), self.y.place(y)]
     }
 }

@@ -114,17 +114,9 @@ fn pressure_panel(theory: &Theory<'_>, nodal: &Nodal<'_>) -> Result<Panel, PlotE
     let step = second - first;
     let (l, a, middle) = (theory.length, theory.lift_off, 0.5 * theory.length);
     let ends = end_forces(nodal, l);
-    // Steps of p_i / Δ from mid-span to the node before the arrows.
     let innermost = ends.iter().fold(l, |least, &(x, _)| least.min(x));
-    let inner: Vec<Place> = nodal
-        .x
-        .iter()
-        .zip(nodal.contact_force)
-        .filter(|&(&x, _)| middle <= x + 0.5 * step && x < innermost)
-        .map(|(&x, &f)| [x, f / step])
-        .collect();
-    let steps: Vec<Place> =
-        inner.iter().flat_map(|&[x, p]| [[(x - 0.5 * step).max(middle), p], [x + 0.5 * step, p]]).collect();
+    let inner = pressures(nodal, step, middle, innermost);
+    let steps = inner.iter().flat_map(|&[x, p]| [[(x - 0.5 * step).max(middle), p], [x + 0.5 * step, p]]).collect();
     let mut full = theory.end_force.abs();
     for &(_, f) in &ends {
         full = full.max(finite("a contact force", f)?.abs());
@@ -169,6 +161,13 @@ fn pressure_panel(theory: &Theory<'_>, nodal: &Nodal<'_>) -> Result<Panel, PlotE
         .with(arrows(ends.iter().map(|&(x, f)| arrow(x, f, "")).collect(), Color::BLUE, Dash::Solid, "nodal force"))
         .with(arrows(vec![arrow(a, theory.end_force, "T = ")], Color::GRAY, Dash::Dashed, "beam theory: T"));
     Ok(panel)
+}
+
+/// Contact forces per interval, `p_i / Δ`, from mid-span to the node before `end`.
+fn pressures(nodal: &Nodal<'_>, step: f64, middle: f64, end: f64) -> Vec<Place> {
+    let nodes = nodal.x.iter().zip(nodal.contact_force);
+    let inside = nodes.filter(|&(&x, _)| middle <= x + 0.5 * step && x < end);
+    inside.map(|(&x, &f)| [x, f / step]).collect()
 }
 
 fn shape_panel(theory: &Theory<'_>, nodal: &[Nodal<'_>]) -> Result<Panel, PlotError> {

@@ -3,6 +3,9 @@
 /// A place on the drawing, `[right, down]`.
 pub(super) type Point = [f64; 2];
 
+/// Distance of the points that stand for a line when labels are placed.
+pub(super) const INK: f64 = 9.0;
+
 /// The strokes of a dashed line; the line itself if the pattern is empty.
 pub(super) fn dashes(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     let Some(&first) = line.first().filter(|_| !pattern.is_empty()) else {

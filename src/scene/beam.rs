@@ -1,6 +1,7 @@
 //! The beam: straight, elastic, of constant bending stiffness, simply supported at both ends.
 
-use super::error::{Quantity, SceneError, positive};
+use super::error::{SceneError, positive};
+use super::quantity::Quantity;
 
 /// A straight elastic beam on two simple supports, at `x = 0` and `x = l`.
 #[derive(Debug, Clone, Copy, PartialEq)]

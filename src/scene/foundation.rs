@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::Beam;
-use super::error::{Quantity, SceneError, Support, finite, on_beam, positive};
+use super::error::{SceneError, finite, on_beam, positive};
+use super::quantity::{Quantity, Support};
 
 /// Depth `u(x)` of the foundation below the line of the supports, positive downwards.
 #[derive(Debug, Clone, PartialEq)]

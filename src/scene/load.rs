@@ -1,7 +1,8 @@
 //! Loads: uniform, linear over a part of the beam, and point loads; all positive downwards, all added up.
 
 use super::Beam;
-use super::error::{Quantity, SceneError, finite, on_beam};
+use super::error::{SceneError, finite, on_beam};
+use super::quantity::Quantity;
 
 /// A load that varies linearly over a part of the beam (a trapezoid).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,13 +8,15 @@ pub mod file;
 mod foundation;
 mod grid;
 mod load;
+mod quantity;
 mod scale;
 
 pub use beam::Beam;
-pub use error::{Quantity, SceneError, Support};
+pub use error::SceneError;
 pub use foundation::Foundation;
 pub use grid::Grid;
 pub use load::{LinearLoad, Load, PointLoad};
+pub use quantity::{Quantity, Support};
 pub use scale::{Scale, Scaled};
 
 /// A beam, its loads and the foundation below it, if there is one.

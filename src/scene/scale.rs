@@ -4,7 +4,7 @@
 //! equations (5), (7), (8) as the original. All units are powers of two, so scaling and undoing it only change
 //! exponents: answers are the same bits in metres and in 1024ths of a metre.
 
-use super::{Scene, SceneError, error::Quantity};
+use super::{Quantity, Scene, SceneError};
 
 /// Units in which a scene is dimensionless: powers of two.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
-//! Forces that follow from the spans: at the contacts and beside the supports.
+//! Forces that follow from the spans, at the contacts and beside the supports, and their balance.
 
 use super::given::Given;
-use super::list::List;
+use super::list::{AtSupport, List};
 use super::span::Span;
 
 /// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
@@ -48,4 +48,29 @@ pub(super) fn zone_force(given: &Given, from: f64, to: f64) -> f64 {
     }
     sum += given.joints.iter().filter(|j| from < j.x && j.x < to).map(|j| j.force).sum::<f64>();
     sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
+}
+
+/// What is left of the load when reactions and contact forces are taken off.
+pub(super) fn unbalanced(given: &Given, list: &List, forces: &[f64], shear: &[f64; 2]) -> f64 {
+    let loads = (0..given.cells.len()).map(|cell| {
+        let c = &given.cells[cell];
+        0.5 * (given.load(cell, c.lo) + given.load(cell, c.hi)) * (c.hi - c.lo)
+    });
+    let inside = given.joints.get(1..given.cells.len()).unwrap_or_default().iter().map(|j| j.force);
+    let zones = list.zones(given).into_iter().map(|(from, to)| zone_force(given, from, to));
+    loads.chain(inside).sum::<f64>() - shear[0] + shear[1] - forces.iter().sum::<f64>() - zones.sum::<f64>()
+}
+
+/// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.
+pub(super) fn couple(given: &Given, list: &List, spans: &[(usize, Span)], support: usize) -> Option<f64> {
+    let (cell, x) = if support == 0 { (0, 0.0) } else { (given.cells.len() - 1, given.length) };
+    let bend = given.derivative(cell, x, 2);
+    match list.supports[support] {
+        AtSupport::Free => None,
+        AtSupport::Zone => Some(-bend),
+        AtSupport::Clamped => {
+            let (_, span) = if support == 0 { spans.first()? } else { spans.last()? };
+            Some(if support == 0 { span.at_a[2] } else { span.at_b[2] } - bend)
+        }
+    }
 }

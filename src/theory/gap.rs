@@ -1,7 +1,8 @@
 //! Gaps between two zones of contact: where the beam lifts off a foundation that it follows on both sides.
 
 use super::given::Given;
-use super::span::{End, Hold, Span};
+use super::hold::End;
+use super::span::Span;
 
 /// Half the length over which a beam bridges the valley at a joint between two zones; infinite where there is no valley.
 ///
@@ -21,14 +22,8 @@ pub(super) fn settled_gap(given: &Given, [lo, hi]: [f64; 2]) -> [f64; 2] {
     /// Turns of the two ends; a dozen leave nothing to do.
     const TURNS: usize = 40;
     const HALVINGS: usize = 60;
-    let end = |x: f64, cell: usize| End {
-        x,
-        rest: 0.0,
-        cell,
-        hold: Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
-    };
     let narrow = |gap: [f64; 2], side: usize| {
-        let span = Span::between(given, end(gap[0], given.cell_from(gap[0])), end(gap[1], given.cell_to(gap[1])));
+        let span = across(given, gap);
         0.0 < [span.at_a[2], span.at_b[2]][side]
     };
     let least = 1e-9 * given.length;
@@ -54,4 +49,36 @@ pub(super) fn settled_gap(given: &Given, [lo, hi]: [f64; 2]) -> [f64; 2] {
         }
     }
     gap
+}
+
+/// A gap that is somewhat too wide, around a stretch that lifts the beam off between two zones.
+///
+/// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
+/// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
+pub(super) fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
+    /// Each try is wider by this factor, on the side that is too narrow.
+    const WIDER: f64 = 1.3;
+    /// From a thousand-millionth of the beam to the whole of it, on either side.
+    const TRIES: u32 = 150;
+    let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
+    let mut gap = [lo, hi];
+    for _ in 0..TRIES {
+        gap = [(lo - margin[0]).max(least), (hi + margin[1]).min(most)];
+        let span = across(given, gap);
+        let narrow = [0.0 < span.at_a[2] && least < gap[0], 0.0 < span.at_b[2] && gap[1] < most];
+        if narrow == [false; 2] {
+            break;
+        }
+        for side in 0..2 {
+            if narrow[side] {
+                margin[side] *= WIDER;
+            }
+        }
+    }
+    gap
+}
+
+/// The span that bridges a gap, resting on the profile at both ends.
+fn across(given: &Given, [from, to]: [f64; 2]) -> Span {
+    Span::between(given, End::resting(from, given.cell_from(from)), End::resting(to, given.cell_to(to)))
 }

@@ -1,10 +1,11 @@
 //! From the contacts of a chain of samples to a list of points and zones.
 
 use super::chain::{Chain, Guess};
+use super::edge::edge_node;
 use super::given::Given;
 use super::list::{AtSupport, Kind, List, Node};
-use super::span::{End, Hold, Span};
 use super::tidy::consistent;
+use super::zones::add_zones;
 
 /// The list that a chain with about `intervals` links suggests.
 pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> List {
@@ -94,13 +95,6 @@ fn add_run(
     add_stretch(given, lifting, x, guess, first..run.end, [beside_edge, false], list);
 }
 
-/// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
-pub(super) fn edge_node(given: &Given, joint: usize) -> Node {
-    let x = given.joints[joint].x;
-    let slope = 0.5 * (given.derivative(joint - 1, x, 1) + given.derivative(joint, x, 1));
-    Node { slope, ..Node::new(Kind::Edge(joint), x, joint) }
-}
-
 /// Adds a point or zones for a run of samples on one smooth piece of the profile.
 fn add_stretch(
     given: &Given,
@@ -164,82 +158,4 @@ fn lift_off(x: &[f64], guess: &Guess, samples: impl Iterator<Item = usize>) -> f
         moment += more * x[i + 1];
     }
     if 0.0 < sum { moment / sum } else { outer }
-}
-
-/// Adds a zone; where its pressure would be negative it is split, and the beam rests on points under point loads there,
-/// and at an end of the zone that lies there by more than `resolution`.
-pub(super) fn add_zones(given: &Given, lifting: &[(f64, f64)], [from, to]: [f64; 2], resolution: f64, list: &mut List) {
-    let mut start = from;
-    for &(lo, hi) in lifting.iter().filter(|l| from <= l.1 && l.0 <= to) {
-        if hi < start {
-            continue;
-        }
-        let inside = from < lo && hi < to;
-        let gap = if inside { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
-        if start < gap[0] {
-            add_zone(given, start, gap[0], list);
-        } else if 0.0 < from && from + resolution < hi {
-            add_point(given, from, list);
-        }
-        for load in given.joints.iter().filter(|j| lo <= j.x && j.x <= hi && from < j.x && j.x < to && 0.0 < j.force) {
-            add_point(given, load.x, list);
-        }
-        start = gap[1];
-        if to < given.length && lo + resolution < to && to <= start {
-            add_point(given, to, list);
-        }
-    }
-    if start < to {
-        add_zone(given, start, to, list);
-    }
-}
-
-/// A gap that is somewhat too wide, around a stretch that lifts the beam off between two zones.
-///
-/// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
-/// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
-fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
-    /// Each try is wider by this factor, on the side that is too narrow.
-    const WIDER: f64 = 1.3;
-    /// From a thousand-millionth of the beam to the whole of it, on either side.
-    const TRIES: u32 = 150;
-    let end = |x: f64, cell: usize| End {
-        x,
-        rest: 0.0,
-        cell,
-        hold: Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
-    };
-    let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
-    let mut gap = [lo, hi];
-    for _ in 0..TRIES {
-        gap = [(lo - margin[0]).max(least), (hi + margin[1]).min(most)];
-        let span = Span::between(given, end(gap[0], given.cell_from(gap[0])), end(gap[1], given.cell_to(gap[1])));
-        let narrow = [0.0 < span.at_a[2] && least < gap[0], 0.0 < span.at_b[2] && gap[1] < most];
-        if narrow == [false; 2] {
-            break;
-        }
-        for side in 0..2 {
-            if narrow[side] {
-                margin[side] *= WIDER;
-            }
-        }
-    }
-    gap
-}
-
-fn add_point(given: &Given, x: f64, list: &mut List) {
-    list.nodes.push(Node::new(Kind::Smooth, x, given.cell_from(x)));
-}
-
-fn add_zone(given: &Given, from: f64, to: f64, list: &mut List) {
-    if from <= 0.0 {
-        list.supports[0] = AtSupport::Zone;
-    } else {
-        list.nodes.push(Node::new(Kind::ZoneStart, from, given.cell_from(from)));
-    }
-    if given.length <= to {
-        list.supports[1] = AtSupport::Zone;
-    } else {
-        list.nodes.push(Node::new(Kind::ZoneEnd, to, given.cell_to(to)));
-    }
 }

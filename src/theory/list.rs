@@ -9,7 +9,8 @@
 //! | start or end of a zone | position | `h = h' = 0` | `h'' = 0` in the span |
 
 use super::given::Given;
-use super::span::{End, Hold, Span};
+use super::hold::{End, Hold};
+use super::span::Span;
 
 /// What kind of node it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +23,13 @@ pub(super) enum Kind {
     ZoneStart,
     /// Where a zone ends.
     ZoneEnd,
+}
+
+impl Kind {
+    /// True if a zone starts, or ends, at such a node.
+    pub(super) fn is_of_zone(self) -> bool {
+        matches!(self, Self::ZoneStart | Self::ZoneEnd)
+    }
 }
 
 /// A node of the list.
@@ -146,7 +154,7 @@ impl Node {
                     level: Some(given.derivative(self.cell, self.x, 0)),
                 }
             }
-            _ => Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
+            _ => Hold::RESTING,
         }
     }
 }
@@ -157,7 +165,7 @@ fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
         AtSupport::Free | AtSupport::Zone => {
             Hold::Hinged { height: given.derivative(cell, x, 0), curvature: given.derivative(cell, x, 2) }
         }
-        AtSupport::Clamped => Hold::Clamped { height: 0.0, slope: 0.0, turn: None, level: None },
+        AtSupport::Clamped => Hold::RESTING,
     };
     End { x, rest: 0.0, cell, hold }
 }

@@ -3,6 +3,9 @@
 use super::given::Given;
 use super::piece::{Piece, derivatives};
 
+/// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
+pub(super) const TOLERANCE: f64 = 1e-12;
+
 /// Deflections, forces and moments are measured against their largest, but at least against this part of what the loads
 /// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
 const AT_REST: f64 = 1e-3;

@@ -53,3 +53,23 @@ pub(super) fn lifting(given: &Given) -> Vec<(f64, f64)> {
     }
     found
 }
+
+/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, spread over
+/// the beam, if there is one.
+pub(super) fn mean_pull(given: &Given, lo: f64, hi: f64) -> f64 {
+    let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
+    let inside = given.joints.iter().filter(|j| lo <= j.x && j.x <= hi);
+    let point = -inside.map(|j| j.force.min(0.0)).sum::<f64>() / given.length;
+    if hi <= lo {
+        return point;
+    }
+    let mut sum = 0.0;
+    for cell in first..=last {
+        let c = &given.cells[cell];
+        let (from, to) = (c.lo.max(lo), c.hi.min(hi));
+        if from < to {
+            sum += given.load_rule.integral(from, to, |x| given.drive(cell, x).max(0.0));
+        }
+    }
+    point.max(sum / (hi - lo)).max(given.drive(first, lo)).max(given.drive(last, hi))
+}

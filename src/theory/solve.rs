@@ -1,7 +1,8 @@
 //! The entrance: a scene in its own units to its exact solution.
 
+use super::cut::MOST_CELLS;
 use super::exact::Exact;
-use super::given::{Given, MOST_CELLS};
+use super::given::Given;
 use super::search;
 use crate::scene::{Foundation, Scene, SceneError};
 
@@ -99,9 +100,12 @@ mod tests {
     /// Twelve digits are asked for; rounding leaves more.
     const DIGITS: f64 = 1e-12;
 
+    /// Forces and energies that fade out at a border are measured by this part of the load and its work.
+    const LEAST: f64 = 1e-3;
+
     #[track_caller]
     fn check(found: f64, expected: f64) {
-        assert!((found - expected).abs() <= DIGITS * expected.abs().max(1e-3), "{found} instead of {expected}");
+        assert!((found - expected).abs() <= DIGITS * expected.abs().max(LEAST), "{found} instead of {expected}");
     }
 
     #[test]
@@ -132,7 +136,7 @@ mod tests {
             for i in 0..=20 {
                 let x = 0.5 * f64::from(i);
                 assert!((exact.deflection(x) - closed.deflection(x)).abs() <= DIGITS * closed.deflection(0.5 * l));
-                assert!((exact.moment(x) - closed.moment(x)).abs() < 1e-11);
+                assert!((exact.moment(x) - closed.moment(x)).abs() <= DIGITS * 0.1 * q * l * l);
             }
         }
     }

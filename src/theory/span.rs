@@ -14,42 +14,7 @@
 
 use super::cosine;
 use super::given::Given;
-
-/// How a span begins or ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Hold {
-    /// `h` and `h'` are given: a contact, or a support at which the beam is clamped.
-    Clamped {
-        /// `h`.
-        height: f64,
-        /// `h'`.
-        slope: f64,
-        /// `v'`, where it is that which is given: at an edge. Beside a cliff `u' − h'` would lose its digits.
-        turn: Option<f64>,
-        /// `v`, where a break of the profile is not as deep as what `h` counts from: at the edge of a deep step.
-        level: Option<f64>,
-    },
-    /// `h` and `h''` are given: a simple support, `v = v'' = 0`.
-    Hinged {
-        /// `h`.
-        height: f64,
-        /// `h''`.
-        curvature: f64,
-    },
-}
-
-/// One end of a span: where, in which cell, and how it is held.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct End {
-    /// Where.
-    pub(super) x: f64,
-    /// What its place is beyond `x`.
-    pub(super) rest: f64,
-    /// The cell of the span that ends there.
-    pub(super) cell: usize,
-    /// How it is held.
-    pub(super) hold: Hold,
-}
+use super::hold::{End, Hold};
 
 /// A span at its two ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,33 +142,6 @@ fn solve(l: f64, [a, b]: [Hold; 2], fixed: &FixedEnd) -> [[f64; 4]; 2] {
         [height_a, slope_a, curvature_a, across - fixed.shear[0]],
         [height_b, slope_b, curvature_b, across + fixed.shear[1]],
     ]
-}
-
-impl Hold {
-    /// The same for `v = u − h`, beside a profile that has been moved up by `h`.
-    fn of_beam(self, profile: &[f64; 4]) -> Self {
-        match self {
-            Self::Clamped { slope, turn, level, .. } => {
-                Self::Clamped { height: profile[0], slope: turn.unwrap_or(profile[1] - slope), turn, level }
-            }
-            Self::Hinged { curvature, .. } => Self::Hinged { height: profile[0], curvature: profile[2] - curvature },
-        }
-    }
-
-    /// `v`, beside a profile at `depth`.
-    fn level(self, depth: f64) -> f64 {
-        match self {
-            Self::Clamped { level: Some(level), .. } => level,
-            _ => depth - self.height(),
-        }
-    }
-
-    /// `h`.
-    pub(super) fn height(self) -> f64 {
-        match self {
-            Self::Clamped { height, .. } | Self::Hinged { height, .. } => height,
-        }
-    }
 }
 
 /// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.

@@ -65,7 +65,7 @@ fn contacts(given: &Given, found: &Found) -> Vec<Contact> {
             contacts.push(Contact { from, to, force, end_forces: Some([force_from, force_to]) });
         }
         if let Some(node) = nodes.get(i)
-            && !super::exact::is_zone(node.kind)
+            && !node.kind.is_of_zone()
         {
             contacts.push(Contact { from: place(i), to: place(i), force: forces[i], end_forces: None });
         }

@@ -4,9 +4,11 @@
 mod instances;
 
 use palkki::methods::Discrete;
-use palkki::paper::{random, scene_over};
+use palkki::paper::scene_over;
+use palkki::paper::uneven::{self, Unevenness};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Foundation, Scene};
+use palkki::verification::Random;
 
 use self::instances::{End, Instance, full_exchange};
 use crate::scenes::run;
@@ -62,9 +64,9 @@ fn the_triangular_hump_on_ten_thousand_intervals() {
 
 #[test]
 fn random_foundations_on_grids_of_all_sizes() {
-    let mut numbers = random::Random::new(2);
-    for kind in random::Unevenness::ALL {
-        for scene in random::scenes(kind, 30, 3).expect("scenes") {
+    let mut numbers = Random::new(2);
+    for kind in Unevenness::ALL {
+        for scene in uneven::scenes(kind, 30, 3).expect("scenes") {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 501")]
             let intervals = numbers.between(11.0, 501.0) as usize;
             for method in Method::ALL {

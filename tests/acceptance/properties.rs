@@ -7,8 +7,8 @@ mod symmetry;
 mod uneven;
 mod units;
 
-use palkki::paper::random::Random;
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
+use palkki::verification::Random;
 
 /// A random scene, made of numbers that a test can change one at a time.
 #[derive(Debug, Clone)]

@@ -9,17 +9,43 @@ use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::Nodes;
 use palkki::{Settings, solve};
 
+/// A valid scene with every key of the contract, and one of the kinds of foundation.
+pub(crate) const EVERY_KEY: &str = r#"
+title = "A valid scene"
+
+[beam]
+length = 10.0
+bending_stiffness = 1.3
+
+[load]
+uniform = 1.0
+linear = [{ from = 2.0, to = 5.0, start = 0.0, end = 1.0 }]
+point = [{ at = 5.0, force = 3.0 }]
+
+[foundation]
+depth = 1.0
+
+[units]
+length = "m"
+force = "kN"
+"#;
+
 /// The directory of the report's scenes.
 fn directory() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("report/scenes")
 }
 
+/// The text of `report/scenes/<name>.toml`.
+#[track_caller]
+pub(crate) fn text(name: &str) -> String {
+    let path = directory().join(name).with_extension("toml");
+    fs::read_to_string(&path).unwrap_or_else(|e| panic!("cannot read {name}: {e}"))
+}
+
 /// The scene `report/scenes/<name>.toml`.
 #[track_caller]
 pub(crate) fn scene(name: &str) -> Scene {
-    let path = directory().join(name).with_extension("toml");
-    let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("cannot read {name}: {e}"));
-    parse(name, &text, |survey| fs::read_to_string(directory().join(survey)).map_err(|_| ReadProblem::Missing))
+    parse(name, &text(name), |survey| fs::read_to_string(directory().join(survey)).map_err(|_| ReadProblem::Missing))
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

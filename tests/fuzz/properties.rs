@@ -1,7 +1,7 @@
 //! What holds for every text that somebody may hand over as scene, survey or contact forces. Used by the fuzz targets and by
 //! the acceptance suite, which replays what the fuzzer found.
 //!
-//! - No panic. No hang is what the time limit of the fuzzer and the sizes in `hostile/files.rs` are for.
+//! - No panic. No hang is what the time limit of the fuzzer is for, and `command_line/hostile.rs` of the acceptance suite.
 //! - What is accepted is well posed: finite where it has to be, supports above the foundation, dimensionless numbers of order 1.
 //! - What is refused is refused with line and column inside the text, in a message of bounded length that a terminal can show.
 

@@ -2,7 +2,7 @@
 
 use super::{Claim, Verdict};
 use crate::methods::Method;
-use crate::paper::random::{Unevenness, scenes};
+use crate::paper::uneven::{Unevenness, scenes};
 use crate::paper::{INTERVALS, example};
 use crate::route::Status;
 use crate::scene::{Scene, SceneError};

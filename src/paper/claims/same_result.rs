@@ -2,7 +2,7 @@
 
 use super::{Claim, Verdict, words::bound};
 use crate::methods::{Discrete, Method};
-use crate::paper::random::{Unevenness, scenes};
+use crate::paper::uneven::{Unevenness, scenes};
 use crate::paper::{INTERVALS, example};
 use crate::problem::Matrix;
 use crate::scene::{Scene, SceneError};

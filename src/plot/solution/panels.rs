@@ -4,7 +4,7 @@ use super::ground::Ground;
 use super::sketch::sketch;
 use super::units::{UnitLabels, with_unit};
 use crate::plot::axis::Axis;
-use crate::plot::curves::Curves;
+use crate::plot::curves::{Curves, PointForce};
 use crate::plot::error::{PlotError, finite};
 use crate::plot::layer::{Arrow, Arrows, Layer, Place};
 use crate::plot::palette::{Color, Dash, Style};
@@ -113,8 +113,6 @@ pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> R
 }
 
 pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
-    /// Of more forces than this only the largest are written, and only where there is room.
-    const CROWD: usize = 12;
     /// Length of the arrow of the largest force \[drawing units\].
     const LONGEST: f64 = 280.0;
     let length = scene.beam().length();
@@ -142,42 +140,44 @@ pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Resu
             label: label.to_owned(),
         });
     }
-    let arrow = |at: f64, force: f64, optional: bool| Arrow {
-        at: [at, 0.0],
-        force,
-        text: with_unit(force, units.force.as_ref()),
-        optional,
-    };
-    let layer = |arrows: Vec<Arrow>, color: Color, label: &str| {
-        Layer::Arrows(Arrows {
-            arrows,
-            full,
-            part: LONGEST / height,
-            color,
-            dash: Dash::Solid,
-            label: label.to_owned(),
-        })
+    let layer = |arrows: Vec<Arrow>, color: Color, label: String| {
+        Layer::Arrows(Arrows { arrows, full, part: LONGEST / height, color, dash: Dash::Solid, label })
     };
     panel = panel.with(zero_line(scene));
-    let shared = curves.point_forces.iter().map(|f| f.nodes).max().unwrap_or(1);
-    let name = if 1 < shared {
+    if !curves.point_forces.is_empty() {
+        let contact = contact_arrows(&curves.point_forces, units);
+        panel = panel.with(layer(contact, Color::VERMILLION, name_of(&curves.point_forces)));
+    }
+    let supports = reactions.map(|(at, force)| arrow(at, force, false, units)).to_vec();
+    Ok(panel.with(layer(supports, Color::BLACK, "reaction".to_owned())))
+}
+
+fn arrow(at: f64, force: f64, optional: bool, units: &UnitLabels) -> Arrow {
+    Arrow { at: [at, 0.0], force, text: with_unit(force, units.force.as_ref()), optional }
+}
+
+/// Of many forces only the largest are written, and only where there is room.
+fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
+    /// More than this are many.
+    const CROWD: usize = 12;
+    let mut by_size: Vec<usize> = (0..forces.len()).collect();
+    by_size.sort_by(|&i, &j| forces[j].force.abs().total_cmp(&forces[i].force.abs()));
+    let crowd = CROWD < by_size.len();
+    let mut arrows: Vec<Arrow> = forces.iter().map(|f| arrow(f.at, f.force, crowd, units)).collect();
+    for &i in by_size.iter().skip(CROWD) {
+        arrows[i].text.clear();
+    }
+    arrows
+}
+
+/// What the legend calls contact forces.
+fn name_of(forces: &[PointForce]) -> String {
+    let shared = forces.iter().map(|f| f.nodes).max().unwrap_or(1);
+    if 1 < shared {
         format!("contact force (at the ends of a zone: {shared} nodes as one)")
     } else {
         "contact force".to_owned()
-    };
-    // Of many forces only the largest are written.
-    let mut by_size: Vec<usize> = (0..curves.point_forces.len()).collect();
-    by_size.sort_by(|&i, &j| curves.point_forces[j].force.abs().total_cmp(&curves.point_forces[i].force.abs()));
-    let crowd = CROWD < by_size.len();
-    let mut contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.at, f.force, crowd)).collect();
-    for &i in by_size.iter().skip(CROWD) {
-        contact[i].text.clear();
     }
-    if !contact.is_empty() {
-        panel = panel.with(layer(contact, Color::VERMILLION, &name));
-    }
-    let supports = reactions.map(|(at, force)| arrow(at, force, false)).to_vec();
-    Ok(panel.with(layer(supports, Color::BLACK, "reaction")))
 }
 
 pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {

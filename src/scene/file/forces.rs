@@ -1,6 +1,7 @@
 //! Contact forces as CSV, `x,force`, one force in each row, laid out like a survey.
 
-use super::survey::{Field, Survey, excerpt, fields};
+use super::excerpt::excerpt;
+use super::survey::{Field, Survey, fields};
 use super::{FileError, Problem};
 
 const FIELDS: [&str; 2] = ["x", "force"];

@@ -8,6 +8,7 @@
 //! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
 
 mod error;
+mod excerpt;
 mod forces;
 mod foundation;
 mod load;

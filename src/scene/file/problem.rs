@@ -1,6 +1,6 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
-use super::survey::excerpt;
+use super::excerpt::excerpt;
 use crate::scene::SceneError;
 
 /// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.

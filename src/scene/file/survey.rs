@@ -5,6 +5,7 @@
 
 use std::path::Path;
 
+use super::excerpt::excerpt;
 use super::table::Span;
 use super::{FileError, Problem, Source};
 
@@ -92,13 +93,4 @@ fn pieces(text: &str, separator: char, start: usize) -> impl Iterator<Item = Fie
 /// The survey `path` as messages call it: beside the scene file `scene`, where it is looked for.
 pub(super) fn beside(scene: &str, path: &str) -> String {
     Path::new(scene).parent().map_or_else(|| path.to_owned(), |folder| folder.join(path).display().to_string())
-}
-
-/// A field, or a key, as a message repeats it.
-pub(super) fn excerpt(text: &str) -> String {
-    const LONGEST: usize = 60;
-    match text.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
 }

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::Problem;
-use super::survey::excerpt;
+use super::excerpt::excerpt;
 
 /// Bytes of the file, from `start` up to `end`.
 pub(super) type Span = std::ops::Range<usize>;

@@ -7,32 +7,15 @@ mod survey;
 
 use palkki::scene::file::{ReadProblem, parse};
 
-const VALID: &str = r#"
-title = "A valid scene"
-
-[beam]
-length = 10.0
-bending_stiffness = 1.3
-
-[load]
-uniform = 1.0
-linear = [{ from = 2.0, to = 5.0, start = 0.0, end = 1.0 }]
-point = [{ at = 5.0, force = 3.0 }]
-
-[foundation]
-depth = 1.0
-
-[units]
-length = "m"
-"#;
+use crate::scenes::EVERY_KEY;
 
 const SURVEY: &str = "x,depth\n0,1\n5,0.5\n10,1\n";
 
-/// The message for `VALID` with `from` replaced by `to`.
+/// The message for a valid scene with `from` replaced by `to`.
 #[track_caller]
 fn message(from: &str, to: &str) -> String {
-    assert!(VALID.contains(from), "the valid scene does not contain {from:?}");
-    message_of(&VALID.replacen(from, to, 1))
+    assert!(EVERY_KEY.contains(from), "the valid scene does not contain {from:?}");
+    message_of(&EVERY_KEY.replacen(from, to, 1))
 }
 
 #[track_caller]
@@ -44,7 +27,7 @@ fn message_of(text: &str) -> String {
 /// The message for a scene with the survey `text`.
 #[track_caller]
 fn survey(text: &str) -> String {
-    let scene = VALID.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
+    let scene = EVERY_KEY.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
     let error = parse("site/scene.toml", &scene, |_| Ok(text.to_owned())).expect_err("this survey is not valid");
     error.to_string()
 }
@@ -52,14 +35,17 @@ fn survey(text: &str) -> String {
 /// The message for a scene whose survey is not there to read.
 #[track_caller]
 fn unreadable(problem: ReadProblem) -> String {
-    let scene = VALID.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
+    let scene = EVERY_KEY.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
     let error = parse("site/scene.toml", &scene, |_| Err(problem)).expect_err("there is no survey");
     error.to_string()
 }
 
 #[test]
 fn the_valid_scene_is_valid() {
-    assert!(parse("scene.toml", VALID, |_| Ok(SURVEY.to_owned())).is_ok(), "each test below changes one thing in it");
-    let scene = VALID.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
+    assert!(
+        parse("scene.toml", EVERY_KEY, |_| Ok(SURVEY.to_owned())).is_ok(),
+        "each test below changes one thing in it"
+    );
+    let scene = EVERY_KEY.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
     assert!(parse("scene.toml", &scene, |_| Ok(SURVEY.to_owned())).is_ok(), "and so with a survey");
 }

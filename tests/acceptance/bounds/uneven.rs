@@ -1,6 +1,6 @@
 //! Against beam theory on uneven ground: the scenes of the report and random ones.
 
-use palkki::paper::random::{self, Unevenness};
+use palkki::paper::uneven::{self, Unevenness};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::theory;
@@ -50,7 +50,7 @@ fn scenes_of_the_report() {
 #[test]
 fn random_scenes() {
     for kind in Unevenness::ALL {
-        let scenes = random::scenes(kind, 40, 1984).expect("the scenes are well posed");
+        let scenes = uneven::scenes(kind, 40, 1984).expect("the scenes are well posed");
         let compared: usize = scenes
             .iter()
             .map(|scene| check(kind.word(), scene, &[17, 60, 250], &[Solver::ActiveSet, Solver::FourStep]))

@@ -8,6 +8,7 @@ mod hostile;
 mod input;
 mod json;
 mod output;
+mod streams;
 mod tables;
 
 use std::fs;

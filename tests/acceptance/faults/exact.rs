@@ -8,6 +8,7 @@ use crate::scenes::report;
 
 #[test]
 fn faults_in_exact_contacts_are_bounded_truthfully() {
+    let mut judged_at_all = 0;
     for (name, scene) in report() {
         let truth = Truth::of(&scene).expect("theory has an answer");
         for fault in CONTACT_FAULTS {
@@ -15,10 +16,12 @@ fn faults_in_exact_contacts_are_bounded_truthfully() {
                 let broken = fault.put_into(&truth.exact.state.contacts, size, scene.beam().length());
                 if let Some(judged) = broken.and_then(|broken| truth.contacts(&broken)) {
                     assert!(judged.lies.is_empty(), "{name}: {}, {size:e}: {judged:?}", fault.name);
+                    judged_at_all += 1;
                 }
             }
         }
     }
+    assert!(CONTACT_FAULTS.len() * report().len() < judged_at_all, "only {judged_at_all} faults were judged");
 }
 
 /// Places that are off by this share of the length and more are not certain to what a discrete answer is asked for.
@@ -31,6 +34,7 @@ const VERGE: &str = "verge";
 
 #[test]
 fn places_that_are_off_are_not_certain() {
+    let mut tried = 0;
     for (name, scene) in report() {
         let truth = Truth::of(&scene).expect("theory has an answer");
         let contacts = &truth.exact.state.contacts;
@@ -49,8 +53,10 @@ fn places_that_are_off_are_not_certain() {
             for &size in SIZES.iter().filter(|size| refused <= **size) {
                 if let Some(broken) = fault.put_into(contacts, size, scene.beam().length()) {
                     assert!(!certain(&broken), "{name}: {}, {size:e}, goes unnoticed", fault.name);
+                    tried += 1;
                 }
             }
         }
     }
+    assert!(report().len() < tried, "only {tried} contacts were off");
 }

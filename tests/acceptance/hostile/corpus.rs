@@ -4,8 +4,9 @@
 use std::fs;
 use std::path::Path;
 
+use palkki::verification::Random;
+
 use super::mutate::mutated;
-use super::random::Random;
 
 #[path = "../../fuzz/properties.rs"]
 mod properties;

@@ -1,6 +1,6 @@
 //! Changes to texts that a parser may stumble over: of bytes, of words, of numbers, of whole lines.
 
-use super::random::Random;
+use palkki::verification::Random;
 
 /// Words that mean something, or used to.
 const WORDS: [&str; 40] = [
@@ -60,7 +60,7 @@ pub(crate) fn mutated(text: &[u8], other: &[u8], random: &mut Random) -> Vec<u8>
             2 => drop(bytes.drain(from..to)),
             3 => bytes.insert(at, u8::try_from(random.below(256)).unwrap_or(0)),
             4 | 5 => drop(bytes.splice(at..at, random.pick(&WORDS).bytes())),
-            6 => drop(bytes.splice(at..at, format!("{:e}", f64::from_bits(random.next())).into_bytes())),
+            6 => drop(bytes.splice(at..at, format!("{:e}", f64::from_bits(random.bits())).into_bytes())),
             7 => {
                 let piece = bytes[from..to].to_vec();
                 drop(bytes.splice(at..at, piece));

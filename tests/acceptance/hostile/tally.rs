@@ -22,6 +22,8 @@ pub(crate) struct Count {
     pub(crate) route: [usize; 2],
     /// Runs in which a solver says success and the judge does not.
     pub(crate) contradicted: usize,
+    /// Runs in which an answer was compared with that in other units.
+    pub(crate) rescaled: usize,
     /// The most lists of contacts that theory tried, the most iterations of a route.
     pub(crate) work: [usize; 2],
     pub(crate) wrong: usize,
@@ -60,6 +62,7 @@ impl Tally {
                 (&mut a.refused, b.refused),
                 (&mut a.bounded, b.bounded),
                 (&mut a.contradicted, b.contradicted),
+                (&mut a.rescaled, b.rescaled),
                 (&mut a.wrong, b.wrong),
                 (&mut a.panics, b.panics),
             ];
@@ -91,6 +94,7 @@ impl Tally {
             count.route[certified(status)] += 1;
         }
         count.contradicted += usize::from(trial.contradicted);
+        count.rescaled += usize::from(trial.rescaled);
         for (most, work) in count.work.iter_mut().zip(trial.work) {
             *most = work.max(*most);
         }

@@ -30,7 +30,7 @@ fn the_map_is_the_territory() {
         assert!(root().join(path).exists(), "ARCHITECTURE.md names {path}, which does not exist");
     }
 
-    for path in rust_files("src").keys() {
+    for path in rust_files("src").keys().chain(rust_files("tests").keys()) {
         // `src/scene/beam.rs` is in the room `src/scene`, `src/solve.rs` is a room of its own.
         let room: Vec<&str> = path.split('/').take(2).collect();
         let room = room.join("/");

@@ -16,6 +16,8 @@ const MOST_ITERATIONS: usize = 200_000;
 
 #[test]
 fn every_situation_ends_with_a_verdict() {
+    // Hopeless, loose and ordinary ones: there have to be some of each.
+    let mut asked = [0; 3];
     for situation in ALL {
         for library in LIBRARIES {
             let outcome = situation.run(library).expect("a scene");
@@ -30,14 +32,20 @@ fn every_situation_ends_with_a_verdict() {
             assert!(!loose || outcome.status != Status::Certified, "{who}");
             let ordinary = situation.name.starts_with("an ordinary one") || situation.name == "one unknown";
             assert!(!ordinary || outcome.status == Status::Certified, "{who}");
+            for (count, is) in asked.iter_mut().zip([hopeless, loose, ordinary]) {
+                *count += usize::from(is);
+            }
         }
     }
+    assert!(asked.iter().all(|count| 0 < *count), "{asked:?}");
 }
 
 #[test]
 fn the_same_word_comes_twice() {
     // No clock decides where a run ends: the limits are counts.
-    for situation in ALL.iter().filter(|s| s.name.contains("nothing can reach")) {
+    let endless: Vec<_> = ALL.iter().filter(|s| s.name.contains("nothing can reach")).collect();
+    assert!(!endless.is_empty(), "a situation in which only a limit ends a run");
+    for situation in endless {
         for library in LIBRARIES {
             assert_eq!(situation.run(library), situation.run(library), "{library}, {}", situation.name);
         }

@@ -1,11 +1,12 @@
 //! Many random uneven foundations: the active set always ends, at a state that the judge certifies.
 
 use palkki::methods::Discrete;
-use palkki::paper::random::{Random, Unevenness, scenes};
+use palkki::paper::uneven::{Unevenness, scenes};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Foundation, Scene};
 use palkki::solvers::active_set_from;
 use palkki::state::Regime;
+use palkki::verification::Random;
 
 use super::some;
 use crate::scenes::{apart, nodes, run, uniform};

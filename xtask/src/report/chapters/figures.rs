@@ -1,6 +1,7 @@
 //! Figures 4, 7 and 8 of the paper, drawn again.
 
 use palkki::paper::{INTERVALS, Pressures, figure_4, figure_7, figure_8, theory};
+use palkki::plot::PlotError;
 use palkki::plot::paper::{Nodal, Theory, pressure, pressure_and_shape, shape};
 use palkki::state::Nodes;
 use palkki::theory::FlatSolution;
@@ -75,53 +76,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (contact_4, contact_7) = (contact(&four, nodal_load), contact(&seven, nodal_load));
     let shape_8 = deviation(&eight.nodes, &exact, length);
 
-    let of = |label, nodes| -> Nodal<'_> { nodal(label, nodes) };
-    let svg_4 = pressure_and_shape(
-        &format!("Figure 4: contact pressure by finite differences, {INTERVALS} intervals"),
-        "The example of the paper.",
-        &drawn,
-        &of("finite differences", &four.nodes),
-    )?;
-    let svg_7 = pressure(
-        &format!("Figure 7: contact pressure by the energy methods, {INTERVALS} intervals"),
-        "The example of the paper.",
-        &drawn,
-        &of("force method", &seven.nodes),
-    )?;
-    let svg_8 = shape(
-        &format!("Figure 8: deflection by the energy methods, {INTERVALS} intervals"),
-        &format!(
-            "The example of the paper. The nodes of both energy methods lie on the dashed line of beam theory, within {} % of the \
-             depth.",
-            fixed(100.0 * shape_8.error, 1)
-        ),
-        &drawn,
-        &[of("displacement method", &eight.nodes), of("force method", &seven.nodes)],
-    )?;
-
-    let rebuilt = |figure: &str, paper: &str, now: String| Row {
-        what: figure.to_owned(),
-        paper: paper.to_owned(),
-        now,
-        verdict: "rebuilt",
-        section: "figures-4-7-and-8",
-    };
-    let pressures = |c: &Contact| {
-        format!(
-            "first contact force {:.4} at x = {:.3}, beam theory {:.4} at {lift_off:.3}",
-            c.forces[0], c.x, exact.end_force
-        )
-    };
-    let lost = "contact pressure, 30 intervals; the drawing is lost";
-    let verdicts = vec![
-        rebuilt("Figure 4, finite differences", lost, pressures(&contact_4)),
-        rebuilt("Figure 7, energy methods", lost, pressures(&contact_7)),
-        rebuilt(
-            "Figure 8, energy methods",
-            "deflected shape, 30 intervals; the drawing is lost",
-            format!("nodes within {:.2} % of the depth from beam theory", 100.0 * shape_8.error),
-        ),
-    ];
+    let [svg_4, svg_7, svg_8] = drawings(&drawn, [&four.nodes, &seven.nodes, &eight.nodes], shape_8.error)?;
+    let verdicts = verdicts([&contact_4, &contact_7], &shape_8, &exact);
     let values = Values {
         intervals: INTERVALS,
         nodes: INTERVALS - 1,
@@ -139,6 +95,62 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         .figure("figure-4", svg_4, table(&four.nodes, &exact, four.spacing))
         .figure("figure-7", svg_7, table(&seven.nodes, &exact, seven.spacing))
         .figure("figure-8", svg_8, table(&eight.nodes, &exact, four.spacing)))
+}
+
+/// Figures 4, 7 and 8; the nodes of both energy methods are off by at most `error` in the last of them.
+fn drawings(drawn: &Theory<'_>, [four, seven, eight]: [&Nodes; 3], error: f64) -> Result<[String; 3], PlotError> {
+    Ok([
+        pressure_and_shape(
+            &format!("Figure 4: contact pressure by finite differences, {INTERVALS} intervals"),
+            "The example of the paper.",
+            drawn,
+            &nodal("finite differences", four),
+        )?,
+        pressure(
+            &format!("Figure 7: contact pressure by the energy methods, {INTERVALS} intervals"),
+            "The example of the paper.",
+            drawn,
+            &nodal("force method", seven),
+        )?,
+        shape(
+            &format!("Figure 8: deflection by the energy methods, {INTERVALS} intervals"),
+            &format!(
+                "The example of the paper. The nodes of both energy methods lie on the dashed line of beam theory, within {} % \
+                 of the depth.",
+                fixed(100.0 * error, 1)
+            ),
+            drawn,
+            &[nodal("displacement method", eight), nodal("force method", seven)],
+        )?,
+    ])
+}
+
+/// What the first screen says of the three figures.
+fn verdicts([four, seven]: [&Contact; 2], eight: &Shape, exact: &FlatSolution) -> Vec<Row> {
+    let rebuilt = |figure: &str, paper: String, now: String| Row {
+        what: figure.to_owned(),
+        paper,
+        now,
+        verdict: "rebuilt",
+        section: "figures-4-7-and-8",
+    };
+    let lift_off = exact.lift_off.unwrap_or(0.0);
+    let pressures = |c: &Contact| {
+        format!(
+            "first contact force {:.4} at x = {:.3}, beam theory {:.4} at {lift_off:.3}",
+            c.forces[0], c.x, exact.end_force
+        )
+    };
+    let lost = |what: &str| format!("{what}, {INTERVALS} intervals; the drawing is lost");
+    vec![
+        rebuilt("Figure 4, finite differences", lost("contact pressure"), pressures(four)),
+        rebuilt("Figure 7, energy methods", lost("contact pressure"), pressures(seven)),
+        rebuilt(
+            "Figure 8, energy methods",
+            lost("deflected shape"),
+            format!("nodes within {:.2} % of the depth from beam theory", 100.0 * eight.error),
+        ),
+    ]
 }
 
 fn nodal<'a>(label: &'a str, nodes: &'a Nodes) -> Nodal<'a> {

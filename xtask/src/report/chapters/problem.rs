@@ -6,11 +6,11 @@ use palkki::scene::{Foundation, Scene};
 use palkki::theory;
 use serde::Serialize;
 
-use crate::report::csv::{csv, fixed};
+use crate::report::csv::{csv, fixed, one_a_place};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
+use crate::report::scenes;
 use crate::report::study::Study;
-use crate::report::{exact, scenes};
 
 #[derive(Debug, Serialize)]
 struct Values {
@@ -21,13 +21,13 @@ struct Values {
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = scenes::read(study.root, "ridge")?;
     let exact = theory::solve(&scene)?;
-    let curves = exact::curves(&scene, &exact);
+    let curves = Curves::exact(&scene, &exact);
     let rows = curves
         .x
         .iter()
         .zip(&curves.deflection)
         .map(|(&x, &v)| vec![fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
-    let table = csv(&["x", "u", "v"], rows);
+    let table = csv(&["x", "u", "v"], one_a_place(rows));
     let values = Values { title: scene.title().to_owned(), contacts: exact.state.contacts.len() };
     Ok(Evidence::new(values).figure("problem", sketch(&scene, &curves)?, table))
 }

@@ -6,7 +6,7 @@ mod routes;
 use std::fs;
 use std::path::Path;
 
-use palkki::plot::curves;
+use palkki::plot::{Curves, curves};
 use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::{Contact, Extremes, Regime};
@@ -101,7 +101,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let exact = theory::solve(&scene)?;
         residual = residual.max(exact.residual);
         let row = row(study.root, name, &scene, &exact)?;
-        let drawn = exact::curves(&scene, &exact);
+        let drawn = Curves::exact(&scene, &exact);
         drawings.push((row.figure.clone(), curves(&scene, &drawn, "exact solution")?, exact::table(&drawn)));
         rows.push(row);
     }

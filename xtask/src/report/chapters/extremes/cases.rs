@@ -52,6 +52,16 @@ pub(super) struct Row {
     which: String,
 }
 
+/// What became of one scene: by beam theory, by the force method with the active set, by the other routes.
+struct Case {
+    theory: Verdict,
+    theory_error: f64,
+    force: Verdict,
+    others: Count,
+    /// The other routes whose answers are labelled.
+    labelled: Vec<String>,
+}
+
 /// Runs every route on every scene.
 pub(super) fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, Cause> {
     let mut all = Tried {
@@ -67,52 +77,22 @@ pub(super) fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, 
     };
     let mut rows = Vec::new();
     for (name, extremes) in groups {
-        let (mut theory, mut force, mut others, mut worst) =
-            (Count::default(), Count::default(), Count::default(), 0.0_f64);
+        let (mut theory, mut force, mut others) = (Count::default(), Count::default(), Count::default());
+        let mut worst = 0.0_f64;
         let scenes = extremes.len();
         for extreme in extremes {
-            let (by_theory, error) = exact(&extreme)?;
-            worst = worst.max(error);
-            theory.add(by_theory);
-            let (mut own, mut here, mut which) = (Verdict::Labelled, Count::default(), Vec::new());
-            for method in Method::ALL {
-                let active = reference(&extreme, method)?;
-                for solver in Solver::ALL {
-                    let verdict = if solver == Solver::Nsor && NSOR < extreme.intervals {
-                        let coarse = Extreme { intervals: NSOR, ..extreme.clone() };
-                        judged(&coarse, method, solver, &reference(&coarse, method)?)?
-                    } else {
-                        judged(&extreme, method, solver, &active)?
-                    };
-                    if method == Method::Force && solver == Solver::ActiveSet {
-                        own = verdict;
-                        continue;
-                    }
-                    here.add(verdict);
-                    if verdict == Verdict::Labelled {
-                        which.push(format!("{method}/{solver}"));
-                    }
-                }
-            }
-            force.add(own);
-            if own == Verdict::Labelled {
+            let case = run(&extreme)?;
+            worst = worst.max(case.theory_error);
+            theory.add(case.theory);
+            force.add(case.force);
+            others.join(case.others);
+            rows.push(line(name, &extreme, &case));
+            if case.force == Verdict::Labelled {
                 all.force_limits.push(extreme.name.clone());
             }
-            let line = [name, extreme.authority, by_theory.word(), own.word()].map(str::to_owned);
-            let counts = [here.right, here.labelled, here.wrong].map(|n| n.to_string());
-            rows.push([vec![extreme.name.replace(',', ";")], line.to_vec(), counts.to_vec()].concat());
-            others = Count {
-                right: others.right + here.right,
-                labelled: others.labelled + here.labelled,
-                wrong: others.wrong + here.wrong,
-            };
-            all.hardest.push(Row {
-                name: extreme.name,
-                authority: extreme.authority,
-                right: here.right,
-                labelled: here.labelled,
-                which: which.join(", "),
-            });
+            let Count { right, labelled, .. } = case.others;
+            let (name, authority, which) = (extreme.name, extreme.authority, case.labelled.join(", "));
+            all.hardest.push(Row { name, authority, right, labelled, which });
         }
         let wrong = theory.wrong + force.wrong + others.wrong;
         all.groups.push(Group {
@@ -128,27 +108,57 @@ pub(super) fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, 
         all.cases += scenes;
         all.runs += theory.runs() + force.runs() + others.runs();
         all.wrong += wrong;
-        for (sum, part) in [(&mut all.exact, theory), (&mut all.force, force)] {
-            *sum = Count {
-                right: sum.right + part.right,
-                labelled: sum.labelled + part.labelled,
-                wrong: sum.wrong + part.wrong,
-            };
-        }
+        all.exact.join(theory);
+        all.force.join(force);
     }
     all.hardest.retain(|row| 0 < row.labelled);
     all.hardest.sort_by_key(|row| Reverse(row.labelled));
     all.hardest.truncate(HARDEST);
-    let header = [
-        "scene",
-        "group",
-        "authority",
-        "exact",
-        "force_active_set",
-        "others_right",
-        "others_labelled",
-        "others_wrong_and_certified",
-    ];
-    all.csv = csv(&header, rows);
+    all.csv = csv(&HEADER, rows);
     Ok(all)
+}
+
+/// Runs every route on one scene.
+fn run(extreme: &Extreme) -> Result<Case, Cause> {
+    let (theory, theory_error) = exact(extreme)?;
+    let (mut force, mut others, mut labelled) = (Verdict::Labelled, Count::default(), Vec::new());
+    for method in Method::ALL {
+        let active = reference(extreme, method)?;
+        for solver in Solver::ALL {
+            let verdict = if solver == Solver::Nsor && NSOR < extreme.intervals {
+                let coarse = Extreme { intervals: NSOR, ..extreme.clone() };
+                judged(&coarse, method, solver, &reference(&coarse, method)?)?
+            } else {
+                judged(extreme, method, solver, &active)?
+            };
+            if method == Method::Force && solver == Solver::ActiveSet {
+                force = verdict;
+                continue;
+            }
+            others.add(verdict);
+            if verdict == Verdict::Labelled {
+                labelled.push(format!("{method}/{solver}"));
+            }
+        }
+    }
+    Ok(Case { theory, theory_error, force, others, labelled })
+}
+
+const HEADER: [&str; 8] = [
+    "scene",
+    "group",
+    "authority",
+    "exact",
+    "force_active_set",
+    "others_right",
+    "others_labelled",
+    "others_wrong_and_certified",
+];
+
+/// A line of the CSV.
+fn line(group: &str, extreme: &Extreme, case: &Case) -> Vec<String> {
+    let words = [group, extreme.authority, case.theory.word(), case.force.word()].map(str::to_owned);
+    let Count { right, labelled, wrong } = case.others;
+    let counts = [right, labelled, wrong].map(|n| n.to_string());
+    [vec![extreme.name.replace(',', ";")], words.to_vec(), counts.to_vec()].concat()
 }

@@ -2,40 +2,7 @@
 
 use super::scene_over;
 use crate::scene::{Foundation, Scene, SceneError};
-
-/// A small generator of random numbers (SplitMix64, Steele, Lea and Flood 2014): the same numbers on every machine.
-#[derive(Debug, Clone)]
-pub struct Random(u64);
-
-impl Random {
-    /// A generator that starts from `seed`.
-    #[must_use]
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// The next number, uniform between `from` and `to`.
-    #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
-    pub fn between(&mut self, from: f64, to: f64) -> f64 {
-        from + (to - from) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-
-    /// One of `0 … count − 1`; 0 if there is none.
-    pub fn below(&mut self, count: usize) -> usize {
-        let count = u64::try_from(count).unwrap_or(u64::MAX).max(1);
-        // A remainder is smaller than the count, and so fits as well.
-        usize::try_from(self.bits() % count).unwrap_or(0)
-    }
-}
+use crate::verification::Random;
 
 /// Two kinds of unevenness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
