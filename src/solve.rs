@@ -81,7 +81,11 @@ impl ContactState {
     #[must_use]
     pub fn in_units_of(self, scale: &Scale) -> Self {
         let Scale { length, depth, force } = *scale;
-        let times = |values: Vec<f64>, unit: f64| values.into_iter().map(|v| v * unit).collect();
+        // A unit of one is frequent, and a million products are not free.
+        let times = |values: Vec<f64>, unit: f64| match unit {
+            1.0 => values,
+            _ => values.into_iter().map(|v| v * unit).collect(),
+        };
         let extremes = |e: Extremes, unit: f64| Extremes {
             max: e.max * unit,
             max_at: e.max_at * length,

@@ -28,24 +28,24 @@ impl Seen {
             let [places, depths] = room.each_mut().map(|room| &mut room[..end - first]);
             grid.places(first + 1, places);
             scene.depths(places, depths);
+            let (places, depths) = (&*places, &*depths);
             let (moments, deflections) = bent.along(first + 1, end - first);
-            let said = nodes.x[first..end].iter().zip(&nodes.moment[first..end]);
-            for ((x, m), (place, moment)) in said.zip(places.iter().zip(moments)) {
-                seen.places.see((x - place).abs());
-                seen.moments.see((m - moment * spacing).abs());
-            }
-            let said = nodes.deflection[first..end].iter().zip(&nodes.clearance[first..end]);
-            let said = said.zip(&nodes.contact_force[first..end]);
-            for (((v, clearance), p), (u, caused)) in said.zip(depths.iter().zip(deflections)) {
-                let h = u - v;
-                seen.penetration.see(-h);
-                seen.tension.see(-p);
-                // Anything else is not positive, or no number, which the lines around this one see.
+            let [x, v, clearance, p, moment] =
+                [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment]
+                    .map(|list| &list[first..end]);
+            seen.places.see_all(x.iter().zip(places).map(|(x, place)| (x - place).abs()));
+            seen.moments.see_all(moment.iter().zip(moments).map(|(m, caused)| (m - caused * spacing).abs()));
+            seen.elastic.see_all(v.iter().zip(deflections).map(|(v, caused)| (v - caused * spacing).abs()));
+            seen.tension.see_all(p.iter().map(|p| -p));
+            let clearances = depths.iter().zip(v).map(|(u, v)| u - v);
+            seen.penetration.see_all(clearances.clone().map(|h| -h));
+            let said = clearance.iter().zip(depths).zip(clearances.clone());
+            seen.clearances.see_all(said.map(|((said, u), h)| mistaken(*said, *u, h)));
+            for (h, p) in clearances.zip(p) {
+                // Anything else is not positive, or no number, which the lines above see.
                 if 0.0 < h && 0.0 < *p {
                     seen.complementarity.see((h / sizes[1]).min(p / sizes[0]));
                 }
-                seen.elastic.see((v - caused * spacing).abs());
-                seen.clearances.see(mistaken(*clearance, *u, h));
             }
         }
         seen

@@ -118,23 +118,28 @@ impl<'a> Continuous<'a> {
         passed.push(0.0);
         let mut left = Segment::default();
         let mut row = Row::default();
+        // The moment of the row before stays at hand: whoever waits for memory waits longer.
+        let mut before = 0.0;
         for (i, pair) in supports.windows(2).enumerate() {
             let right = discrete.span(pair[0], pair[1]);
             if 0 < i {
                 let bend = unit * discrete.bend(supports[i - 1], pair[0], pair[1]);
-                let rest = -(left.rotations[1] + right.rotations[0]) - bend - left.steps * moments[i - 1];
+                let rest = -(left.rotations[1] + right.rotations[0]) - bend - left.steps * before;
                 row = row.next(left.steps, right.steps);
                 // The pivot is at least 3/2 (a + b); the comparison refuses NaN.
                 if !(0.0 < row.pivot && rest.is_finite()) {
                     return Err(NotPositiveDefinite { index: i - 1, pivot: row.pivot });
                 }
-                moments[i] = rest * row.inverse;
+                before = rest * row.inverse;
+                moments[i] = before;
                 passed.push(row.passed);
             }
             left = right;
         }
+        let mut behind = 0.0;
         for i in (1..supports.len() - 1).rev() {
-            moments[i] -= passed[i] * moments[i + 1];
+            behind = moments[i] - passed[i] * behind;
+            moments[i] = behind;
         }
         if let Some(end) = moments.last_mut() {
             *end = 0.0;

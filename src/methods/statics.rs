@@ -84,14 +84,25 @@ fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: 
     }
 }
 
-/// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length.
+/// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length. Each of the lanes waits for itself
+/// only.
 fn lever(f: &[f64], length: f64) -> [f64; 2] {
-    let (mut left, mut right) = (0.0, 0.0);
-    for (f, place) in f.iter().zip(PLACES) {
-        left += f * (length - place);
-        right += f * place;
+    const LANES: usize = 4;
+    let (mut left, mut right) = ([0.0; LANES], [0.0; LANES]);
+    let (fours, rest) = f.as_chunks::<LANES>();
+    let (places, last) = PLACES.as_chunks::<LANES>();
+    for (f, places) in fours.iter().zip(places) {
+        for k in 0..LANES {
+            left[k] += f[k] * (length - places[k]);
+            right[k] += f[k] * places[k];
+        }
     }
-    [left / length, right / length]
+    let tail = places.get(fours.len()).map_or(last, |places| places);
+    for (k, (f, place)) in rest.iter().zip(tail).enumerate() {
+        left[k] += f * (length - place);
+        right[k] += f * place;
+    }
+    [left, right].map(|lanes| lanes.iter().sum::<f64>() / length)
 }
 
 /// Bending moments `M_1 … M_n` of a simple beam under the nodal forces `t_1 … t_n` \[force · length\].
