@@ -270,3 +270,6 @@ fn taylor_of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> P
     coefficients[0] = coefficients[0] + Interval::exact(mean);
     Polynomial::new(&coefficients)
 }
+
+#[cfg(test)]
+mod tests;

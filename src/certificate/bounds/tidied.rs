@@ -45,3 +45,6 @@ fn lies_between(a: [f64; 2], p: [f64; 2], b: [f64; 2]) -> bool {
     let added = (a[1] * (1.0 - share)).abs().max((b[1] * share).abs());
     (p[1] - on_the_line).abs() <= ON_THE_LINE * p[1].abs().max(added)
 }
+
+#[cfg(test)]
+mod tests;
