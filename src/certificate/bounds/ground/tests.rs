@@ -171,7 +171,11 @@ fn a_polyline_is_what_its_points_say() {
     encloses(&ground.cell(8.0, LENGTH), 4.0, 0.0, 0.0);
     encloses(&ground.cell(12.0, LENGTH), 4.0, -3.5, 0.0);
     encloses(&ground.mirrored_cell(12.0, LENGTH), 4.0, 0.0, 0.0);
-    assert_eq!(ground.cell(0.5, 1.0).coefficients(), [Interval::exact(2.0)], "a level stretch is level without rounding");
+    assert_eq!(
+        ground.cell(0.5, 1.0).coefficients(),
+        [Interval::exact(2.0)],
+        "a level stretch is level without rounding"
+    );
 }
 
 /// A point given twice makes no corner, nor does one on the line of its neighbours.
