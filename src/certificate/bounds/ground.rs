@@ -165,7 +165,8 @@ impl<'a> Ground<'a> {
         let Foundation::Polyline { points } = self.foundation else { return true };
         let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
         let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
-        let part = &points[first..beyond];
+        // A search that went astray may ask for places that are not in order.
+        let Some(part) = points.get(first..beyond) else { return false };
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
     }
 

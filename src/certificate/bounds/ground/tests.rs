@@ -146,6 +146,7 @@ fn a_polyline_is_what_its_points_say() {
         (3.5, 4.5, false),
         (4.5, 5.5, false),
         (6.0, 7.0, true),
+        (7.0, 2.0, false),
     ] {
         assert_eq!(ground.is_smooth_between(from, to), expected, "from {from} to {to}");
     }
