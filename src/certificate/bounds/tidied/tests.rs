@@ -54,6 +54,8 @@ fn steps_stay_and_doubles_go() {
     assert!(left.iter().filter(|p| p[0] == 2.0).count() == 3, "{left:?}");
     let double = [[0.0, 1.0], [2.0, 3.0], [2.0, 3.0], [4.0, 1.0]];
     assert_eq!(kept(&double), [double[0], double[1], double[3]]);
+    let rounding = [[0.0, 1.0], [2.0, 1.0], [2.0, 1.0 + f64::EPSILON], [4.0, 1.0]];
+    assert_eq!(kept(&rounding), [rounding[0], rounding[3]]);
     let at_the_ends = [[0.0, 1.0], [0.0, 2.0], [2.0, 2.0], [4.0, 2.0], [4.0, 1.0]];
     assert_eq!(kept(&at_the_ends), [[0.0, 1.0], [0.0, 2.0], [4.0, 2.0], [4.0, 1.0]]);
 }
