@@ -158,7 +158,7 @@ fn the_last_part_before_a_support_is_lifted_too() {
             let ([from, to], depth, per) = depths[k * (depths.len() - 1)];
             assert!(from.min(LENGTH - to) <= 0.0 && to - from <= tiny * (1.0 + LEVER[1]), "{from} … {to}");
             let more = per / (steep / LENGTH) - 1.0;
-            assert!(0.0 < depth && LEVER[0] <= more && more <= LEVER[1], "{more:e} for {depth:e} in {from} … {to}");
+            assert!(0.0 < depth && (LEVER[0]..=LEVER[1]).contains(&more), "{more:e} for {depth:e} in {from} … {to}");
         }
     }
 }

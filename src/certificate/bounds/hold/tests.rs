@@ -59,7 +59,7 @@ fn slopes_at_corners_are_between_those_of_the_sides() {
             let margin = INSIDE * (bound.abs() + slope.abs());
             assert!((0.8 * margin..1.2 * margin).contains(&inside), "{slope} becomes {turned} at {bound}: {inside:e}");
         }
-        assert!(joints[0].slope + joints[2].slope == 14.0, "others are not asked");
+        assert!([0, 2].iter().all(|k| (joints[*k].slope - 7.0).abs() <= 0.0), "others are not asked");
     }
     let valley = line(&[[0.0, 1.0], [8.0, 21.0], [12.0, 16.0], [LENGTH, 0.0]]);
     let mut joints = [joint(Kind::Corner, 8.0, 9.0)];
