@@ -22,9 +22,6 @@ pub(super) fn tidied(foundation: &Foundation) -> Option<Foundation> {
             kept.push(point);
             continue;
         };
-        if point[0] <= last[0] && (point[1] - last[1]).abs() <= 0.0 {
-            continue;
-        }
         let next = points.get(i + 1);
         between.push(point);
         let skips = next

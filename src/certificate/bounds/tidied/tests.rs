@@ -53,6 +53,11 @@ fn steps_stay_and_doubles_go() {
     assert_eq!(kept(&spike), spike);
     let double = [[0.0, 1.0], [2.0, 3.0], [2.0, 3.0], [4.0, 1.0]];
     assert_eq!(kept(&double), [double[0], double[1], double[3]]);
+    let all = [[0.0, 1.0], [0.0, 1.0], [2.0, 3.0], [2.0, 3.0], [2.0, 3.0], [4.0, 1.0], [4.0, 1.0]];
+    assert_eq!(kept(&all), [[0.0, 1.0], [2.0, 3.0], [4.0, 1.0]]);
+    let through_zero =
+        [[0.0, 1.0], [2.0, 1.0], [2.0, 0.0], [3.0, 0.0], [3.0, -1.0], [3.5, -1.0], [3.5, 1.0], [4.0, 1.0]];
+    assert_eq!(kept(&through_zero), through_zero);
     let rounding = [[0.0, 1.0], [2.0, 1.0], [2.0, 1.0 + f64::EPSILON], [4.0, 1.0]];
     assert_eq!(kept(&rounding), [rounding[0], rounding[3]]);
     let at_the_ends = [[0.0, 1.0], [0.0, 2.0], [2.0, 2.0], [4.0, 2.0], [4.0, 1.0]];
