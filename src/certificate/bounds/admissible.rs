@@ -53,7 +53,7 @@ fn penetrations(curve: &Curve, ground: &Ground<'_>, length: f64) -> Vec<([f64; 2
     let grounds = cells(0.0, length, breaks).into_iter().map(|c| (c, ground.cell(c[0], c[1])));
     let deflections = curve.pieces.iter().map(|p| ([p.from, p.to], p.v));
     let mut found = Vec::new();
-    let level = |x: f64| ground.depth(x).magnitude() <= 0.0;
+    let is_below = |x: f64| 0.0 <= ground.depth(x).lo();
     let follows: Vec<[f64; 2]> = curve.pieces.iter().filter(|p| p.follows).map(|p| [p.from, p.to]).collect();
     overlay(deflections, grounds, |a, b, v, u| {
         let lies = follows.partition_point(|f| f[1] <= a);
@@ -66,18 +66,18 @@ fn penetrations(curve: &Curve, ground: &Ground<'_>, length: f64) -> Vec<([f64; 2
         let depth = below.range(width).hi();
         let per = if depth <= 0.0 {
             0.0
-        } else if a <= 0.0 && level(0.0) {
-            // u − v = s (…): the quotient by s, over the least of l − s.
+        } else if a <= 0.0 && is_below(0.0) {
+            // v − u ≤ s (…), since v = 0 ≤ u at the support: the quotient by s, over the least of l − s.
             let quotient = below.divided(1).range(width).hi();
             (Interval::exact(quotient) / (Interval::exact(length) - Interval::exact(b))).hi()
-        } else if length <= b && level(length) {
+        } else if length <= b && is_below(length) {
             let mirrored = below.shifted(width);
             let signs = mirrored.coefficients().iter().enumerate().map(|(j, &c)| if j % 2 == 1 { -c } else { c });
             let quotient = Polynomial::new(&signs.collect::<Vec<_>>()).divided(1).range(width).hi();
             (Interval::exact(quotient) / Interval::exact(a)).hi()
         } else {
             let least = |x: f64| Interval::exact(x) * (Interval::exact(length) - Interval::exact(x));
-            (Interval::exact(depth) / Interval::exact(least(a).lo().min(least(b).lo()))).hi()
+            (Interval::exact(depth) / Interval::exact(least(a).lo().min(least(b).lo()).max(0.0))).hi()
         };
         found.push(([a, b], depth.max(0.0), per.max(0.0)));
     });
@@ -141,3 +141,6 @@ fn minus(curve: &Curve, lift: &[([f64; 2], Polynomial)]) -> Curve {
     });
     Curve { pieces }
 }
+
+#[cfg(test)]
+mod tests;

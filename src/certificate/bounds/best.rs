@@ -56,3 +56,6 @@ impl Inner<'_> {
         error::of_moments(pair.amends, self.stiffness, self.length) <= SHARP * size
     }
 }
+
+#[cfg(test)]
+mod tests;

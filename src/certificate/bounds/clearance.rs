@@ -145,3 +145,6 @@ impl Part {
         Some(first.lift(shape, parts)?.max(second.lift(shape, parts)?))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -165,7 +165,8 @@ impl<'a> Ground<'a> {
         let Foundation::Polyline { points } = self.foundation else { return true };
         let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
         let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
-        let part = &points[first..beyond];
+        // A search that went astray may ask for places that are not in order.
+        let Some(part) = points.get(first..beyond) else { return false };
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
     }
 
@@ -207,16 +208,9 @@ impl<'a> Ground<'a> {
         let Foundation::Polyline { points } = self.foundation else { return Vec::new() };
         let first = points.partition_point(|p| p[0] <= from).max(1);
         let beyond = points.partition_point(|p| p[0] < to).min(points.len() - 1);
-        let upright = |a: [f64; 2], b: [f64; 2]| b[0] <= a[0];
+        // Of a step infinite, in the direction in which it goes.
         let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-        let corner = |i: usize| {
-            let (before, here, after) = (points[i - 1], points[i], points[i + 1]);
-            match (upright(before, here), upright(here, after)) {
-                (true, _) => here[1] < before[1],
-                (_, true) => here[1] < after[1],
-                _ => slope(before, here) < slope(here, after),
-            }
-        };
+        let corner = |i: usize| slope(points[i - 1], points[i]) < slope(points[i], points[i + 1]);
         let mut corners: Vec<f64> = (first..beyond.max(first)).filter(|&i| corner(i)).map(|i| points[i][0]).collect();
         corners.dedup();
         corners
@@ -270,3 +264,6 @@ fn taylor_of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> P
     coefficients[0] = coefficients[0] + Interval::exact(mean);
     Polynomial::new(&coefficients)
 }
+
+#[cfg(test)]
+mod tests;

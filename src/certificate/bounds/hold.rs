@@ -51,3 +51,6 @@ fn bend(setting: &Setting<'_>, joints: &[Joint], end: usize) -> f64 {
         |s: Option<Span>, start: bool| s.map_or(0.0, |s| if start { s.start[2].middle() } else { s.end[2].middle() });
     if end == 0 { jet(span(0), true) } else { jet(span(end - 1), false) }
 }
+
+#[cfg(test)]
+mod tests;

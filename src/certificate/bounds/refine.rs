@@ -17,9 +17,6 @@ const CONVERGED: f64 = 1e-13;
 /// A zone that is shorter, as a share of the beam's length, becomes a point.
 const SHORTEST_ZONE: f64 = 1e-7;
 
-/// A zone that comes as near to a support at which the foundation is level with it begins there.
-const NEAR_A_SUPPORT: f64 = 1e-4;
-
 /// Newton's method, and changes of the pattern where it does not fit; the joints that come out are in order.
 pub(super) fn refined(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Option<Vec<Joint>> {
     let (mut changes, mut steps) = (0, 0);
@@ -28,7 +25,6 @@ pub(super) fn refined(setting: &Setting<'_>, mut joints: Vec<Joint>) -> Option<V
         let before = joints.clone();
         let change = newton(setting, &mut joints, Places::Free)?;
         let confined = confine(setting, &before, &mut joints);
-        joints.dedup_by(|next, kept| next.kind == Kind::Corner && kept.kind == Kind::Corner && next.x <= kept.x);
         if confined || collapse(setting, &mut joints) {
             continue;
         }
@@ -84,41 +80,14 @@ fn confine(setting: &Setting<'_>, before: &[Joint], joints: &mut [Joint]) -> boo
     changed
 }
 
-/// Zones without length become points, and zones that reach for a support begin there.
+/// Zones without length become points.
 fn collapse(setting: &Setting<'_>, joints: &mut Vec<Joint>) -> bool {
     let short = SHORTEST_ZONE * setting.length;
     let found = joints.windows(2).position(|w| w[0].kind == Kind::Start && w[1].x - w[0].x < short);
-    if let Some(i) = found {
-        let middle = 0.5 * (joints[i].x + joints[i + 1].x);
-        joints.splice(i..i + 2, [Joint::new(Kind::Touch, middle)]);
-        return true;
-    }
-    let near = NEAR_A_SUPPORT * setting.length;
-    let lies = |x: f64| setting.ground.depth(x).magnitude() <= 0.0;
-    let mut moved = false;
-    if let [first, second, ..] = joints[..]
-        && second.kind == Kind::Start
-        && first.kind == Kind::Support
-        && second.x < near
-        && lies(0.0)
-    {
-        joints.remove(0);
-        joints[0].x = 0.0;
-        moved = true;
-    }
-    if let [.., before, last] = joints[..]
-        && before.kind == Kind::End
-        && last.kind == Kind::Support
-        && last.x - before.x < near
-        && lies(last.x)
-    {
-        joints.pop();
-        if let Some(end) = joints.last_mut() {
-            end.x = last.x;
-        }
-        moved = true;
-    }
-    moved
+    let Some(i) = found else { return false };
+    let middle = 0.5 * (joints[i].x + joints[i + 1].x);
+    joints.splice(i..i + 2, [Joint::new(Kind::Touch, middle)]);
+    true
 }
 
 /// Joints whose places are known: only the slopes at supports and corners are found.

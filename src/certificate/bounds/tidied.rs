@@ -2,7 +2,8 @@
 //!
 //! Points that lie on one line in a drawing do not in 64-bit numbers, and the corner between them, of the size of rounding,
 //! would be one: a beam that lies across it could not be told from one that hangs on it. A point that is off the line of its
-//! neighbours by rounding is taken to lie on it, as a survey in decimals means it. So is a point that is given twice.
+//! neighbours by rounding is taken to lie on it, as a survey in decimals means it. So is a point that is given twice, and a step
+//! of the size of rounding is none.
 
 use crate::scene::Foundation;
 
@@ -21,9 +22,6 @@ pub(super) fn tidied(foundation: &Foundation) -> Option<Foundation> {
             kept.push(point);
             continue;
         };
-        if point[0] <= last[0] && (point[1] - last[1]).abs() <= 0.0 {
-            continue;
-        }
         let next = points.get(i + 1);
         between.push(point);
         let skips = next
@@ -36,12 +34,14 @@ pub(super) fn tidied(foundation: &Foundation) -> Option<Foundation> {
     (kept.len() < points.len()).then_some(Foundation::Polyline { points: kept })
 }
 
+/// Whether `p`, at or between the places of `a` and `b`, is on the line from one to the other. Of three points at one place
+/// none is: there is no line.
 fn lies_between(a: [f64; 2], p: [f64; 2], b: [f64; 2]) -> bool {
-    if p[0] <= a[0] || b[0] <= p[0] {
-        return false;
-    }
     let share = (p[0] - a[0]) / (b[0] - a[0]);
     let on_the_line = a[1] + (b[1] - a[1]) * share;
     let added = (a[1] * (1.0 - share)).abs().max((b[1] * share).abs());
     (p[1] - on_the_line).abs() <= ON_THE_LINE * p[1].abs().max(added)
 }
+
+#[cfg(test)]
+mod tests;

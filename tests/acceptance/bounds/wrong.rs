@@ -2,7 +2,7 @@
 
 use palkki::certificate::{ContactLoad, Judged, certify};
 use palkki::route::{Method, Solver};
-use palkki::scene::Scene;
+use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::theory;
 
 use super::true_error;
@@ -105,4 +105,21 @@ fn numbers_that_are_none_are_refused() {
         assert!(ContactLoad::new(10.0, [(force, 1.0)]).is_err(), "a force at {force}");
     }
     assert!(ContactLoad::new(10.0, [(10.1, 1.0)]).is_err(), "a force beside the beam");
+}
+
+/// A force that throws the beam beyond all numbers, from a pattern of which nothing follows: no admissible deflection is found,
+/// and nothing is bounded by its distance from one.
+#[test]
+fn where_no_admissible_deflection_is_found_nothing_is_bounded() {
+    let beam = Beam::new(1.0, 1e-300).expect("positive");
+    let load = Load::uniform_on(&beam, 1e-100).expect("finite");
+    let slope = Foundation::Polynomial { coefficients: vec![1.0, 1.0] };
+    let scene = Scene::new(beam, load, Some(slope)).expect("well posed");
+    let forces =
+        ContactLoad::new(1.0, [(0.3, 1e-100), (0.5, 1e-100), (0.7, 1e300)]).expect("finite forces on the beam");
+    let certificate = certify(&scene, &forces, Judged::Caused).expect("the scene can be scaled");
+    let bounds = [certificate.gap, certificate.deflection_error, certificate.best_deflection_error];
+    assert!(bounds.iter().all(|bound| bound.is_infinite()), "{certificate:?}");
+    assert!(certificate.energy_upper.is_infinite() && certificate.energy_lower.is_infinite(), "{certificate:?}");
+    assert!(!certificate.pattern_proven && certificate.reactions == [None, None], "{certificate:?}");
 }

@@ -1,0 +1,115 @@
+//! Slopes at corners and at supports against what the foundation allows there.
+
+use super::*;
+use crate::certificate::bounds::ground::Ground;
+use crate::certificate::bounds::load::Pieces;
+use crate::scene::{Beam, Foundation, Load, Scene};
+
+const LENGTH: f64 = 20.0;
+const STIFFNESS: f64 = 70.0;
+
+/// Joints above a foundation on a beam without a load.
+fn changed<R>(
+    foundation: &Foundation,
+    joints: &mut [Joint],
+    change: impl FnOnce(&Setting<'_>, &mut [Joint]) -> R,
+) -> R {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::new(&beam, 0.0, Vec::new(), Vec::new()).expect("finite");
+    let pieces = Pieces::of(&Scene::new(beam, load, None).expect("well posed"));
+    let ground = Ground::on(foundation, LENGTH);
+    change(&Setting { ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH }, joints)
+}
+
+fn joint(kind: Kind, x: f64, slope: f64) -> Joint {
+    Joint { kind, x, slope }
+}
+
+fn line(points: &[[f64; 2]]) -> Foundation {
+    Foundation::Polyline { points: points.to_vec() }
+}
+
+/// What is outside the slopes of the two sides comes to the nearer one, just inside, and what is between them stays. A valley
+/// allows none, and gets the one in the middle. At a step only the upper side counts.
+#[test]
+fn slopes_at_corners_are_between_those_of_the_sides() {
+    let ridge = line(&[[0.0, 21.0], [8.0, 1.0], [12.0, 21.0], [LENGTH, 21.0]]);
+    let down = line(&[[0.0, 1.0], [8.0, 21.0], [8.0, 24.0], [LENGTH, 24.0]]);
+    let up = line(&[[0.0, 24.0], [8.0, 24.0], [8.0, 21.0], [12.0, 1.0], [LENGTH, 1.0]]);
+    let free = f64::INFINITY;
+    for (foundation, [least, most], slope) in [
+        (&ridge, [-2.5, 5.0], -7.0),
+        (&ridge, [-2.5, 5.0], -2.5),
+        (&ridge, [-2.5, 5.0], 0.1),
+        (&ridge, [-2.5, 5.0], 5.0),
+        (&ridge, [-2.5, 5.0], 7.0),
+        (&down, [2.5, free], 0.1),
+        (&down, [2.5, free], 9.0),
+        (&up, [-free, -5.0], -0.1),
+        (&up, [-free, -5.0], -9.0),
+    ] {
+        let mut joints =
+            [joint(Kind::Support, 0.0, 7.0), joint(Kind::Corner, 8.0, slope), joint(Kind::Touch, 15.0, 7.0)];
+        changed(foundation, &mut joints, at_corners);
+        let turned = joints[1].slope;
+        if least < slope && slope < most {
+            assert_eq!(turned.to_bits(), slope.to_bits(), "between {least} and {most}");
+        } else {
+            let (bound, inside) = if slope <= least { (least, turned - least) } else { (most, most - turned) };
+            let margin = INSIDE * (bound.abs() + slope.abs());
+            assert!((0.8 * margin..1.2 * margin).contains(&inside), "{slope} becomes {turned} at {bound}: {inside:e}");
+        }
+        assert!([0, 2].iter().all(|k| (joints[*k].slope - 7.0).abs() <= 0.0), "others are not asked");
+    }
+    let valley = line(&[[0.0, 1.0], [8.0, 21.0], [12.0, 16.0], [LENGTH, 0.0]]);
+    let mut joints = [joint(Kind::Corner, 8.0, 9.0)];
+    changed(&valley, &mut joints, at_corners);
+    assert!((joints[0].slope - 0.625).abs() <= 4.0 * INSIDE, "between 2.5 and −1.25: {:?}", joints[0]);
+}
+
+/// A support becomes a clamp where the beam would be steeper than ground that is level with it, on the beam's side.
+#[test]
+fn a_support_holds_a_beam_that_is_steeper_than_the_ground() {
+    let level = line(&[[0.0, 0.0], [10.0, 2.0], [LENGTH, 0.0]]);
+    let deep = line(&[[0.0, 1e-3], [10.0, 2.0], [LENGTH, 1e-3]]);
+    let inner = line(&[[0.0, 1.0], [0.0, 0.0], [10.0, 2.0], [LENGTH, 0.0], [LENGTH, 1.0]]);
+    let outer = line(&[[0.0, 0.0], [0.0, 1.0], [10.0, 3.0], [LENGTH, 1.0], [LENGTH, 0.0]]);
+    for (foundation, slope, holds) in [
+        (&level, 0.3, true),
+        (&level, 0.2 * (1.0 + 1e-11), true),
+        (&level, 0.2 * (1.0 + 1e-12), false),
+        (&level, 0.1, false),
+        (&level, -0.3, false),
+        (&deep, 0.3, false),
+        (&inner, 0.3, true),
+        (&outer, 0.3, false),
+    ] {
+        for sides in [[true, false], [false, true]] {
+            let [left, right] = sides.map(|this| if this { slope } else { 0.0 });
+            let corner = joint(Kind::Corner, 10.0, 0.0);
+            let mut joints = [joint(Kind::Support, 0.0, left), corner, joint(Kind::Support, LENGTH, -right)];
+            assert_eq!(
+                changed(foundation, &mut joints, |s, j| at_supports(s, j, false)),
+                holds,
+                "{slope}: {foundation:?}"
+            );
+            let clamps = [joints[0].kind == Kind::Clamp, joints[2].kind == Kind::Clamp];
+            assert_eq!(clamps, sides.map(|this| this && holds), "{slope}: {joints:?}");
+        }
+    }
+}
+
+/// A clamp lets go where it would have to pull, `EI v'' < 0` beside it: with the slope 0.2 of the ground and the slope `θ` at
+/// the other end `v'' = −(0.8 + 2 θ)/L`.
+#[test]
+fn a_clamp_lets_go_of_a_beam_that_it_would_have_to_pull() {
+    let level = line(&[[0.0, 0.0], [10.0, 2.0], [LENGTH, 0.0]]);
+    for (slope, may, goes) in [(-0.3, true, true), (-0.3, false, false), (-0.5, true, false), (-0.5, false, false)] {
+        let mut left = [joint(Kind::Clamp, 0.0, 0.0), joint(Kind::Corner, LENGTH, slope)];
+        let mut right = [joint(Kind::Corner, 0.0, -slope), joint(Kind::Clamp, LENGTH, 0.0)];
+        for (joints, end) in [(&mut left, 0), (&mut right, 1)] {
+            assert_eq!(changed(&level, joints, |s, j| at_supports(s, j, may)), goes, "{slope}, {may}: {joints:?}");
+            assert_eq!(joints[end].kind == Kind::Support, goes, "{slope}, {may}: {joints:?}");
+        }
+    }
+}
