@@ -26,7 +26,7 @@
 use std::ops::Range;
 
 use super::Answer;
-use super::descent::{Cost, Descent, steepest, violators};
+use super::descent::{Cost, Descent, Violators, steepest};
 use super::neighbourhood::{Window, borders, widened};
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
 
@@ -77,16 +77,9 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer,
     let answer = match end {
         Ok((point, optimal)) => {
             let words = if optimal { "optimal" } else { "no further descent above rounding" };
-            // What is left below zero is within rounding of it.
-            let clip = |mut values: Vec<f64>| {
-                if optimal {
-                    values.iter_mut().filter(|v| **v < 0.0).for_each(|v| *v = 0.0);
-                }
-                values
-            };
             Answer {
-                x: clip(point.x),
-                gradient: clip(point.gradient),
+                x: point.x,
+                gradient: point.gradient,
                 claims_success: optimal,
                 words: words.to_owned(),
                 iterations,
@@ -117,13 +110,13 @@ impl Run<'_> {
             window = self.settle(&mut free, window)?;
             self.cost.whole += 1;
             let point = self.programme.stationary(&free)?;
-            let wrong = violators(self.programme, &point, free.iter().copied());
-            if wrong.is_empty() {
-                return Ok((point, true));
+            let violators = Violators::of(self.programme, &point, free.iter().copied());
+            if violators.wrong.is_empty() {
+                return Ok((violators.clipped(point), true));
             }
-            exchange(&mut free, &wrong, &point.gradient);
+            exchange(&mut free, &violators.wrong, &point.gradient);
             reach *= 2;
-            let wider = window.with(&Window::around(&wrong, reach, n));
+            let wider = window.with(&Window::around(&violators.wrong, reach, n));
             if wider == window {
                 break;
             }
@@ -183,8 +176,8 @@ impl Run<'_> {
     fn look(&mut self, free: &[bool], range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
         self.cost.windows += 1;
         let point = Window::of(range.clone()).minimum_on(self.programme, free)?;
-        let wrong = violators(self.programme, &point, free[range.clone()].iter().copied());
-        Ok((point, wrong))
+        let violators = Violators::of(self.programme, &point, free[range.clone()].iter().copied());
+        Ok((point, violators.wrong))
     }
 }
 

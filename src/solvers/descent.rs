@@ -58,21 +58,41 @@ impl Signs {
     }
 }
 
-/// Variables on the wrong side: free ones that are negative, and those at zero with a negative gradient. `free` and what comes
-/// back are in the order of the point.
-pub(super) fn violators(programme: &dyn Programme, point: &Stationary, free: impl Iterator<Item = bool>) -> Vec<usize> {
-    let values = point.x.iter().zip(&point.gradient).zip(free).enumerate();
-    let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
-    let doubtful: Vec<(usize, bool)> = negative.map(|(k, (_, free))| (k, free)).collect();
-    // Sizes of a million numbers are wanted only if one of them is on the wrong side.
-    if doubtful.is_empty() {
-        return Vec::new();
+/// Variables with a negative sign at a point: free ones that are negative, and those at zero with a negative gradient, in the
+/// order of the point.
+pub(super) struct Violators {
+    /// By more than rounding: these are on the wrong side.
+    pub(super) wrong: Vec<usize>,
+    /// By no more than that.
+    rounded: Vec<usize>,
+}
+
+impl Violators {
+    /// One pass; `free` is in the order of the point.
+    pub(super) fn of(programme: &dyn Programme, point: &Stationary, free: impl Iterator<Item = bool>) -> Self {
+        let values = point.x.iter().zip(&point.gradient).zip(free).enumerate();
+        let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
+        let doubtful: Vec<(usize, bool)> = negative.map(|(k, (_, free))| (k, free)).collect();
+        // Sizes of a million numbers are wanted only if one of them is on the wrong side.
+        if doubtful.is_empty() {
+            return Self { wrong: Vec::new(), rounded: Vec::new() };
+        }
+        let signs = Signs::at(programme, point);
+        let is_wrong =
+            |&(k, free): &(usize, bool)| if free { point.x[k] < signs.x } else { point.gradient[k] < signs.gradient };
+        let (wrong, rounded): (Vec<_>, Vec<_>) = doubtful.into_iter().partition(is_wrong);
+        let places = |doubtful: Vec<(usize, bool)>| doubtful.into_iter().map(|(k, _)| k).collect();
+        Self { wrong: places(wrong), rounded: places(rounded) }
     }
-    let signs = Signs::at(programme, point);
-    let wrong = doubtful
-        .into_iter()
-        .filter(|&(k, free)| if free { point.x[k] < signs.x } else { point.gradient[k] < signs.gradient });
-    wrong.map(|(k, _)| k).collect()
+
+    /// An optimal point without the rounding below zero.
+    pub(super) fn clipped(&self, mut point: Stationary) -> Stationary {
+        for &k in &self.rounded {
+            point.x[k] = point.x[k].max(0.0);
+            point.gradient[k] = point.gradient[k].max(0.0);
+        }
+        point
+    }
 }
 
 /// Of each run of neighbours with a negative value the one with the smallest: of gradients, those to release.
@@ -107,11 +127,14 @@ impl<'a> Descent<'a> {
     fn optimum(&mut self, free: &mut [bool]) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let mut point = self.feasible(free)?;
         loop {
-            let violators = violators(self.programme, &point, self.places.iter().map(|&i| free[i]));
-            if violators.is_empty() || EXHAUSTED[0] + EXHAUSTED[1] * self.places.len() < self.solves {
-                return Ok((point, violators.is_empty()));
+            let violators = Violators::of(self.programme, &point, self.places.iter().map(|&i| free[i]));
+            if violators.wrong.is_empty() {
+                return Ok((violators.clipped(point), true));
             }
-            let released = steepest(&violators, &point.gradient);
+            if EXHAUSTED[0] + EXHAUSTED[1] * self.places.len() < self.solves {
+                return Ok((point, false));
+            }
+            let released = steepest(&violators.wrong, &point.gradient);
             let before: Vec<bool> = self.places.iter().map(|&i| free[i]).collect();
             self.release(free, &released);
             let next = self.feasible(free)?;

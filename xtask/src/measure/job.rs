@@ -15,10 +15,8 @@ use super::memory;
 use super::plan::{Job, Route};
 use super::tridiagonal::Tridiagonal;
 
-/// At least so many runs of each job that is quick enough.
-const RUNS: usize = 5;
-/// Runs of a job beside which the yardstick lies: the quickest of few is still a matter of luck where memory is fetched anew.
-const RULED: usize = 25;
+/// Runs of each job that is quick enough: few microseconds, and memory that is fetched anew, are a matter of luck.
+const RUNS: usize = 25;
 /// No more runs after so many seconds, unless the yardstick lies beside them.
 const ENOUGH: f64 = 0.25;
 
@@ -52,8 +50,7 @@ impl Measured {
         let mut ruler = job.is_ruled().then(|| Tridiagonal::new(job.intervals - 1));
         let (mut yardstick, mut certificate): (Option<f64>, Option<f64>) = (None, None);
         let quickest = |known: Option<f64>, seconds: f64| known.map_or(seconds, |known| known.min(seconds));
-        let most = if job.is_ruled() { RULED } else { RUNS };
-        while seconds.len() < most && (job.is_ruled() || seconds.iter().sum::<f64>() < ENOUGH) {
+        while seconds.len() < RUNS && (job.is_ruled() || seconds.iter().sum::<f64>() < ENOUGH) {
             // The answer of the last run goes first: no run has to share memory with it.
             drop(measured.take());
             if let Some(ruler) = &mut ruler {
