@@ -140,7 +140,7 @@ fn bounded_from_both_sides() {
         assert!(grid.difference < CONDITIONED, "both methods have the same energy: {grid:?}");
         assert!(0.0 < grid.penetration, "the beam dips between the nodes: {grid:?}");
         let [lower, upper] = grid.bracket;
-        assert!(lower <= 0.0 && 0.0 <= upper && upper - lower < 0.05, "the bracket holds beam theory: {grid:?}");
+        assert!(lower <= 0.0 && 0.0 <= upper && upper - lower < 1e-9, "the bracket holds beam theory: {grid:?}");
         assert!(grid.energy < 0.0, "and the energy is above the exact one, which is negative: {grid:?}");
     }
 }

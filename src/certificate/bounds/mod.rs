@@ -37,6 +37,7 @@ mod error;
 mod fill;
 mod ground;
 mod hold;
+mod inner;
 mod joints;
 mod largest;
 mod load;
@@ -44,55 +45,30 @@ mod pattern;
 mod polynomial;
 mod pressing;
 mod proof;
+mod record;
 mod refine;
 mod span;
 mod statics;
+mod stiffness;
 mod tidied;
 mod violations;
 
 pub use contact_load::{ContactLoad, NotAForce};
+pub use record::Certificate;
+pub use stiffness::stiffness;
 pub use violations::{Violation, ViolationKind, violations};
 
-use self::best::Best;
 use std::cell::LazyCell;
 
-use self::curve::{Curve, Piece, overlay};
-use self::error::Error;
-use self::ground::Ground;
-use self::joints::{Joint, Kind, Setting};
-use self::load::Pieces;
-use self::polynomial::Polynomial;
-use self::proof::Pair;
+use self::best::Best;
+use self::curve::{Curve, Piece};
+use self::inner::Inner;
+use self::joints::{Joint, Kind};
+use self::record::Proven;
 use self::statics::{Carried, deflection};
 use super::interval::Interval;
-use crate::scene::{Foundation, Scale, Scene, SceneError};
+use crate::scene::{Scene, SceneError};
 use crate::state::{Contact, Nodes};
-
-/// Bounds that hold for the continuous beam, in the units of the scene. Infinite where nothing could be shown.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Certificate {
-    /// At most `J*`: `D(p)` of the contact load.
-    pub energy_lower: f64,
-    /// At least `J*`: `J(v̂)` of an admissible deflection.
-    pub energy_upper: f64,
-    /// At least `J(v̂) − D(p)`, without cancellation.
-    pub gap: f64,
-    /// At least `max |v − v*|` over the whole beam.
-    pub deflection_error: f64,
-    /// Where that bound is largest.
-    pub deflection_error_at: f64,
-    /// At least `max |v̂ − v*|` of the admissible deflection `v̂` that was built: how well the true deflection is known, even
-    /// if the one that was judged is far off.
-    pub best_deflection_error: f64,
-    /// The largest magnitude of the deflection that was judged, rounded up.
-    pub deflection: f64,
-    /// What the reactions of the two supports lie between, left and right; [`None`] where nothing could be shown.
-    pub reactions: [Option<[f64; 2]>; 2],
-    /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
-    pub stiffness: Option<[f64; 2]>,
-    /// True if the pattern of contact was proven; otherwise the bounds are coarse.
-    pub pattern_proven: bool,
-}
 
 /// Share of its largest value to which a deflection has to be certain to be accepted from somebody who says nothing of a
 /// grid: what can be read off a drawing, and a tenth of what the paper calls usable.
@@ -148,7 +124,7 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
         Judged::Caused => error::deflection(&curve, own(), sharpest, inner.stiffness, length),
         Judged::Nodes(nodes) => error::of_nodes(&curve, nodes, scale, sharpest, inner.stiffness, length),
     };
-    Ok(inner.certificate(scene, scale, energy, gap, sharpest, error, pair.as_ref()))
+    Ok(Proven { energy, gap, sharpest, error, pair: pair.as_ref() }.certificate(&inner, scene, scale))
 }
 
 /// Bounds from the contacts of an exact answer: its zones and points, at the places that it gives. The deflection that is
@@ -192,102 +168,5 @@ pub fn certify_contacts(given: &Scene, contacts: &[Contact]) -> Result<Certifica
             (pair.curve.energy(&inner.load, inner.stiffness), pair.gap, error)
         }
     };
-    Ok(inner.certificate(scene, scale, energy, gap, gap.hi(), error, pair.as_ref()))
-}
-
-/// A dimensionless scene, taken apart.
-struct Inner<'a> {
-    ground: Option<Ground<'a>>,
-    load: Pieces,
-    stiffness: f64,
-    length: f64,
-}
-
-impl<'a> Inner<'a> {
-    fn of(scene: &'a Scene, foundation: Option<&'a Foundation>) -> Self {
-        Self {
-            ground: foundation.map(|foundation| Ground::on(foundation, scene.beam().length())),
-            load: Pieces::of(scene),
-            stiffness: scene.beam().bending_stiffness(),
-            length: scene.beam().length(),
-        }
-    }
-
-    fn setting(&self) -> Option<Setting<'_>> {
-        Some(Setting { ground: self.ground?, load: &self.load, stiffness: self.stiffness, length: self.length })
-    }
-
-    /// The pair of some joints.
-    fn pair(&self, joints: &[Joint]) -> Option<Pair> {
-        match self.setting() {
-            Some(setting) => proof::pair(&setting, joints),
-            None => Some(proof::free(&self.load, self.stiffness, self.length)),
-        }
-    }
-
-    /// `½ ∫ (EI v̂'' + M)²/EI dx` with the moments of the deflection that the forces cause.
-    fn mismatch(&self, curve: &Curve, own: impl Iterator<Item = ([f64; 2], Polynomial)>) -> Interval {
-        let half = Interval::exact(0.5 * self.stiffness);
-        let mut sum = Interval::ZERO;
-        let second = |v: &Polynomial| v.derivative().derivative();
-        let curve = curve.pieces.iter().map(|p| ([p.from, p.to], second(&p.v)));
-        overlay(curve, own.map(|(cell, v)| (cell, second(&v))), |a, b, f, g| {
-            let width = Interval::exact(b) - Interval::exact(a);
-            sum = sum + half * f.minus(g).integral_of_square(width);
-        });
-        sum
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "the parts of one record, each computed elsewhere")]
-    fn certificate(
-        &self,
-        scene: &Scene,
-        scale: &Scale,
-        energy: Interval,
-        gap: Interval,
-        sharpest: f64,
-        error: Error,
-        pair: Option<&Pair>,
-    ) -> Certificate {
-        let lower = (Interval::exact(energy.lo()) - Interval::exact(gap.hi())).lo();
-        let energies = [lower, energy.hi()];
-        let reactions = error::reactions(pair, self.ground.as_ref(), self.stiffness, self.length);
-        let reactions = reactions.map(|r| r.map(|r| [r.lo() * scale.force, r.hi() * scale.force]));
-        let stiffness = stiffness(energies, scene.load().resultant(self.length));
-        Certificate {
-            energy_lower: energies[0] * scale.energy(),
-            energy_upper: energies[1] * scale.energy(),
-            gap: gap.hi() * scale.energy(),
-            deflection_error: error.most * scale.depth,
-            deflection_error_at: error.at * scale.length,
-            best_deflection_error: error::of_gap(sharpest, self.stiffness, self.length) * scale.depth,
-            deflection: error.size * scale.depth,
-            reactions,
-            stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
-            pattern_proven: pair.is_some_and(|pair| self.is_sharp(pair)),
-        }
-    }
-}
-
-/// The structural stiffness from bounds on the energy, and the resultant `Q` of the load.
-///
-/// The paper does not define `D`. A linear structure that its load pushes down by `w`, taken as the mean deflection under
-/// the load, has `J* = −½ Q w` and the stiffness `D = Q / w`; hence
-///
-/// ```text
-/// D = Q² / (−2 J*),      Q² / (−2 energy_lower) ≤ D ≤ Q² / (−2 energy_upper)
-/// ```
-///
-/// For a beam that touches, this is the stiffness of the linear structure that takes up the same energy. The
-/// complementary energy gives the lower bound and the potential energy the upper one.
-#[must_use]
-pub fn stiffness([lower, upper]: [f64; 2], resultant: f64) -> Option<[f64; 2]> {
-    if !(lower.is_finite() && upper < 0.0) {
-        return None;
-    }
-    // The resultant is a sum of a few products, rounded: two dozen units in the last place cover any load of a scene file
-    // that a person writes; more parts only make it a little less safe, so count them in with a wide margin.
-    let square = (Interval::exact(resultant) * Interval::between(1.0 - 1e-13, 1.0 + 1e-13)).square();
-    let half = |energy: f64| square / (Interval::exact(-2.0) * Interval::exact(energy));
-    Some([half(lower).lo(), half(upper).hi()])
+    Ok(Proven { energy, gap, sharpest: gap.hi(), error, pair: pair.as_ref() }.certificate(&inner, scene, scale))
 }

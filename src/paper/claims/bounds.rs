@@ -88,10 +88,9 @@ impl Evidence {
                 100.0 * g.energy
             )
         };
-        let bracket = |g: &Grid| {
-            let [lower, upper] = g.bracket.map(|b| 100.0 * b);
-            format!("on {} intervals between {lower:+.4} % and {upper:+.4} %", g.intervals)
-        };
+        let between = |g: &Grid| g.bracket[0] <= 0.0 && 0.0 <= g.bracket[1];
+        let holds = if self.grids.iter().all(between) { "holds" } else { "does not hold" };
+        let width = self.grids.iter().map(|g| g.bracket[1] - g.bracket[0]).fold(0.0, f64::max);
         Claim {
             name: "bounded_from_both_sides",
             statement: "Without tension, or penetration, between the nodes, the stiffness D is bounded from both sides.",
@@ -100,12 +99,12 @@ impl Evidence {
                 "The condition is essential and does not hold as the methods stand: with constraints at the nodes only, both have \
                  the same energy (the two differ by less than {}), and the beam dips below the foundation between them: {}. One \
                  number on one side is no bracket. With a deflection made admissible between the nodes the claim can be carried \
-                 out, and `palkki certify` does: from the contact forces alone the energy of the continuous beam is bounded, relative \
-                 to beam theory, {}.",
+                 out, and `palkki certify` does: from the contact forces alone the energy of the continuous beam is bounded from both \
+                 sides. On each of these grids the bracket {holds} that of beam theory, and is narrower than {} of it.",
                 // Two sums that end in the same bits still say no more than that.
                 bound(self.grids.iter().map(|g| g.difference).fold(f64::EPSILON, f64::max)),
                 self.grids.iter().map(line).collect::<Vec<_>>().join("; "),
-                self.grids.iter().map(bracket).collect::<Vec<_>>().join("; "),
+                bound(width),
             ),
         }
     }
