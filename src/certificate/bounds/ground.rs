@@ -1,6 +1,7 @@
 //! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
 
 use super::polynomial::{Polynomial, TERMS, number};
+use super::taylor::{of_cosine, of_polynomial, of_polynomial_at};
 use crate::certificate::interval::Interval;
 use crate::scene::{Foundation, Scene};
 
@@ -90,11 +91,9 @@ impl<'a> Ground<'a> {
     pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
         match self.foundation {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
-            Foundation::Polynomial { coefficients } => {
-                self.levelled(&taylor_of_polynomial(coefficients, from, to), from)
-            }
+            Foundation::Polynomial { coefficients } => self.levelled(&of_polynomial(coefficients, from, to), from),
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], from), from)
+                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], from), from)
             }
             Foundation::Polyline { points } => {
                 let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
@@ -118,11 +117,11 @@ impl<'a> Ground<'a> {
     pub(super) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
         let taylor = match self.foundation {
             Foundation::Polynomial { coefficients } => {
-                self.levelled(&taylor_of_polynomial_at(coefficients, to, [from, to]), to)
+                self.levelled(&of_polynomial_at(coefficients, to, [from, to]), to)
             }
             Foundation::Flat { .. } => self.cell(from, to),
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&taylor_of_cosine([*mean, *amplitude, *wavelength, *phase], to), to)
+                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], to), to)
             }
             Foundation::Polyline { .. } => {
                 let left = self.cell(from, to);
@@ -215,54 +214,6 @@ impl<'a> Ground<'a> {
         corners.dedup();
         corners
     }
-}
-
-/// Taylor's polynomial at `from`; terms beyond those that are kept become the remainder of Lagrange.
-fn taylor_of_polynomial(given: &[f64], from: f64, to: f64) -> Polynomial {
-    taylor_of_polynomial_at(given, from, [from, to])
-}
-
-fn taylor_of_polynomial_at(given: &[f64], origin: f64, cell: [f64; 2]) -> Polynomial {
-    let mut shifted: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
-    let shift = |coefficients: &mut [Interval], s: Interval| {
-        for start in 0..coefficients.len() {
-            for j in (start..coefficients.len() - 1).rev() {
-                coefficients[j] = coefficients[j] + coefficients[j + 1] * s;
-            }
-        }
-    };
-    if shifted.len() <= TERMS {
-        shift(&mut shifted, Interval::exact(origin));
-        return Polynomial::new(&shifted);
-    }
-    // The coefficient of the remainder: that of Taylor's polynomial at any place of the cell.
-    let mut anywhere = shifted.clone();
-    shift(&mut anywhere, Interval::between(cell[0], cell[1]));
-    shift(&mut shifted, Interval::exact(origin));
-    shifted.truncate(TERMS);
-    shifted[TERMS - 1] = anywhere[TERMS - 1];
-    Polynomial::new(&shifted)
-}
-
-/// Derivatives of a cosine at `x`, over factorials; the last one at any place.
-fn taylor_of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomial {
-    let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
-    let wave_number = Interval::turn() / Interval::exact(wavelength);
-    let mut factor = Interval::exact(amplitude);
-    let mut coefficients = [Interval::ZERO; TERMS];
-    for (j, c) in coefficients.iter_mut().enumerate() {
-        let value = match j % 4 {
-            _ if j == TERMS - 1 => Interval::around_zero(1.0),
-            0 => cos,
-            1 => -sin,
-            2 => -cos,
-            _ => sin,
-        };
-        *c = factor * value;
-        factor = factor * wave_number / number(j + 1);
-    }
-    coefficients[0] = coefficients[0] + Interval::exact(mean);
-    Polynomial::new(&coefficients)
 }
 
 #[cfg(test)]

@@ -50,6 +50,7 @@ mod refine;
 mod span;
 mod statics;
 mod stiffness;
+mod taylor;
 mod tidied;
 mod violations;
 
