@@ -38,9 +38,9 @@ pub(super) fn tidied(foundation: &Foundation) -> Option<Foundation> {
 /// none is: there is no line.
 fn lies_between(a: [f64; 2], p: [f64; 2], b: [f64; 2]) -> bool {
     let share = (p[0] - a[0]) / (b[0] - a[0]);
-    let on_the_line = a[1] + (b[1] - a[1]) * share;
-    let added = (a[1] * (1.0 - share)).abs().max((b[1] * share).abs());
-    (p[1] - on_the_line).abs() <= ON_THE_LINE * p[1].abs().max(added)
+    // Not by the difference of the two, in which the deeper one swallows what the other has to say close to itself.
+    let [from_a, from_b] = [a[1] * (1.0 - share), b[1] * share];
+    (p[1] - (from_a + from_b)).abs() <= ON_THE_LINE * p[1].abs().max(from_a.abs()).max(from_b.abs())
 }
 
 #[cfg(test)]

@@ -58,6 +58,8 @@ fn steps_stay_and_doubles_go() {
     let through_zero =
         [[0.0, 1.0], [2.0, 1.0], [2.0, 0.0], [3.0, 0.0], [3.0, -1.0], [3.5, -1.0], [3.5, 1.0], [4.0, 1.0]];
     assert_eq!(kept(&through_zero), through_zero);
+    let beside_a_depth = [[0.0, 1e60], [2.0, 1e-20], [2.0, 1.0], [4.0, 1.0]];
+    assert_eq!(kept(&beside_a_depth), beside_a_depth);
     let rounding = [[0.0, 1.0], [2.0, 1.0], [2.0, 1.0 + f64::EPSILON], [4.0, 1.0]];
     assert_eq!(kept(&rounding), [rounding[0], rounding[3]]);
     let at_the_ends = [[0.0, 1.0], [0.0, 2.0], [2.0, 2.0], [4.0, 2.0], [4.0, 1.0]];
