@@ -30,43 +30,58 @@ pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Resul
 /// The answer, and the number of solves of the whole on the finest grid.
 fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer, usize), SceneError> {
     let programme = method.programme(discrete);
-    let Some((free, solves)) = start(scene, method, discrete.intervals)? else {
+    let Some((free, spent)) = start(scene, method, discrete.intervals)? else {
         let answer = Solver::ActiveSet.run(programme.as_ref(), 0.0);
         let whole = answer.iterations;
         return Ok((answer, whole));
     };
     let (answer, whole) = active_set_counted(programme.as_ref(), free);
-    Ok((Answer { iterations: answer.iterations + solves, ..answer }, whole))
+    let Spent { solves, work } = spent.and(answer.iterations, answer.work);
+    Ok((Answer { iterations: solves, work, ..answer }, whole))
 }
 
-/// The face to start from on a grid, by a coarser one, and the number of solves for it; [`None`] on the coarsest.
-fn start(scene: &Scene, method: Method, intervals: usize) -> Result<Option<(Vec<bool>, usize)>, SceneError> {
+/// What coarser grids cost: numbers of solves, and of variables in them.
+#[derive(Clone, Copy, Default)]
+struct Spent {
+    solves: usize,
+    work: usize,
+}
+
+impl Spent {
+    fn and(self, solves: usize, work: usize) -> Self {
+        Self { solves: self.solves + solves, work: self.work + work }
+    }
+}
+
+/// The face to start from on a grid, by a coarser one, and what it cost; [`None`] on the coarsest.
+fn start(scene: &Scene, method: Method, intervals: usize) -> Result<Option<(Vec<bool>, Spent)>, SceneError> {
     let coarse = intervals / REFINEMENT[usize::from(method.is_guessed(intervals))];
     if coarse < COARSEST {
         return Ok(None);
     }
-    let (touching, solves) = contact(scene, method, coarse)?;
-    Ok(Some((method.face(refined(&touching, intervals)), solves)))
+    let (touching, spent) = contact(scene, method, coarse)?;
+    Ok(Some((method.face(refined(&touching, intervals)), spent)))
 }
 
-/// Contact at the interior nodes of a coarse grid, and the number of solves for it.
-fn contact(scene: &Scene, method: Method, intervals: usize) -> Result<(Vec<bool>, usize), SceneError> {
+/// Contact at the interior nodes of a coarse grid, and what it cost.
+fn contact(scene: &Scene, method: Method, intervals: usize) -> Result<(Vec<bool>, Spent), SceneError> {
     let discrete = Discrete::new(scene, intervals)?;
     let programme = method.programme(&discrete);
     let (answer, before) = match start(scene, method, intervals)? {
-        None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), 0),
+        None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), Spent::default()),
         Some((free, before)) if method.is_guessed(intervals) => {
             let guess = guess_from(programme.as_ref(), free);
-            let solves = before + guess.solves;
+            let spent = before.and(guess.solves, guess.work);
             if guess.settled {
-                return Ok((method.face(guess.free), solves));
+                return Ok((method.face(guess.free), spent));
             }
-            (active_set_from(programme.as_ref(), guess.free), solves)
+            (active_set_from(programme.as_ref(), guess.free), spent)
         }
         Some((free, before)) => (active_set_from(programme.as_ref(), free), before),
     };
+    let spent = before.and(answer.iterations, answer.work);
     let nodal = method.nodal(&discrete, answer.x, answer.gradient);
-    Ok((nodal.contact_force.iter().map(|p| 0.0 < *p).collect(), before + answer.iterations))
+    Ok((nodal.contact_force.iter().map(|p| 0.0 < *p).collect(), spent))
 }
 
 impl Method {

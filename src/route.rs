@@ -52,4 +52,6 @@ pub struct Outcome {
     pub unknowns: usize,
     /// Steps, pivots, sweeps or iterations, in the solver's own count.
     pub iterations: usize,
+    /// Unknowns that all of these went through: what they cost, without a clock and up to a factor for each solver.
+    pub work: usize,
 }

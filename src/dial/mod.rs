@@ -44,6 +44,8 @@ pub struct Try {
     pub unknowns: usize,
     /// Iterations in the solver's own count.
     pub iterations: usize,
+    /// Unknowns that these went through.
+    pub work: usize,
     /// KKT residual of the discrete problem.
     pub residual: f64,
     /// Guaranteed error of the deflection, over the largest deflection.
@@ -54,14 +56,6 @@ pub struct Try {
     pub claims_success: bool,
     /// Why it is not enough; none if it is.
     pub refusal: Option<Refusal>,
-}
-
-impl Try {
-    /// Work of the solver, without a clock: iterations × unknowns.
-    #[must_use]
-    pub fn work(&self) -> usize {
-        self.iterations.saturating_mul(self.unknowns)
-    }
 }
 
 /// How the search ended.
@@ -158,6 +152,7 @@ impl<'a> Dial<'a> {
             tolerance: settings.tolerance,
             unknowns: outcome.unknowns,
             iterations: outcome.iterations,
+            work: outcome.work,
             residual: outcome.residual,
             error: verdict.error,
             pattern_proven: verdict.certificate.as_ref().is_some_and(|c| c.pattern_proven),

@@ -213,6 +213,7 @@ mod tests {
             tolerance,
             unknowns: 0,
             iterations: 0,
+            work: 0,
             residual,
             error,
             pattern_proven,

@@ -54,8 +54,9 @@ pub(crate) struct Guess {
     pub(crate) free: Vec<bool>,
     /// Whether the windows came to rest, small beside the whole. What is outside of them was not looked at.
     pub(crate) settled: bool,
-    /// Number of solves.
+    /// Number of solves, and of variables in all of them.
     pub(crate) solves: usize,
+    pub(crate) work: usize,
 }
 
 /// A guess of the optimal face from another one.
@@ -65,7 +66,7 @@ pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> Gues
     // A solve that fails here fails again where it is reported.
     let rested = run.settle(&mut free, window);
     let settled = rested.is_ok_and(|window| run.is_worth_it(&window, free.len()));
-    Guess { free, settled, solves: run.cost.windows }
+    Guess { free, settled, solves: run.cost.windows, work: run.cost.variables }
 }
 
 /// Solves from a given face: `free[i]` is false where `x_i = 0` at first.
@@ -74,6 +75,7 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer,
     let n = programme.dimension();
     let end = run.optimum(free);
     let iterations = run.cost.whole + run.cost.windows;
+    let work = run.cost.variables;
     let answer = match end {
         Ok((point, optimal)) => {
             let words = if optimal { "optimal" } else { "no further descent above rounding" };
@@ -83,9 +85,10 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer,
                 claims_success: optimal,
                 words: words.to_owned(),
                 iterations,
+                work,
             }
         }
-        Err(error) => Answer { iterations, ..Answer::refused(n, error.to_string()) },
+        Err(error) => Answer { iterations, work, ..Answer::refused(n, error.to_string()) },
     };
     (answer, run.cost)
 }
@@ -109,6 +112,7 @@ impl Run<'_> {
         while self.is_worth_it(&window, n) {
             window = self.settle(&mut free, window)?;
             self.cost.whole += 1;
+            self.cost.variables += n;
             let point = self.programme.stationary(&free)?;
             let violators = Violators::of(self.programme, &point, free.iter().copied());
             if violators.wrong.is_empty() {
@@ -175,6 +179,7 @@ impl Run<'_> {
     /// A range as it is: the point, and its variables on the wrong side.
     fn look(&mut self, free: &[bool], range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
         self.cost.windows += 1;
+        self.cost.variables += range.len();
         let point = Window::of(range.clone()).minimum_on(self.programme, free)?;
         let violators = Violators::of(self.programme, &point, free[range.clone()].iter().copied());
         Ok((point, violators.wrong))

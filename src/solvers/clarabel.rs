@@ -77,6 +77,7 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         claims_success: claims_success(solution.status),
         words: format!("{:?}", solution.status),
         iterations: solution.iterations as usize,
+        work: solution.iterations as usize * n,
     }
 }
 

@@ -37,6 +37,8 @@ pub(crate) struct Cost {
     pub(crate) whole: usize,
     /// Of windows.
     pub(crate) windows: usize,
+    /// Variables in all of them.
+    pub(crate) variables: usize,
 }
 
 /// Signs below zero that count at a point: more than the rounding of the solves.
@@ -121,6 +123,7 @@ impl<'a> Descent<'a> {
     pub(super) fn run(mut self, free: &mut [bool], cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let end = self.optimum(free);
         *(if self.places.len() == free.len() { &mut cost.whole } else { &mut cost.windows }) += self.solves;
+        cost.variables += self.solves * self.places.len();
         end
     }
 

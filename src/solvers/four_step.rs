@@ -35,7 +35,9 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
         steps += 1;
         let point = match programme.stationary(&free) {
             Ok(point) => point,
-            Err(error) => return Answer { iterations: steps, ..Answer::refused(n, error.to_string()) },
+            Err(error) => {
+                return Answer { iterations: steps, work: steps * n, ..Answer::refused(n, error.to_string()) };
+            }
         };
         match smallest(&point.x, &free) {
             Some(i) => free[i] = false,
@@ -46,6 +48,7 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
                     claims_success: true,
                     words: "x ≥ 0".to_owned(),
                     iterations: steps,
+                    work: steps * n,
                 };
             }
         }

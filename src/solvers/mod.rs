@@ -27,12 +27,14 @@ pub struct Answer {
     pub words: String,
     /// Steps, pivots, sweeps or iterations.
     pub iterations: usize,
+    /// Unknowns that all of these went through: n each, or as many as a neighbourhood has.
+    pub work: usize,
 }
 
 impl Answer {
     /// An answer of a solver that could not even start.
     fn refused(n: usize, words: String) -> Self {
-        Self { x: vec![f64::NAN; n], gradient: vec![f64::NAN; n], claims_success: false, words, iterations: 0 }
+        Self { x: vec![f64::NAN; n], gradient: vec![f64::NAN; n], claims_success: false, words, iterations: 0, work: 0 }
     }
 }
 

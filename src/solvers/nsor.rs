@@ -88,7 +88,14 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         let end = if cycle.closed { ", which go in circles" } else { "" };
         format!("not converged: residual {residual:.1e} after {sweeps} sweeps, at last with ω = {factor}{end}")
     };
-    Answer { gradient: programme.gradient(&x), x, claims_success: winner.is_some(), words, iterations: sweeps }
+    Answer {
+        gradient: programme.gradient(&x),
+        claims_success: winner.is_some(),
+        words,
+        iterations: sweeps,
+        work: sweeps * x.len(),
+        x,
+    }
 }
 
 /// One relaxation factor and how far it has come.

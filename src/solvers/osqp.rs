@@ -90,7 +90,7 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         _ => ("a status that is not documented", None),
     };
     let Some(solution) = solution else {
-        return Answer { iterations, ..Answer::refused(n, words.to_owned()) };
+        return Answer { iterations, work: iterations * n, ..Answer::refused(n, words.to_owned()) };
     };
     Answer {
         x: solution.x()[signed..].iter().map(|y| y * sizes.x).collect(),
@@ -98,5 +98,6 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         claims_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
         words: words.to_owned(),
         iterations,
+        work: iterations * n,
     }
 }

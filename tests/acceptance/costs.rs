@@ -54,6 +54,28 @@ fn an_interior_point_takes_a_few_dozen_steps_on_any_grid() {
     }
 }
 
+/// Work is what the counts are made of: each solve of the four steps and each sweep goes through all unknowns, solves of the
+/// active set at most, and on a grid that is guessed from few do.
+#[test]
+fn work_is_counted_in_unknowns() {
+    /// Solves of the whole that a fine grid is worth, those on coarser grids and in neighbourhoods included.
+    const WORTH: usize = 3;
+    for method in Method::ALL {
+        for solver in [Solver::FourStep, Solver::Nsor] {
+            let outcome = run(&example(), method, solver, 30);
+            assert_eq!(outcome.work, outcome.iterations * outcome.unknowns, "{method}/{solver}");
+        }
+        let outcome = run(&example(), method, Solver::ActiveSet, 300);
+        let most = outcome.iterations * outcome.unknowns;
+        assert!(outcome.unknowns <= outcome.work && outcome.work < most, "{method}: {} of {most}", outcome.work);
+    }
+    for method in [Method::Displacement, Method::Force] {
+        let outcome = run(&example(), method, Solver::ActiveSet, 300_000);
+        let most = WORTH * outcome.unknowns;
+        assert!(outcome.unknowns <= outcome.work && outcome.work <= most, "{method}: {} of {most}", outcome.work);
+    }
+}
+
 /// Neighbourhoods keep the number of solves from growing with the grid: ten times as many nodes, at most twice as many solves.
 /// Coarse grids are solved and not guessed from, in fewer solves of the whole.
 #[test]

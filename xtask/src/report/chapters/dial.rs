@@ -142,7 +142,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 
 fn run(name: &'static str, scene: &Scene, exact: &Exact, exponent: i32, request: &Request) -> Result<Run, Cause> {
     let dialled = dial(scene, request)?;
-    let work = dialled.tries.iter().map(palkki::dial::Try::work).sum();
+    let work = dialled.tries.iter().map(|tried| tried.work).sum();
     let grids: Vec<String> = dialled.tries.iter().map(|t| t.intervals.to_string()).collect();
     Ok(Run {
         scene: name,
@@ -156,7 +156,7 @@ fn run(name: &'static str, scene: &Scene, exact: &Exact, exponent: i32, request:
         certified: dialled.verdict.error,
         truth: truth(&dialled, exact)?,
         work,
-        last: dialled.tries.last().map_or(0, palkki::dial::Try::work),
+        last: dialled.tries.last().map_or(0, |tried| tried.work),
     })
 }
 

@@ -11,6 +11,7 @@ mod precision;
 mod repair;
 mod two_errors;
 mod verdicts;
+mod work;
 
 use serde::Serialize;
 
@@ -52,6 +53,8 @@ struct Values {
     survey: Option<needs::Survey>,
     elsewhere: Vec<elsewhere::Scene>,
     exponents: Vec<cost::Exponent>,
+    work: Vec<work::Row>,
+    work_grids: Vec<usize>,
     precision: Vec<String>,
     cost_drawn: bool,
     map: Option<verdicts::Counts>,
@@ -60,11 +63,11 @@ struct Values {
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let file = std::fs::read_to_string(study.root.join(store::PATH))?;
-    Ok(of(&Store::read(study.root)?)?.data("measurements", file))
+    Ok(of(&Store::read(study.root)?, work::rows()?)?.data("measurements", file))
 }
 
 /// The chapter without the file itself.
-fn of(store: &Store) -> Result<Evidence, Cause> {
+fn of(store: &Store, work: Vec<work::Row>) -> Result<Evidence, Cause> {
     let example = Lines::of(store, EXAMPLE);
     let mut files = Vec::new();
     let (cost, exponents) = cost::drawn(&example)?;
@@ -114,6 +117,8 @@ fn of(store: &Store) -> Result<Evidence, Cause> {
         survey: needs::survey(store),
         elsewhere: elsewhere::of(store),
         exponents,
+        work,
+        work_grids: work::GRIDS.to_vec(),
         precision,
         cost_drawn,
         map,

@@ -27,7 +27,7 @@ pub(super) fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
     let figure = Figure::new(
         "The dial: errors demanded, certified and true, and the work",
         "Two scenes, two panels each. On the left the certified errors of all routes and the true errors over the error that is \
-         demanded: all lie below the diagonal. On the right the work, iterations times unknowns, over the error that is demanded: \
+         demanded: all lie below the diagonal. On the right the work, unknowns gone through, over the error that is demanded: \
          it grows as the error becomes smaller, and each line ends where its route does.",
         panels,
     );
@@ -71,7 +71,7 @@ fn errors(runs: &[Run], scene: &str) -> Panel {
 }
 
 fn work(runs: &[Run], scene: &str) -> Panel {
-    let y = Axis::new(format!("{scene}: work, iterations × unknowns")).log();
+    let y = Axis::new(format!("{scene}: work, unknowns gone through")).log();
     let mut panel = Panel::new(axis(), y).tall(620.0);
     for (i, (route, found)) in routes(runs, scene).into_iter().enumerate() {
         let work = points(&found, |run| as_number(run.work.max(1)));

@@ -16,7 +16,7 @@ fn root() -> PathBuf {
 /// The text of the chapter and its files, from the text of the file of measurements.
 #[track_caller]
 fn rendered(measurements: &str) -> (String, Vec<String>) {
-    let evidence = of(&Store::parse(PathBuf::new(), measurements)).expect("the chapter has evidence");
+    let evidence = of(&Store::parse(PathBuf::new(), measurements), Vec::new()).expect("the chapter has evidence");
     let template = std::fs::read_to_string(root().join("report/chapters/100-trade.md")).expect("there is a template");
     let Evidence { values, .. } = &evidence;
     let context = Value::from(BTreeMap::from([("trade", values.clone())]));
