@@ -7,8 +7,8 @@
 //! **Windows.** A guess of the face is wrong near the borders between free variables and others only. Programmes that allow
 //! it are solved in windows around these, at a small part of the price of a solve of the whole:
 //!
-//! 1. Each window by itself, widened as long as variables beside it are on the wrong side; [`ROUNDS`] times, as one window may
-//!    disturb another, and then all of them as one.
+//! 1. Each window by itself, widened as long as variables beside it are on the wrong side, but in the first rounds not far;
+//!    [`ROUNDS`] times, as one window may disturb another, and then all of them as one.
 //! 2. A solve of the whole. If no variable is on the wrong side, this is the optimum. Otherwise the windows grow around those
 //!    that are.
 //!
@@ -133,9 +133,11 @@ impl Run<'_> {
     fn settle(&mut self, free: &mut [bool], mut window: Window) -> Result<Window, NotPositiveDefinite> {
         let n = free.len();
         let mut pending = window.ranges.clone();
-        for _ in 0..ROUNDS {
+        for round in 0..ROUNDS {
             for range in pending {
-                let rested = self.rest(free, range)?;
+                // What is far off on one side may be so because of a window that waits for its turn.
+                let most = (4 * REACH).max(range.len()) << round;
+                let rested = self.rest(free, range, most)?;
                 window = window.with(&Window::of(rested));
                 if !self.is_worth_it(&window, n) {
                     return Ok(window);
@@ -155,15 +157,20 @@ impl Run<'_> {
         Ok(window)
     }
 
-    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side.
+    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or up to `most` variables.
     ///
     /// The look beside it reaches `√n` variables: behind a place where contact ends, the discrete optimum has a hole of that
     /// length.
-    fn rest(&mut self, free: &mut [bool], mut range: Range<usize>) -> Result<Range<usize>, NotPositiveDefinite> {
+    fn rest(
+        &mut self,
+        free: &mut [bool],
+        mut range: Range<usize>,
+        most: usize,
+    ) -> Result<Range<usize>, NotPositiveDefinite> {
         let n = free.len();
         loop {
             let window = Window::of(range.clone());
-            if !self.is_worth_it(&window, n) {
+            if !self.is_worth_it(&window, n) || most < range.len() {
                 return Ok(range);
             }
             Descent::new(self.programme, &window).run(free, &mut self.cost)?;

@@ -42,6 +42,16 @@ fn scenes_of_the_report_on_a_hundred_thousand_intervals() {
     }
 }
 
+/// A step between two nodes: the point that carries there moves to another node with the grid, and until it is found whatever
+/// lies beside it is wrong by half the beam. No window may grow that far before the others have had their turn.
+#[test]
+fn a_step_between_the_nodes_does_not_lead_a_window_astray() {
+    ends(&scene("step"), 200_004, 800);
+    let outcome = run(&scene("step"), Method::Displacement, Solver::ActiveSet, 200_004);
+    assert_eq!(outcome.status, Status::Certified);
+    assert!(outcome.work <= 10 * outcome.unknowns, "{} for {} unknowns", outcome.work, outcome.unknowns);
+}
+
 /// The number of solves grows with the number of grids, not with that of nodes.
 #[test]
 fn the_example_takes_a_small_number_of_solves() {
