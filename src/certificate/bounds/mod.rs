@@ -112,15 +112,21 @@ pub fn certify(scene: &Scene, forces: &ContactLoad, judged: Judged<'_>) -> Resul
         let drawn = joints.as_ref().zip(inner.setting()).and_then(|(joints, setting)| proof::drawn(&setting, joints));
         std::iter::once(caused).chain(drawn).collect()
     });
-    let of_forces = || match energy.hi().is_finite() {
-        true => inner.mismatch(&curve, own()) + curve.idle_work(&forces.pressing, inner.ground.as_ref()),
-        false => Interval::WHOLE,
+    let of_forces = || {
+        if energy.hi().is_finite() {
+            inner.mismatch(&curve, own()) + curve.idle_work(&forces.pressing, inner.ground.as_ref())
+        } else {
+            Interval::WHOLE
+        }
     };
     let gap = match judged {
         // Of a grid nobody wants to know what its forces would do to a beam that feels them one by one, unless they show no
         // pattern: forces of the size of rounding all along a beam that hangs free do not.
         Judged::Nodes(_) if pair.as_ref().is_some_and(|pair| inner.is_sharp(pair)) => best,
-        Judged::Nodes(_) => [best, of_forces()].into_iter().min_by(|a, b| a.hi().total_cmp(&b.hi())).unwrap_or(best),
+        Judged::Nodes(_) => {
+            let of_forces = of_forces();
+            if of_forces.hi() < best.hi() { of_forces } else { best }
+        }
         Judged::Caused => of_forces(),
     };
     let sharpest = best.hi().min(gap.hi());
