@@ -3,6 +3,7 @@
 use std::fmt;
 
 pub use crate::methods::Method;
+use crate::solvers::OwnResidual;
 pub use crate::solvers::Solver;
 use crate::state::ContactState;
 
@@ -46,6 +47,8 @@ pub struct Outcome {
     pub solver_status: String,
     /// True if the solver says that it solved the problem.
     pub solver_claims_success: bool,
+    /// Of a library: what it left of its own problem, in the norm by which it stops.
+    pub own_residual: Option<OwnResidual>,
     /// Dimensionless KKT residual of the discrete problem, by our judge; NaN is never "small".
     pub residual: f64,
     /// Unknowns of the programme that was solved.

@@ -45,16 +45,17 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals)?;
 
-    let (nodal, claims_success, words, unknowns, iterations, work) = if scene.foundation().is_none() {
-        (methods::free_beam(&discrete, method.bending()), true, "no foundation, no programme".to_owned(), 0, 0, 0)
+    let (nodal, claims_success, words, own_residual, unknowns, iterations, work) = if scene.foundation().is_none() {
+        (methods::free_beam(&discrete, method.bending()), true, "no foundation, no programme".to_owned(), None, 0, 0, 0)
     } else {
         let programme = method.programme(&discrete);
         let answer = match solver {
             Solver::ActiveSet => nested::solve(&scaled.scene, method, &discrete)?,
             _ => solver.run(programme.as_ref(), tolerance),
         };
-        let Answer { x, gradient, claims_success, words, iterations, work } = answer;
-        (method.nodal(&discrete, x, gradient), claims_success, words, programme.dimension(), iterations, work)
+        let Answer { x, gradient, claims_success, words, own_residual, iterations, work } = answer;
+        let nodal = method.nodal(&discrete, x, gradient);
+        (nodal, claims_success, words, own_residual, programme.dimension(), iterations, work)
     };
     let state = methods::contact_state(discrete, nodal);
 
@@ -70,6 +71,7 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
         status,
         solver_status: words,
         solver_claims_success: claims_success,
+        own_residual,
         residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
         unknowns,
         iterations,

@@ -69,6 +69,30 @@ impl Native {
         columns.into_iter().any(|(j, s)| (s[0]..s[1]).any(|k| rows[k] == j && values[k] < 0.0))
     }
 
+    /// `P z`, length m; `E z`, length r; `Eᵀ y`, length m.
+    #[must_use]
+    pub fn products(&self, z: &[f64], y: &[f64]) -> [Vec<f64>; 3] {
+        let m = self.linear.len();
+        let (mut quadratic, mut equations, mut transposed) = (vec![0.0; m], vec![0.0; self.right.len()], vec![0.0; m]);
+        let UpperColumns { starts, rows, values } = &self.quadratic;
+        for (j, range) in starts.windows(2).enumerate() {
+            for k in range[0]..range[1] {
+                let i = rows[k];
+                quadratic[i] += values[k] * z[j];
+                if i != j {
+                    quadratic[j] += values[k] * z[i];
+                }
+            }
+        }
+        for (j, column) in self.equations.iter().enumerate() {
+            for &(i, value) in column {
+                equations[i] += value * z[j];
+                transposed[j] += value * y[i];
+            }
+        }
+        [quadratic, equations, transposed]
+    }
+
     /// Equations and signs as the rows of one matrix by columns: `E` above, below it `sign` times the unit vectors of the
     /// variables with a sign. Starts, rows and values.
     #[must_use]

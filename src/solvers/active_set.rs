@@ -84,6 +84,7 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer,
                 gradient: point.gradient,
                 claims_success: optimal,
                 words: words.to_owned(),
+                own_residual: None,
                 iterations,
                 work,
             }

@@ -47,6 +47,7 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
                     gradient: point.gradient,
                     claims_success: true,
                     words: "x ≥ 0".to_owned(),
+                    own_residual: None,
                     iterations: steps,
                     work: steps * n,
                 };

@@ -92,6 +92,7 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         gradient: programme.gradient(&x),
         claims_success: winner.is_some(),
         words,
+        own_residual: None,
         iterations: sweeps,
         work: sweeps * x.len(),
         x,

@@ -9,7 +9,7 @@
 
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
-use super::{Answer, native};
+use super::{Answer, OwnResidual, native};
 use crate::problem::{Native, Programme, UpperColumns};
 
 /// What the library takes for infinity (`OSQP_INFTY`).
@@ -65,12 +65,12 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     let entries = 4 * (values.len() + native.quadratic.values.len());
     let constraints =
         CscMatrix { nrows: r + n, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
-    let Native { quadratic: UpperColumns { starts, rows, values }, linear, right, signed, sizes, .. } = native;
+    let UpperColumns { starts, rows, values } = native.quadratic.clone();
     let quadratic = CscMatrix { nrows: m, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
-    let (mut lower, mut upper) = (right.clone(), right);
+    let (mut lower, mut upper) = (native.right.clone(), native.right.clone());
     lower.extend(vec![0.0; n]);
     upper.extend(vec![INFINITY; n]);
-    let problem = Problem::new(quadratic, &linear, constraints, &lower, &upper, &settings(tolerance, entries));
+    let problem = Problem::new(quadratic, &native.linear, constraints, &lower, &upper, &settings(tolerance, entries));
     let mut problem = match problem {
         Ok(problem) => problem,
         Err(error) => return Answer::refused(n, error.to_string()),
@@ -92,12 +92,29 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     let Some(solution) = solution else {
         return Answer { iterations, work: iterations * n, ..Answer::refused(n, words.to_owned()) };
     };
+    let residual = own_residual(&native, solution.x(), solution.y());
     Answer {
-        x: solution.x()[signed..].iter().map(|y| y * sizes.x).collect(),
-        gradient: solution.y()[r..].iter().map(|y| -y * sizes.gradient).collect(),
+        x: solution.x()[native.signed..].iter().map(|y| y * native.sizes.x).collect(),
+        gradient: solution.y()[r..].iter().map(|y| -y * native.sizes.gradient).collect(),
         claims_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
         words: words.to_owned(),
+        own_residual: Some(OwnResidual { residual, asked: tolerance }),
         iterations,
         work: iterations * n,
     }
+}
+
+/// The larger of osqp's two criteria: the distance of `E z` from `e` and of `z_k` from `z_k ≥ 0`, and
+/// `‖P z + c + Eᵀ y + μ‖`, both in the largest entry; `y, μ` are the multipliers.
+fn own_residual(native: &Native, z: &[f64], multipliers: &[f64]) -> f64 {
+    let (y, mu) = multipliers.split_at(native.right.len());
+    let [quadratic, equations, transposed] = native.products(z, y);
+    let of_equations = equations.iter().zip(&native.right).map(|(a, b)| (a - b).abs());
+    let of_signs = z[native.signed..].iter().map(|z| (-z).max(0.0));
+    let of_gradient = (0..z.len()).map(|k| {
+        let sign = if k < native.signed { 0.0 } else { mu[k - native.signed] };
+        (quadratic[k] + native.linear[k] + transposed[k] + sign).abs()
+    });
+    // Not `max`, which would overlook what is no number.
+    of_equations.chain(of_signs).chain(of_gradient).fold(0.0, |most, v| if most >= v { most } else { v })
 }

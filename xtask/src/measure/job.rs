@@ -7,7 +7,7 @@ use palkki::certificate::Kkt;
 use palkki::methods::{Discrete, Method, contact_state};
 use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
-use palkki::solvers::Solver;
+use palkki::solvers::{OwnResidual, Solver};
 use palkki::state::ContactState;
 use palkki::{Settings, solve, theory, verdict};
 
@@ -27,15 +27,17 @@ pub(crate) struct Measured {
     pub(crate) status: Status,
     pub(crate) claims_success: bool,
     pub(crate) residual: f64,
+    /// Of a library: what it left of its own problem.
+    pub(crate) own_residual: Option<OwnResidual>,
     pub(crate) iterations: usize,
     pub(crate) unknowns: usize,
     /// Seconds of each run, ascending.
     pub(crate) seconds: Vec<f64>,
-    /// Seconds of a repair without those of the library, those of the quickest run.
+    /// Seconds of a repair without those of the library, the median.
     pub(crate) added: Option<f64>,
-    /// Seconds of the quickest tridiagonal solve of the same size, run in turns with it.
+    /// Seconds of a tridiagonal solve of the same size, run in turns with it, the median.
     pub(crate) yardstick: Option<f64>,
-    /// Seconds of the quickest certificate of the answer, run in turns with it as well.
+    /// Seconds of the certificate of the answer, run in turns with it as well, the median.
     pub(crate) certificate: Option<f64>,
     /// Kilobytes at the most, in a process of its own.
     pub(crate) peak: Option<u64>,
@@ -45,16 +47,15 @@ impl Measured {
     /// Runs a job several times; the answer is the same each time.
     pub(crate) fn of(scene_name: &str, scene: &Scene, job: Job) -> Result<Self, String> {
         let mut seconds = Vec::new();
-        let (mut measured, mut added): (Option<Self>, Option<f64>) = (None, None);
-        // The yardstick and the certificate are laid beside the same jobs.
+        let mut measured: Option<Self> = None;
+        // The yardstick and the certificate are laid beside the same jobs, in turns with them.
         let mut ruler = job.is_ruled().then(|| Tridiagonal::new(job.intervals - 1));
-        let (mut yardstick, mut certificate): (Option<f64>, Option<f64>) = (None, None);
-        let quickest = |known: Option<f64>, seconds: f64| known.map_or(seconds, |known| known.min(seconds));
+        let (mut added, mut yardstick, mut certificate) = (Vec::new(), Vec::new(), Vec::new());
         while seconds.len() < RUNS && (job.is_ruled() || seconds.iter().sum::<f64>() < ENOUGH) {
             // The answer of the last run goes first: no run has to share memory with it.
             drop(measured.take());
             if let Some(ruler) = &mut ruler {
-                yardstick = Some(quickest(yardstick, ruler.seconds()));
+                yardstick.push(ruler.seconds());
             }
             let start = Instant::now();
             let answer = once(scene, job)?;
@@ -62,13 +63,14 @@ impl Measured {
             if job.is_ruled() {
                 let start = Instant::now();
                 black_box(verdict::certificate(scene, &answer.state));
-                certificate = Some(quickest(certificate, start.elapsed().as_secs_f64()));
+                certificate.push(start.elapsed().as_secs_f64());
             }
-            added = answer.added.map(|seconds| quickest(added, seconds)).or(added);
+            added.extend(answer.added);
             measured = Some(answer);
         }
         seconds.sort_by(f64::total_cmp);
         let peak = if job.is_weighed() { memory::peak(scene_name, job) } else { None };
+        let [added, yardstick, certificate] = [added, yardstick, certificate].map(median);
         measured
             .map(|answer| Self { seconds, added, yardstick, certificate, peak, ..answer })
             .ok_or_else(|| "no run at all".to_owned())
@@ -78,12 +80,14 @@ impl Measured {
     fn untimed(state: ContactState) -> Self {
         let status = Status::NotCertified;
         let (claims_success, residual, iterations, unknowns) = (false, f64::INFINITY, 0, 0);
+        let own_residual = None;
         let (seconds, added, yardstick, certificate, peak) = (Vec::new(), None, None, None, None);
         Self {
             state,
             status,
             claims_success,
             residual,
+            own_residual,
             iterations,
             unknowns,
             seconds,
@@ -98,6 +102,12 @@ impl Measured {
     pub(crate) fn median(&self) -> f64 {
         self.seconds[self.seconds.len() / 2]
     }
+}
+
+/// The median, if there is anything.
+fn median(mut seconds: Vec<f64>) -> Option<f64> {
+    seconds.sort_by(f64::total_cmp);
+    seconds.get(seconds.len() / 2).copied()
 }
 
 fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
@@ -121,6 +131,7 @@ fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
                 status: outcome.status,
                 claims_success: outcome.solver_claims_success,
                 residual: outcome.residual,
+                own_residual: outcome.own_residual,
                 iterations: outcome.iterations,
                 unknowns: outcome.unknowns,
                 ..Measured::untimed(outcome.state)

@@ -1,8 +1,21 @@
-//! Where measurements come from: machine, compiler, dependencies.
+//! Where measurements come from: commit, date, machine, compiler, dependencies.
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+/// What a program prints, without the end of the line; nothing if it cannot be run.
+fn told(root: &Path, program: &str, arguments: &[&str]) -> Option<String> {
+    let output = Command::new(program).args(arguments).current_dir(root).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// The commit that is measured; with a word if the code that is measured is not as it was committed.
+fn commit(root: &Path) -> String {
+    let Some(hash) = told(root, "git", &["rev-parse", "--short=10", "HEAD"]) else { return "unknown".to_owned() };
+    let changed = told(root, "git", &["status", "--porcelain", "--", "src", "xtask", "Cargo.lock"]);
+    if changed.is_none_or(|changed| !changed.is_empty()) { format!("{hash} with changes") } else { hash }
+}
 
 /// One line for each thing that can move a time.
 pub(crate) fn describe(root: &Path) -> Vec<String> {
@@ -11,8 +24,7 @@ pub(crate) fn describe(root: &Path) -> Vec<String> {
         line.split_once(':').map(|(_, name)| name.trim().to_owned())
     });
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let rustc = Command::new("rustc").arg("--version").output().ok();
-    let rustc = rustc.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    let rustc = told(root, "rustc", &["--version"]);
     let lock = fs::read_to_string(root.join("Cargo.lock")).unwrap_or_default();
     let version = |name: &str| {
         let start = lock.find(&format!("name = \"{name}\"\n"))?;
@@ -20,6 +32,8 @@ pub(crate) fn describe(root: &Path) -> Vec<String> {
     };
     let versions = ["clarabel", "osqp", "nalgebra"].map(|name| format!("{name} {}", version(name).unwrap_or_default()));
     vec![
+        format!("commit: {}", commit(root)),
+        format!("date: {}", told(root, "date", &["-u", "+%F"]).unwrap_or_else(|| "unknown".to_owned())),
         format!(
             "machine: {}, {cores} cores, {}",
             cpu.unwrap_or_else(|| "unknown processor".to_owned()),

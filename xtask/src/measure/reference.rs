@@ -9,7 +9,7 @@ use std::time::Instant;
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
-use palkki::state::{Bending, Extremes};
+use palkki::state::Bending;
 use palkki::{Settings, solve};
 
 use crate::authority::forward::apart;
@@ -30,10 +30,7 @@ pub(super) struct Reference {
     contact: Fixed,
     energy: Fixed,
     /// At the interior nodes; rounding them to 64 bits moves them by less than what is told apart.
-    deflection: Vec<f64>,
-    /// The extreme, which may lie between nodes, as the active set has it: its error is far below that of the grid, and
-    /// for nothing else is it used.
-    extreme: f64,
+    pub(super) deflection: Vec<f64>,
     /// Exchanges that were needed.
     pub(super) exchanges: usize,
     pub(super) seconds: f64,
@@ -61,9 +58,7 @@ impl Reference {
             return None;
         }
         let method = if bending == Bending::AtNodes { Method::Complementarity } else { Method::Force };
-        let state = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals)).ok()?.state;
-        let extreme = largest(state.deflection);
-        let begin = state.nodes?;
+        let begin = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals)).ok()?.state.nodes?;
         let mut touches: Vec<bool> = begin.contact_force.iter().map(|p| 0.0 < *p).collect();
 
         let start = Instant::now();
@@ -82,7 +77,6 @@ impl Reference {
                     contact: looked_at.fold(Fixed::zero(), |sum, p| sum.plus(p)),
                     energy: solution.energy(&problem.loads),
                     deflection: (1..intervals).map(|i| solution.deflection(i).to_double()).collect(),
-                    extreme,
                     exchanges,
                     seconds: start.elapsed().as_secs_f64(),
                 });
@@ -112,13 +106,8 @@ impl Reference {
         [share(found.reaction, &self.reaction), contact, worst / largest, share(found.energy, &self.energy)]
     }
 
-    /// Reaction, contact, extreme of the deflection and energy, rounded once.
-    pub(super) fn observables(&self) -> [f64; 4] {
-        [self.reaction.to_double(), self.contact.to_double(), self.extreme, self.energy.to_double()]
+    /// Reaction, contact and energy, rounded once.
+    pub(super) fn sums(&self) -> [f64; 3] {
+        [&self.reaction, &self.contact, &self.energy].map(Fixed::to_double)
     }
-}
-
-/// The deflection that is largest in magnitude.
-pub(super) fn largest(deflection: Extremes) -> f64 {
-    if deflection.max.abs() < deflection.min.abs() { deflection.min } else { deflection.max }
 }

@@ -12,7 +12,7 @@ use super::job::Measured;
 /// Where the file is, below the root.
 pub(crate) const PATH: &str = "report/data/measurements.csv";
 
-const HEADER: &str = "scene,route,intervals,tolerance,status,claims,residual,iterations,unknowns,runs,median_s,min_s,max_s,\
+const HEADER: &str = "scene,route,intervals,tolerance,status,claims,residual,own_residual,own_asked,iterations,unknowns,runs,median_s,min_s,max_s,\
     reaction_solver,contact_solver,deflection_solver,energy_solver,reaction_total,contact_total,deflection_total,energy_total,\
     added_s,tridiagonal_s,peak_kb,certificate_s";
 
@@ -30,6 +30,8 @@ impl Line {
         fields.push(m.status.word().to_owned());
         fields.push(if m.claims_success { "success" } else { "failure" }.to_owned());
         fields.push(format!("{:.2e}", m.residual));
+        let own = m.own_residual.map(|own| [own.residual, own.asked].map(|r| format!("{r:.2e}")));
+        fields.extend(own.unwrap_or_default());
         fields.extend([m.iterations, m.unknowns, m.seconds.len()].map(|n| n.to_string()));
         let seconds = [m.median(), m.seconds[0], m.seconds[m.seconds.len() - 1]];
         fields.extend(seconds.map(|s| format!("{s:.3e}")));
@@ -43,7 +45,7 @@ impl Line {
     /// The proven optimum of a discrete problem: its errors are those of the grid.
     pub(super) fn proven(key: String, exchanges: usize, seconds: f64, errors: &Errors) -> Self {
         let mut fields = fields_of(&key);
-        fields.extend(["proven", "success", "0"].map(str::to_owned));
+        fields.extend(["proven", "success", "0", "", ""].map(str::to_owned));
         fields.extend([exchanges + 1, 0, 1].map(|n| n.to_string()));
         fields.extend([seconds; 3].map(|s| format!("{s:.3e}")));
         fields.extend(errors.solver.iter().chain(&errors.total).map(|e| format!("{e:.2e}")));

@@ -48,7 +48,7 @@ fn results_are_found_again() {
 #[test]
 fn a_file_that_ends_anywhere_is_read_as_far_as_it_goes() {
     let whole = format!(
-        "# machine: a\n{HEADER}\ns,r,10,1e-4,certified,success,1.00e-16,3,9,5,1e-3,1e-3,1e-3\ns,r,30,1e-4,left-out\n"
+        "# machine: a\n{HEADER}\ns,r,10,1e-4,certified,success,1.00e-16,,,3,9,5,1e-3,1e-3,1e-3\ns,r,30,1e-4,left-out\n"
     );
     for end in 0..whole.len() {
         let store = Store::parse(PathBuf::new(), &whole[..end]);

@@ -36,7 +36,7 @@ pub(super) struct Million {
     intervals: usize,
     milliseconds: f64,
     certified: bool,
-    /// Milliseconds of one tridiagonal solve, and the time as a multiple of it: the quickest runs of both, taken in turns.
+    /// Milliseconds of one tridiagonal solve, and the time as a multiple of it: medians of both, taken in turns.
     tridiagonal: Option<f64>,
     times: Option<Asked>,
     /// Distance of the end reaction from beam theory.
@@ -49,18 +49,18 @@ pub(super) struct Million {
     growth: Option<Asked>,
 }
 
-/// Seconds of the quickest run: what the machine does besides only ever adds.
-fn quickest(line: &Line) -> Option<f64> {
-    line.number("min_s")
+/// Seconds of the median run.
+fn median(line: &Line) -> Option<f64> {
+    line.number("median_s")
 }
 
 /// The finest grid of our route that was measured.
 pub(super) fn million(lines: &Lines<'_>) -> Option<Million> {
     let ours = lines.asked(OURS);
     let finest = ours.iter().rfind(|line| line.seconds().is_some())?;
-    let seconds = quickest(finest)?;
+    let seconds = median(finest)?;
     let coarser = intervals(finest) / 10;
-    let before = lines.find(OURS, coarser, "0e0").and_then(quickest);
+    let before = lines.find(OURS, coarser, "0e0").and_then(median);
     let yardstick = finest.number("tridiagonal_s");
     Some(Million {
         intervals: intervals(finest),
@@ -97,7 +97,7 @@ pub(super) fn exactness(lines: &Lines<'_>) -> Vec<Exactness> {
 #[derive(Debug, Serialize)]
 pub(super) struct Certificate {
     intervals: usize,
-    /// Milliseconds of both, and the certificate as a multiple of the solve: the quickest runs, taken in turns.
+    /// Milliseconds of both, and the certificate as a multiple of the solve: medians, taken in turns.
     solve: f64,
     milliseconds: f64,
     times: Asked,
@@ -107,7 +107,7 @@ pub(super) struct Certificate {
 pub(super) fn certificate(lines: &Lines<'_>) -> Option<Certificate> {
     let intervals = 100_000;
     let line = lines.find(OURS, intervals, "0e0")?;
-    let (solve, certificate) = (quickest(line)?, line.number("certificate_s")?);
+    let (solve, certificate) = (median(line)?, line.number("certificate_s")?);
     let times = Asked::at_most(1.0, certificate / solve);
     Some(Certificate { intervals, solve: 1e3 * solve, milliseconds: 1e3 * certificate, times })
 }

@@ -4,7 +4,6 @@ use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 
 use super::SOLVERS;
 use super::lines::{Lines, TOTAL, finite};
-use crate::measure::errors::OBSERVABLES;
 use crate::measure::plan::EXAMPLE;
 use crate::report::csv::{csv, scientific};
 
@@ -70,3 +69,5 @@ fn frontier(lines: &Lines<'_>, route: &str, column: &str) -> Vec<[f64; 2]> {
     });
     points
 }
+
+const OBSERVABLES: [&str; 4] = ["end reaction", "largest contact force", "deflection", "energy"];

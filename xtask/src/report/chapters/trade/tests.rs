@@ -53,7 +53,7 @@ fn requirements_are_judged() {
     let row = |n: usize, seconds: &str, more: &str| {
         let e = "1.00e-10";
         format!(
-            "heinisuo-1984,force/active-set,{n},0e0,certified,success,1e-13,9,{n},5,{seconds},{seconds},{seconds},NaN,NaN,NaN,NaN,{e},{e},{e},{e},{more}"
+            "heinisuo-1984,force/active-set,{n},0e0,certified,success,1e-13,,,9,{n},5,{seconds},{seconds},{seconds},NaN,NaN,NaN,NaN,{e},{e},{e},{e},{more}"
         )
     };
     let (text, _) =
