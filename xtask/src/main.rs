@@ -20,6 +20,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.as_slice() {
         ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
         ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
+        ["report", "--page", page] => report::preview(&root, page, &mut show).map_err(|error| error.to_string()),
         ["judge"] => judge::run(&root, &mut show),
         // What `measure` starts to weigh a solve.
         ["peak", rest @ ..] => measure::own_peak(&root, rest).map(|kilobytes| println!("{kilobytes}")),

@@ -14,22 +14,24 @@ pub(crate) type Cause = Box<dyn StdError + Send + Sync>;
 pub(crate) enum Error {
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
-    #[error("the evidence of chapter {chapter}: {source}")]
-    Evidence { chapter: &'static str, source: Cause },
-    #[error("report/chapters/{chapter}.md: {source}")]
-    Template { chapter: &'static str, source: minijinja::Error },
-    #[error("report/chapters/{chapter}.md must begin with a heading `{expected}…`, but begins with `{line}`")]
-    NoHeading { chapter: usize, expected: &'static str, line: String },
-    #[error("the report has two headings `{heading}`; links to them would be ambiguous")]
-    TwoHeadings { heading: String },
-    #[error("{path} is no chapter: add it to CHAPTERS in xtask/src/report/chapters/mod.rs, or remove it")]
-    UnknownChapter { path: String },
-    #[error("chapter {chapter} makes {path}, which another chapter makes too")]
-    TwoFilesOfOneName { chapter: &'static str, path: String },
-    #[error("{path} is made, but no chapter shows or links it")]
+    #[error("the evidence `{subject}`: {source}")]
+    Evidence { subject: &'static str, source: Cause },
+    #[error("report/templates/{document}.md: {source}")]
+    Template { document: &'static str, source: minijinja::Error },
+    #[error("report/{document} has two headings `{heading}`; links to them would be ambiguous")]
+    TwoHeadings { document: String, heading: String },
+    #[error("{path} is no template of a document: add it to DOCUMENTS in xtask/src/report/mod.rs, or remove it")]
+    UnknownTemplate { path: String },
+    #[error("the evidence `{subject}` makes {path}, which another makes too")]
+    TwoFilesOfOneName { subject: &'static str, path: String },
+    #[error("{path} is made, but no document shows or links it")]
     NotShown { path: String },
-    #[error("the report links to `{target}`, which does not exist")]
-    DeadLink { target: String },
+    #[error("report/{document} links to `{target}`, which does not exist")]
+    DeadLink { document: String, target: String },
+    #[error("{path}: {source}")]
+    Excerpt { path: String, source: Cause },
+    #[error("{path} marks the excerpt `{name}`, which no document shows")]
+    ExcerptNotShown { path: String, name: String },
     #[error("{path} has no <{element}>: a screen reader has nothing to say about it")]
     NotDescribed { path: String, element: &'static str },
     #[error("report/ is not what the code computes now:\n{}\nrun `cargo xtask report` and commit the result", list(.0))]

@@ -1,4 +1,28 @@
-//! What the code of a chapter hands to its template, and the files that it makes.
+//! What the report rests on, subject by subject: values for the templates, figures and data.
+//!
+//! To add a subject: a module here with `evidence(study)`, and a line in [`EVIDENCE`]. Every template sees its values as
+//! `{{ <name>.field }}`.
+
+mod agreement;
+mod bounds;
+mod claims;
+mod conditioning;
+mod convergence;
+mod dial;
+mod discrepancies;
+mod extremes;
+mod figures;
+mod hostile;
+mod judged;
+mod methods;
+mod problem;
+mod recommendation;
+mod regimes;
+mod reproduce;
+mod scenes;
+mod solvers;
+mod theory;
+mod trade;
 
 use std::collections::BTreeMap;
 
@@ -6,17 +30,47 @@ use minijinja::Value;
 use minijinja::value::Serde;
 use serde::Serialize;
 
-/// What one chapter rests on.
+use super::error::Cause;
+use super::study::Study;
+
+/// One subject: its name in the templates, and what computes it.
+pub(super) type Subject = (&'static str, fn(&Study<'_>) -> Result<Evidence, Cause>);
+
+/// All subjects. The order has no meaning for the report; the last ones are computed first.
+pub(super) const EVIDENCE: &[Subject] = &[
+    ("problem", problem::evidence),
+    ("methods", methods::evidence),
+    ("theory", theory::evidence),
+    ("solvers", solvers::evidence),
+    ("figures", figures::evidence),
+    ("regimes", regimes::evidence),
+    ("agreement", agreement::evidence),
+    ("bounds", bounds::evidence),
+    ("judged", judged::evidence),
+    ("dial", dial::evidence),
+    ("convergence", convergence::evidence),
+    ("scenes", scenes::evidence),
+    ("claims", claims::evidence),
+    ("recommendation", recommendation::evidence),
+    ("trade", trade::evidence),
+    ("conditioning", conditioning::evidence),
+    ("extremes", extremes::evidence),
+    ("hostile", hostile::evidence),
+    ("discrepancies", discrepancies::evidence),
+    ("reproduce", reproduce::evidence),
+];
+
+/// What one subject hands to the templates, and the files that it makes.
 #[derive(Debug)]
 pub(crate) struct Evidence {
-    /// What the template interpolates.
+    /// What the templates interpolate.
     pub(super) values: Value,
     /// Figures and data: path below `report/` → text.
-    files: BTreeMap<String, String>,
+    pub(super) files: BTreeMap<String, String>,
 }
 
 impl Evidence {
-    /// The values of a chapter without figures and data.
+    /// Values without figures and data.
     pub(crate) fn new(values: impl Serialize) -> Self {
         Self { values: Value::from(Serde(values)), files: BTreeMap::new() }
     }
@@ -32,10 +86,5 @@ impl Evidence {
     pub(crate) fn data(mut self, name: &str, csv: String) -> Self {
         self.files.insert(format!("data/{name}.csv"), csv);
         self
-    }
-
-    /// Path below `report/` → text.
-    pub(super) fn files(&self) -> &BTreeMap<String, String> {
-        &self.files
     }
 }

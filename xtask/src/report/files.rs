@@ -10,7 +10,7 @@ use super::Rendered;
 use super::error::Error;
 
 /// The directories whose files are all made by the report.
-const MADE: [&str; 2] = ["report/figures", "report/data"];
+const MADE: [&str; 3] = ["report/figures", "report/data", "report/pages"];
 
 /// A file that is not what it should be.
 #[derive(Debug, thiserror::Error)]
@@ -51,6 +51,17 @@ const LAST: &str = "README.md";
 /// All texts are written beside their files before the first of them takes its place, so that a run that is interrupted while
 /// it writes leaves the old report. What it leaves beside the files is removed by the next one.
 pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
+    let mut changes = put(root, rendered)?;
+    for path in left_over(root, rendered)? {
+        let path = root.join(path);
+        fs::remove_file(&path).map_err(|source| Error::File { path, source })?;
+        changes += 1;
+    }
+    Ok(changes)
+}
+
+/// Writes what changed; returns how many files that were.
+pub(super) fn put(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
     let mut staged = Staged::default();
     let (last, others): (Vec<_>, Vec<_>) = rendered.iter().partition(|(path, _)| *path == LAST);
     for (path, text) in others.into_iter().chain(last) {
@@ -59,13 +70,7 @@ pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
             staged.add(&path, text).map_err(|source| Error::File { path, source })?;
         }
     }
-    let mut changes = staged.publish()?;
-    for path in left_over(root, rendered)? {
-        let path = root.join(path);
-        fs::remove_file(&path).map_err(|source| Error::File { path, source })?;
-        changes += 1;
-    }
-    Ok(changes)
+    staged.publish()
 }
 
 /// Files that are written and have not taken their places yet: `(beside, place)`. Dropped, they are removed.

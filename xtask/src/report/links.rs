@@ -1,28 +1,36 @@
-//! Every file that is made is shown, every link leads somewhere, every drawing says what it shows.
+//! Every file that is made is shown, every link leads somewhere, every drawing says what it shows, every excerpt is used.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use super::Rendered;
 use super::error::Error;
-use super::{Rendered, contents};
+use super::excerpt::Excerpt;
 
-/// Checks the links of the report against the files made with it and the files of the repository.
-pub(super) fn check(root: &Path, readme: &str, rendered: &Rendered) -> Result<(), Error> {
-    let anchors = contents::anchors(readme)?;
-    let targets = targets(readme);
-    for &target in &targets {
-        let alive = match target.split_once('#') {
-            _ if target.contains("://") => true,
-            Some(("", anchor)) => anchors.contains(anchor),
-            _ if target.starts_with("figures/") || target.starts_with("data/") => rendered.contains_key(target),
-            Some((file, _)) => root.join("report").join(file).exists(),
-            None => root.join("report").join(target).exists(),
-        };
-        if !alive {
-            return Err(Error::DeadLink { target: target.to_owned() });
+/// Checks the links of the documents against the files made with them and the files of the repository.
+pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String, Excerpt>) -> Result<(), Error> {
+    let documents = || rendered.iter().filter(|(path, _)| path.ends_with(".md"));
+    let mut anchors_of = BTreeMap::new();
+    for (path, text) in documents() {
+        anchors_of.insert(path.as_str(), anchors(path, text)?);
+    }
+    let mut linked = BTreeSet::new();
+    for (path, text) in documents() {
+        for target in targets(text).filter(|target| !target.contains("://")) {
+            let dead = || Error::DeadLink { document: path.clone(), target: target.to_owned() };
+            let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+            let file = if file.is_empty() { path.clone() } else { resolved(path, file) };
+            match anchors_of.get(file.as_str()) {
+                Some(known) if anchor.is_empty() || known.contains(anchor) => {}
+                Some(_) => return Err(dead()),
+                None if rendered.contains_key(&file) || exists(root, &file) => {}
+                None => return Err(dead()),
+            }
+            linked.insert(file);
         }
     }
     for (path, text) in rendered {
-        if !targets.contains(&path.as_str()) {
+        if path != "README.md" && !linked.contains(path) {
             return Err(Error::NotShown { path: path.clone() });
         }
         for element in ["title", "desc"] {
@@ -31,47 +39,103 @@ pub(super) fn check(root: &Path, readme: &str, rendered: &Rendered) -> Result<()
             }
         }
     }
-    Ok(())
+    match excerpts.iter().find(|(_, excerpt)| !documents().any(|(_, text)| text.contains(&excerpt.code))) {
+        Some((name, excerpt)) => Err(Error::ExcerptNotShown { path: excerpt.path.clone(), name: name.clone() }),
+        None => Ok(()),
+    }
 }
 
-/// The targets of `[text](target)` and `![text](target)`, and of `src="target"`.
-fn targets(markdown: &str) -> Vec<&str> {
-    let of = |opening: &str, closing: char| {
-        let ends = markdown.split(opening).skip(1).filter_map(move |rest| rest.split_once(closing));
-        ends.map(|(target, _)| target).collect::<Vec<_>>()
-    };
-    [of("](", ')'), of("src=\"", '"')].concat()
+/// Whether a path relative to `report/` is one of the repository's, and not of the parts of the report that are made.
+fn exists(root: &Path, file: &str) -> bool {
+    let made = ["figures/", "data/", "pages/"].iter().any(|directory| file.starts_with(directory));
+    !made && root.join("report").join(file).exists()
+}
+
+/// A link of a document as a path relative to `report/`.
+fn resolved(document: &str, link: &str) -> String {
+    let mut parts: Vec<&str> = document.split('/').collect();
+    parts.pop();
+    for part in link.split('/') {
+        match part {
+            ".." if parts.last().is_some_and(|last| *last != "..") => drop(parts.pop()),
+            "." | "" => {}
+            _ => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+/// The targets of `[text](target)` and `![text](target)`, and of `src="target"`, outside code.
+fn targets(markdown: &str) -> impl Iterator<Item = &str> {
+    let prose = markdown.split("```").step_by(2);
+    prose.flat_map(|prose| {
+        let of = |opening: &'static str, closing: char| {
+            prose.split(opening).skip(1).filter_map(move |rest| Some(rest.split_once(closing)?.0))
+        };
+        of("](", ')').chain(of("src=\"", '"'))
+    })
+}
+
+/// The anchors of all headings of a document; two of the same name are an error.
+fn anchors(document: &str, text: &str) -> Result<BTreeSet<String>, Error> {
+    let mut found = BTreeSet::new();
+    let mut fenced = false;
+    for line in text.lines() {
+        fenced ^= line.trim_start().starts_with("```");
+        let heading = line.trim_start_matches('#');
+        if !fenced && line.starts_with('#') && heading.starts_with(' ') && !found.insert(anchor(heading.trim())) {
+            return Err(Error::TwoHeadings { document: document.to_owned(), heading: heading.trim().to_owned() });
+        }
+    }
+    Ok(found)
+}
+
+/// The anchor that code hosts make of a heading: small letters, blanks as hyphens, signs dropped.
+pub(super) fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.flat_map(char::to_lowercase).map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn checked(readme: &str, files: &[(&str, &str)]) -> Result<(), String> {
+    fn checked(files: &[(&str, &str)]) -> Result<(), String> {
         let rendered = files.iter().map(|&(path, text)| (path.to_owned(), text.to_owned())).collect();
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        check(&root, readme, &rendered).map_err(|error| error.to_string())
+        check(&root, &rendered, &BTreeMap::new()).map_err(|error| error.to_string())
     }
 
     #[test]
     fn links_that_lead_somewhere_pass() {
         let readme =
-            "# A b\n[a](#a-b) ![f](figures/f.svg) [d](data/f.csv) [s](../src/lib.rs#L3) [w](https://example.org/x)";
-        let files = [("figures/f.svg", "<svg><title>t</title><desc>d</desc></svg>"), ("data/f.csv", "x\n1.0\n")];
-        assert_eq!(checked(readme, &files), Ok(()));
+            "# A b\n[a](#a-b) ![f](figures/f.svg) [p](pages/p.md#c) [s](../src/lib.rs#L3) [w](https://example.org/x)";
+        let page = "# C\n[d](../data/f.csv) [r](../README.md#a-b) [s](../../src/lib.rs)";
+        let svg = "<svg><title>t</title><desc>d</desc></svg>";
+        let files = [("README.md", readme), ("pages/p.md", page), ("figures/f.svg", svg), ("data/f.csv", "x\n1.0\n")];
+        assert_eq!(checked(&files), Ok(()));
     }
 
     #[test]
     fn dead_links_and_hidden_files_are_found() {
-        let dead = |target: &str| Err(format!("the report links to `{target}`, which does not exist"));
-        assert_eq!(checked("# A\n[b](#b)", &[]), dead("#b"));
-        assert_eq!(checked("![f](figures/f.svg)", &[]), dead("figures/f.svg"));
-        assert_eq!(checked("[s](../src/no_such_file.rs)", &[]), dead("../src/no_such_file.rs"));
-        assert_eq!(
-            checked("# A", &[("data/f.csv", "")]),
-            Err("data/f.csv is made, but no chapter shows or links it".to_owned())
-        );
-        let mute = checked("![f](figures/f.svg)", &[("figures/f.svg", "<svg><title>t</title></svg>")]);
+        let dead = |target: &str| Err(format!("report/README.md links to `{target}`, which does not exist"));
+        for target in ["#b", "figures/f.svg", "pages/p.md", "../src/no_such_file.rs"] {
+            assert_eq!(checked(&[("README.md", &format!("# A\n[b]({target})"))]), dead(target));
+        }
+        let hidden = checked(&[("README.md", "# A"), ("data/f.csv", "")]);
+        assert_eq!(hidden, Err("data/f.csv is made, but no document shows or links it".to_owned()));
+        let mute = checked(&[("README.md", "![f](figures/f.svg)"), ("figures/f.svg", "<svg><title>t</title></svg>")]);
         assert!(mute.is_err_and(|message| message.contains("no <desc>")), "a figure without description");
+        assert!(checked(&[("README.md", "# a\n## A")]).is_err(), "two anchors of one name");
+        let unused = BTreeMap::from([("a".to_owned(), Excerpt { path: "src/a.rs".to_owned(), code: "x".to_owned() })]);
+        let rendered = Rendered::from([("README.md".to_owned(), "# A".to_owned())]);
+        assert!(check(Path::new("."), &rendered, &unused).is_err(), "an excerpt that is not shown");
+    }
+
+    #[test]
+    fn code_blocks_have_no_headings_and_no_links() {
+        let text = "# a\n```\n# b\n[x](y)\n```\n### c d\n#no";
+        assert_eq!(anchors("", text).expect("all differ"), BTreeSet::from(["a".to_owned(), "c-d".to_owned()]));
+        assert_eq!(targets(text).count(), 0, "code is not prose");
     }
 }

@@ -1,4 +1,4 @@
-//! What several chapters rest on, computed once.
+//! What several subjects rest on, computed once.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -8,7 +8,7 @@ use palkki::scene::SceneError;
 
 use super::error::Cause;
 
-/// The repository, and what was measured for more than one chapter.
+/// The repository, and what was measured for more than one subject.
 #[derive(Debug)]
 pub(crate) struct Study<'a> {
     /// Root of the repository.

@@ -1,14 +1,19 @@
 //! The template engine, set so that nothing slips through.
 
+use std::collections::{BTreeMap, HashSet};
+
 use minijinja::syntax::SyntaxConfig;
-use minijinja::{Environment, Error as TemplateError, ErrorKind, UndefinedBehavior, Value, escape_formatter};
+use minijinja::{Environment, Error as TemplateError, ErrorKind, State, UndefinedBehavior, Value, escape_formatter};
 
 use super::error::Error;
+use super::excerpt::Excerpt;
 use super::numbers;
 
 /// An engine in which a name that does not exist is an error, and so is a number with a point that no filter of
 /// [`numbers`] has rounded: its last digits would differ from machine to machine.
-pub(super) fn environment() -> Environment<'static> {
+///
+/// `{{ source("name") }}` is an excerpt of the code.
+pub(super) fn environment(excerpts: BTreeMap<String, Excerpt>) -> Environment<'static> {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
     if let Ok(syntax) = SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build() {
@@ -26,31 +31,49 @@ pub(super) fn environment() -> Environment<'static> {
         escape_formatter(out, state, value)
     });
     numbers::add_filters(&mut environment);
+    environment.add_function("source", move |state: &State<'_, '_>, name: &str| {
+        let missing = || TemplateError::new(ErrorKind::UndefinedError, format!("no source marks an excerpt `{name}`"));
+        let up = state.lookup("up").ok_or_else(missing)?;
+        excerpts.get(name).map(|excerpt| excerpt.markdown(&up.to_string())).ok_or_else(missing)
+    });
     environment
 }
 
-/// Renders the template of a chapter. The name is what errors say.
+/// The names at the top of what a template uses.
+pub(super) fn names(
+    environment: &Environment<'_>,
+    document: &'static str,
+    template: &str,
+) -> Result<HashSet<String>, Error> {
+    let parsed = environment.template_from_named_str(document, template);
+    parsed.map(|parsed| parsed.undeclared_variables(false)).map_err(|source| Error::Template { document, source })
+}
+
+/// Renders the template of a document, from which the root of the repository is reached by `up`.
 pub(super) fn render(
     environment: &Environment<'_>,
-    chapter: &'static str,
+    document: &'static str,
     template: &str,
-    context: &Value,
+    values: &BTreeMap<String, Value>,
+    up: &str,
 ) -> Result<String, Error> {
+    let mut values = values.clone();
+    values.insert("up".to_owned(), up.into());
     environment
-        .template_from_named_str(chapter, template)
-        .and_then(|template| template.render(context.clone()))
-        .map_err(|source| Error::Template { chapter, source })
+        .template_from_named_str(document, template)
+        .and_then(|template| template.render(Value::from(values)))
+        .map_err(|source| Error::Template { document, source })
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
     use super::*;
 
     fn rendered(template: &str) -> Result<String, Error> {
-        let context = BTreeMap::from([("x", Value::from(1.25)), ("n", Value::from(29)), ("none", Value::from(()))]);
-        render(&environment(), "a", template, &context.into())
+        let values = [("x", Value::from(1.25)), ("n", Value::from(29)), ("none", Value::from(()))];
+        let values = values.map(|(name, value)| (name.to_owned(), value)).into();
+        let excerpt = Excerpt { path: "src/a.rs".to_owned(), code: "f()".to_owned() };
+        render(&environment([("a".to_owned(), excerpt)].into()), "a", template, &values, "..")
     }
 
     #[test]
@@ -60,10 +83,23 @@ mod tests {
     }
 
     #[test]
+    fn code_is_shown_with_its_place() {
+        let text = rendered("{{ source('a') }}").expect("it is marked");
+        assert_eq!(text, "```rust\nf()\n```\n\nFrom [src/a.rs](../src/a.rs).");
+    }
+
+    #[test]
     fn what_slips_through_elsewhere_is_an_error() {
-        for template in
-            ["{{ y }}", "{{ x.y }}", "{{ x }}", "{{ none }}", "{{ x | fxed(1) }}", "{{ x", "{{ 'a' | fixed(1) }}"]
-        {
+        for template in [
+            "{{ y }}",
+            "{{ x.y }}",
+            "{{ x }}",
+            "{{ none }}",
+            "{{ x | fxed(1) }}",
+            "{{ x",
+            "{{ 'a' | fixed(1) }}",
+            "{{ source('b') }}",
+        ] {
             assert!(rendered(template).is_err(), "{template}");
         }
     }

@@ -17,27 +17,10 @@ fn the_report_is_fresh() {
 }
 
 #[test]
-fn chapters_are_in_the_order_of_their_numbers() {
-    let numbers: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.number()).collect();
-    assert!(numbers.iter().all(Option::is_some), "every name begins with a number: {numbers:?}");
-    assert!(numbers.is_sorted_by(|a, b| a < b), "in order, each number once: {numbers:?}");
-    let keys: BTreeSet<_> = CHAPTERS.iter().map(|chapter| chapter.key()).collect();
-    assert_eq!(keys.len(), CHAPTERS.len(), "each chapter has a name of its own");
-    assert!(!keys.contains("report"), "`report` is the list of files");
-}
-
-#[test]
-fn templates_modules_and_list_are_the_same_set() {
-    let stems = |directory: &str, ending: &str| -> BTreeSet<String> {
-        let listed = files::list(&root(), directory).expect("the directory can be read");
-        let names =
-            listed.iter().filter_map(|path| path.strip_prefix(directory)?.strip_prefix('/')?.strip_suffix(ending));
-        names.map(|name| name.split('/').next().unwrap_or(name).to_owned()).filter(|name| name != "mod").collect()
-    };
-    let names: BTreeSet<_> = CHAPTERS.iter().map(|chapter| chapter.name.to_owned()).collect();
-    let keys: BTreeSet<_> = CHAPTERS.iter().map(|chapter| chapter.key()).collect();
-    assert_eq!(stems("report/chapters", ".md"), names, "templates (left) and CHAPTERS (right)");
-    assert_eq!(stems("xtask/src/report/chapters", ".rs"), keys, "modules (left) and CHAPTERS (right)");
+fn templates_and_documents_are_the_same_set() {
+    let listed = files::list(&root(), "report/templates").expect("the directory can be read");
+    let stems = listed.iter().filter_map(|path| path.strip_prefix("report/templates/")?.strip_suffix(".md"));
+    assert_eq!(stems.collect::<BTreeSet<_>>(), BTreeSet::from(DOCUMENTS), "templates (left) and DOCUMENTS (right)");
 }
 
 /// A root of its own, with a report that is being changed.
@@ -112,16 +95,16 @@ fn another_processor_may_round_differently() {
 }
 
 #[test]
-fn a_chapter_that_no_list_names_is_refused() {
+fn a_template_that_no_list_names_is_refused() {
     let scratch = Scratch::new("unknown");
-    fs::create_dir_all(scratch.0.join("report/chapters")).expect("the scratch directory can be written to");
-    scratch.put("report/chapters/99-stray.md", "## Stray\n");
-    let error = render(&scratch.0, &mut |_| ()).expect_err("the chapter is in no list").to_string();
-    assert!(error.starts_with("report/chapters/99-stray.md is no chapter"), "{error}");
+    fs::create_dir_all(scratch.0.join("report/templates")).expect("the scratch directory can be written to");
+    scratch.put("report/templates/stray.md", "# Stray\n");
+    let error = render(&scratch.0, &mut |_| ()).expect_err("the template is in no list").to_string();
+    assert!(error.starts_with("report/templates/stray.md is no template"), "{error}");
 }
 
 #[test]
 fn a_figure_comes_with_its_data() {
     let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), "x\n".to_owned());
-    assert_eq!(evidence.files().keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
+    assert_eq!(evidence.files.keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
 }
