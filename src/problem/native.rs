@@ -69,28 +69,29 @@ impl Native {
         columns.into_iter().any(|(j, s)| (s[0]..s[1]).any(|k| rows[k] == j && values[k] < 0.0))
     }
 
-    /// `P z`, length m; `E z`, length r; `Eᵀ y`, length m.
+    /// What `z`, with multipliers `y` of the equations, leaves of them and of the gradient: `E z − e`, length r, and
+    /// `P z + c + Eᵀ y`, length m, from terms of which `part` is taken: all of them as they are, or their magnitudes.
     #[must_use]
-    pub fn products(&self, z: &[f64], y: &[f64]) -> [Vec<f64>; 3] {
-        let m = self.linear.len();
-        let (mut quadratic, mut equations, mut transposed) = (vec![0.0; m], vec![0.0; self.right.len()], vec![0.0; m]);
+    pub fn left(&self, z: &[f64], y: &[f64], part: fn(f64) -> f64) -> [Vec<f64>; 2] {
+        let mut equations: Vec<f64> = self.right.iter().map(|e| part(-e)).collect();
+        let mut gradient: Vec<f64> = self.linear.iter().map(|c| part(*c)).collect();
         let UpperColumns { starts, rows, values } = &self.quadratic;
         for (j, range) in starts.windows(2).enumerate() {
             for k in range[0]..range[1] {
                 let i = rows[k];
-                quadratic[i] += values[k] * z[j];
+                gradient[i] += part(values[k] * z[j]);
                 if i != j {
-                    quadratic[j] += values[k] * z[i];
+                    gradient[j] += part(values[k] * z[i]);
                 }
             }
         }
         for (j, column) in self.equations.iter().enumerate() {
             for &(i, value) in column {
-                equations[i] += value * z[j];
-                transposed[j] += value * y[i];
+                equations[i] += part(value * z[j]);
+                gradient[j] += part(value * y[i]);
             }
         }
-        [quadratic, equations, transposed]
+        [equations, gradient]
     }
 
     /// Equations and signs as the rows of one matrix by columns: `E` above, below it `sign` times the unit vectors of the

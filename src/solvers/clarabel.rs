@@ -11,7 +11,7 @@ use ::clarabel::algebra::CscMatrix;
 use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
 
 use super::{Answer, OwnResidual, native};
-use crate::problem::{Native, Programme, UpperColumns};
+use crate::problem::{Programme, UpperColumns};
 
 /// What the library adds to the diagonal before it factorises; it is taken back by refinement.
 const REGULARISATION: f64 = 1e-10;
@@ -73,45 +73,15 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     };
     solver.solve();
     let solution = &solver.solution;
-    let residual = own_residual(&native, &solution.x, &solution.z, &solution.s);
     Answer {
         x: solution.x[native.signed..].iter().map(|y| y * native.sizes.x).collect(),
         gradient: solution.z[r..].iter().map(|z| z * native.sizes.gradient).collect(),
         claims_success: claims_success(solution.status),
         words: format!("{:?}", solution.status),
-        own_residual: Some(OwnResidual { residual, asked }),
+        own_residual: Some(OwnResidual::of_clarabel(&native, [&solution.x, &solution.z, &solution.s], asked)),
         iterations: solution.iterations as usize,
         work: solution.iterations as usize * n,
     }
-}
-
-/// The largest of clarabel's three criteria: `‖E z − e, s − z‖ / (1 ∨ ‖e‖ + ‖z‖ + ‖s‖)`, `‖P z + c + Eᵀ y − μ‖ /
-/// (1 ∨ ‖c‖ + ‖z‖ + ‖y, μ‖)` and `|zᵀ P z + cᵀ z + eᵀ y| / (1 ∨ |J|)`, with Euclidean norms of residuals and variables and the
-/// largest entries of `e` and `c`; `y, μ` are the multipliers, `s` the slacks.
-fn own_residual(native: &Native, z: &[f64], multipliers: &[f64], slacks: &[f64]) -> f64 {
-    let (y, mu) = multipliers.split_at(native.right.len());
-    let s = &slacks[native.right.len()..];
-    let [quadratic, equations, transposed] = native.products(z, y);
-    let free = native.signed;
-    let norm = |squares: f64| squares.sqrt();
-    let squares = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>();
-    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let of_equations: f64 = equations.iter().zip(&native.right).map(|(a, b)| (a - b) * (a - b)).sum();
-    let of_signs: f64 = z[free..].iter().zip(s).map(|(a, b)| (a - b) * (a - b)).sum();
-    let of_gradient = (0..z.len()).map(|k| {
-        let sign = if k < free { 0.0 } else { mu[k - free] };
-        let left = quadratic[k] + native.linear[k] + transposed[k] - sign;
-        left * left
-    });
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let (bent, linear, held) = (dot(z, &quadratic), dot(&native.linear, z), dot(&native.right, y));
-    let (primal, dual) = (0.5 * bent + linear, -0.5 * bent - held);
-    let [size_z, size_y, size_s] = [z, multipliers, slacks].map(|v| norm(squares(v)));
-    let feasibility = norm(of_equations + of_signs) / (largest(&native.right) + size_z + size_s).max(1.0);
-    let gradient = norm(of_gradient.sum()) / (largest(&native.linear) + size_z + size_y).max(1.0);
-    let gap = (primal - dual).abs() / primal.abs().min(dual.abs()).max(1.0);
-    // Not `max`, which would overlook what is no number.
-    [feasibility, gradient, gap].into_iter().fold(0.0, |most, v| if most >= v { most } else { v })
 }
 
 /// Whether a status says that the optimum was reached. Whatever it says, the judge looks at what came back.

@@ -8,8 +8,10 @@ mod four_step;
 mod neighbourhood;
 mod nsor;
 mod osqp;
+mod own_residual;
 mod solver;
 
+pub use own_residual::OwnResidual;
 pub use solver::Solver;
 
 use crate::problem::{Native, Programme};
@@ -31,27 +33,6 @@ pub struct Answer {
     pub iterations: usize,
     /// Unknowns that all of these went through: n each, or as many as a neighbourhood has.
     pub work: usize,
-}
-
-/// What a library leaves of the problem that it was given, in the norm by which it decides to stop, computed again from
-/// its answer. Whether it did what it was asked is one question; whether its answer passes our check is another.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OwnResidual {
-    /// The largest of its residuals (of the equations, of the gradient, and the duality gap where it is looked at).
-    pub residual: f64,
-    /// The tolerance that it was set to.
-    pub asked: f64,
-}
-
-impl OwnResidual {
-    /// Residuals at tolerances like 1e-15 are rounding, and a sum in another order may come out twice as large.
-    const ROUNDING: f64 = 2.0;
-
-    /// Whether the library did what it was asked.
-    #[must_use]
-    pub fn is_met(&self) -> bool {
-        self.residual <= Self::ROUNDING * self.asked
-    }
 }
 
 impl Answer {

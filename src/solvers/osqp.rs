@@ -10,7 +10,7 @@
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
 use super::{Answer, OwnResidual, native};
-use crate::problem::{Native, Programme, UpperColumns};
+use crate::problem::{Programme, UpperColumns};
 
 /// What the library takes for infinity (`OSQP_INFTY`).
 const INFINITY: f64 = 1e30;
@@ -92,29 +92,13 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     let Some(solution) = solution else {
         return Answer { iterations, work: iterations * n, ..Answer::refused(n, words.to_owned()) };
     };
-    let residual = own_residual(&native, solution.x(), solution.y());
     Answer {
         x: solution.x()[native.signed..].iter().map(|y| y * native.sizes.x).collect(),
         gradient: solution.y()[r..].iter().map(|y| -y * native.sizes.gradient).collect(),
         claims_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
         words: words.to_owned(),
-        own_residual: Some(OwnResidual { residual, asked: tolerance }),
+        own_residual: Some(OwnResidual::of_osqp(&native, solution.x(), solution.y(), tolerance)),
         iterations,
         work: iterations * n,
     }
-}
-
-/// The larger of osqp's two criteria: the distance of `E z` from `e` and of `z_k` from `z_k ≥ 0`, and
-/// `‖P z + c + Eᵀ y + μ‖`, both in the largest entry; `y, μ` are the multipliers.
-fn own_residual(native: &Native, z: &[f64], multipliers: &[f64]) -> f64 {
-    let (y, mu) = multipliers.split_at(native.right.len());
-    let [quadratic, equations, transposed] = native.products(z, y);
-    let of_equations = equations.iter().zip(&native.right).map(|(a, b)| (a - b).abs());
-    let of_signs = z[native.signed..].iter().map(|z| (-z).max(0.0));
-    let of_gradient = (0..z.len()).map(|k| {
-        let sign = if k < native.signed { 0.0 } else { mu[k - native.signed] };
-        (quadratic[k] + native.linear[k] + transposed[k] + sign).abs()
-    });
-    // Not `max`, which would overlook what is no number.
-    of_equations.chain(of_signs).chain(of_gradient).fold(0.0, |most, v| if most >= v { most } else { v })
 }

@@ -61,7 +61,7 @@ impl References {
     /// The proven optimum of the discrete problem of a job.
     pub(super) fn reference(&self, scene: &Scene, job: Job) -> Option<Rc<Reference>> {
         let bending = match job.route {
-            Route::Exact => return None,
+            Route::Exact | Route::Adaptive(..) => return None,
             Route::Solver(method, _) | Route::Optimum(method) => method.bending(),
             Route::Repair(_) => Bending::Between,
         };

@@ -4,6 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use palkki::certificate::Kkt;
+use palkki::dial::{End, Request, dial};
 use palkki::methods::{Discrete, Method, contact_state};
 use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
@@ -39,6 +40,8 @@ pub(crate) struct Measured {
     pub(crate) yardstick: Option<f64>,
     /// Seconds of the certificate of the answer, run in turns with it as well, the median.
     pub(crate) certificate: Option<f64>,
+    /// Of the adaptive grid: intervals of the last grid, and the certified error of the deflection over its largest value.
+    pub(crate) adaptive: Option<(usize, f64)>,
     /// Kilobytes at the most, in a process of its own.
     pub(crate) peak: Option<u64>,
 }
@@ -94,13 +97,9 @@ impl Measured {
             added,
             yardstick,
             certificate,
+            adaptive: None,
             peak,
         }
-    }
-
-    /// The median of the runs.
-    pub(crate) fn median(&self) -> f64 {
-        self.seconds[self.seconds.len() / 2]
     }
 }
 
@@ -135,6 +134,18 @@ fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
                 iterations: outcome.iterations,
                 unknowns: outcome.unknowns,
                 ..Measured::untimed(outcome.state)
+            })
+        }
+        Route::Adaptive(method, solver) => {
+            let found = dial(scene, &Request::new(method, solver, job.tolerance)).map_err(|error| error.to_string())?;
+            Ok(Measured {
+                status: found.verdict.status,
+                claims_success: found.end == End::Reached,
+                residual: found.outcome.residual,
+                iterations: found.tries.iter().map(|tried| tried.iterations).sum(),
+                unknowns: found.outcome.unknowns,
+                adaptive: Some((found.settings.intervals, found.verdict.error)),
+                ..Measured::untimed(found.outcome.state)
             })
         }
         Route::Repair(solver) => repair(scene, solver, job).map_err(|error| error.to_string()),

@@ -23,7 +23,7 @@ use errors::References;
 use job::Measured;
 pub(crate) use memory::own_peak;
 use plan::{Job, LIMIT, Route};
-use store::{Line, Store};
+use store::{Key, Line, Store};
 
 /// What is to be measured.
 #[derive(Debug, Clone, Copy, Default)]
@@ -52,7 +52,7 @@ pub(crate) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -
     let wanted = |key: &str| key.contains(wish.only);
     let mut store = Store::open(root, &described, wish.fresh, wanted)?;
     for (scene_name, mut jobs) in plan::all() {
-        jobs.retain(|job| wanted(&job.key(scene_name)));
+        jobs.retain(|job| wanted(&job.key(scene_name).name()));
         if jobs.iter().all(|job| store.find(&job.key(scene_name)).is_some()) {
             continue;
         }
@@ -66,19 +66,19 @@ pub(crate) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -
             let line = match (store.find(&key), before) {
                 (Some(line), _) => line.clone(),
                 (None, Some(seconds)) if LIMIT < seconds => {
-                    let line = Line::left_out(key, seconds);
-                    store.append(&line)?;
+                    let line = Line::left_out(&key);
+                    store.append(line.clone())?;
                     line
                 }
                 (None, _) => {
                     progress(&format!("{scene_name}, {} of {}: {}", k + 1, jobs.len(), job.describe()));
-                    let line = measure(scene_name, &scene, *job, key, &references)?;
-                    store.append(&line)?;
+                    let line = measure(scene_name, &scene, *job, &key, &references)?;
+                    store.append(line.clone())?;
                     line
                 }
             };
             // A series that was left out stays out.
-            last = Some((*job, line.seconds().unwrap_or(f64::INFINITY)));
+            last = Some((*job, line.median_s.unwrap_or(f64::INFINITY)));
         }
     }
     progress("all of it is measured; `cargo xtask report` renders the chapter from it");
@@ -86,17 +86,17 @@ pub(crate) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -
 }
 
 /// One line of the file.
-fn measure(name: &str, scene: &Scene, job: Job, key: String, references: &References) -> Result<Line, String> {
+fn measure(name: &str, scene: &Scene, job: Job, key: &Key, references: &References) -> Result<Line, String> {
     if matches!(job.route, Route::Optimum(_)) {
         return Ok(match references.reference(scene, job) {
             Some(found) => Line::proven(key, found.exchanges, found.seconds, &references.of_grid(&found)),
-            None => Line::without_result(key, "not-proven".to_owned()),
+            None => Line::without_result(key, "not-proven"),
         });
     }
     let measured = Measured::of(name, scene, job)?;
     // A solver that refuses hands back no number at all.
     if measured.residual.is_infinite() && measured.iterations == 0 {
-        return Ok(Line::without_result(key, "refused".to_owned()));
+        return Ok(Line::without_result(key, "refused"));
     }
     Ok(Line::measured(key, &measured, &references.errors(scene, job, &measured)))
 }

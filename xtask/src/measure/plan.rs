@@ -3,6 +3,8 @@
 use palkki::methods::Method;
 use palkki::solvers::Solver;
 
+use super::store::Key;
+
 /// Seconds after which a series is not continued on finer grids.
 pub(crate) const LIMIT: f64 = 3.0;
 
@@ -15,6 +17,9 @@ pub(crate) const OTHERS: [&str; 3] = ["wave", "survey", "hump"];
 /// Tolerances that iterative solvers are asked for, on the example and on the others.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-13];
 const FEWER: [f64; 3] = [1e-4, 1e-7, 1e-10];
+
+/// Errors that are demanded of the adaptive grid.
+const DEMANDED: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
 const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
 
@@ -31,6 +36,8 @@ pub(crate) enum Route {
     Optimum(Method),
     /// A method with a solver.
     Solver(Method, Solver),
+    /// A method with a solver on the grid that the demanded error takes.
+    Adaptive(Method, Solver),
     /// The contact set of a library on the force method, solved by the three-moment equations.
     Repair(Solver),
 }
@@ -39,9 +46,9 @@ pub(crate) enum Route {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Job {
     pub(crate) route: Route,
-    /// Intervals; 0 for beam theory.
+    /// Intervals; 0 for beam theory and for the adaptive grid.
     pub(crate) intervals: usize,
-    /// What an iterative solver is asked for; 0 for the others.
+    /// What an iterative solver is asked for, or the error that is demanded of the adaptive grid; 0 for the others.
     pub(crate) tolerance: f64,
 }
 
@@ -52,13 +59,14 @@ impl Job {
             Route::Exact => "exact/free-boundary".to_owned(),
             Route::Optimum(method) => format!("{method}/optimum"),
             Route::Solver(method, solver) => format!("{method}/{solver}"),
+            Route::Adaptive(method, solver) => format!("{method}/{solver}-adaptive"),
             Route::Repair(solver) => format!("repair/{solver}"),
         }
     }
 
     /// What identifies the line of the file.
-    pub(crate) fn key(&self, scene: &str) -> String {
-        format!("{scene},{},{},{:e}", self.route_word(), self.intervals, self.tolerance)
+    pub(crate) fn key(&self, scene: &'static str) -> Key {
+        Key { scene, route: self.route_word(), intervals: self.intervals, tolerance: self.tolerance }
     }
 
     /// For a person who waits.
@@ -97,6 +105,8 @@ fn up_to(finest: usize) -> impl Iterator<Item = usize> {
 /// The jobs of a scene, with `tolerances`; `all` of the grids, or not those on which the example has said enough.
 fn jobs(tolerances: &[f64], all: bool) -> Vec<Job> {
     let mut jobs = vec![Job { route: Route::Exact, intervals: 0, tolerance: 0.0 }];
+    let adaptive = Route::Adaptive(Method::Force, Solver::ActiveSet);
+    jobs.extend(DEMANDED.map(|tolerance| Job { route: adaptive, intervals: 0, tolerance }));
     let mut series = |route, tolerance, finest: usize| {
         jobs.extend(up_to(finest).map(|intervals| Job { route, intervals, tolerance }));
     };
@@ -130,8 +140,10 @@ mod tests {
 
     #[test]
     fn every_job_has_a_key_of_its_own() {
-        let keys: Vec<String> =
-            all().iter().flat_map(|(scene, jobs)| jobs.iter().map(|job| job.key(scene)).collect::<Vec<_>>()).collect();
+        let keys: Vec<String> = all()
+            .iter()
+            .flat_map(|(scene, jobs)| jobs.iter().map(|job| job.key(scene).name()).collect::<Vec<_>>())
+            .collect();
         assert_eq!(keys.iter().collect::<BTreeSet<_>>().len(), keys.len(), "a key is a line of the file");
     }
 }

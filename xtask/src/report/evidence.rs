@@ -3,12 +3,14 @@
 //! To add a subject: a module here with `evidence(study)`, and a line in [`EVIDENCE`]. Every template sees its values as
 //! `{{ <name>.field }}`.
 
+mod adaptive;
 mod agreement;
 mod bounds;
 mod claims;
 mod conditioning;
 mod convergence;
-mod dial;
+mod cost;
+
 mod discrepancies;
 mod extremes;
 mod figures;
@@ -22,7 +24,6 @@ mod reproduce;
 mod scenes;
 mod solvers;
 mod theory;
-mod trade;
 
 use std::collections::BTreeMap;
 
@@ -47,12 +48,12 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("agreement", agreement::evidence),
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
-    ("dial", dial::evidence),
+    ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
     ("scenes", scenes::evidence),
     ("claims", claims::evidence),
     ("recommendation", recommendation::evidence),
-    ("trade", trade::evidence),
+    ("cost", cost::evidence),
     ("conditioning", conditioning::evidence),
     ("extremes", extremes::evidence),
     ("hostile", hostile::evidence),

@@ -1,0 +1,120 @@
+//! What a library leaves of the problem that it was given, in the norm by which it decides to stop, computed again from its
+//! answer. Whether it did what it was asked is one question; whether its answer passes our check is another.
+
+use crate::problem::Native;
+
+/// The residual of a library in its own norm, dimensionless.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnResidual {
+    /// The largest of its residuals: of the equations and signs, of the gradient, and the duality gap where it is looked at.
+    pub residual: f64,
+    /// The tolerance that it was set to.
+    pub asked: f64,
+    /// By how much rounding may have changed `residual`; at tolerances like 1e-15 this is the larger of the two.
+    pub rounding: f64,
+}
+
+/// Roundings of a term: of its product, of the sum, and of the answer itself, which was scaled before it came back.
+const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
+
+impl OwnResidual {
+    /// Whether the library did what it was asked.
+    #[must_use]
+    pub fn is_met(&self) -> bool {
+        self.residual <= self.asked + self.rounding
+    }
+
+    /// The largest of clarabel's three criteria: `‖E z − e, s − z‖ / (1 ∨ ‖e‖ + ‖z‖ + ‖s‖)`,
+    /// `‖P z + c + Eᵀ y − μ‖ / (1 ∨ ‖c‖ + ‖z‖ + ‖y, μ‖)` and `|zᵀ P z + cᵀ z + eᵀ y| / (1 ∨ |J|)`, with Euclidean norms of
+    /// residuals and variables and the largest entries of `e` and `c`; `y, μ` are the multipliers, `s` the slacks.
+    pub(super) fn of_clarabel(native: &Native, [z, multipliers, slacks]: [&[f64]; 3], asked: f64) -> Self {
+        let (y, mu) = multipliers.split_at(native.right.len());
+        let s = &slacks[native.right.len()..];
+        let norm = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let [of_z, of_multipliers, of_slacks] = [z, multipliers, slacks].map(norm);
+        let sizes = [
+            (largest(&native.right) + of_z + of_slacks).max(1.0),
+            (largest(&native.linear) + of_z + of_multipliers).max(1.0),
+        ];
+        let dot = |a: &[f64], b: &[f64], part: fn(f64) -> f64| a.iter().zip(b).map(|(a, b)| part(a * b)).sum::<f64>();
+        let worst = |part: fn(f64) -> f64| {
+            let [mut equations, mut gradient] = native.left(z, y, part);
+            equations.extend(z[native.signed..].iter().zip(s).map(|(z, s)| part(*s) + part(-z)));
+            gradient[native.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(-mu));
+            // zᵀ P z, the gradient without its other terms.
+            let linear = dot(&native.linear, z, part);
+            let held = dot(&native.right, y, part);
+            let bent: f64 = {
+                let [_, products] = native.left(z, &vec![0.0; y.len()], part);
+                dot(&products, z, part) - linear
+            };
+            let objective = (0.5 * bent + linear).abs().min((0.5 * bent + held).abs()).max(1.0);
+            maximum([norm(&equations) / sizes[0], norm(&gradient) / sizes[1], (bent + linear + held).abs() / objective])
+        };
+        Self { residual: worst(|term| term), asked, rounding: ROUNDINGS * worst(f64::abs) }
+    }
+
+    /// The larger of osqp's two criteria: the distance of `E z` from `e` and of `z_k` from `z_k ≥ 0`, and
+    /// `‖P z + c + Eᵀ y + μ‖`, both in the largest entry; `y, μ` are the multipliers.
+    pub(super) fn of_osqp(native: &Native, z: &[f64], multipliers: &[f64], asked: f64) -> Self {
+        let (y, mu) = multipliers.split_at(native.right.len());
+        let worst = |part: fn(f64) -> f64| {
+            let [mut equations, mut gradient] = native.left(z, y, part);
+            equations.extend(z[native.signed..].iter().map(|z| part(z.min(0.0))));
+            gradient[native.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(*mu));
+            maximum([largest(&equations), largest(&gradient)])
+        };
+        Self { residual: worst(|term| term), asked, rounding: ROUNDINGS * worst(f64::abs) }
+    }
+}
+
+/// The largest magnitude; not a number if one of them is none.
+fn largest(values: &[f64]) -> f64 {
+    maximum(values.iter().map(|v| v.abs()))
+}
+
+/// Not `f64::max`, which would overlook what is no number.
+fn maximum(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |most, v| if most >= v { most } else { v })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::OwnResidual;
+    use crate::problem::{Native, Sizes, UpperColumns};
+
+    /// Minimise ½ z² − z over z ≥ 0: z = 1, no multiplier.
+    fn native() -> Native {
+        Native {
+            quadratic: UpperColumns { starts: vec![0, 1], rows: vec![0], values: vec![1.0] },
+            linear: vec![-1.0],
+            equations: vec![Vec::new()],
+            right: Vec::new(),
+            signed: 0,
+            sizes: Sizes { x: 1.0, gradient: 1.0 },
+        }
+    }
+
+    #[test]
+    fn the_optimum_leaves_nothing() {
+        let of_clarabel = OwnResidual::of_clarabel(&native(), [&[1.0], &[0.0], &[1.0]], 1e-12);
+        let of_osqp = OwnResidual::of_osqp(&native(), &[1.0], &[0.0], 1e-12);
+        for own in [of_clarabel, of_osqp] {
+            assert!(own.residual == 0.0 && own.is_met(), "{own:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_left_is_seen() {
+        // z = 1 + d: a gradient of d, over the sizes 1 and 1 + d; and a gap of about d.
+        let d = 0.5_f64.powi(20);
+        let of_clarabel = OwnResidual::of_clarabel(&native(), [&[1.0 + d], &[0.0], &[1.0 + d]], 1e-9);
+        assert!((of_clarabel.residual - d).abs() < 2.0 * d * d, "gap d + d² over 1: {of_clarabel:?}");
+        // A force that pulls by d is seen by osqp in the sign of z, and in the gradient.
+        let of_osqp = OwnResidual::of_osqp(&native(), &[-d], &[0.0], 1e-9);
+        assert_eq!(of_osqp.residual, 1.0 + d, "{of_osqp:?}");
+        for own in [of_clarabel, of_osqp, OwnResidual { residual: f64::NAN, asked: 1.0, rounding: 0.0 }] {
+            assert!(!own.is_met(), "{own:?}");
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! What a digit costs: the quickest certified run for each number of correct digits, solver by solver.
+
+use minijinja::{Value, context};
+use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
+
+use super::{SOLVERS, count, ended, milliseconds, number};
+use crate::measure::plan::EXAMPLE;
+use crate::measure::store::{Line, Store};
+use crate::report::csv::{csv, fixed, scientific};
+use crate::report::numbers::cell;
+use crate::report::table::Table;
+
+/// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
+const GROUNDS: [(&str, &str); 2] =
+    [(EXAMPLE, "flat ground (the paper's example)"), ("wave", "uneven ground (smooth crests)")];
+
+/// Correct digits of the table.
+const DIGITS: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 8.0];
+
+/// Digits that are claimed for the exact solution, whose residuals are below 10⁻¹⁴.
+const EXACT: f64 = 14.0;
+
+/// Values, and the figure with its numbers.
+#[derive(Debug)]
+pub(super) struct Price {
+    pub(super) values: Value,
+    pub(super) figure: (&'static str, String, String),
+}
+
+/// One run that nothing quicker beats.
+#[derive(Debug, Clone, Copy)]
+struct Point<'a> {
+    digits: f64,
+    line: &'a Line,
+}
+
+pub(super) fn of(store: &Store) -> Result<Price, PlotError> {
+    let grounds = GROUNDS.map(|(scene, _)| ended(store, scene));
+    let fronts = grounds.each_ref().map(|lines| SOLVERS.map(|solver| front(lines, solver)));
+    let exact =
+        grounds.each_ref().map(|lines| lines.iter().find(|line| line.method == "exact").map(|l| milliseconds(l)));
+    let [flat, uneven] = [0, 1].map(|k| {
+        context! {
+            table => table(&grounds[k], exact[k]).to_string(),
+            one_digit => one_digit(&fronts[k][0]),
+            exact_microseconds => exact[k].map(|ms| 1e3 * ms),
+        }
+    });
+    let rows = GROUNDS.iter().zip(&fronts).flat_map(|((scene, _), fronts)| {
+        fronts.iter().flatten().map(|point| {
+            let Line { method, solver, intervals, tolerance, .. } = point.line;
+            let numbers = [fixed(point.digits, 2), scientific(milliseconds(point.line), 3)];
+            let route =
+                [(*scene).to_owned(), format!("{method}/{solver}"), intervals.to_string(), format!("{tolerance:e}")];
+            route.into_iter().chain(numbers).collect::<Vec<_>>()
+        })
+    });
+    let data = csv(&["scene", "route", "intervals", "tolerance", "digits", "milliseconds"], rows);
+    let svg = drawn(&fronts, exact)?;
+    Ok(Price { values: context! { flat, uneven }, figure: ("price", svg, data) })
+}
+
+/// The certified runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
+fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
+    let certified = lines.iter().filter(|line| line.solver == solver && line.is_certified());
+    let mut points: Vec<Point<'a>> =
+        certified.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
+    points.sort_by(|a, b| milliseconds(a.line).total_cmp(&milliseconds(b.line)));
+    let mut best = f64::NEG_INFINITY;
+    points.retain(|point| {
+        let better = best < point.digits;
+        best = best.max(point.digits);
+        better
+    });
+    points
+}
+
+/// Milliseconds of the quickest certified run with so many digits, and the fewest intervals with which the active set has them.
+fn table(lines: &[&Line], exact: Option<f64>) -> Table {
+    let certified = |solver: &str, digits: f64| {
+        let has = move |line: &&&Line| line.is_certified() && line.digits().is_some_and(|found| digits <= found);
+        let solver = solver.to_owned();
+        lines.iter().filter(has).filter(move |line| line.solver == solver).copied().collect::<Vec<_>>()
+    };
+    let header = std::iter::once("correct digits".to_owned()).chain(DIGITS.map(|digits| format!("{digits}")));
+    let intervals = DIGITS.map(|digits| {
+        let fewest = certified("active-set", digits).into_iter().map(|line| line.intervals).min();
+        fewest.map_or_else(|| "–".to_owned(), count)
+    });
+    let mut table = Table::new(header).row(std::iter::once("intervals".to_owned()).chain(intervals));
+    for solver in SOLVERS {
+        let times = DIGITS
+            .map(|digits| cell(certified(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp), 2));
+        table = table.row(std::iter::once(format!("{solver}, ms")).chain(times));
+    }
+    table.row(std::iter::once("exact solution, ms".to_owned()).chain(DIGITS.map(|_| cell(exact, 2))))
+}
+
+/// The factors in time and in intervals of one more digit, fitted to the runs between 2 and 9 digits.
+fn one_digit(front: &[Point<'_>]) -> Option<Value> {
+    let fitted: Vec<&Point<'_>> = front.iter().filter(|point| (2.0..9.0).contains(&point.digits)).collect();
+    let factor = |of: &dyn Fn(&Line) -> f64| {
+        let points: Vec<[f64; 2]> = fitted.iter().map(|p| [p.digits, of(p.line).log10()]).collect();
+        slope(&points).map(|slope| 10.0_f64.powf(slope))
+    };
+    Some(context! {
+        time => factor(&milliseconds)?,
+        intervals => factor(&|line| number(line.intervals))?,
+        runs => fitted.len(),
+    })
+}
+
+/// Slope of the line that is fitted to points by least squares; none through fewer than three.
+pub(super) fn slope(points: &[[f64; 2]]) -> Option<f64> {
+    if points.len() < 3 {
+        return None;
+    }
+    let n = number(points.len());
+    let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / n;
+    let (x, y) = (mean(0), mean(1));
+    let covariance: f64 = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum();
+    let variance: f64 = points.iter().map(|p| (p[0] - x) * (p[0] - x)).sum();
+    Some(covariance / variance).filter(|slope| slope.is_finite())
+}
+
+/// Two panels side by side: time over correct digits, a line for each solver, a star for the exact solution.
+fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<String, PlotError> {
+    let mut panels = Vec::new();
+    for ((fronts, exact), (_, ground)) in fronts.iter().zip(exact).zip(GROUNDS) {
+        let x = Axis::new(format!("correct digits, {ground}")).including(&[1.0, EXACT]);
+        let y = Axis::new("time of a solve").unit(Some("ms".to_owned())).log().including(&[1e-3, 1e3]);
+        let mut panel = Panel::new(x, y).tall(900.0);
+        for (i, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
+            let points = front.iter().map(|point| [point.digits, milliseconds(point.line)]).collect();
+            panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: solver.to_owned() });
+        }
+        if let Some(exact) = exact {
+            let style = Style::marks(Color::BLACK, Marker::Diamond);
+            panel = panel
+                .with(Layer::Series { points: vec![[EXACT, exact]], style, label: String::new() })
+                .with(Layer::Note { at: [EXACT, exact], text: "exact".to_owned(), dot: false });
+        }
+        panels.push(panel);
+    }
+    let figure = Figure::new(
+        "The active set buys a digit for little time, and the exact solution has them all",
+        "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
+         reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
+         beats.",
+        panels,
+    );
+    Figure { columns: 2, ..figure }.svg()
+}

@@ -1,0 +1,163 @@
+//! How every run ended: two questions for a library, a map of routes over grids, and how the time of certified runs grows.
+
+use minijinja::{Value, context};
+use palkki::plot::PlotError;
+use palkki::plot::table::{Cell, Tone, verdict_map};
+
+use super::price::slope;
+use super::{ASKED, LIBRARIES, METHODS, SOLVERS, count, ended, milliseconds, number};
+use crate::measure::plan::EXAMPLE;
+use crate::measure::store::{Line, Store};
+use crate::report::csv::csv;
+use crate::report::numbers::cell;
+use crate::report::table::Table;
+
+/// Values, and the map with its numbers.
+#[derive(Debug)]
+pub(super) struct Runs {
+    pub(super) values: Value,
+    pub(super) figure: (&'static str, String, String),
+}
+
+pub(super) fn of(store: &Store) -> Result<Runs, PlotError> {
+    let (title, svg, data) = map(store)?;
+    let values =
+        context! { questions => questions(store).to_string(), growth => growth(store).to_string(), map => title };
+    Ok(Runs { values, figure: ("runs", svg, data) })
+}
+
+/// Of all runs of the libraries that were measured: did they do what they were asked, and do their answers pass our check.
+fn questions(store: &Store) -> Table {
+    let header =
+        ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these certified by our check"];
+    let mut table = Table::new(header);
+    for library in LIBRARIES {
+        let runs = || {
+            let of_library =
+                store.lines.iter().filter(|line| line.solver == library && METHODS.contains(&line.method.as_str()));
+            of_library.filter(|line| line.median_s.is_some())
+        };
+        let counts = [
+            runs().count(),
+            runs().filter(|line| line.says_solved == Some(true)).count(),
+            runs().filter(|line| line.did_as_asked == Some(true)).count(),
+            runs().filter(|line| line.did_as_asked == Some(true) && line.is_certified()).count(),
+        ];
+        table = table.row(std::iter::once(library.to_owned()).chain(counts.map(count)));
+    }
+    table
+}
+
+/// How a run ended.
+fn outcome(line: Option<&Line>) -> (Tone, &'static str) {
+    match line {
+        None => (Tone::Absent, "–"),
+        Some(line) if line.is_left_out() => (Tone::Absent, "–"),
+        Some(line) if line.is_certified() => (Tone::Good, "C"),
+        Some(line) if line.did_as_asked == Some(true) => (Tone::Fair, "A"),
+        Some(line) if line.says_solved == Some(true) => (Tone::Bad, "S"),
+        Some(_) => (Tone::Fair, "G"),
+    }
+}
+
+/// Routes on the example over grids, sorted by solver: the title, the map and its numbers.
+fn map(store: &Store) -> Result<(String, String, String), PlotError> {
+    let lines: Vec<&Line> = store.lines.iter().filter(|line| line.scene == EXAMPLE).collect();
+    let asked = |line: &&&Line| line.tolerance == 0.0 || line.tolerance.total_cmp(&ASKED).is_eq();
+    let of_route = |method: &str, solver: &str| {
+        lines.iter().filter(asked).filter(|line| line.is(method, solver)).copied().collect::<Vec<_>>()
+    };
+    let mut grids: Vec<usize> =
+        METHODS.iter().flat_map(|method| of_route(method, SOLVERS[0])).map(|line| line.intervals).collect();
+    grids.sort_unstable();
+    grids.dedup();
+    let (mut rows, mut data) = (Vec::new(), Vec::new());
+    let mut finest = Vec::new();
+    for solver in SOLVERS {
+        // The finest grid up to which all methods are certified.
+        let certified = |grid: &usize| {
+            let ends = |method| of_route(method, solver).into_iter().find(|line| line.intervals == *grid);
+            METHODS.into_iter().all(|method| outcome(ends(method)).1 == "C")
+        };
+        finest.push(grids.iter().take_while(|grid| certified(grid)).last().copied());
+        for method in METHODS {
+            let found = of_route(method, solver);
+            let cells = grids.iter().map(|grid| {
+                let (tone, text) = outcome(found.iter().copied().find(|line| line.intervals == *grid));
+                data.push(vec![format!("{method}/{solver}"), grid.to_string(), text.to_owned()]);
+                Cell { tone, text: text.to_owned() }
+            });
+            rows.push((format!("{solver}, {method}"), cells.collect::<Vec<_>>()));
+        }
+    }
+    let up_to = |k: usize| finest[k].map_or_else(|| "no grid".to_owned(), |grid| format!("{} intervals", count(grid)));
+    let title = format!(
+        "Certified by all three methods: the active set up to {}, clarabel up to {}, osqp up to {}, the four steps up to {}, NSOR up to {}",
+        up_to(0),
+        up_to(3),
+        up_to(4),
+        up_to(1),
+        up_to(2)
+    );
+    let columns: Vec<String> = grids.iter().map(|grid| count(*grid)).collect();
+    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let rows: Vec<(&str, Vec<Cell>)> = rows.iter().map(|(name, cells)| (name.as_str(), cells.clone())).collect();
+    let key = |tone, text: &str| Cell { tone, text: text.to_owned() };
+    let legend = [
+        (key(Tone::Good, "C"), "certified by our check"),
+        (key(Tone::Fair, "A"), "did what it was asked in its own norm, and fails our check"),
+        (key(Tone::Bad, "S"), "says solved, did not do what it was asked, and fails our check"),
+        (key(Tone::Fair, "G"), "gave up, or ended without saying that it succeeded"),
+        (key(Tone::Absent, "–"), "left out: a coarser grid took too long, or not in the plan"),
+    ];
+    let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
+        intervals of the paper's example.";
+    let svg = verdict_map(&title, description, &columns, &rows, &legend)?;
+    Ok((title, svg, csv(&["route", "intervals", "outcome"], data)))
+}
+
+/// How the time grows with the grid: of each solver the method that is certified on the finest grid. Certified runs on 100
+/// intervals and more, asked for [`ASKED`].
+fn growth(store: &Store) -> Table {
+    let lines = ended(store, EXAMPLE);
+    let header = ["solver", "method", "finest certified grid", "ms there", "ns per unknown there", "time grows like"];
+    let mut table = Table::new(header);
+    for solver in SOLVERS {
+        let of_method = |method: &'static str| {
+            let mut runs: Vec<&Line> = lines
+                .iter()
+                .filter(|line| line.is(method, solver) && line.is_certified())
+                .filter(|line| line.tolerance == 0.0 || line.tolerance.total_cmp(&ASKED).is_eq())
+                .copied()
+                .collect();
+            runs.sort_by_key(|line| line.intervals);
+            (method, runs)
+        };
+        // The finest grid, and there the quickest method.
+        let best = METHODS.map(of_method).into_iter().max_by(|(_, a), (_, b)| {
+            let last =
+                |runs: &[&Line]| runs.last().map_or((0, f64::INFINITY), |line| (line.intervals, milliseconds(line)));
+            let (a, b) = (last(a), last(b));
+            a.0.cmp(&b.0).then(b.1.total_cmp(&a.1))
+        });
+        let Some((method, runs)) = best else { continue };
+        let Some(finest) = runs.last() else { continue };
+        let fitted: Vec<[f64; 2]> = runs
+            .iter()
+            .filter(|line| 100 <= line.intervals)
+            .map(|line| [number(line.intervals).log10(), milliseconds(line).log10()])
+            .collect();
+        let exponent =
+            slope(&fitted).map_or_else(|| "too few certified runs".to_owned(), |slope| format!("n^{slope:.1}"));
+        let per_unknown = 1e6 * milliseconds(finest) / number(finest.intervals);
+        table = table.row([
+            solver.to_owned(),
+            method.to_owned(),
+            count(finest.intervals),
+            cell(Some(milliseconds(finest)), 2),
+            cell(Some(per_unknown), 2),
+            exponent,
+        ]);
+    }
+    table
+}
