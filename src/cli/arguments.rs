@@ -16,14 +16,13 @@ pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 
 /// A beam above a rigid, uneven foundation: where does it touch, and how hard?
 ///
-/// A straight elastic beam rests on a support at each end. Below it, at a known depth, lies ground that is rigid and not
-/// even. Loaded, the beam sags; where it meets the ground it is carried, and where it does not it hangs free. palkki
-/// finds out which is which: contact zones and points of contact, the forces in them, the reactions of the supports,
-/// deflection and bending moment.
+/// A straight elastic beam rests on a support at each end. Below it, at a known depth, lies rigid, uneven ground. Under
+/// load the beam sags and may touch the ground. palkki computes where it touches, the contact forces, the reactions of the
+/// supports, the deflection and the bending moment.
 ///
-/// The problem and three ways to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
-/// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground stand in a scene file; those of the
-/// report lie in report/scenes.
+/// The problem and three methods to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
+/// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground are given in a scene file; report/scenes
+/// has examples.
 #[derive(Debug, Parser)]
 #[command(name = "palkki", version, propagate_version = true, after_help = EXIT_CODES, max_term_width = 100)]
 pub(super) struct Arguments {
@@ -55,22 +54,20 @@ the beam, positive upwards, for example
 pub(super) enum Command {
     /// Solve a scene: one method, one solver, one answer.
     ///
-    /// Without --method the answer is that of beam theory, with lift-off points that are found and not placed on a grid.
-    /// The three methods of the paper cut the beam into equal intervals and hand a quadratic programme to a solver. Whoever
-    /// solved it, the answer is checked by the same judge, who looks at the scene and the answer alone; the solver's own
-    /// opinion of itself is printed beside the verdict and does not count. An answer is certified if it solves its own problem
-    /// and its forces prove bounds for the continuous beam; the error of its deflection is at most the one that is printed.
+    /// Without --method the answer is the exact solution of beam theory: the places where the beam lifts off are unknowns,
+    /// and there is no grid. The three methods of the paper divide the beam into equal intervals and give a quadratic program
+    /// to a solver. Every answer is checked in the same way, from the scene and the answer alone. It is certified if it solves
+    /// its discrete problem and its contact forces prove bounds for the continuous beam; the error of its deflection is at
+    /// most the one that is printed. What the solver says of itself is printed too and does not count.
     ///
-    /// How large that error may be can be asked for: --tolerance without --intervals is a dial, which chooses the grid and
-    /// prints what it took.
+    /// With --tolerance and without --intervals the grid is refined until the guaranteed error is small enough.
     #[command(after_help = SOLVE_EXAMPLES)]
     Solve(Solve),
-    /// Solve a scene by every method with every solver, and set the answers side by side.
+    /// Solve a scene by every method with every solver, and print the answers side by side.
     ///
-    /// Each row has its verdict, its time and two errors. The solver error is the difference from the answer of the
-    /// active-set solver on the same grid: what the solver is responsible for. The model error is the difference from beam
-    /// theory, where that is available: what the grid is responsible for. Both are the worst relative difference
-    /// among end reactions, energy and largest deflection. The exit code is 0 if at least one answer passed our check.
+    /// Each row has its status, its time and two errors. The solver error is the difference from the answer of the
+    /// active-set solver on the same grid. The model error is the difference from the exact solution, where there is one: it
+    /// is the error of the grid. Both are the worst relative difference among end reactions, energy and largest deflection. The exit code is 0 if at least one answer passed our check.
     Compare(Compare),
     /// Bound the error of contact forces that somebody else computed, whoever that was.
     ///
@@ -118,7 +115,7 @@ pub(super) struct Solve {
 }
 
 fn solver_help() -> String {
-    format!("Who solves the programme of a discretised method [default: {DEFAULT_SOLVER}]")
+    format!("Solver of the quadratic program of a discretised method [default: {DEFAULT_SOLVER}]")
 }
 
 fn intervals_help() -> String {

@@ -71,7 +71,7 @@ pub enum End {
         intervals: usize,
     },
     /// The route does not solve its own discrete problem well enough.
-    #[error("not reached: this route ends at {intervals} intervals, where its answer fails the judge: {refusal}")]
+    #[error("not reached: this route ends at {intervals} intervals, where its answer fails our check: {refusal}")]
     Failed {
         /// On this grid.
         intervals: usize,

@@ -99,13 +99,13 @@ impl Solver {
 /// 32 MB, and its factors as much again.
 const LARGEST_MATRIX: usize = 2000;
 
-/// The sparse form for a library; from the matrix if the programme has no other, or a refusal.
+/// The sparse form for a library; from the matrix if the quadratic program has no other, or a refusal.
 ///
 /// Both libraries fail on a programme without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
 /// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
 fn native(programme: &dyn Programme) -> Result<Native, Answer> {
     if programme.dimension() == 0 {
-        return Err(Answer::refused(0, "not tried: the programme has no unknowns".to_owned()));
+        return Err(Answer::refused(0, "not tried: the quadratic program has no unknowns".to_owned()));
     }
     let native = match programme.native() {
         Some(native) => native,
@@ -115,11 +115,11 @@ fn native(programme: &dyn Programme) -> Result<Native, Answer> {
         },
     };
     let words = if !native.is_finite() {
-        "not tried: the programme has numbers that are not finite"
+        "not tried: the quadratic program has numbers that are not finite"
     } else if !native.is_within(INFINITE) {
-        "not tried: the programme has numbers beyond 1e20, which the library takes for infinite"
+        "not tried: the quadratic program has numbers beyond 1e20, which the library takes for infinite"
     } else if native.has_negative_diagonal() {
-        "not tried: the matrix of the programme is not positive definite"
+        "not tried: the matrix of the quadratic program is not positive definite"
     } else {
         return Ok(native);
     };

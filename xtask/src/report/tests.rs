@@ -23,6 +23,43 @@ fn templates_and_documents_are_the_same_set() {
     assert_eq!(stems.collect::<BTreeSet<_>>(), BTreeSet::from(DOCUMENTS), "templates (left) and DOCUMENTS (right)");
 }
 
+/// The text of a document without code and formulas.
+fn prose(document: &str) -> String {
+    let text = fs::read_to_string(root().join("report").join(document)).expect("the document can be read");
+    text.split("```").step_by(2).collect()
+}
+
+/// The rows of tables, header and marks of the columns apart.
+fn table_rows(prose: &str) -> usize {
+    let lines: Vec<&str> = prose.lines().collect();
+    let is_row = |line: &&str| line.starts_with('|');
+    let headers = lines.iter().filter(|line| line.starts_with("| ---") || line.starts_with("|---")).count();
+    lines.iter().filter(|line| is_row(line)).count() - 2 * headers
+}
+
+#[test]
+fn the_report_can_be_read_in_ten_minutes() {
+    let prose = prose("README.md");
+    // Rows of tables are looked up and not read.
+    let read = prose.lines().filter(|line| !line.starts_with('|') && !line.starts_with("!["));
+    let words = read.flat_map(str::split_whitespace).filter(|word| word.contains(char::is_alphanumeric)).count();
+    let figures = prose.lines().filter(|line| line.starts_with("![")).count();
+    let rows = table_rows(&prose);
+    assert!(words <= 2400 && figures <= 13 && rows <= 110, "{words} words, {figures} figures, {rows} rows of tables");
+}
+
+#[test]
+fn every_column_of_a_table_has_a_name() {
+    for document in DOCUMENTS.map(path_of) {
+        let prose = prose(&document);
+        let lines: Vec<&str> = prose.lines().collect();
+        for pair in lines.windows(2).filter(|pair| pair[1].starts_with("| ---") || pair[1].starts_with("|---")) {
+            let cells: Vec<&str> = pair[0].trim_matches('|').split('|').map(str::trim).collect();
+            assert!(cells.iter().all(|cell| !cell.is_empty()), "{document}: {}", pair[0]);
+        }
+    }
+}
+
 /// A root of its own, with a report that is being changed.
 #[derive(Debug)]
 struct Scratch(PathBuf);

@@ -8,6 +8,8 @@ mod requirements;
 mod runs;
 mod stopping;
 
+use std::collections::BTreeMap;
+
 use minijinja::context;
 use palkki::paper::example;
 use palkki::route::{Method, Solver};
@@ -103,22 +105,17 @@ fn repair(store: &Store) -> minijinja::Value {
     context! { answers, gained, lost, kept }
 }
 
-/// What the plan has and the file has no result for, a line for each route and scene.
-fn left_out(store: &Store) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
-    for line in store.lines.iter().filter(|line| line.median_s.is_none()) {
-        let why = if line.is_left_out() { "a coarser grid took longer than the limit" } else { &line.status };
-        let asked = if line.tolerance == 0.0 { String::new() } else { format!(", asked for {:e}", line.tolerance) };
-        let text = format!(
-            "{}, {}/{}, {} intervals{asked}: {why}",
-            line.scene,
-            line.method,
-            line.solver,
-            count(line.intervals)
-        );
-        found.push(text);
+/// What the plan has and the file has no result for: how many entries, and for each scene and route from which grid on.
+fn left_out(store: &Store) -> minijinja::Value {
+    let mut coarsest: BTreeMap<String, usize> = BTreeMap::new();
+    let missing = || store.lines.iter().filter(|line| line.median_s.is_none());
+    for line in missing() {
+        let why = if line.is_left_out() { "" } else { &format!(" ({})", line.status) };
+        let route = format!("{}, {}, {}{why}", line.scene, line.method, line.solver);
+        coarsest.entry(route).and_modify(|least| *least = line.intervals.min(*least)).or_insert(line.intervals);
     }
-    found
+    let rows = coarsest.into_iter().map(|(route, least)| format!("{route}: from {} intervals on", count(least)));
+    context! { entries => missing().count(), routes => rows.collect::<Vec<_>>() }
 }
 
 /// The finest grids of the plan.

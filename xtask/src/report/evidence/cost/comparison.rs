@@ -21,6 +21,7 @@ pub(super) fn of(store: &Store) -> Value {
     context! {
         times => times.to_string(),
         accuracy => accuracy(&lines).to_string(),
+        reactions => reactions(store).to_string(),
         elsewhere => elsewhere(store).to_string(),
         libraries_least_at_30 => least(&|grid| grid == 30),
         libraries_least_from_300 => least(&|grid| 300 <= grid),
@@ -67,6 +68,25 @@ fn accuracy(lines: &[&Line]) -> Table {
             error_cell(runs.filter(asked).filter_map(worst).min_by(f64::total_cmp))
         });
         table = table.row(std::iter::once(count(grid)).chain(best));
+    }
+    table
+}
+
+/// The error of the end reaction by the force method with the active set, scene by scene.
+fn reactions(store: &Store) -> Table {
+    const GRIDS: [usize; 3] = [30, 100, 1000];
+    let header = std::iter::once("ground".to_owned()).chain(GRIDS.map(|grid| format!("{} intervals", count(grid))));
+    let mut table = Table::new(header);
+    let scenes =
+        [(EXAMPLE, "flat, the example"), ("wave", "smooth crests"), ("survey", "worn floor"), ("hump", "one hump")];
+    for (scene, ground) in scenes {
+        let lines = ended(store, scene);
+        let errors = GRIDS.map(|grid| {
+            let line = lines.iter().find(|line| line.is("force", "active-set") && line.intervals == grid);
+            let error = line.filter(|line| line.is_certified()).and_then(|line| line.reaction_total);
+            error.map_or_else(|| "–".to_owned(), |error| format!("{} %", cell(Some(100.0 * error), 2)))
+        });
+        table = table.row(std::iter::once(ground.to_owned()).chain(errors));
     }
     table
 }
