@@ -46,7 +46,15 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
     let discrete = Discrete::new(&scaled.scene, intervals)?;
 
     let (nodal, claims_success, words, own_residual, unknowns, iterations, work) = if scene.foundation().is_none() {
-        (methods::free_beam(&discrete, method.bending()), true, "no foundation, nothing to solve".to_owned(), None, 0, 0, 0)
+        (
+            methods::free_beam(&discrete, method.bending()),
+            true,
+            "no foundation, nothing to solve".to_owned(),
+            None,
+            0,
+            0,
+            0,
+        )
     } else {
         let programme = method.programme(&discrete);
         let answer = match solver {

@@ -42,7 +42,7 @@ impl ValueEnum for MethodArgument {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(match self {
-            Self::Exact => PossibleValue::new("exact").help("beam theory with free lift-off points, no grid"),
+            Self::Exact => PossibleValue::new("exact").help("the exact solution of beam theory, no grid"),
             Self::Discretised(method) => PossibleValue::new(method.word()).help(match method {
                 Method::Complementarity => "finite differences: no penetration, no tension, one of the two everywhere",
                 Method::Displacement => "beam elements: least potential energy without penetration at the nodes",
@@ -69,8 +69,8 @@ impl ValueEnum for SolverArgument {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(PossibleValue::new(self.0.word()).help(match self.0 {
-            Solver::ActiveSet => "pivots until the contact set is right; always ends, and at an optimum",
-            Solver::Nsor => "over-relaxation with projection, the paper's choice for many unknowns",
+            Solver::ActiveSet => "exchanges nodes until the contact set is right; always ends at the optimum",
+            Solver::Nsor => "projected over-relaxation, which the paper recommends for many unknowns",
             Solver::Clarabel => "interior points, a library",
             Solver::Osqp => "operator splitting, a library",
             Solver::FourStep => "the paper's own four steps, for comparison; may stop short of the optimum",

@@ -48,7 +48,7 @@ fn what_cannot_be_reached_is_said_with_the_best_there_is() {
     let (code, text, json) = folder.json(arguments);
     assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")), "{text}");
     let end = json["dial"]["end"].as_str().expect("words");
-    assert!(end.contains("its answer fails the judge: the residual of its discrete problem is"), "{end}");
+    assert!(end.contains("its answer fails our check: the residual of its discrete problem is"), "{end}");
     let reason = json["reason"].as_str().expect("words");
     assert!(reason.contains("more than the 1.0e-4 that was demanded"), "{reason}");
     let errors = json["dial"]["grids"].as_array().expect("a list").iter();

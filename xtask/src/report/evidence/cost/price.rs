@@ -1,7 +1,9 @@
 //! What a digit costs: the quickest certified run for each number of correct digits, solver by solver.
 
+use minijinja::value::Serde;
 use minijinja::{Value, context};
 use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
+use serde::Serialize;
 
 use super::{SOLVERS, count, ended, milliseconds, number};
 use crate::measure::plan::EXAMPLE;
@@ -42,7 +44,7 @@ pub(super) fn of(store: &Store) -> Result<Price, PlotError> {
     let [flat, uneven] = [0, 1].map(|k| {
         context! {
             table => table(&grounds[k], exact[k]).to_string(),
-            one_digit => one_digit(&fronts[k][0]),
+            one_digit => Value::from(Serde(one_digit(&fronts[k][0]))),
             exact_microseconds => exact[k].map(|ms| 1e3 * ms),
         }
     });
@@ -96,18 +98,35 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
     table.row(std::iter::once("exact solution, ms".to_owned()).chain(DIGITS.map(|_| cell(exact, 2))))
 }
 
-/// The factors in time and in intervals of one more digit, fitted to the runs between 2 and 9 digits.
-fn one_digit(front: &[Point<'_>]) -> Option<Value> {
+/// The factors in time and in intervals of one more digit.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct OneDigit {
+    time: f64,
+    intervals: f64,
+}
+
+/// Fitted to the runs between 2 and 9 digits.
+fn one_digit(front: &[Point<'_>]) -> Option<OneDigit> {
     let fitted: Vec<&Point<'_>> = front.iter().filter(|point| (2.0..9.0).contains(&point.digits)).collect();
     let factor = |of: &dyn Fn(&Line) -> f64| {
         let points: Vec<[f64; 2]> = fitted.iter().map(|p| [p.digits, of(p.line).log10()]).collect();
         slope(&points).map(|slope| 10.0_f64.powf(slope))
     };
-    Some(context! {
-        time => factor(&milliseconds)?,
-        intervals => factor(&|line| number(line.intervals))?,
-        runs => fitted.len(),
-    })
+    Some(OneDigit { time: factor(&milliseconds)?, intervals: factor(&|line| number(line.intervals))? })
+}
+
+/// The rule of thumb in one sentence, for the front page of the repository.
+#[cfg(test)]
+fn sentence(store: &Store) -> Option<String> {
+    let [flat, uneven] = GROUNDS.map(|(scene, _)| {
+        let factors = one_digit(&front(&ended(store, scene), SOLVERS[0]))?;
+        Some([factors.time, factors.intervals].map(|factor| cell(Some(factor), 2)))
+    });
+    let ([time, intervals], [crest_time, crest_intervals]) = (flat?, uneven?);
+    Some(format!(
+        "**One more correct digit costs** {time} times the time and {intervals} times the intervals on flat ground, and \
+         {crest_time} and {crest_intervals} times on smooth crests; the exact solution has all digits."
+    ))
 }
 
 /// Slope of the line that is fitted to points by least squares; none through fewer than three.
@@ -150,4 +169,25 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
         panels,
     );
     Figure { columns: 2, ..figure }.svg()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn the_front_page_has_the_price_of_a_digit() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let sentence = sentence(&Store::read(&root).expect("measurements can be read")).expect("enough runs to fit");
+        let readme = std::fs::read_to_string(root.join("README.md")).expect("the README can be read");
+        assert!(readme.lines().any(|line| line == sentence), "README.md lacks the line\n{sentence}");
+    }
+
+    #[test]
+    fn a_slope_is_fitted_by_least_squares() {
+        assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0], [2.0, 5.0]]), Some(2.0));
+        assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0]]), None, "two points prove nothing");
+    }
 }
