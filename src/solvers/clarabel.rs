@@ -56,7 +56,7 @@ pub(super) fn words(tolerance: f64) -> String {
 pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
     let native = match native(programme) {
         Ok(native) => native,
-        Err(refusal) => return refusal,
+        Err(words) => return Answer::refused(programme.dimension(), words),
     };
     let (n, m, r) = (programme.dimension(), native.linear.len(), native.right.len());
     let (starts, rows, values) = native.constraints(-1.0);

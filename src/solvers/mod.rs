@@ -99,18 +99,18 @@ impl Solver {
 /// 32 MB, and its factors as much again.
 const LARGEST_MATRIX: usize = 2000;
 
-/// The sparse form for a library; from the matrix if the quadratic program has no other, or a refusal.
+/// The sparse form for a library; from the matrix if the quadratic program has no other, or why it is not tried.
 ///
 /// Both libraries fail on a programme without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
 /// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
-fn native(programme: &dyn Programme) -> Result<Native, Answer> {
+fn native(programme: &dyn Programme) -> Result<Native, String> {
     if programme.dimension() == 0 {
-        return Err(Answer::refused(0, "not tried: the quadratic program has no unknowns".to_owned()));
+        return Err("not tried: the quadratic program has no unknowns".to_owned());
     }
     let native = match programme.native() {
         Some(native) => native,
         None => match too_large(programme) {
-            Some(refusal) => return Err(refusal),
+            Some(words) => return Err(words),
             None => Native::of_matrix(programme),
         },
     };
@@ -123,15 +123,15 @@ fn native(programme: &dyn Programme) -> Result<Native, Answer> {
     } else {
         return Ok(native);
     };
-    Err(Answer::refused(programme.dimension(), words.to_owned()))
+    Err(words.to_owned())
 }
 
 /// What clarabel takes for infinite; osqp takes 1e30, and prints what it thinks of a factorisation that overflows.
 const INFINITE: f64 = 1e20;
 
-/// The refusal of a solver that would need a larger matrix, if it would.
-fn too_large(programme: &dyn Programme) -> Option<Answer> {
+/// Why a solver is not tried that would need a larger matrix, if it would.
+fn too_large(programme: &dyn Programme) -> Option<String> {
     let n = programme.dimension();
-    let words = || format!("not tried: a matrix of {n} unknowns, {LARGEST_MATRIX} is the limit of this solver");
-    (LARGEST_MATRIX < n).then(|| Answer::refused(n, words()))
+    (LARGEST_MATRIX < n)
+        .then(|| format!("not tried: a matrix of {n} unknowns, {LARGEST_MATRIX} is the limit of this solver"))
 }

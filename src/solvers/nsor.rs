@@ -50,8 +50,8 @@ pub(super) fn words(tolerance: f64) -> String {
 
 /// Runs NSOR until the scaled residual is at most `tolerance`, or the budget is used up.
 pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
-    if let Some(refusal) = too_large(programme) {
-        return refusal;
+    if let Some(words) = too_large(programme) {
+        return Answer::refused(programme.dimension(), words);
     }
     let relaxation = Relaxation { programme, matrix: programme.matrix(), linear: programme.linear() };
     let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * programme.dimension()))

@@ -124,7 +124,7 @@ fn limits(runs: &[Run]) -> Table {
             let reached = of_scene(scene).filter(|run| run.reached()).map(|run| run.exponent).min();
             reached.map_or_else(|| "none".to_owned(), power)
         });
-        let last = of_scene(SCENES[1]).last();
+        let last = of_scene(SCENES[1]).next_back();
         let [example, ridge] = smallest;
         [format!("{}, {}", route.0, route.1), example, ridge, last.map_or_else(String::new, |run| ended(run.found.end))]
     });
