@@ -21,6 +21,7 @@ mod regimes;
 mod reproduce;
 mod scenes;
 mod solvers;
+mod teaching;
 mod theory;
 mod trade;
 
@@ -42,6 +43,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("methods", methods::evidence),
     ("theory", theory::evidence),
     ("solvers", solvers::evidence),
+    ("teaching", teaching::evidence),
     ("figures", figures::evidence),
     ("regimes", regimes::evidence),
     ("agreement", agreement::evidence),
