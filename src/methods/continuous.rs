@@ -110,12 +110,12 @@ impl<'a> Continuous<'a> {
         supports: Vec<usize>,
         room: usize,
     ) -> Result<(Self, Vec<f64>), NotPositiveDefinite> {
-        let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
         let last = supports.len() - 1;
         let mut moments = vec![0.0; supports.len()];
         let mut passed = Vec::with_capacity(supports.len().max(room));
         passed.push(0.0);
         // Report: three-moments
+        let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
         // From left to right: without M_{i−1}, row i says M_i = moments[i] − passed[i] M_{i+1}.
         let mut left = discrete.span(supports[0], supports[1]);
         for i in 1..last {

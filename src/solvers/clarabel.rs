@@ -47,7 +47,7 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
 pub(super) fn words(tolerance: f64) -> String {
     let set = settings(tolerance);
     format!(
-        "gap and feasibility {:.0e}, at most {} iterations, one thread, regularisation {REGULARISATION:.0e}, no equilibration: the programme is dimensionless already",
+        "gap and feasibility {:.0e}, at most {} iterations, one thread, regularisation {REGULARISATION:.0e}, no equilibration: the quadratic program is dimensionless already",
         set.tol_gap_abs, set.max_iter,
     )
 }

@@ -7,7 +7,7 @@
 //! 4°  go to 1°
 //! ```
 //!
-//! It ends after at most n rounds, at a point that is stationary on a face of the feasible set. That point is optimal
+//! It ends after at most n + 1 rounds, at a point that is stationary on a face of the feasible set. That point is optimal
 //! only if no variable that was set to zero has a negative gradient, which the four steps do not ask.
 
 // Discrepancy: four-step-solution

@@ -5,7 +5,7 @@ use palkki::certificate::{ContactLoad, Judged, certify};
 use palkki::methods::{Discrete, Method};
 use palkki::paper::approach::{Quantity, approach};
 use palkki::paper::{INTERVALS, example, theory};
-use palkki::route::{Outcome, Solver, Status};
+use palkki::route::{Solver, Status};
 use palkki::scene::Scene;
 use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
 
@@ -20,7 +20,9 @@ use crate::report::{numbers, scenes};
 const BY_HAND: usize = UNKNOWNS.len() + 1;
 const UNKNOWNS: [&str; 5] = ["x₁", "x₂", "x₃", "x₄", "x₅"];
 /// Grids on which the first nodal force jumps.
-const JUMPING: std::ops::RangeInclusive<usize> = 30..=37;
+const JUMPING: [usize; 11] = [30, 31, 32, 33, 34, 35, 36, 37, 1000, 1001, 1002];
+/// Bounds are printed with nine digits behind the point, rounded outwards.
+const PRINTED: f64 = 1e9;
 /// Grids of the smooth crest: halvings of the coarsest.
 const CREST: [usize; 6] = [30, 60, 120, 240, 480, 960];
 
@@ -48,83 +50,90 @@ fn lift_off(scene: &Scene) -> Value {
     }
 }
 
-/// Exercise 2: the rounds of the four steps by finite differences, as the library does them.
+/// Of each round of the four steps the point, and the variable that is set to zero after it.
+type Rounds = Vec<(Vec<f64>, Option<usize>)>;
+
+/// The four steps by finite differences, round by round, and the contact forces at their end. They have to be those of the
+/// solver.
+fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
+    let programme = Method::Complementarity.programme(discrete);
+    let mut free = vec![true; programme.dimension()];
+    let mut rounds: Rounds = Vec::new();
+    loop {
+        let point = programme.stationary(&free)?;
+        let negative = (0..free.len()).filter(|&i| free[i] && point.x[i] < 0.0);
+        let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
+        rounds.push((point.x, smallest));
+        let Some(smallest) = smallest else {
+            let answer = Solver::FourStep.run(programme.as_ref(), DEFAULT_TOLERANCE);
+            if rounds.last().is_none_or(|(x, _)| *x != answer.x) || answer.iterations != rounds.len() {
+                return Err("the four steps of the exercise are not those of the solver".into());
+            }
+            return Ok((rounds, point.gradient.iter().map(|p| p * discrete.spacing).collect()));
+        };
+        free[smallest] = false;
+    }
+}
+
+/// Exercise 2: the rounds of the four steps on a grid of five nodes.
 fn four_steps(scene: &Scene) -> Result<Value, Cause> {
     let discrete = Discrete::new(scene, BY_HAND)?;
-    let programme = Method::Complementarity.programme(&discrete);
-    let n = programme.dimension();
-    let header = ["round"].into_iter().chain(UNKNOWNS).chain(["set to zero"]);
-    let mut table = Table::new(header);
-    let mut free = vec![true; n];
-    let mut rounds = 0;
-    let end = loop {
-        let point = programme.stationary(&free)?;
-        rounds += 1;
-        let negative = (0..n).filter(|&i| free[i] && point.x[i] < 0.0);
-        let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
-        let cell = |i: usize| if free[i] { fixed(point.x[i], 3) } else { "0".to_owned() };
+    let (rounds, forces) = rounds(&discrete)?;
+    let mut table = Table::new(["round"].into_iter().chain(UNKNOWNS).chain(["set to zero"]));
+    let mut free = [true; UNKNOWNS.len()];
+    for (k, (x, smallest)) in rounds.iter().enumerate() {
+        let cells = (0..free.len()).map(|i| if free[i] { fixed(x[i], 3) } else { "0".to_owned() });
         let named = smallest.map_or("none: stop", |i| UNKNOWNS[i]).to_owned();
-        table = table.row([rounds.to_string()].into_iter().chain((0..n).map(cell)).chain([named]));
-        match smallest {
-            Some(i) => free[i] = false,
-            None => break point,
-        }
-    };
-    let answer = Solver::FourStep.run(programme.as_ref(), DEFAULT_TOLERANCE);
-    if answer.x != end.x || answer.iterations != rounds {
-        return Err("the four steps of the exercise are not those of the solver".into());
+        table = table.row([(k + 1).to_string()].into_iter().chain(cells).chain([named]));
+        smallest.iter().for_each(|i| free[*i] = false);
     }
-    let forces = end.gradient.iter().map(|p| fixed(p * discrete.spacing, 3)).collect::<Vec<_>>();
-    let unit = discrete.spacing.powi(4) / discrete.stiffness;
     Ok(context! {
         intervals => BY_HAND,
-        nodes => n,
+        nodes => UNKNOWNS.len(),
         table,
-        rounds,
-        scaled_load => scene.load().uniform() * unit,
-        forces => forces.join(", "),
-        optimal => end.gradient.iter().all(|&p| 0.0 <= p),
+        rounds => rounds.len(),
+        scaled_load => scene.load().uniform() * discrete.spacing.powi(4) / discrete.stiffness,
+        forces => forces.iter().map(|f| fixed(*f, 3)).collect::<Vec<_>>().join(", "),
+        optimal => forces.iter().all(|f| 0.0 <= *f),
     })
 }
 
-/// Exercise 3: the last grid before the four steps fail for the first time, and that grid.
+/// Exercise 3: the first grid on which the four steps fail, beside the one before.
 fn failure(scene: &Scene) -> Result<Value, Cause> {
-    let run = |n: usize| solve(scene, &Settings::new(Method::Complementarity, Solver::FourStep, n));
-    let mut before: Option<Outcome> = None;
-    for intervals in 4..=200 {
-        let outcome = run(intervals)?;
-        if outcome.status == Status::Certified {
-            before = Some(outcome);
-            continue;
-        }
-        let header =
-            ["intervals", "rounds", "residual", "least nodal force", "at x", "left reaction", "right reaction"];
-        let mut table = Table::new(header);
-        let mut least = (0.0, 0.0);
-        for (n, outcome) in before.iter().map(|b| (intervals - 1, b)).chain([(intervals, &outcome)]) {
-            let nodes = outcome.state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
-            let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
-            least = forces.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or("there are nodes")?;
-            let rounding = outcome.residual < 1e-12;
-            let at = if rounding { "–".to_owned() } else { fixed(least.0, 3) };
-            let residual = if rounding { "below 10⁻¹²".to_owned() } else { fixed(outcome.residual, 3) };
-            let reactions = outcome.state.reactions;
-            let [least, left, right] =
-                [if rounding { 0.0 } else { least.1 }, reactions.left, reactions.right].map(|f| fixed(f, 4));
-            table = table.row([n.to_string(), outcome.iterations.to_string(), residual, least, at, left, right]);
-        }
-        let best = solve(scene, &Settings::new(Method::Complementarity, Solver::ActiveSet, intervals))?;
-        return Ok(context! {
-            intervals,
-            before => intervals - 1,
-            table,
-            pull => -least.1,
-            at => least.0,
-            active_set => best.status == Status::Certified,
-            reaction => best.state.reactions.left,
-        });
+    let run = |solver: Solver, n: usize| solve(scene, &Settings::new(Method::Complementarity, solver, n));
+    let fails = |n: &usize| run(Solver::FourStep, *n).is_ok_and(|outcome| outcome.status != Status::Certified);
+    let intervals = (4..=200).find(fails).ok_or("the four steps do not fail any more")?;
+    let mut table = Table::new(["intervals", "rounds", "passes our check", "left reaction", "right reaction"]);
+    for n in [intervals - 1, intervals] {
+        let outcome = run(Solver::FourStep, n)?;
+        let passes = if outcome.status == Status::Certified { "yes" } else { "no" };
+        let reactions = [outcome.state.reactions.left, outcome.state.reactions.right].map(|r| fixed(r, 4));
+        let row = [n.to_string(), outcome.iterations.to_string(), passes.to_owned()];
+        table = table.row(row.into_iter().chain(reactions));
     }
-    Err("the four steps do not fail any more".into())
+    let discrete = Discrete::new(scene, intervals)?;
+    let (rounds, forces) = rounds(&discrete)?;
+    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j])).ok_or("there are nodes")?;
+    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst)).ok_or("a node pulls that is free")?;
+    // The next node to the right that was held already in that round.
+    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
+    let held = before.filter(|i| worst < *i).min().ok_or("no node was held before")?;
+    let best = run(Solver::ActiveSet, intervals)?;
+    Ok(context! {
+        intervals,
+        before => intervals - 1,
+        table,
+        node => worst + 1,
+        at => discrete.grid.place(worst + 1),
+        pull => -forces[worst],
+        clearance => rounds[round].0[worst],
+        round => round + 1,
+        held => held + 1,
+        below => (worst + 1..held).all(|i| rounds[round].0[i] < 0.0),
+        rounds => rounds.len(),
+        active_set => best.status == Status::Certified,
+        reaction => best.state.reactions.left,
+    })
 }
 
 /// Exercise 4: the first nodal force on neighbouring grids, beside the resultant.
@@ -157,7 +166,7 @@ fn jumps(scene: &Scene) -> Result<Value, Cause> {
         let [between, one, two] = numbers;
         table = table.row([n.to_string(), (first + 1).to_string(), between, one, two, fixed(resultant, 3)]);
     }
-    Ok(context! { table, least, most, steady, from => *JUMPING.start(), to => *JUMPING.end() })
+    Ok(context! { table, least, most, steady, grids => JUMPING })
 }
 
 /// Exercise 5: a contact at a single point of a smooth crest, which grids miss.
@@ -193,6 +202,9 @@ fn crest(scene: &Scene) -> Result<Value, Cause> {
         reaction => solution.state.reactions.left,
         of_reaction => order(Quantity::EndReaction),
         of_energy => order(Quantity::Energy),
+        as_expected => [(Quantity::EndReaction, 1.0), (Quantity::Energy, 2.0)]
+            .into_iter()
+            .all(|(quantity, expected)| order(quantity).is_some_and(|found| (found - expected).abs() < 0.3)),
     })
 }
 
@@ -214,8 +226,8 @@ fn bounds(scene: &Scene) -> Result<Value, Cause> {
         gap,
         // l²/4 √(2 gap/(3 EI l)), the bound on the deflection at mid-span.
         deflection => l * l / 4.0 * (2.0 * gap / (3.0 * ei * l)).sqrt(),
-        lower => certificate.energy_lower,
-        upper => certificate.energy_upper,
+        lower => (certificate.energy_lower * PRINTED).floor() / PRINTED,
+        upper => (certificate.energy_upper * PRINTED).ceil() / PRINTED,
         width => numbers::bound((certificate.energy_upper - certificate.energy_lower) / energy.abs()),
         holds => certificate.energy_lower <= energy && energy <= certificate.energy_upper,
         error => certificate.deflection_error,

@@ -29,8 +29,15 @@ fn too_long(solver: Solver, intervals: usize) -> bool {
 pub(super) fn evidence(root: &Path) -> Result<(Value, String), Cause> {
     let scenes = SCENES.map(|name| scenes::read(root, name).map(|scene| (name, scene)));
     let scenes = scenes.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let mut table =
-        Table::new(["solver", "asked for", "runs", "says solved", "did what it was asked", "passes our check"]);
+    let mut table = Table::new([
+        "solver",
+        "asked for",
+        "own tolerance",
+        "runs",
+        "says solved",
+        "did what it was asked",
+        "passes our check",
+    ]);
     let (mut data, mut libraries, mut all) = (Vec::new(), Counts::default(), Counts::default());
     for solver in Solver::ALL {
         let is_library = matches!(solver, Solver::Clarabel | Solver::Osqp);
@@ -55,9 +62,10 @@ pub(super) fn evidence(root: &Path) -> Result<(Value, String), Cause> {
             }
             let has_tolerance = is_library || solver == Solver::Nsor;
             let asked = if has_tolerance { exactly_a_power(tolerance) } else { "–".to_owned() };
+            let own = counts.asked.map_or("–".to_owned(), exactly_a_power);
             let met = if is_library { counts.met.to_string() } else { "–".to_owned() };
             let [runs, says, passes] = [counts.runs, counts.says, counts.passes].map(|count| count.to_string());
-            table = table.row([solver.word().to_owned(), asked, runs, says, met, passes]);
+            table = table.row([solver.word().to_owned(), asked, own, runs, says, met, passes]);
         }
     }
     let values = context! {
@@ -87,6 +95,8 @@ struct Counts {
     unmet_and_passes: usize,
     /// Runs of which nobody knows what they left of their own problem.
     unknown: usize,
+    /// The tolerance of a library, in its own norm.
+    asked: Option<f64>,
 }
 
 impl Counts {
@@ -104,6 +114,7 @@ impl Counts {
             met_and_fails: usize::from(met && !passes),
             unmet_and_passes: usize::from(unmet && passes),
             unknown: usize::from(outcome.own_residual.is_none()),
+            asked: outcome.own_residual.map(|own| own.asked),
         }
     }
 
@@ -116,6 +127,7 @@ impl Counts {
         self.met_and_fails += other.met_and_fails;
         self.unmet_and_passes += other.unmet_and_passes;
         self.unknown += other.unknown;
+        self.asked = other.asked;
     }
 
     /// Of a single run: the solver says solved, it did what it was asked, its answer passes.
