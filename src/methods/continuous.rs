@@ -4,7 +4,7 @@
 //! a M_{i−1} + 2 (a + b) M_i + b M_{i+1} = −(ϑ_right + ϑ_left) − (6 EI/Δ²) (slope of the chord behind i − slope before i)
 //! ```
 //!
-//! for neighbouring spans of `a` and `b` intervals, with the end rotations `ϑ` of a [`Segment`]; moments count in `force · Δ`.
+//! for neighbouring spans of `a` and `b` intervals, with the end rotations `ϑ` of a [`Segment`](super::segment::Segment); moments count in `force · Δ`.
 //! Then contact forces from the jumps of the shear force, deflections from the closed cubic of each interval.
 //!
 //! The matrix is strictly diagonally dominant, condition number at most 3 once scaled by its diagonal: no digits are lost to
@@ -18,7 +18,6 @@
 
 use std::ops::Range;
 
-use super::segment::Segment;
 use super::{Discrete, statics};
 use crate::problem::NotPositiveDefinite;
 
@@ -111,39 +110,31 @@ impl<'a> Continuous<'a> {
         supports: Vec<usize>,
         room: usize,
     ) -> Result<(Self, Vec<f64>), NotPositiveDefinite> {
-        let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
+        let last = supports.len() - 1;
         let mut moments = vec![0.0; supports.len()];
-        // What an eliminated moment keeps of its right neighbour: M_i = moments[i] − passed[i] M_{i+1}.
         let mut passed = Vec::with_capacity(supports.len().max(room));
         passed.push(0.0);
-        let mut left = Segment::default();
-        let mut row = Row::default();
-        // The moment of the row before stays at hand: whoever waits for memory waits longer.
-        let mut before = 0.0;
-        for (i, pair) in supports.windows(2).enumerate() {
-            let right = discrete.span(pair[0], pair[1]);
-            if 0 < i {
-                let bend = unit * discrete.bend(supports[i - 1], pair[0], pair[1]);
-                let rest = -(left.rotations[1] + right.rotations[0]) - bend - left.steps * before;
-                row = row.next(left.steps, right.steps);
-                // The pivot is at least 3/2 (a + b); the comparison refuses NaN.
-                if !(0.0 < row.pivot && rest.is_finite()) {
-                    return Err(NotPositiveDefinite { index: i - 1, pivot: row.pivot });
-                }
-                before = rest * row.inverse;
-                moments[i] = before;
-                passed.push(row.passed);
+        // Report: three-moments
+        let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
+        // From left to right: without M_{i−1}, row i says M_i = moments[i] − passed[i] M_{i+1}.
+        let mut left = discrete.span(supports[0], supports[1]);
+        for i in 1..last {
+            let right = discrete.span(supports[i], supports[i + 1]);
+            let (a, b) = (left.steps, right.steps);
+            let bend = discrete.bend(supports[i - 1], supports[i], supports[i + 1]);
+            let rest = -(left.rotations[1] + right.rotations[0]) - unit * bend - a * moments[i - 1];
+            let pivot = 2.0 * (a + b) - a * passed[i - 1];
+            if !(0.0 < pivot && rest.is_finite()) {
+                return Err(NotPositiveDefinite { index: i - 1, pivot });
             }
+            let inverse = 1.0 / pivot;
+            moments[i] = rest * inverse;
+            passed.push(b * inverse);
             left = right;
         }
-        let mut behind = 0.0;
-        for i in (1..supports.len() - 1).rev() {
-            behind = moments[i] - passed[i] * behind;
-            moments[i] = behind;
-        }
-        if let Some(end) = moments.last_mut() {
-            *end = 0.0;
-        }
+        // Back from right to left: the ends of the beam are free of moment.
+        (1..last).rev().for_each(|i| moments[i] -= passed[i] * moments[i + 1]);
+        // Report: end
         Ok((Self { discrete, supports, moments }, passed))
     }
 
@@ -201,33 +192,6 @@ impl<'a> Continuous<'a> {
                 *h = if doubtful { 0.0 } else { open };
             }
         }
-    }
-}
-
-/// A row of the elimination: its pivot, the inverse of that, and what the row passes on.
-#[derive(Clone, Copy, Default)]
-struct Row {
-    /// The two spans, and what the row before passed on, to the bit: all that a row depends on.
-    left: u64,
-    right: u64,
-    before: u64,
-    pivot: f64,
-    inverse: f64,
-    passed: f64,
-}
-
-impl Row {
-    /// The next row, between spans of `a` and `b` intervals. In dense contact rows soon are the same to the bit, and no division
-    /// has to be waited for.
-    #[inline]
-    fn next(self, a: f64, b: f64) -> Self {
-        let (left, right, before) = (a.to_bits(), b.to_bits(), self.passed.to_bits());
-        if before == self.before && left == self.left && right == self.right {
-            return self;
-        }
-        let pivot = 2.0 * (a + b) - a * self.passed;
-        let inverse = 1.0 / pivot;
-        Self { left, right, before, pivot, inverse, passed: b * inverse }
     }
 }
 

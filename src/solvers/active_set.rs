@@ -39,7 +39,7 @@ const ROUNDS: usize = 10;
 
 /// What it is set to.
 pub(super) fn words() -> String {
-    "of each run on the wrong side the worst changes sides; a sign counts if it is more than the rounding of a solve"
+    "of each run of neighbours with the wrong sign the worst one changes; a sign counts if it is larger than the rounding of a solve"
         .to_owned()
 }
 

@@ -7,7 +7,7 @@
 //! 4°  go to 1°
 //! ```
 //!
-//! It ends after at most n rounds, at a point that is stationary on a face of the feasible set. That point is optimal
+//! It ends after at most n + 1 rounds, at a point that is stationary on a face of the feasible set. That point is optimal
 //! only if no variable that was set to zero has a negative gradient, which the four steps do not ask.
 
 // Discrepancy: four-step-solution
@@ -18,7 +18,7 @@
 // Where two components are equally small, as mirror images are, the first of them is set to zero.
 
 use super::Answer;
-use crate::problem::Programme;
+use crate::problem::{NotPositiveDefinite, Programme, Stationary};
 
 /// Largest dimension for which the four steps are tried: they take up to n solves of O(n) operations each.
 const LARGEST: usize = 10_000;
@@ -29,34 +29,37 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
     if LARGEST < n {
         return Answer::refused(n, format!("not tried: up to {n} solves, {LARGEST} is the limit of this solver"));
     }
-    let mut free = vec![true; n];
-    let mut steps = 0;
+    let mut rounds = 0;
+    match four_steps(programme, &mut rounds) {
+        Ok(point) => Answer {
+            x: point.x,
+            gradient: point.gradient,
+            claims_success: true,
+            words: "x ≥ 0".to_owned(),
+            own_residual: None,
+            iterations: rounds,
+            work: rounds * n,
+        },
+        Err(error) => Answer { iterations: rounds, work: rounds * n, ..Answer::refused(n, error.to_string()) },
+    }
+}
+
+// Report: four-step
+fn four_steps(programme: &dyn Programme, rounds: &mut usize) -> Result<Stationary, NotPositiveDefinite> {
+    let mut free = vec![true; programme.dimension()];
     loop {
-        steps += 1;
-        let point = match programme.stationary(&free) {
-            Ok(point) => point,
-            Err(error) => {
-                return Answer { iterations: steps, work: steps * n, ..Answer::refused(n, error.to_string()) };
-            }
-        };
-        match smallest(&point.x, &free) {
-            Some(i) => free[i] = false,
-            None => {
-                return Answer {
-                    x: point.x,
-                    gradient: point.gradient,
-                    claims_success: true,
-                    words: "x ≥ 0".to_owned(),
-                    own_residual: None,
-                    iterations: steps,
-                    work: steps * n,
-                };
-            }
-        }
+        *rounds += 1;
+        // 1° Solve A x = b on the variables that are not yet set to zero.
+        let point = programme.stationary(&free)?;
+        // 2° If x ≥ 0, stop.
+        let Some(i) = smallest_negative(&point.x, &free) else { return Ok(point) };
+        // 3° Set the smallest component of x to zero; 4° go to 1°.
+        free[i] = false;
     }
 }
 
 /// The smallest negative component among the free ones, the first of equal ones.
-fn smallest(x: &[f64], free: &[bool]) -> Option<usize> {
+fn smallest_negative(x: &[f64], free: &[bool]) -> Option<usize> {
     (0..x.len()).filter(|&i| free[i] && x[i] < 0.0).min_by(|&i, &j| x[i].total_cmp(&x[j]))
 }
+// Report: end

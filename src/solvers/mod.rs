@@ -86,7 +86,7 @@ impl Solver {
     #[must_use]
     pub fn settings(self, tolerance: f64) -> String {
         match self {
-            Self::FourStep => "nothing to set; at most n rounds".to_owned(),
+            Self::FourStep => "nothing to set; at most n + 1 rounds".to_owned(),
             Self::ActiveSet => active_set::words(),
             Self::Nsor => nsor::words(tolerance),
             Self::Clarabel => clarabel::words(tolerance),

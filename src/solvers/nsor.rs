@@ -147,18 +147,24 @@ struct Relaxation<'a> {
 }
 
 impl Relaxation<'_> {
-    /// Some sweeps over all variables, and a look at the residual.
-    fn advance(&self, candidate: &mut Candidate) {
-        let Candidate { factor, x, residual: found, cycle } = candidate;
+    // Report: nsor
+    /// One sweep over all variables, each with the newest values of the others.
+    fn sweep(&self, factor: f64, x: &mut [f64]) {
+        for i in 0..x.len() {
+            let gradient = self.matrix.row_times(i, x) - self.linear[i];
+            x[i] = (x[i] - factor * gradient / self.matrix.entry(i, i)).max(0.0);
+        }
+    }
+
+    /// Some sweeps, and a look at the residual.
+    fn advance(&self, Candidate { factor, x, residual: found, cycle }: &mut Candidate) {
         for _ in 0..SWEEPS_PER_LOOK {
-            for i in 0..x.len() {
-                let gradient = self.matrix.row_times(i, x) - self.linear[i];
-                x[i] = (x[i] - *factor * gradient / self.matrix.entry(i, i)).max(0.0);
-            }
+            self.sweep(*factor, x);
         }
         *found = residual(self.programme.sizes(), x, &self.programme.gradient(x));
         cycle.look(x);
     }
+    // Report: end
 }
 
 #[cfg(test)]

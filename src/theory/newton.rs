@@ -30,25 +30,30 @@ const APPROACH: f64 = 0.45;
 
 /// Moves the nodes of `list` until all equations hold.
 pub(super) fn solve(given: &Given, list: &mut List) -> Run {
+    if list.nodes.is_empty() {
+        return Run { steps: 0, converged: true };
+    }
     let mut last = f64::INFINITY;
     let mut brackets = vec![Bracket::EVERYWHERE; list.nodes.len()];
+    // Report: newton
     for steps in 0..STEPS {
-        if list.nodes.is_empty() {
-            return Run { steps, converged: true };
-        }
+        // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
         let rows = equations(given, list);
-        for ((bracket, node), (_, value)) in brackets.iter_mut().zip(&list.nodes).zip(&rows) {
-            bracket.narrow(node.x, *value);
+        for ((bracket, node), (_, jump)) in brackets.iter_mut().zip(&list.nodes).zip(&rows) {
+            bracket.narrow(node.x, *jump);
         }
+        // Derivatives · step = −jumps: a tridiagonal system.
         let Some(step) = newton_step(list, rows, given.length) else {
             return Run { steps, converged: false };
         };
+        // No further than to the end of a smooth piece of the ground, or to the next contact.
         let (size, limited) = apply(given, list, &step, &mut brackets);
         if !limited && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size)) {
             return Run { steps: steps + 1, converged: true };
         }
         last = size;
     }
+    // Report: end
     Run { steps: STEPS, converged: false }
 }
 

@@ -10,11 +10,23 @@ use crate::certificate::interval::Interval;
 use crate::scene::Scale;
 use crate::state::Nodes;
 
+// Report: certificate
 /// `√(2 gap / (3 EI l))`, by which `x (l − x)` is to be multiplied.
 fn factor(gap: f64, stiffness: f64, length: f64) -> Interval {
     let below = number(3) * Interval::exact(stiffness) * Interval::exact(length);
     (number(2) * Interval::exact(gap) / below).sqrt()
 }
+
+/// At least `|v − v*|` from `a` to `b`: `factor · x (l − x) + |v̂ − v|`, with `apart` for the largest `|v̂ − v|` there.
+fn bound_between([a, b]: [f64; 2], factor: Interval, apart: f64, length: f64) -> f64 {
+    let l = Interval::exact(length);
+    let lever = |x: f64| (Interval::exact(x) * (l - Interval::exact(x))).hi();
+    // x (l − x) is largest in the middle of the beam, and monotone on either side of it.
+    let in_the_middle = a <= 0.5 * length && 0.5 * length <= b;
+    let most = if in_the_middle { (l * l / number(4)).hi() } else { lever(a).max(lever(b)) };
+    (factor * Interval::exact(most) + Interval::exact(apart)).hi()
+}
+// Report: end
 
 /// How far an admissible deflection can be off at most, anywhere: `l²/4 · √(2 gap / (3 EI l))`.
 pub(super) fn of_gap(gap: f64, stiffness: f64, length: f64) -> f64 {
@@ -68,7 +80,6 @@ impl Error {
         length: f64,
     ) -> f64 {
         let mut reached = 0.0;
-        let l = Interval::exact(length);
         let curve = pieces.iter().map(|p| ([p.from, p.to], p.v));
         overlay(curve, judged, |a, b, v, own| {
             reached = b;
@@ -78,14 +89,7 @@ impl Error {
             if WIDE * length < b - a && self.most < apart {
                 apart = closer(&difference, width);
             }
-            // x (l − x) is largest in the middle, and monotone on either side of it.
-            let lever = if a <= 0.5 * length && 0.5 * length <= b {
-                (l * l / number(4)).hi()
-            } else {
-                let end = |x: f64| (Interval::exact(x) * (l - Interval::exact(x))).hi();
-                end(a).max(end(b))
-            };
-            let bound = (factor * Interval::exact(lever) + Interval::exact(apart)).hi();
+            let bound = bound_between([a, b], factor, apart, length);
             self.include(bound, own.range(width).magnitude(), Interval::between(a, b).middle());
         });
         reached

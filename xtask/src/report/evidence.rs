@@ -23,6 +23,7 @@ mod regimes;
 mod reproduce;
 mod scenes;
 mod solvers;
+mod teaching;
 mod theory;
 
 use std::collections::BTreeMap;
@@ -43,6 +44,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("methods", methods::evidence),
     ("theory", theory::evidence),
     ("solvers", solvers::evidence),
+    ("teaching", teaching::evidence),
     ("figures", figures::evidence),
     ("regimes", regimes::evidence),
     ("agreement", agreement::evidence),

@@ -1,8 +1,10 @@
 //! The three methods, with their matrices on a grid that is small enough to be read.
 
+use std::fmt::Write as _;
+
+use minijinja::context;
 use palkki::methods::{Discrete, Method};
 use palkki::scene::{Beam, Foundation, Load, Scene};
-use serde::Serialize;
 
 use crate::report::csv::fixed;
 use crate::report::error::Cause;
@@ -13,52 +15,31 @@ use crate::report::study::Study;
 /// Intervals of the grid that is printed.
 const INTERVALS: u8 = 4;
 
-#[derive(Debug, Serialize)]
-struct Values {
-    intervals: u8,
-    nodes: u8,
-    /// One matrix for each method.
-    matrices: Vec<Printed>,
-    /// Condition numbers of `K` and `C`, for the paper's grid and a finer one, as orders of magnitude.
-    conditions: Vec<Condition>,
-}
-
-#[derive(Debug, Serialize)]
-struct Printed {
-    method: &'static str,
-    /// Each row as text in columns.
-    rows: Vec<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct Condition {
-    intervals: usize,
-    /// The power of ten next to the condition number, in words.
-    condition: String,
-}
-
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // Spacing and stiffness are 1, so that the numbers are multiples of EI/Δ⁴, EI/Δ³ and Δ³/EI.
     let beam = Beam::new(f64::from(INTERVALS), 1.0)?;
     let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
     let discrete = Discrete::new(&scene, usize::from(INTERVALS))?;
     let n = discrete.interior();
-    let printed = |method: Method| {
+    let mut matrices = String::new();
+    for (method, name) in Method::ALL.into_iter().zip(["A of method 1, in EI/Δ⁴", "K, in EI/Δ³", "C, in Δ³/EI"])
+    {
         let matrix = method.programme(&discrete).matrix();
-        let row = |i: usize| (0..n).map(|j| format!("{:>10}", fixed(matrix.entry(i, j), 4))).collect();
-        Printed { method: method.word(), rows: (0..n).map(row).collect() }
-    };
-    let conditions = study
-        .ledger()?
-        .recommendation
-        .digits
-        .iter()
-        .map(|digits| Condition { intervals: digits.intervals, condition: power(order(digits.condition)) });
-    Ok(Evidence::new(Values {
-        intervals: INTERVALS,
-        nodes: INTERVALS - 1,
-        matrices: Method::ALL.map(printed).into(),
-        conditions: conditions.collect(),
+        writeln!(matrices, "{name}")?;
+        for i in 0..n {
+            let row: String = (0..n).map(|j| format!("{:>10}", fixed(matrix.entry(i, j), 4))).collect();
+            writeln!(matrices, "{row}")?;
+        }
+    }
+    // The condition of K and C, as orders of magnitude.
+    let digits = &study.ledger()?.recommendation.digits;
+    let conditions: Vec<String> =
+        digits.iter().map(|d| format!("{} with {} intervals", power(order(d.condition)), d.intervals)).collect();
+    Ok(Evidence::new(context! {
+        intervals => INTERVALS,
+        nodes => INTERVALS - 1,
+        matrices => matrices.trim_end(),
+        conditions => conditions.join(" and "),
     }))
 }
 

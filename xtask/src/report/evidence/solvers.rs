@@ -1,46 +1,31 @@
-//! The solvers, their settings, the judge, and where a solver's own word and the judge disagree.
+//! The solvers, their settings, our check, and how far a solver's own criterion and our check agree.
 
 mod corpus;
 mod word;
 
+use minijinja::context;
 use palkki::DEFAULT_TOLERANCE;
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::Solver;
-use serde::Serialize;
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::numbers::power;
 use crate::report::study::Study;
-
-#[derive(Debug, Serialize)]
-struct Values {
-    settings: Vec<Setting>,
-    /// Threshold of the judge, and what the solvers are asked for, as powers of ten.
-    threshold: String,
-    asked: String,
-    word: word::Values,
-    corpus: corpus::Values,
-}
-
-#[derive(Debug, Serialize)]
-struct Setting {
-    solver: &'static str,
-    words: String,
-}
+use crate::report::table::Table;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let settings =
-        Solver::ALL.map(|solver| Setting { solver: solver.word(), words: solver.settings(DEFAULT_TOLERANCE) });
-    let (word, table) = word::against_the_judge(study.root)?;
-    let values = Values {
-        settings: settings.into(),
-        threshold: exactly_a_power(CERTIFIED_RESIDUAL),
-        asked: exactly_a_power(DEFAULT_TOLERANCE),
+    let settings = Solver::ALL.map(|solver| [solver.word().to_owned(), solver.settings(DEFAULT_TOLERANCE)]);
+    let (word, runs) = word::evidence(study.root)?;
+    let (corpus, instances) = corpus::evidence()?;
+    let values = context! {
+        settings => Table::new(["solver", "settings"]).rows(settings),
+        threshold => exactly_a_power(CERTIFIED_RESIDUAL),
+        asked => exactly_a_power(DEFAULT_TOLERANCE),
         word,
-        corpus: corpus::evidence()?,
+        corpus,
     };
-    Ok(Evidence::new(values).data("own-word", table))
+    Ok(Evidence::new(values).data("solver-runs", runs).data("exchanges", instances))
 }
 
 /// A tolerance that is a power of ten, in words; as it is if it is none.

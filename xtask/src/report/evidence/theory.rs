@@ -1,57 +1,41 @@
 //! Beam theory with free lift-off points, and closed forms that it is compared with.
 
+use minijinja::context;
 use palkki::plot::significant;
 use palkki::scene::{Foundation, Scene};
 use palkki::theory::closed::{incline, lifted, parabola};
 use palkki::theory::{self, Exact};
-use serde::Serialize;
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::study::Study;
+use crate::report::table::Table;
 use crate::report::{numbers, scenes};
-
-#[derive(Debug, Serialize)]
-struct Values {
-    /// Scenes with a closed form.
-    rows: Vec<Row>,
-    /// The worst of their differences.
-    worst: String,
-    agree: bool,
-    /// The example of the paper.
-    unknowns: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct Row {
-    title: String,
-    form: &'static str,
-    reaction: String,
-    found: String,
-    difference: String,
-}
 
 /// Twelve digits are what the check of the exact solution asks for.
 const DIGITS: f64 = 1e-12;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let mut rows = Vec::new();
-    let mut worst = 0.0_f64;
+    let mut table = Table::new(["scene", "closed form", "right reaction by formula", "found"]);
+    let (mut worst, mut count) = (0.0_f64, 0);
     for (_, scene) in scenes::all(study.root)? {
         let Some(closed) = closed(&scene) else { continue };
         let exact = theory::solve(&scene)?;
-        let difference = difference(&scene, &exact, &closed);
-        worst = worst.max(difference);
-        rows.push(Row {
-            title: scene.title().to_owned(),
-            form: closed.form,
-            reaction: significant(closed.reactions[1], 10),
-            found: significant(exact.state.reactions.right, 10),
-            difference: numbers::bound(difference.max(f64::EPSILON)),
-        });
+        worst = worst.max(difference(&scene, &exact, &closed));
+        count += 1;
+        let reactions = [closed.reactions[1], exact.state.reactions.right].map(|r| significant(r, 10));
+        table = table.row([scene.title(), closed.form, &reactions[0], &reactions[1]]);
     }
-    let unknowns = theory::solve(&palkki::paper::example()?)?.unknowns;
-    Ok(Evidence::new(Values { rows, worst: numbers::bound(DIGITS), agree: worst <= DIGITS, unknowns }))
+    let example = palkki::paper::theory();
+    Ok(Evidence::new(context! {
+        closed => table,
+        count,
+        most => numbers::bound(DIGITS),
+        agree => worst <= DIGITS,
+        unknowns => theory::solve(&palkki::paper::example()?)?.unknowns,
+        lift_off => example.lift_off,
+        reaction => example.reaction,
+    }))
 }
 
 /// Reactions and contact force in closed form.

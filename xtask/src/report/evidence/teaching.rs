@@ -1,0 +1,237 @@
+//! Numbers of the exercises and of their answers.
+
+use minijinja::{Value, context};
+use palkki::certificate::{ContactLoad, Judged, certify};
+use palkki::methods::{Discrete, Method};
+use palkki::paper::approach::{Quantity, approach};
+use palkki::paper::{INTERVALS, example, theory};
+use palkki::route::{Solver, Status};
+use palkki::scene::Scene;
+use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
+
+use crate::report::csv::fixed;
+use crate::report::error::Cause;
+use crate::report::evidence::Evidence;
+use crate::report::study::Study;
+use crate::report::table::Table;
+use crate::report::{numbers, scenes};
+
+/// Intervals of the grid on which the four steps are done by hand: n = 5 interior nodes.
+const BY_HAND: usize = UNKNOWNS.len() + 1;
+const UNKNOWNS: [&str; 5] = ["x₁", "x₂", "x₃", "x₄", "x₅"];
+/// Grids on which the first nodal force jumps.
+const JUMPING: [usize; 11] = [30, 31, 32, 33, 34, 35, 36, 37, 1000, 1001, 1002];
+/// Bounds are printed with nine digits behind the point, rounded outwards.
+const PRINTED: f64 = 1e9;
+/// Grids of the smooth crest: halvings of the coarsest.
+const CREST: [usize; 6] = [30, 60, 120, 240, 480, 960];
+
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let scene = example()?;
+    Ok(Evidence::new(context! {
+        lift_off => lift_off(&scene),
+        four_steps => four_steps(&scene)?,
+        failure => failure(&scene)?,
+        jumps => jumps(&scene)?,
+        crest => crest(&scenes::read(study.root, "hump")?)?,
+        bounds => bounds(&scene)?,
+    }))
+}
+
+/// Exercise 1: the closed form for the example.
+fn lift_off(scene: &Scene) -> Value {
+    let (l, ei, q) = (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform());
+    let closed = theory();
+    context! {
+        a => closed.lift_off,
+        reaction => closed.reaction,
+        deepest => q * l * l * l * l / (384.0 * ei),
+        deeper => exact::flat(l, ei, 16.0 * scene.depth(0.0), q).lift_off,
+    }
+}
+
+/// Of each round of the four steps the point, and the variable that is set to zero after it.
+type Rounds = Vec<(Vec<f64>, Option<usize>)>;
+
+/// The four steps by finite differences, round by round, and the contact forces at their end. They have to be those of the
+/// solver.
+fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
+    let programme = Method::Complementarity.programme(discrete);
+    let mut free = vec![true; programme.dimension()];
+    let mut rounds: Rounds = Vec::new();
+    loop {
+        let point = programme.stationary(&free)?;
+        let negative = (0..free.len()).filter(|&i| free[i] && point.x[i] < 0.0);
+        let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
+        rounds.push((point.x, smallest));
+        let Some(smallest) = smallest else {
+            let answer = Solver::FourStep.run(programme.as_ref(), DEFAULT_TOLERANCE);
+            if rounds.last().is_none_or(|(x, _)| *x != answer.x) || answer.iterations != rounds.len() {
+                return Err("the four steps of the exercise are not those of the solver".into());
+            }
+            return Ok((rounds, point.gradient.iter().map(|p| p * discrete.spacing).collect()));
+        };
+        free[smallest] = false;
+    }
+}
+
+/// Exercise 2: the rounds of the four steps on a grid of five nodes.
+fn four_steps(scene: &Scene) -> Result<Value, Cause> {
+    let discrete = Discrete::new(scene, BY_HAND)?;
+    let (rounds, forces) = rounds(&discrete)?;
+    let mut table = Table::new(["round"].into_iter().chain(UNKNOWNS).chain(["set to zero"]));
+    let mut free = [true; UNKNOWNS.len()];
+    for (k, (x, smallest)) in rounds.iter().enumerate() {
+        let cells = (0..free.len()).map(|i| if free[i] { fixed(x[i], 3) } else { "0".to_owned() });
+        let named = smallest.map_or("none: stop", |i| UNKNOWNS[i]).to_owned();
+        table = table.row([(k + 1).to_string()].into_iter().chain(cells).chain([named]));
+        smallest.iter().for_each(|i| free[*i] = false);
+    }
+    Ok(context! {
+        intervals => BY_HAND,
+        nodes => UNKNOWNS.len(),
+        table,
+        rounds => rounds.len(),
+        scaled_load => scene.load().uniform() * discrete.spacing.powi(4) / discrete.stiffness,
+        forces => forces.iter().map(|f| fixed(*f, 3)).collect::<Vec<_>>().join(", "),
+        optimal => forces.iter().all(|f| 0.0 <= *f),
+    })
+}
+
+/// Exercise 3: the first grid on which the four steps fail, beside the one before.
+fn failure(scene: &Scene) -> Result<Value, Cause> {
+    let run = |solver: Solver, n: usize| solve(scene, &Settings::new(Method::Complementarity, solver, n));
+    let fails = |n: &usize| run(Solver::FourStep, *n).is_ok_and(|outcome| outcome.status != Status::Certified);
+    let intervals = (4..=200).find(fails).ok_or("the four steps do not fail any more")?;
+    let mut table = Table::new(["intervals", "rounds", "passes our check", "left reaction", "right reaction"]);
+    for n in [intervals - 1, intervals] {
+        let outcome = run(Solver::FourStep, n)?;
+        let passes = if outcome.status == Status::Certified { "yes" } else { "no" };
+        let reactions = [outcome.state.reactions.left, outcome.state.reactions.right].map(|r| fixed(r, 4));
+        let row = [n.to_string(), outcome.iterations.to_string(), passes.to_owned()];
+        table = table.row(row.into_iter().chain(reactions));
+    }
+    let discrete = Discrete::new(scene, intervals)?;
+    let (rounds, forces) = rounds(&discrete)?;
+    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j])).ok_or("there are nodes")?;
+    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst)).ok_or("a node pulls that is free")?;
+    // The next node to the right that was held already in that round.
+    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
+    let held = before.filter(|i| worst < *i).min().ok_or("no node was held before")?;
+    let best = run(Solver::ActiveSet, intervals)?;
+    Ok(context! {
+        intervals,
+        before => intervals - 1,
+        table,
+        node => worst + 1,
+        at => discrete.grid.place(worst + 1),
+        pull => -forces[worst],
+        clearance => rounds[round].0[worst],
+        round => round + 1,
+        held => held + 1,
+        below => (worst + 1..held).all(|i| rounds[round].0[i] < 0.0),
+        rounds => rounds.len(),
+        active_set => best.status == Status::Certified,
+        reaction => best.state.reactions.left,
+    })
+}
+
+/// Exercise 4: the first nodal force on neighbouring grids, beside the resultant.
+#[expect(clippy::cast_precision_loss, reason = "a few dozen intervals")]
+fn jumps(scene: &Scene) -> Result<Value, Cause> {
+    let closed = theory();
+    let a = closed.lift_off.ok_or("the example has a zone")?;
+    let header = [
+        "intervals",
+        "first node in contact",
+        "(a − x₁)/Δ",
+        "its force over T",
+        "the next force over T",
+        "resultant over T",
+    ];
+    let mut table = Table::new(header);
+    let (mut least, mut most, mut steady) = (f64::INFINITY, 0.0_f64, 0.0_f64);
+    for n in JUMPING {
+        let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, n))?.state;
+        let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
+        let first = (0..nodes.x.len()).find(|&i| 1e-9 < nodes.contact_force[i]).ok_or("there is contact")?;
+        let spacing = scene.beam().length() / n as f64;
+        let forces = [nodes.contact_force[first], nodes.contact_force[first + 1]].map(|f| f / closed.end_force);
+        // Half of all contact, by symmetry, without the pressure of beam theory.
+        let resultant = (0.5 * (nodes.contact_force.iter().sum::<f64>() - closed.contact_force) + closed.end_force)
+            / closed.end_force;
+        (least, most) = (least.min(forces[0]), most.max(forces[0]));
+        steady = steady.max((resultant - 1.0).abs());
+        let numbers = [(a - nodes.x[first]) / spacing, forces[0], forces[1]].map(|number| fixed(number, 2));
+        let [between, one, two] = numbers;
+        table = table.row([n.to_string(), (first + 1).to_string(), between, one, two, fixed(resultant, 3)]);
+    }
+    Ok(context! { table, least, most, steady, grids => JUMPING })
+}
+
+/// Exercise 5: a contact at a single point of a smooth crest, which grids miss.
+fn crest(scene: &Scene) -> Result<Value, Cause> {
+    let solution = exact::solve(scene)?;
+    let contact = solution.state.contacts.first().ok_or("the beam touches the crest")?;
+    let header = [
+        "intervals",
+        "contact at",
+        "off by",
+        "error of the left reaction",
+        "error over distance",
+        "error of the energy",
+    ];
+    let mut table = Table::new(header);
+    for n in CREST {
+        let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, n))?.state;
+        let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
+        let forces = || nodes.contact_force.iter();
+        let place = nodes.x.iter().zip(forces()).map(|(x, f)| x * f).sum::<f64>() / forces().sum::<f64>();
+        let (apart, error) = (place - contact.from, state.reactions.left - solution.state.reactions.left);
+        let energy = state.energy / solution.state.energy - 1.0;
+        let row = [fixed(place, 4), fixed(apart, 4), fixed(error, 5), fixed(error / apart, 2), fixed(energy, 6)];
+        table = table.row([n.to_string()].into_iter().chain(row));
+    }
+    let found = approach(scene, &solution, Method::Force, &CREST)?;
+    let order = |quantity: Quantity| found.iter().find(|a| a.quantity == quantity).map(|a| a.order);
+    Ok(context! {
+        table,
+        title => scene.title(),
+        at => contact.from,
+        force => contact.force,
+        reaction => solution.state.reactions.left,
+        of_reaction => order(Quantity::EndReaction),
+        of_energy => order(Quantity::Energy),
+        as_expected => [(Quantity::EndReaction, 1.0), (Quantity::Energy, 2.0)]
+            .into_iter()
+            .all(|(quantity, expected)| order(quantity).is_some_and(|found| (found - expected).abs() < 0.3)),
+    })
+}
+
+/// Exercise 6: bounds on the energy by hand, and those that are computed from the answer of the force method.
+fn bounds(scene: &Scene) -> Result<Value, Cause> {
+    let (l, ei) = (scene.beam().length(), scene.beam().bending_stiffness());
+    let (q, u) = (scene.load().uniform(), scene.depth(0.0));
+    let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
+    let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
+    let load = ContactLoad::new(l, nodes.x.iter().copied().zip(nodes.contact_force.iter().copied()))?;
+    let certificate = certify(scene, &load, Judged::Nodes(nodes))?;
+    let energy = theory().energy;
+    let by_hand = [-q * u * l, 32.0 * ei * u * u / (l * l * l) - 2.0 / 3.0 * q * u * l];
+    let gap = by_hand[1] - by_hand[0];
+    Ok(context! {
+        intervals => INTERVALS,
+        energy,
+        by_hand,
+        gap,
+        // l²/4 √(2 gap/(3 EI l)), the bound on the deflection at mid-span.
+        deflection => l * l / 4.0 * (2.0 * gap / (3.0 * ei * l)).sqrt(),
+        lower => (certificate.energy_lower * PRINTED).floor() / PRINTED,
+        upper => (certificate.energy_upper * PRINTED).ceil() / PRINTED,
+        width => numbers::bound((certificate.energy_upper - certificate.energy_lower) / energy.abs()),
+        holds => certificate.energy_lower <= energy && energy <= certificate.energy_upper,
+        error => certificate.deflection_error,
+        discrete => state.energy,
+        is_bound => energy <= state.energy,
+    })
+}
