@@ -166,8 +166,8 @@ pub(super) struct Certify {
     /// How the program that computed the forces put the load on the beam
     ///
     /// The error is that of the deflection which this program found: the one that the forces and the load cause together. Under a
-    /// distributed load q the beam also bends between the nodes; lumped at nodes with distance D, the load leaves that out, and the
-    /// deflection at mid-span is smaller by q D² l² / (96 EI). The bounds are those of the beam under the distributed load either way.
+    /// distributed load q the beam also bends between the nodes; lumped at nodes with spacing Δ, the load leaves that out, and the
+    /// deflection at mid-span is smaller by q Δ² l² / (96 EI). The bounds are those of the beam under the distributed load either way.
     #[arg(long, value_name = "LOAD", value_enum, default_value = "distributed")]
     pub(super) load: LoadArgument,
 }
