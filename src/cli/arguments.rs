@@ -7,7 +7,7 @@ use palkki::DEFAULT_TOLERANCE;
 use palkki::route::Solver;
 
 use super::json::MOST_INTERVALS_WITH_NODES;
-use super::values::{Format, MethodArgument, SolverArgument, intervals, tolerance};
+use super::values::{Format, LoadArgument, MethodArgument, SolverArgument, intervals, tolerance};
 
 /// Intervals of a grid that nobody asked for: those of the paper's example.
 pub(super) const DEFAULT_INTERVALS: usize = 30;
@@ -48,7 +48,11 @@ FORCES is a CSV file with the header x,force: places along the beam and forces o
 the beam, positive upwards, for example
   x,force
   2.3333,1.14
-  2.6667,0.55";
+  2.6667,0.55
+
+Examples:
+  palkki certify scene.toml forces.csv
+  palkki certify scene.toml forces.csv --load nodal --format json";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -69,11 +73,12 @@ pub(super) enum Command {
     /// active-set solver on the same grid. The model error is the difference from the exact solution, where there is one: it
     /// is the error of the grid. Both are the worst relative difference among end reactions, energy and largest deflection. The exit code is 0 if at least one answer passed our check.
     Compare(Compare),
-    /// Bound the error of contact forces that somebody else computed, whoever that was.
+    /// Bound the error of contact forces that any program computed.
     ///
     /// From the scene and the forces alone follow bounds on the energy from both sides and on the deflection everywhere
-    /// along the beam. They are guaranteed: admissibility between the nodes is proven and rounding is counted in. The
-    /// deflection that is judged is the one that these forces and the load cause. Forces that pull are cut off, and said so.
+    /// along the beam. They are guaranteed: that the beam stays above the ground is proven between the nodes too, and rounding
+    /// is counted in. The deflection whose error is bounded is the one that the forces cause together with the load (see --load).
+    /// Forces that pull are set to zero, and the output says so.
     /// The exit code is 0 if that deflection is certain to one hundredth of its largest value.
     #[command(after_help = CERTIFY_EXAMPLE)]
     Certify(Certify),
@@ -155,4 +160,11 @@ pub(super) struct Certify {
     /// Contact forces as CSV, with the header x,force
     #[arg(value_name = "FORCES")]
     pub(super) forces: PathBuf,
+    /// How the program that computed the forces put the load on the beam
+    ///
+    /// The error is that of the deflection which this program found: the one that the forces and the load cause together. Under a
+    /// distributed load q the beam also bends between the nodes; lumped at nodes with spacing Δ, the load leaves that out, and the
+    /// deflection at mid-span is smaller by q Δ² l² / (96 EI). The bounds are those of the beam under the distributed load either way.
+    #[arg(long, value_name = "LOAD", value_enum, default_value = "distributed")]
+    pub(super) load: LoadArgument,
 }

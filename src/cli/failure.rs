@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use palkki::certificate::bounds::NotLumped;
 use palkki::scene::file::FileError;
 
 /// Why the program ends without an answer.
@@ -19,6 +20,13 @@ pub(super) enum Failure {
     /// The scene is none, or cannot be solved; the message has its picture.
     #[error("{0}")]
     File(#[from] Box<FileError>),
+    /// Contact forces that do not belong to nodal loads.
+    #[error("{path:?} does not go with --load nodal: {error}")]
+    NotLumped {
+        /// The file of the forces.
+        path: PathBuf,
+        error: NotLumped,
+    },
     /// Theory has no solution for this scene.
     #[error("beam theory has no answer for this scene: {0}; choose another --method")]
     NoTheory(#[from] palkki::theory::TheoryError),

@@ -129,12 +129,12 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let Common { scene, format } = &arguments.common;
     let input = Input::read(scene)?;
-    let judgement = certify::Judgement::of(&input, &arguments.forces)?;
+    let finding = certify::Finding::of(&input, arguments)?;
     output::print(&match format {
-        Format::Text => text::certify(&input, &judgement),
-        Format::Json => json::certify(&input, &judgement),
+        Format::Text => text::certify(&input, &finding),
+        Format::Json => json::certify(&input, &finding),
     })?;
-    Ok(if judgement.status() == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+    Ok(if finding.status() == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
 impl Solve {

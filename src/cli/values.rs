@@ -78,6 +78,29 @@ impl ValueEnum for SolverArgument {
     }
 }
 
+/// `--load` of `certify`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LoadArgument {
+    Distributed,
+    Nodal,
+}
+
+impl ValueEnum for LoadArgument {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Distributed, Self::Nodal]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(match self {
+            Self::Distributed => PossibleValue::new("distributed")
+                .help("distributed along the beam, as in the scene; FORCES may lie anywhere"),
+            Self::Nodal => PossibleValue::new("nodal").help(
+                "lumped at the nodes of equal intervals; FORCES has every inner node, with 0 where nothing touches",
+            ),
+        })
+    }
+}
+
 /// `--intervals`.
 pub(super) fn intervals(text: &str) -> Result<usize, String> {
     let not = |what: &str| Err(format!("the number of intervals must be {what}, but is {text}"));

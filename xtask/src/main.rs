@@ -1,12 +1,12 @@
-//! The tasks of the repository that need the library: `cargo xtask report`, `judge`, `measure`, `fuzz` and `hostile`.
+//! The tasks of the repository that need the library: `cargo xtask report`, `certificates`, `measure`, `fuzz` and `hostile`.
 #![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
 #[path = "../../tests/authority/mod.rs"]
 #[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
 mod authority;
+mod certificates;
 mod fuzz;
 mod hostile;
-mod judge;
 mod measure;
 mod report;
 
@@ -21,7 +21,7 @@ fn main() -> ExitCode {
         ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
         ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
         ["report", "--page", page] => report::preview(&root, page, &mut show).map_err(|error| error.to_string()),
-        ["judge"] => judge::run(&root, &mut show),
+        ["certificates"] => certificates::run(&root, &mut show),
         // What `measure` starts to weigh a solve.
         ["peak", rest @ ..] => measure::own_peak(&root, rest).map(|kilobytes| println!("{kilobytes}")),
         ["measure", rest @ ..] => match measure::Wish::of(rest) {

@@ -59,6 +59,18 @@ impl ContactLoad {
     ///
     /// A force or a place that is not finite, or a place that is not on the beam.
     pub fn new(length: f64, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotAForce> {
+        let all = Self::sorted(length, forces)?;
+        let spacing = all.windows(2).map(|w| w[1].0 - w[0].0).reduce(f64::min).unwrap_or(LONE * length);
+        let pressing = all.iter().copied().filter(|f| 0.0 < f.1).collect();
+        let pulling = all.into_iter().filter(|f| f.1 < 0.0).collect();
+        Ok(Self { pressing, pulling, spacing })
+    }
+
+    /// Finite forces on the beam from left to right, one at a place.
+    pub(super) fn sorted(
+        length: f64,
+        forces: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Result<Vec<(f64, f64)>, NotAForce> {
         let mut all: Vec<(f64, f64)> = Vec::new();
         for (index, (x, force)) in forces.into_iter().enumerate() {
             if !force.is_finite() || !x.is_finite() {
@@ -77,10 +89,7 @@ impl ContactLoad {
             }
             same
         });
-        let spacing = all.windows(2).map(|w| w[1].0 - w[0].0).reduce(f64::min).unwrap_or(LONE * length);
-        let pressing = all.iter().copied().filter(|f| 0.0 < f.1).collect();
-        let pulling = all.into_iter().filter(|f| f.1 < 0.0).collect();
-        Ok(Self { pressing, pulling, spacing })
+        Ok(all)
     }
 
     /// The forces of contacts: those at the ends of zones, and the rest of a zone's evenly over it.

@@ -41,6 +41,7 @@ mod inner;
 mod joints;
 mod largest;
 mod load;
+mod lumped;
 mod pattern;
 mod polynomial;
 mod pressing;
@@ -55,9 +56,10 @@ mod tidied;
 mod violations;
 
 pub use contact_load::{ContactLoad, NotAForce};
+pub use lumped::{Lumped, NotLumped};
 pub use record::Certificate;
 pub use stiffness::stiffness;
-pub use violations::{Violation, ViolationKind, violations};
+pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
 use std::cell::LazyCell;
 

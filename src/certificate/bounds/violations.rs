@@ -1,10 +1,10 @@
 //! Which condition of (4), (7) contact forces violate, by how much and where.
 
-use super::ContactLoad;
 use super::curve::overlay;
 use super::ground::Ground;
 use super::load::{Pieces, cells};
 use super::statics::{Carried, deflection};
+use super::{ContactLoad, Lumped};
 use crate::certificate::interval::Interval;
 use crate::scene::{Scene, SceneError};
 
@@ -57,17 +57,11 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
     let carried = Carried::of(&forces.pressing, &load, stiffness, length);
     let own = || carried.cells.iter().map(|c| (c.0, deflection(c, &load, stiffness)));
 
-    let all: f64 = forces.pressing.iter().chain(&forces.pulling).map(|f| f.1.abs()).sum();
+    let all = sum(&forces);
     let moved = carried.cells.iter().fold(0.0, |most: f64, c| most.max(c.1[0].middle().abs()));
-    let mut found: Vec<Violation> = Vec::new();
-    let strongest = forces.pulling.iter().min_by(|a, b| a.1.total_cmp(&b.1));
-    if let Some(&(x, force)) = strongest {
-        found.push(Violation {
-            kind: ViolationKind::Tension,
-            at: x * scale.length,
-            amount: -force * scale.force,
-            relative: share(-force, all),
-        });
+    let mut found: Vec<Violation> = tension(&forces, all).into_iter().collect();
+    for tension in &mut found {
+        (tension.at, tension.amount) = (tension.at * scale.length, tension.amount * scale.force);
     }
     let Some(ground) = Ground::of(scene) else { return Ok(found) };
     let mut add = |kind, (at, amount): (f64, f64)| {
@@ -98,11 +92,51 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
         // As in the check of a discrete state: a small force far from the foundation is as good as none.
         (x, clearance.min(share(force, all) * moved))
     });
-    add(ViolationKind::Complementarity, clear.fold((0.0, 0.0), |worst, c| if worst.1 < c.1 { c } else { worst }));
+    add(ViolationKind::Complementarity, worst(clear));
     found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
     Ok(found)
 }
 
+/// The same for a beam whose load is lumped at nodes: the conditions at the nodes, which are all that such a beam keeps.
+#[must_use]
+pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
+    let Lumped { load, nodes } = lumped;
+    let all = sum(load);
+    let moved = nodes.deflection.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    let deepest = worst(nodes.x.iter().zip(&nodes.clearance).map(|(&x, h)| (x, -h)));
+    // Infinitely clear of a foundation that is not there.
+    let forces = nodes.x.iter().zip(&nodes.clearance).zip(&nodes.contact_force).filter(|((_, h), _)| h.is_finite());
+    let clear = worst(forces.map(|((&x, h), p)| (x, h.min(share(*p, all) * moved))));
+    let of_depth = [(ViolationKind::Penetration, deepest), (ViolationKind::Complementarity, clear)];
+    let of_depth = of_depth.into_iter().filter(|(_, (_, amount))| 0.0 < *amount);
+    let of_depth = of_depth.map(|(kind, (at, amount))| Violation { kind, at, amount, relative: share(amount, moved) });
+    let mut found: Vec<Violation> = tension(load, all).into_iter().chain(of_depth).collect();
+    found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
+    found
+}
+
+/// The sum of all forces, those that pull included.
+fn sum(forces: &ContactLoad) -> f64 {
+    forces.pressing.iter().chain(&forces.pulling).map(|f| f.1.abs()).sum()
+}
+
+/// The force that pulls most.
+fn tension(forces: &ContactLoad, all: f64) -> Option<Violation> {
+    let strongest = forces.pulling.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    strongest.map(|&(at, force)| Violation {
+        kind: ViolationKind::Tension,
+        at,
+        amount: -force,
+        relative: share(-force, all),
+    })
+}
+
+/// The largest positive amount, and where it is; zero if there is none.
+fn worst(amounts: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
+    amounts.fold((0.0, 0.0), |worst, a| if worst.1 < a.1 { a } else { worst })
+}
+
 fn share(part: f64, whole: f64) -> f64 {
-    if 0.0 < whole { part / whole } else { 1.0 }
+    let share = part / whole;
+    if 0.0 < whole && !share.is_nan() { share } else { 1.0 }
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 use self::certificate::CertificateObject;
 use self::route::{NodesObject, RouteObject};
 use super::answer::Answer;
-use super::certify::Judgement;
+use super::certify::Finding;
 use super::compare::{Compared, Comparison, Difference};
 use super::input::Input;
 
@@ -82,8 +82,11 @@ impl<'a> From<&'a Difference> for DifferenceObject<'a> {
 
 /// What `certify` found.
 #[derive(Debug, Serialize)]
-struct JudgementObject<'a> {
+struct FindingObject<'a> {
     scene: &'a str,
+    /// Only where the load was lumped at nodes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    intervals: Option<usize>,
     status: &'a str,
     certificate: CertificateObject,
     violations: Vec<ViolationObject>,
@@ -97,12 +100,13 @@ struct ViolationObject {
     relative: f64,
 }
 
-pub(super) fn certify(input: &Input, judgement: &Judgement) -> String {
-    print(&JudgementObject {
+pub(super) fn certify(input: &Input, finding: &Finding) -> String {
+    print(&FindingObject {
         scene: input.title(),
-        status: judgement.status().word(),
-        certificate: CertificateObject::of_forces(&judgement.certificate),
-        violations: judgement.violations.iter().map(ViolationObject::from).collect(),
+        intervals: finding.intervals,
+        status: finding.status().word(),
+        certificate: CertificateObject::of_forces(&finding.certificate),
+        violations: finding.violations.iter().map(ViolationObject::from).collect(),
     })
 }
 

@@ -6,6 +6,7 @@ mod closed;
 mod flat;
 mod given;
 mod interval;
+mod lumped;
 mod sharpness;
 mod truth;
 mod uneven;

@@ -35,6 +35,54 @@ fn good_forces_are_certified() {
     assert!(text.out.contains("Guaranteed for the continuous beam"), "{}", text.out);
 }
 
+/// The paper's own forces: the load is lumped at the nodes of 30 intervals, and under the distributed one the beam is in the
+/// ground by `q Δ² l²/96 EI` at mid-span.
+#[test]
+fn forces_under_a_lumped_load_are_certified_if_that_is_said() {
+    let folder = Folder::new("certify_nodal");
+    folder.write("forces.csv", forces_of(&folder, "solve example.toml --method force --intervals 30"));
+    let (code, _, json) = folder.json("certify example.toml forces.csv");
+    assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")));
+    assert_eq!(json["violations"][0]["condition"], "penetration");
+    let sag = 10.0 * 10.0 / 9.0 / (96.0 * 1.302_083_333_333_333_3);
+    assert!((number(&json["violations"][0]["amount"]) - sag).abs() < 1e-12, "{json}");
+    assert!(json.get("intervals").is_none(), "there are no intervals: {json}");
+    let text = folder.run("certify example.toml forces.csv --load distributed");
+    assert!(
+        text.out.contains("at the nodes of 30 equal intervals") && text.out.contains("--load nodal"),
+        "{}",
+        text.out
+    );
+
+    let (code, _, json) = folder.json("certify example.toml forces.csv --load nodal");
+    assert_eq!((code, &json["status"]), (Some(0), &Value::from("certified")));
+    assert_eq!(json["intervals"], 30);
+    let (_, _, own) = folder.json("solve example.toml --method force --intervals 30");
+    let errors = [&json, &own].map(|json| number(&json["certificate"]["deflection_error"]));
+    assert!((errors[0] - errors[1]).abs() < 1e-9 && errors[0] < 1e-2, "{errors:?}");
+    let text = folder.run("certify example.toml forces.csv --load nodal");
+    assert!(text.out.contains("certified: the deflection is certain to"), "{}", text.out);
+    assert!(text.out.contains("lumped at the nodes of 30 equal intervals"), "{}", text.out);
+    assert!(!text.out.contains("Hint"), "{}", text.out);
+}
+
+/// A force that pulls is set to zero at its node.
+#[test]
+fn forces_that_pull_are_cut_off_at_nodes_too() {
+    let folder = Folder::new("certify_nodal_pull");
+    folder.write("pull.csv", "x,force\n2.5,1\n5,-0.25\n7.5,1\n");
+    folder.write("none.csv", "x,force\n2.5,1\n5,0\n7.5,1\n");
+    let (code, _, pull) = folder.json("certify example.toml pull.csv --load nodal");
+    let (_, _, none) = folder.json("certify example.toml none.csv --load nodal");
+    assert_eq!((code, &pull["certificate"]), (Some(1), &none["certificate"]));
+    let conditions = |json: &Value| {
+        json["violations"].as_array().expect("a list").iter().map(|v| v["condition"].clone()).collect::<Vec<_>>()
+    };
+    assert!(
+        conditions(&pull).contains(&Value::from("tension")) && !conditions(&none).contains(&Value::from("tension"))
+    );
+}
+
 #[test]
 fn bad_forces_are_not_and_the_worst_violation_is_named() {
     let folder = Folder::new("certify_bad");
@@ -99,6 +147,8 @@ fn what_cannot_be_read_is_refused() {
     folder.write("nan.csv", "x,force\n1,2\n3,NaN\n");
     folder.write("infinite.csv", "x,force\n1,1e999\n");
     folder.write("empty.csv", "");
+    folder.write("gaps.csv", "x,force\n2.5,1\n5,1\n");
+    folder.write("header.csv", "x,force\n");
     folder.write("beside.csv", "x,force\n1,2\n30,1\n");
     for (arguments, why) in [
         ("certify example.toml", "<FORCES>"),
@@ -110,6 +160,11 @@ fn what_cannot_be_read_is_refused() {
         ("certify example.toml empty.csv", "empty.csv:1:1"),
         ("certify example.toml beside.csv", "beside.csv:3:1"),
         ("certify example.toml .", "it is a directory"),
+        ("certify example.toml gaps.csv --load nodal", "place 1 would be x = 3.333"),
+        ("certify example.toml gaps.csv --load nodal --format json", "gaps.csv"),
+        ("certify example.toml header.csv --load nodal", "no place between the supports"),
+        ("certify example.toml gaps.csv --load lumped", "distributed, nodal"),
+        ("certify example.toml beside.csv --load nodal", "beside.csv:3:1"),
     ] {
         let said = folder.refused(arguments);
         assert!(said.contains(why), "{arguments}: {said}");

@@ -1,4 +1,4 @@
-//! The files that the report's chapter on the judge is rendered from: complete, and without an exception.
+//! The files that the report's page on bounds is rendered from: complete, and without an exception.
 
 use std::fs;
 use std::path::Path;
@@ -18,15 +18,15 @@ fn lines(name: &str) -> Vec<Vec<String>> {
 }
 
 #[test]
-fn every_answer_is_judged_and_none_is_an_exception() {
-    let rows = lines("judged.csv");
+fn every_answer_has_its_certificate_and_none_is_an_exception() {
+    let rows = lines("certificates.csv");
     for (scene, _) in report() {
         for method in Method::ALL {
             for solver in Solver::ALL {
                 for intervals in GRIDS {
                     let key = [scene.as_str(), method.word(), solver.word(), intervals];
                     let found = rows.iter().filter(|row| row[..4] == key).count();
-                    assert_eq!(found, 1, "{key:?} is judged once");
+                    assert_eq!(found, 1, "{key:?} has one row");
                 }
             }
         }

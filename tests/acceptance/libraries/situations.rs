@@ -28,11 +28,11 @@ enum Given {
 /// What came out.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Outcome {
-    /// The library's own word, or ours where it was not asked.
+    /// What the library says, or what we say where it was not asked.
     pub(crate) word: String,
     /// True if it says that it succeeded.
     pub(crate) claims: bool,
-    /// Our verdict.
+    /// Whether the answer passes our check.
     pub(crate) status: Status,
     /// Iterations.
     pub(crate) iterations: usize,
@@ -53,16 +53,16 @@ const fn programme(name: &'static str, diagonal: f64, beside: f64, linear: &'sta
 
 /// All of them.
 pub(crate) const ALL: &[Situation] = &[
-    scene("an ordinary one: the example of the paper", "depth = 1", 1.0, 30),
+    scene("the example of the paper", "depth = 1", 1.0, 30),
     scene("no contact", "depth = 1000", 1.0, 30),
     scene("contact without pressure, everywhere", FREE, 1.0, 30),
     scene("no room at all", "depth = 0", 1.0, 30),
     scene("no load", "depth = 1", 0.0, 30),
     scene("a load that lifts", "depth = 1", -1.0, 30),
     scene("one unknown", "depth = 1", 1.0, 2),
-    scene("a foundation of 10⁻¹² of the free deflection", "depth = 1e-10", 1.0, 30),
-    scene("a foundation of 10¹² of it", "depth = 1e14", 1.0, 30),
-    scene("a foundation of 10¹⁵⁰ of it", "depth = 1e152", 1.0, 30),
+    scene("ground at 10⁻¹² of the free deflection", "depth = 1e-10", 1.0, 30),
+    scene("ground at 10¹² times the free deflection", "depth = 1e14", 1.0, 30),
+    scene("ground at 10¹⁵⁰ times the free deflection", "depth = 1e152", 1.0, 30),
     scene("300 intervals", "depth = 1", 1.0, 300),
     Situation { tolerance: 1e-300, ..scene("a tolerance that nothing can reach", "depth = 1", 1.0, 6) },
     Situation { tolerance: 1e300, ..scene("a tolerance that anything reaches", "depth = 1", 1.0, 30) },

@@ -16,7 +16,7 @@ usage: cargo xtask <task>
   report           compute the paper again and write report/
   report --check   compute it and compare with report/: names stale, missing and left-over files
   report --page NAME       one document of report/templates alone, while its text is written
-  judge            every answer beside the truth, and faults put into answers: minutes, into report/data
+  certificates     every answer beside the truth, and faults put into answers: minutes, into report/data
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again

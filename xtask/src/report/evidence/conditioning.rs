@@ -5,137 +5,103 @@ mod matrix;
 mod routes;
 mod wide;
 
+use minijinja::{Value, context};
 use palkki::methods::Method;
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
-use serde::Serialize;
 
 use crate::report::csv::csv;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::numbers::power;
+use crate::report::numbers::{power, thousands};
 use crate::report::study::Study;
+use crate::report::table::Table;
 
-use self::routes::{Grid, NAMES, Run};
+use self::routes::{Grid, MATRIX, NAMES, Run};
 
-#[derive(Debug, Serialize)]
-struct Values {
-    names: [&'static str; 6],
-    methods: Vec<Table>,
-    finest: usize,
-    /// Worst errors of the active set over all methods and grids: end reaction and deflection; and of a contact force, on
-    /// all grids but the finest and on that one.
-    active_set: [String; 4],
-    /// What residual and condition number promise for the active set at worst.
-    promised: String,
-    /// The solver that is certified with the worst contact force, on which grid, with which residual and error.
-    certified: Certified,
-    grazing: grazing::Values,
-}
+/// The method of the figure: its matrix is banded and can be factorised on every grid.
+const DRAWN: Method = Method::Complementarity;
+/// The solver whose errors are tabled.
+const ACTIVE_SET: &str = "active-set";
+/// The solvers that iterate.
+const ITERATIVE: [&str; 3] = ["nsor", "clarabel", "osqp"];
 
-/// A run that passes the judge.
-#[derive(Debug, Serialize)]
-struct Certified {
-    runs: usize,
-    route: String,
-    intervals: usize,
-    residual: String,
-    error: String,
-}
-
-#[derive(Debug, Serialize)]
-struct Table {
-    method: &'static str,
-    figure: String,
-    /// The last grid on which the factorised matrix passes the judge.
-    matrix_until: usize,
-    rows: Vec<Row>,
-}
-
-/// One grid.
-#[derive(Debug, Serialize)]
-struct Row {
-    intervals: usize,
-    condition: String,
-    cells: Vec<Option<Cell>>,
-}
-
-/// The error of the largest contact force over the load, and what residual and condition number promise; powers of ten.
-#[derive(Debug, Serialize)]
-struct Cell {
-    error: String,
-    promised: String,
-    certified: bool,
-}
+/// The grids of one method.
+type Measured = (Method, Vec<Grid>);
 
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
-    let (mut tables, mut files, mut all): (_, _, Vec<(Method, Grid)>) = (Vec::new(), Vec::new(), Vec::new());
-    for method in Method::ALL {
-        let grids = routes::measured(method)?;
-        let figure = format!("conditioning-{}", method.word());
-        files.push((figure.clone(), drawn(method, &grids)?, table(&grids)));
-        tables.push(Table {
-            method: method.word(),
-            figure,
-            matrix_until: matrix_until(&grids),
-            rows: grids.iter().map(row).collect(),
-        });
-        all.extend(grids.into_iter().map(|grid| (method, grid)));
-    }
-    let finest = all.iter().map(|(_, grid)| grid.intervals).max().unwrap_or_default();
-    let (grazing, svg, data) = grazing::measured()?;
-    let values = Values {
-        names: NAMES,
-        methods: tables,
-        finest,
-        active_set: [
-            worst(&all, |run, _| Some(run.reaction)),
-            worst(&all, |run, _| Some(run.deflection)),
-            worst(&all, |run, grid| (grid.intervals < finest).then_some(run.contact_force)),
-            worst(&all, |run, grid| (grid.intervals == finest).then_some(run.contact_force)),
-        ],
-        promised: worst(&all, |run, grid| Some(run.promised(grid))),
-        certified: certified(&all)?,
-        grazing,
+    let all = Method::ALL.into_iter().map(|method| Ok((method, routes::measured(method)?)));
+    let all = all.collect::<Result<Vec<Measured>, Cause>>()?;
+    let drawn = all.iter().find(|(method, _)| *method == DRAWN).ok_or("the method of the figure is measured")?;
+    let finest = drawn.1.iter().map(|grid| grid.intervals).max().unwrap_or_default();
+    let passes = |grid: &&Grid| grid.run(MATRIX).is_some_and(|run| run.certified);
+    let matrix_until = drawn.1.iter().take_while(passes).last().map_or(0, |grid| grid.intervals);
+    let grazing = grazing::measured()?;
+    let values = context! {
+        table => table(&all, &drawn.1).to_string(),
+        method => DRAWN.word(),
+        finest, matrix_until,
+        active_set => context! {
+            reaction => worst(&all, |run, _| Some(run.reaction)),
+            deflection => worst(&all, |run, _| Some(run.deflection)),
+            force => worst(&all, |run, grid| (grid.intervals < finest).then_some(run.contact_force)),
+            force_finest => worst(&all, |run, grid| (grid.intervals == finest).then_some(run.contact_force)),
+            promised => worst(&all, |run, grid| Some(run.promised(grid))),
+        },
+        iterative => iterative(&all)?,
+        grazing => grazing.values,
     };
-    let evidence = Evidence::new(values).figure("conditioning-grazing", svg, data);
-    Ok(files.into_iter().fold(evidence, |with, (name, svg, csv)| with.figure(&name, svg, csv)))
+    Ok(Evidence::new(values).figure("conditioning", figure(&drawn.1)?, data(&all)).figure(
+        "conditioning-grazing",
+        grazing.svg,
+        grazing.csv,
+    ))
 }
 
 /// The largest of some powers of ten of the active set.
-fn worst(all: &[(Method, Grid)], of: impl Fn(&Run, &Grid) -> Option<i32>) -> String {
-    let runs = all.iter().flat_map(|(_, grid)| grid.runs.iter().map(move |run| (run, grid)));
-    let of_active_set = runs.filter(|(run, _)| run.name == "active-set").filter_map(|(run, grid)| of(run, grid));
-    power(of_active_set.max().unwrap_or_default())
+fn worst(all: &[Measured], of: impl Fn(&Run, &Grid) -> Option<i32>) -> String {
+    let grids = all.iter().flat_map(|(_, grids)| grids);
+    let found = grids.filter_map(|grid| of(grid.run(ACTIVE_SET)?, grid));
+    power(found.max().unwrap_or_default())
 }
 
-/// The certified run of an iterative solver with the worst contact force.
-fn certified(all: &[(Method, Grid)]) -> Result<Certified, Cause> {
-    let runs = all.iter().flat_map(|(method, grid)| grid.runs.iter().map(move |run| (method, grid, run)));
-    let runs: Vec<_> =
-        runs.filter(|(_, _, run)| run.certified && ["nsor", "clarabel", "osqp"].contains(&run.name)).collect();
+/// The certified runs of iterative solvers, and the one of them with the worst contact force.
+fn iterative(all: &[Measured]) -> Result<Value, Cause> {
+    let runs = all.iter().flat_map(|(method, grids)| {
+        grids.iter().flat_map(move |grid| grid.runs.iter().map(move |run| (method, grid, run)))
+    });
+    let runs: Vec<_> = runs.filter(|(_, _, run)| run.certified && ITERATIVE.contains(&run.name)).collect();
     let worst = runs.iter().max_by_key(|(_, grid, run)| (run.contact_force, std::cmp::Reverse(grid.intervals)));
-    let (method, grid, run) = worst.ok_or("some run of a library is certified")?;
-    Ok(Certified {
-        runs: runs.len(),
-        route: format!("{method} / {}", run.name),
-        intervals: grid.intervals,
-        residual: power(run.residual),
-        error: power(run.contact_force),
+    let most = |of: fn(&Run) -> i32| runs.iter().map(|(_, _, run)| of(run)).max().unwrap_or_default();
+    let (method, grid, run) = worst.ok_or("some run of an iterative solver is certified")?;
+    Ok(context! {
+        certified => runs.len(),
+        reaction => power(most(|run| run.reaction)),
+        deflection => power(most(|run| run.deflection)),
+        route => format!("{}, {method} method", run.name),
+        intervals => grid.intervals,
+        residual => power(run.residual),
+        error => power(run.contact_force),
     })
 }
 
-fn matrix_until(grids: &[Grid]) -> usize {
-    let passes = |grid: &&Grid| grid.runs.iter().any(|run| run.name == "matrix" && run.certified);
-    grids.iter().take_while(passes).last().map_or(0, |grid| grid.intervals)
-}
-
-fn row(grid: &Grid) -> Row {
-    let cell = |name: &&str| {
-        let run = grid.runs.iter().find(|run| run.name == *name)?;
-        let (error, promised) = (power(run.contact_force), power(run.promised(grid)));
-        Some(Cell { error, promised, certified: run.certified })
-    };
-    Row { intervals: grid.intervals, condition: power(grid.condition), cells: NAMES.iter().map(cell).collect() }
+/// Worst contact forces over the load: what residual and condition number promise, the factorised matrix, and the active set.
+fn table(all: &[Measured], drawn: &[Grid]) -> Table {
+    let methods = Method::ALL.map(|method| format!("active set, {method}"));
+    let header = ["intervals", "cond(A)", "residual · cond(A)", "A factorised"].map(str::to_owned);
+    let mut table = Table::new(header.into_iter().chain(methods));
+    for (k, grid) in drawn.iter().enumerate() {
+        let error = |run: Option<&Run>| run.map_or_else(|| "–".to_owned(), |run| power(run.contact_force));
+        let promised = grid.run(ACTIVE_SET).map_or_else(|| "–".to_owned(), |run| power(run.promised(grid)));
+        let row = [
+            thousands(i64::try_from(grid.intervals).unwrap_or(i64::MAX)),
+            power(grid.condition),
+            promised,
+            error(grid.run(MATRIX)),
+        ];
+        let of_methods = all.iter().map(|(_, grids)| error(grids.get(k).and_then(|grid| grid.run(ACTIVE_SET))));
+        table = table.row(row.into_iter().chain(of_methods));
+    }
+    table
 }
 
 /// `10ᵏ`
@@ -144,48 +110,46 @@ fn ten_to(exponent: i32) -> f64 {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
-fn drawn(method: Method, grids: &[Grid]) -> Result<String, PlotError> {
+fn figure(grids: &[Grid]) -> Result<String, PlotError> {
     let y = Axis::new("error of a contact force over the load").log();
     let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(760.0);
-    let place = |grid: &Grid, exponent: i32| [grid.intervals as f64, ten_to(exponent)];
-    for (i, name) in NAMES.iter().enumerate() {
-        let of_route = |grid: &Grid| {
-            grid.runs.iter().find(|run| run.name == *name).map(|run| place(grid, run.contact_force.min(0)))
-        };
-        let points: Vec<_> = grids.iter().filter_map(of_route).collect();
-        if !points.is_empty() {
-            panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: (*name).to_owned() });
-        }
-    }
-    let promise = |grid: &Grid| {
-        let run = grid.runs.iter().find(|run| run.name == "active-set")?;
-        Some(place(grid, run.promised(grid).min(0)))
+    let line = |name: &str, of: fn(&Run, &Grid) -> i32| {
+        // Answers of solvers count if they are certified; the matrix is no solver. No error counts for more than the whole load.
+        let drawn = |grid: &Grid| grid.run(name).filter(|run| name == MATRIX || run.certified).map(|run| of(run, grid));
+        let point = |grid: &Grid| Some([grid.intervals as f64, ten_to(drawn(grid)?.min(0))]);
+        grids.iter().filter_map(point).collect::<Vec<_>>()
     };
-    let points = grids.iter().filter_map(promise).collect();
-    panel =
-        panel.with(Layer::Series { points, style: Style::theory(), label: "residual · cond, active-set".to_owned() });
+    for (i, name) in NAMES.into_iter().enumerate() {
+        let points = line(name, |run, _| run.contact_force);
+        panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: name.to_owned() });
+    }
+    let points = line(ACTIVE_SET, Run::promised);
+    let label = format!("residual · cond, {ACTIVE_SET}");
+    panel = panel.with(Layer::Series { points, style: Style::theory(), label });
     Figure::new(
-        format!("Forward error of contact forces: {} method", method.word()),
-        "Error of the worst contact force against eighty digits over the number of intervals, both axes logarithmic, rounded up to \
-         powers of ten; one line for each solver, one for the factorised matrix, which rises with the fourth power of the number \
-         of intervals, and dashed what residual times condition number promises for the active set.",
+        "The factorised matrix loses digits with its condition number, the active set does not",
+        "Finite differences: error of the worst contact force against eighty digits over the number of intervals, both axes \
+         logarithmic, rounded up to powers of ten; one line for the certified answers of each solver, one for the factorised matrix, which rises with the \
+         fourth power of the number of intervals, and dashed what residual times condition number promises for the active set.",
         vec![panel],
     )
     .svg()
 }
 
-fn table(grids: &[Grid]) -> String {
-    let rows = grids.iter().flat_map(|grid| {
-        grid.runs.iter().map(|run| {
-            let printed = [run.residual, run.promised(grid), run.reaction, run.deflection, run.contact_force]
-                .map(|k| k.to_string());
-            let mut row = vec![run.name.to_owned(), grid.intervals.to_string(), grid.condition.to_string()];
-            row.extend(printed);
-            row
+fn data(all: &[Measured]) -> String {
+    let header = ["method", "solver", "intervals", "certified", "log10_condition", "log10_residual", "log10_promised"];
+    let errors = ["log10_reaction_error", "log10_deflection_error", "log10_contact_force_error"];
+    let rows = all.iter().flat_map(|(method, grids)| {
+        grids.iter().flat_map(move |grid| {
+            grid.runs.iter().map(move |run| {
+                let powers = [grid.condition, run.residual, run.promised(grid), run.reaction, run.deflection];
+                let powers = powers.into_iter().chain([run.contact_force]).map(|k| k.to_string());
+                let words = [method.word().to_owned(), run.name.to_owned(), grid.intervals.to_string()];
+                words.into_iter().chain([run.certified.to_string()]).chain(powers).collect()
+            })
         })
     });
-    let header = ["solver", "intervals", "log10_condition", "log10_residual", "log10_promised", "log10_reaction_error"];
-    csv(&[&header[..], &["log10_deflection_error", "log10_contact_force_error"]].concat(), rows)
+    csv(&[&header[..], &errors].concat(), rows)
 }
 
 #[cfg(test)]
@@ -199,7 +163,7 @@ mod tests {
     fn the_active_set_has_an_error_of_rounding_where_the_condition_number_promises_nothing() {
         for method in Method::ALL {
             let grid = routes::grid(&palkki::paper::example().expect("well posed"), method, 1000).expect("a grid");
-            let run = grid.runs.iter().find(|run| run.name == "active-set").expect("it goes that far");
+            let run = grid.run(super::ACTIVE_SET).expect("it goes that far");
             assert!(run.certified && -4 < run.promised(&grid), "{method}: {run:?}");
             // Contact forces near lift-off lose a factor n; a few units in the last place of that, and the margin of three.
             assert!(run.contact_force <= -12 && run.reaction.max(run.deflection) <= -14, "{method}: {run:?}");
@@ -220,12 +184,12 @@ mod tests {
 
     #[test]
     fn errors_at_contact_without_pressure_go_with_the_root_of_the_tolerance() {
-        let (values, _, _) = grazing::measured().expect("scenes of the example");
-        for row in &values.rows {
-            for (grazing, pressed) in row.grazing.iter().zip(row.pressed) {
+        let fitted = grazing::measured().expect("scenes of the example").fitted;
+        for (method, [grazing, pressed]) in fitted {
+            for (grazing, pressed) in grazing.into_iter().zip(pressed) {
                 // Iterations end where they end: a step of the path is a power of ten or two, over seven powers of ten.
-                assert!((grazing - 0.5).abs() < 0.1, "{}: exponent {grazing:.2}", row.method);
-                assert!(0.8 < pressed, "{}: exponent {pressed:.2}", row.method);
+                assert!((grazing - 0.5).abs() < 0.1, "{method}: exponent {grazing:.2}");
+                assert!(0.8 < pressed, "{method}: exponent {pressed:.2}");
             }
         }
     }

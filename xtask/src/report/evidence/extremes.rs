@@ -1,12 +1,12 @@
-//! Every route at the extremes of sizes, units and regimes, judged by authorities that solve nothing.
+//! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
 
 mod cases;
-mod maps;
+mod map;
 
+use minijinja::context;
 use palkki::extremes::{Extreme, POWERS, borders, sizes, units};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::{Settings, solve, theory};
-use serde::Serialize;
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
@@ -15,35 +15,15 @@ use crate::report::study::Study;
 
 /// What beam theory is held to, over the load.
 const DIGITS: f64 = 1e-12;
-/// How far two certified answers to one programme may be apart, over the load: what a residual of 10⁻⁹ leaves of nodal
+/// How far two certified answers to one quadratic program may be apart, over the load: what a residual of 10⁻⁹ leaves of nodal
 /// forces, see [`palkki::certificate::CERTIFIED_RESIDUAL`].
 const SAME: f64 = 1e-6;
 
-#[derive(Debug, Serialize)]
-struct Values {
-    digits: String,
-    same: String,
-    judged: usize,
-    wrong: usize,
-    nsor: usize,
-    decades: i32,
-    maps: Vec<maps::Map>,
-    waves: maps::Waves,
-    cases: usize,
-    exact: Count,
-    force: Count,
-    groups: Vec<cases::Group>,
-    hardest: Vec<cases::Row>,
-    /// The least power of ten of the map at which beam theory is certified.
-    shallowest: i32,
-    force_limits: Vec<String>,
-}
-
 /// How many runs ended how.
-#[derive(Debug, Clone, Copy, Default, Serialize)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Count {
     right: usize,
-    labelled: usize,
+    not_certified: usize,
     wrong: usize,
 }
 
@@ -51,19 +31,19 @@ impl Count {
     fn add(&mut self, verdict: Verdict) {
         match verdict {
             Verdict::Right => self.right += 1,
-            Verdict::Labelled => self.labelled += 1,
+            Verdict::NotCertified => self.not_certified += 1,
             Verdict::Wrong => self.wrong += 1,
         }
     }
 
     fn join(&mut self, other: Self) {
         self.right += other.right;
-        self.labelled += other.labelled;
+        self.not_certified += other.not_certified;
         self.wrong += other.wrong;
     }
 
     fn runs(&self) -> usize {
-        self.right + self.labelled + self.wrong
+        self.right + self.not_certified + self.wrong
     }
 }
 
@@ -71,7 +51,7 @@ impl Count {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Verdict {
     Right,
-    Labelled,
+    NotCertified,
     Wrong,
 }
 
@@ -79,60 +59,39 @@ impl Verdict {
     fn word(self) -> &'static str {
         match self {
             Self::Right => "right",
-            Self::Labelled => "labelled",
+            Self::NotCertified => "not certified",
             Self::Wrong => "wrong and certified",
         }
     }
 }
 
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
-    let mut evidence_files = Vec::new();
-    let mut maps = Vec::new();
-    let (mut judged, mut wrong) = (0, 0);
-    for method in Method::ALL {
-        let (map, svg, csv) = maps::depth_against_grid(method)?;
-        (judged, wrong) = (judged + map.runs, wrong + map.wrong);
-        evidence_files.push((format!("extremes-{method}"), svg, csv));
-        maps.push(map);
-    }
-    let (waves, svg, csv) = maps::amplitude_against_depth()?;
-    evidence_files.push(("extremes-exact".to_owned(), svg, csv));
+    let map = map::measured()?;
     let in_units = units()?.into_iter().map(|(_, extreme)| extreme).collect();
     let tried = cases::tried(vec![("sizes", sizes()?), ("borders", borders()?), ("units", in_units)])?;
-    judged += waves.runs + tried.runs;
-    wrong += tried.wrong;
-    let values = Values {
-        digits: numbers::bound(DIGITS),
-        same: numbers::bound(SAME),
-        judged,
-        wrong,
-        nsor: NSOR,
-        decades: POWERS[POWERS.len() - 1] - POWERS[0],
-        maps,
-        shallowest: waves.shallowest,
-        waves,
-        cases: tried.cases,
-        exact: tried.exact,
-        force: tried.force,
-        groups: tried.groups,
-        hardest: tried.hardest,
-        force_limits: tried.force_limits,
+    let mut count = map.count;
+    count.join(tried.count);
+    let values = context! {
+        digits => numbers::bound(DIGITS),
+        same => numbers::bound(SAME),
+        runs => count.runs(),
+        wrong => count.wrong,
+        nsor => NSOR,
+        decades => POWERS[POWERS.len() - 1] - POWERS[0],
+        map => map.values,
+        cases => tried.values,
     };
-    let mut evidence = Evidence::new(values).data("extremes", tried.csv);
-    for (name, svg, csv) in evidence_files {
-        evidence = evidence.figure(&name, svg, csv);
-    }
-    Ok(evidence)
+    Ok(Evidence::new(values).figure("extremes", map.svg, map.csv).data("extremes-cases", tried.csv))
 }
 
-/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other chapters show.
+/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other pages show.
 const NSOR: usize = 8;
 
-/// A run of a discretised route, and what it is beside the active set on the same programme.
-fn judged(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcome) -> Result<Verdict, Cause> {
+/// A run of a discretised route, and what it is beside the active set on the same quadratic program.
+fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcome) -> Result<Verdict, Cause> {
     let outcome = solve(&extreme.scene, &Settings::new(method, solver, extreme.intervals))?;
     if outcome.status != Status::Certified {
-        return Ok(Verdict::Labelled);
+        return Ok(Verdict::NotCertified);
     }
     let beside = Extreme {
         truth: palkki::extremes::Truth {
@@ -147,7 +106,7 @@ fn judged(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcome
     Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
 }
 
-/// The active set on the same programme.
+/// The active set on the same quadratic program.
 fn reference(extreme: &Extreme, method: Method) -> Result<Outcome, Cause> {
     Ok(solve(&extreme.scene, &Settings::new(method, Solver::ActiveSet, extreme.intervals))?)
 }
@@ -157,7 +116,7 @@ fn exact(extreme: &Extreme) -> Result<(Verdict, f64), Cause> {
     let exact = theory::solve(&extreme.scene)?;
     let error = extreme.error(&exact.state);
     if exact.status != Status::Certified {
-        return Ok((Verdict::Labelled, 0.0));
+        return Ok((Verdict::NotCertified, 0.0));
     }
     let right = error <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
     Ok((if right { Verdict::Right } else { Verdict::Wrong }, error))

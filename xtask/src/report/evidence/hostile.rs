@@ -7,157 +7,97 @@ mod situations;
 use std::fs;
 use std::path::Path;
 
+use minijinja::{Value, context};
 use palkki::route::{Solver, Status};
-use serde::Serialize;
 
 use crate::report::csv::csv;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
+use crate::report::numbers::thousands;
 use crate::report::study::Study;
-
-#[derive(Debug, Serialize)]
-struct Values {
-    targets: Vec<Target>,
-    executions: u64,
-    failures: u64,
-    families: Vec<Family>,
-    runs: u64,
-    accepted: u64,
-    wrong: u64,
-    panics: u64,
-    contradicted: u64,
-    theory_certified: u64,
-    theory_answers: u64,
-    active_set_certified: u64,
-    active_set_answers: u64,
-    situations: Vec<Situation>,
-    /// Library and situation of the successes that our judge does not see.
-    overruled: usize,
-    asked: usize,
-}
-
-/// A fuzz target.
-#[derive(Debug, Serialize)]
-struct Target {
-    name: String,
-    executions: u64,
-    edges: u64,
-    corpus: u64,
-    failures: u64,
-}
-
-/// A family of random scenes.
-#[derive(Debug, Serialize)]
-struct Family {
-    name: String,
-    runs: u64,
-    refused: u64,
-    theory: u64,
-    theory_answers: u64,
-    active_set: u64,
-    active_set_answers: u64,
-    route: u64,
-    route_answers: u64,
-    contradicted: u64,
-    wrong: u64,
-    panics: u64,
-}
-
-#[derive(Debug, Serialize)]
-struct Situation {
-    name: &'static str,
-    cells: Vec<Cell>,
-}
-
-#[derive(Debug, Serialize)]
-struct Cell {
-    library: &'static str,
-    word: String,
-    verdict: &'static str,
-    overruled: bool,
-}
+use crate::report::table::Table;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let (fuzzing, fuzzed) = table(study.root, crate::fuzz::PATH)?;
-    let targets: Vec<Target> = fuzzed
-        .iter()
-        .map(|row| {
-            Ok(Target {
-                name: row.word("target")?.to_owned(),
-                executions: row.count("executions")?,
-                edges: row.count("edges")?,
-                corpus: row.count("corpus_files")?,
-                failures: row.count("failures")?,
-            })
-        })
-        .collect::<Result<_, Cause>>()?;
-    let (hostile, rows) = table(study.root, crate::hostile::PATH)?;
-    let families = rows.iter().map(family).collect::<Result<Vec<_>, Cause>>()?;
-    let situations = situations::ALL.iter().map(situation).collect::<Result<Vec<_>, Cause>>()?;
-    let sum = |of: fn(&Family) -> u64| families.iter().map(of).sum();
-    let cells = || situations.iter().flat_map(|s| &s.cells);
-    let data = situations.iter().flat_map(|s| {
-        let name = s.name.replace(',', ";");
-        s.cells
-            .iter()
-            .map(move |c| vec![name.clone(), c.library.to_owned(), c.word.replace(',', ";"), c.verdict.to_owned()])
-    });
-    let libraries = csv(&["situation", "library", "word", "verdict"], data);
-    let values = Values {
-        executions: targets.iter().map(|t| t.executions).sum(),
-        failures: targets.iter().map(|t| t.failures).sum(),
-        runs: sum(|f| f.runs),
-        accepted: sum(|f| f.runs - f.refused - f.panics),
-        wrong: sum(|f| f.wrong),
-        panics: sum(|f| f.panics),
-        contradicted: sum(|f| f.contradicted),
-        theory_certified: sum(|f| f.theory),
-        theory_answers: sum(|f| f.theory_answers),
-        active_set_certified: sum(|f| f.active_set),
-        active_set_answers: sum(|f| f.active_set_answers),
-        overruled: cells().filter(|c| c.overruled).count(),
-        asked: cells().count(),
-        targets,
-        families,
-        situations,
+    let (fuzzing, targets) = table(study.root, crate::fuzz::PATH)?;
+    let (hostile, families) = table(study.root, crate::hostile::PATH)?;
+    let (libraries, situations) = libraries()?;
+    let values = context! {
+        fuzzing => context! {
+            targets => targets.len(),
+            executions => sum(&targets, &["executions"])?,
+            failures => sum(&targets, &["failures"])?,
+        },
+        runs => sum(&families, &["runs"])?,
+        accepted => sum(&families, &["runs"])? - sum(&families, &["refused", "panics"])?,
+        wrong => sum(&families, &["wrong"])?,
+        panics => sum(&families, &["panics"])?,
+        contradicted => sum(&families, &["contradicted"])?,
+        families => of_families(&families)?.to_string(),
+        libraries => situations,
     };
     Ok(Evidence::new(values).data("fuzzing", fuzzing).data("hostile", hostile).data("libraries", libraries))
 }
 
-fn family(row: &Row) -> Result<Family, Cause> {
-    let answers = |kind: &str| -> Result<(u64, u64), Cause> {
-        let certified = row.count(&format!("{kind}_certified"))?;
-        Ok((certified, certified + row.count(&format!("{kind}_not_certified"))?))
-    };
-    let ((theory, theory_answers), (active_set, active_set_answers), (route, route_answers)) =
-        (answers("theory")?, answers("active_set")?, answers("route")?);
-    Ok(Family {
-        name: row.word("family")?.to_owned(),
-        runs: row.count("runs")?,
-        refused: row.count("refused")?,
-        theory,
-        theory_answers,
-        active_set,
-        active_set_answers,
-        route,
-        route_answers,
-        contradicted: row.count("contradicted")?,
-        wrong: row.count("wrong")?,
-        panics: row.count("panics")?,
+/// How many answers are certified, family by family of random scenes.
+fn of_families(families: &[Row]) -> Result<Table, Cause> {
+    let header =
+        ["scenes", "runs", "refused", "beam theory certified", "active set certified", "other routes certified"];
+    families.iter().try_fold(Table::new(header), |table, row| {
+        let count = |column: &str| row.count(column).map(thousands);
+        let share = |kind: &str| -> Result<String, Cause> {
+            let certified = row.count(&format!("{kind}_certified"))?;
+            let all = certified + row.count(&format!("{kind}_not_certified"))?;
+            Ok(format!("{} of {}", thousands(certified), thousands(all)))
+        };
+        let shares = [share("theory")?, share("active_set")?, share("route")?];
+        let first = [row.word("family")?.to_owned(), count("runs")?, count("refused")?];
+        Ok(table.row(first.into_iter().chain(shares)))
     })
 }
 
-fn situation(situation: &situations::Situation) -> Result<Situation, Cause> {
-    let cells = [Solver::Clarabel, Solver::Osqp].map(|library| -> Result<Cell, Cause> {
-        let outcome = situation.run(library)?;
-        Ok(Cell {
-            library: library.word(),
-            verdict: outcome.status.word(),
-            overruled: outcome.claims && outcome.status != Status::Certified,
-            word: outcome.word,
-        })
-    });
-    Ok(Situation { name: situation.name, cells: cells.into_iter().collect::<Result<_, _>>()? })
+/// Libraries at the edge: the file, and a table of the situations in which a library that was asked did not solve the problem
+/// or gave an answer that fails our check.
+fn libraries() -> Result<(String, Value), Cause> {
+    let header = ["situation", "clarabel says", "our check of it", "osqp says", "our check of that"];
+    let (mut data, mut table) = (Vec::new(), Table::new(header));
+    let (mut asked, mut solved, mut failed, mut good) = (0, 0, 0, 0);
+    for situation in situations::ALL {
+        let (mut row, mut all_good, mut any_asked) = (vec![situation.name.to_owned()], true, false);
+        for library in [Solver::Clarabel, Solver::Osqp] {
+            let outcome = situation.run(library)?;
+            let passes = outcome.status == Status::Certified;
+            let is_asked = !outcome.word.starts_with(NOT_ASKED);
+            any_asked |= is_asked;
+            all_good &= outcome.claims && passes;
+            asked += usize::from(is_asked);
+            solved += usize::from(outcome.claims);
+            failed += usize::from(outcome.claims && !passes);
+            let check = if passes { "certified" } else { "not certified" };
+            let name = situation.name.replace(',', ";");
+            data.push(vec![name, library.word().to_owned(), outcome.word.replace(',', ";"), check.to_owned()]);
+            row.extend([outcome.word, check.to_owned()]);
+        }
+        good += usize::from(all_good);
+        if any_asked && !all_good {
+            table = table.row(row);
+        }
+    }
+    let values = context! {
+        table => table.to_string(),
+        situations => situations::ALL.len(),
+        runs => data.len(),
+        asked, solved, failed, good,
+    };
+    Ok((csv(&["situation", "library", "answer", "our_check"], data), values))
+}
+
+/// How the words begin that stand for those of a library to which a quadratic program was not given.
+const NOT_ASKED: &str = "not tried";
+
+/// The sum of some columns.
+fn sum(rows: &[Row], columns: &[&str]) -> Result<i64, Cause> {
+    let counts = rows.iter().flat_map(|row| columns.iter().map(|column| row.count(column)));
+    counts.sum()
 }
 
 /// A row of a file of counts, by the names of its columns.
@@ -169,7 +109,7 @@ impl Row {
         found.ok_or_else(|| format!("there is no column {column}").into())
     }
 
-    fn count(&self, column: &str) -> Result<u64, Cause> {
+    fn count(&self, column: &str) -> Result<i64, Cause> {
         Ok(self.word(column)?.parse()?)
     }
 }

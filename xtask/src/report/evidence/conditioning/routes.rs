@@ -20,7 +20,7 @@ const GRIDS: [usize; 8] = [10, 30, 100, 300, 1000, 3000, 10_000, 100_000];
 
 /// In the order of figures and tables: the matrix factorised on the optimal contact set, then the solvers.
 pub(super) const NAMES: [&str; 6] = [MATRIX, "active-set", "four-step", "nsor", "clarabel", "osqp"];
-const MATRIX: &str = "matrix";
+pub(super) const MATRIX: &str = "matrix";
 
 /// Smallest size that is told from zero.
 const NOTHING: f64 = 1e-17;
@@ -47,12 +47,19 @@ pub(super) struct Grid {
     pub(super) runs: Vec<Run>,
 }
 
+impl Grid {
+    /// The run of a solver, or of the matrix.
+    pub(super) fn run(&self, name: &str) -> Option<&Run> {
+        self.runs.iter().find(|run| run.name == name)
+    }
+}
+
 /// Powers of ten.
 #[derive(Debug)]
 pub(super) struct Run {
     pub(super) name: &'static str,
     pub(super) certified: bool,
-    /// The judge's residual.
+    /// The residual of our check.
     pub(super) residual: i32,
     /// End reaction, over the load.
     pub(super) reaction: i32,

@@ -1,5 +1,5 @@
-//! `cargo xtask judge`: the judge is judged on every scene of the gallery, by every route, on every grid, and with every
-//! fault put into the answers. It takes minutes, so what comes out is kept in two files of data; the report computes a stated
+//! `cargo xtask certificates`: the certificates of every route on every grid for every scene of the gallery beside beam theory,
+//! and fault injection: every fault put into the answers. It takes minutes, so what comes out is kept in two files of data; the report computes a stated
 //! part of them again each time.
 
 pub(crate) mod answers;
@@ -54,7 +54,7 @@ pub(crate) fn run(root: &Path, progress: &mut dyn FnMut(&str)) -> Result<(), Str
     }
     write(root, answers::PATH, &answers::text(&judged))?;
     write(root, faults::PATH, &faults::text(&broken))?;
-    progress("`cargo xtask report` renders the chapter from it");
+    progress("`cargo xtask report` renders the page from it");
     Ok(())
 }
 

@@ -9,7 +9,7 @@ pub(super) fn error(value: f64) -> String {
 pub(super) fn fields<'a>(text: &'a str, header: &str, path: &str) -> Result<Vec<Vec<&'a str>>, String> {
     let mut lines = text.lines();
     if lines.next() != Some(header) {
-        return Err(format!("{path} has another header: `cargo xtask judge` writes it anew"));
+        return Err(format!("{path} has another header: `cargo xtask certificates` writes it anew"));
     }
     Ok(lines.map(|line| line.split(',').collect()).collect())
 }

@@ -10,7 +10,7 @@ use super::table;
 use crate::report::error::Cause;
 
 /// Where the file is, below the root.
-pub(crate) const PATH: &str = "report/data/judged.csv";
+pub(crate) const PATH: &str = "report/data/certificates.csv";
 
 /// Intervals of all grids, and of those that are computed with every report.
 pub(crate) const GRIDS: [usize; 5] = [10, 30, 100, 300, 1000];

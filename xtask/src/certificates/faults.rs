@@ -1,4 +1,4 @@
-//! Faults put into the answers of every route, and what the judge says of them.
+//! Fault injection: faults put into the answers of every route, and what our check and the certificate make of them.
 
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ const HEAVIER: &str = "the answer for so much more load";
 
 const HEADER: &str = "scene,fault,answers,refused,passed,largest_passed,off_by,bounded,unbounded,no_numbers,exceptions";
 
-/// What the judge said of one fault in the answers of one scene.
+/// What became of one fault in the answers of one scene.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Row {
     pub(crate) scene: String,
