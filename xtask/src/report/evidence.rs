@@ -20,6 +20,7 @@ mod recommendation;
 mod regimes;
 mod reproduce;
 mod scenes;
+mod sliders;
 mod solvers;
 mod theory;
 mod trade;
@@ -41,6 +42,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("problem", problem::evidence),
     ("methods", methods::evidence),
     ("theory", theory::evidence),
+    ("sliders", sliders::evidence),
     ("solvers", solvers::evidence),
     ("figures", figures::evidence),
     ("regimes", regimes::evidence),
