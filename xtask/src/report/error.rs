@@ -28,6 +28,8 @@ pub(crate) enum Error {
     NotShown { path: String },
     #[error("report/{document} links to `{target}`, which does not exist")]
     DeadLink { document: String, target: String },
+    #[error("report/index.html: {source}")]
+    Page { source: Cause },
     #[error("{path}: {source}")]
     Excerpt { path: String, source: Cause },
     #[error("{path} marks the excerpt `{name}`, which no document shows")]

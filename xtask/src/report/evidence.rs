@@ -22,6 +22,7 @@ mod recommendation;
 mod regimes;
 mod reproduce;
 mod scenes;
+mod sliders;
 mod solvers;
 mod teaching;
 mod theory;
@@ -43,6 +44,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("problem", problem::evidence),
     ("methods", methods::evidence),
     ("theory", theory::evidence),
+    ("sliders", sliders::evidence),
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
     ("figures", figures::evidence),

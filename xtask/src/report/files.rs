@@ -8,6 +8,7 @@ use palkki::verification::{Difference, numdiff, numdiff_svg};
 
 use super::Rendered;
 use super::error::Error;
+use super::html;
 
 /// The directories whose files are all made by the report.
 const MADE: [&str; 3] = ["report/figures", "report/data", "report/pages"];
@@ -34,7 +35,8 @@ pub(super) fn compare(root: &Path, rendered: &Rendered) -> Result<Vec<Stale>, Er
             stale.push(Stale::Missing { path: path.clone() });
             continue;
         };
-        let outcome = if path.ends_with(".svg") { numdiff_svg(&stored, text) } else { numdiff(&stored, text) };
+        let drawn = path.ends_with(".svg") || path == html::PATH;
+        let outcome = if drawn { numdiff_svg(&stored, text) } else { numdiff(&stored, text) };
         if let Err(difference) = outcome {
             stale.push(Stale::Differs { path: path.clone(), difference });
         }

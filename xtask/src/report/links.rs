@@ -6,6 +6,7 @@ use std::path::Path;
 use super::Rendered;
 use super::error::Error;
 use super::excerpt::Excerpt;
+use super::html;
 
 /// Checks the links of the documents against the files made with them and the files of the repository.
 pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String, Excerpt>) -> Result<(), Error> {
@@ -30,7 +31,7 @@ pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String
         }
     }
     for (path, text) in rendered {
-        if path != "README.md" && !linked.contains(path) {
+        if path != "README.md" && path != html::PATH && !linked.contains(path) {
             return Err(Error::NotShown { path: path.clone() });
         }
         for element in ["title", "desc"] {
@@ -52,7 +53,7 @@ fn exists(root: &Path, file: &str) -> bool {
 }
 
 /// A link of a document as a path relative to `report/`.
-fn resolved(document: &str, link: &str) -> String {
+pub(super) fn resolved(document: &str, link: &str) -> String {
     let mut parts: Vec<&str> = document.split('/').collect();
     parts.pop();
     for part in link.split('/') {

@@ -12,6 +12,7 @@ mod evidence;
 mod exact;
 mod excerpt;
 mod files;
+mod html;
 mod links;
 mod numbers;
 mod rational;
@@ -80,9 +81,11 @@ pub(crate) fn check(root: &Path, progress: Progress<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Computes one document and the subjects that it uses, and writes these: a preview while its text is written.
+/// Computes one document and the subjects that it uses, and writes these: a preview while its text is written. `index` is
+/// `index.html` of the files that are there.
 pub(crate) fn preview(root: &Path, document: &str, progress: Progress<'_>) -> Result<(), Error> {
-    let rendered = of_documents(root, |name| name == document, progress)?;
+    let rendered =
+        if document == "index" { of_files(root)? } else { of_documents(root, |name| name == document, progress)? };
     files::put(root, &rendered)?;
     progress(&format!("{} files; `cargo xtask report` makes and checks the whole", rendered.len()));
     Ok(())
@@ -90,7 +93,8 @@ pub(crate) fn preview(root: &Path, document: &str, progress: Progress<'_>) -> Re
 
 /// Computes the whole report. It depends on the tree alone: on no clock, no name of a machine, no file that it writes.
 pub(crate) fn render(root: &Path, progress: Progress<'_>) -> Result<Rendered, Error> {
-    let rendered = of_documents(root, |_| true, progress)?;
+    let mut rendered = of_documents(root, |_| true, progress)?;
+    rendered.insert(html::PATH.to_owned(), html::page(&rendered).map_err(|source| Error::Page { source })?);
     links::check(root, &rendered, &excerpt::all(root)?)?;
     Ok(rendered)
 }
@@ -123,6 +127,18 @@ fn of_documents(root: &Path, wanted: impl Fn(&str) -> bool, progress: Progress<'
         rendered.insert(path, format!("{GENERATED}\n{}\n", text.trim()));
     }
     Ok(rendered)
+}
+
+/// `index.html` of the other files as they are.
+fn of_files(root: &Path) -> Result<Rendered, Error> {
+    let mut rendered = Rendered::new();
+    for path in files::list(root, "report")? {
+        let text =
+            fs::read_to_string(root.join(&path)).map_err(|source| Error::File { path: path.clone().into(), source })?;
+        rendered.insert(path.trim_start_matches("report/").to_owned(), text);
+    }
+    let page = html::page(&rendered).map_err(|source| Error::Page { source })?;
+    Ok([(html::PATH.to_owned(), page)].into())
 }
 
 /// The templates in the order of [`DOCUMENTS`]; an error if the files are not the same set.

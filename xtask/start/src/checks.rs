@@ -23,13 +23,14 @@ pub(crate) struct Check {
 }
 
 /// Everything that is looked for, in the order in which it is needed.
-pub(crate) const CHECKS: [Check; 6] = [
+pub(crate) const CHECKS: [Check; 7] = [
     Check { name: "Rust", look: rust },
     Check { name: "C compiler", look: c_compiler },
     Check { name: "make", look: make },
     Check { name: "cmake", look: cmake },
     Check { name: "write access", look: write_access },
     Check { name: "rustfmt and clippy", look: components },
+    Check { name: "browser", look: browser },
 ];
 
 /// The launcher that the build of osqp calls in place of cmake.
@@ -120,6 +121,31 @@ fn components(machine: &dyn Surroundings) -> Finding {
         let lacking = lacking.join(" ");
         Finding::Advice(format!("{lacking} not found; only `.ci/run` needs it (`rustup component add {lacking}`)"))
     }
+}
+
+/// The name under which a browser starts that can be driven without a window.
+pub(crate) fn browser_of(machine: &dyn Surroundings) -> Option<String> {
+    let named = machine.variable("CHROME");
+    let usual = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", MACOS_CHROME];
+    let mut candidates = named.into_iter().chain(usual.map(str::to_owned));
+    candidates.find(|program| machine.succeeds(program, &["--version"]))
+}
+
+/// Where Chrome is on a Mac, which has no command for it.
+const MACOS_CHROME: &str = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
+
+fn browser(machine: &dyn Surroundings) -> Finding {
+    browser_of(machine).map_or_else(
+        || {
+            Finding::Advice(
+                "none of $CHROME, chromium, google-chrome starts; only `cargo xtask browser` needs one \
+                 (Debian: `apt-get install chromium`; Ubuntu: `snap install chromium`; macOS: \
+                 `brew install --cask google-chrome`)"
+                    .to_owned(),
+            )
+        },
+        Finding::Found,
+    )
 }
 
 #[cfg(test)]

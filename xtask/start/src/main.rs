@@ -1,9 +1,10 @@
-//! The front door of `cargo xtask`: answers `doctor` itself and passes everything else on to package `xtask`.
+//! The front door of `cargo xtask`: answers `doctor` and `browser` itself and passes everything else on to package `xtask`.
 //!
 //! Package `xtask` needs the library and with it a C compiler and cmake. This one needs nothing, so that `doctor` can say
 //! what is missing on a machine on which nothing else builds.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command that talks to a person")]
 
+mod browser;
 mod checks;
 mod doctor;
 mod surroundings;
@@ -15,7 +16,8 @@ usage: cargo xtask <task>
 
   report           compute the paper again and write report/
   report --check   compute it and compare with report/: names stale, missing and left-over files
-  report --page NAME       one document of report/templates alone, while its text is written
+  report --page NAME       one document of report/templates alone, while its text is written; `index`: index.html alone
+  browser          tries report/index.html in an installed Chromium or Chrome: widths, themes, sliders, printing
   certificates     every answer beside the truth, and faults put into answers: minutes, into report/data
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Some("doctor") if arguments.len() == 1 => doctor::run(),
+        Some("browser") if arguments.len() == 1 => browser::run(),
         Some(_) => pass_on(&arguments),
     }
 }

@@ -14,7 +14,7 @@ struct Imagined {
 
 const COMPLETE: Imagined = Imagined {
     rustc: "rustc 1.90.0 (abc 2025-01-01)",
-    programs: &["cc", "make", "rustfmt", "cargo-clippy"],
+    programs: &["cc", "make", "rustfmt", "cargo-clippy", "google-chrome"],
     cmake: ["/usr/bin/cmake", ""],
     writable: true,
 };
@@ -87,4 +87,11 @@ fn rustfmt_and_clippy_are_advice() {
         Finding::Advice("clippy not found; only `.ci/run` needs it (`rustup component add clippy`)".to_owned()),
         "no clippy"
     );
+}
+
+#[test]
+fn a_browser_is_advice() {
+    assert_eq!(browser(&COMPLETE), Finding::Found("google-chrome".to_owned()));
+    let said = browser(&Imagined { programs: &[], ..COMPLETE });
+    assert!(matches!(said, Finding::Advice(text) if text.contains("apt-get install chromium")), "no browser");
 }

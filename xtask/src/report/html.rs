@@ -1,0 +1,257 @@
+//! `index.html`: all documents in one file that loads nothing from outside, to be read in a browser and to be printed.
+//!
+//! Made of the rendered Markdown, drawings and data alone. Links between documents become links inside the page, drawings
+//! become part of it, formulas become MathML, and the marker of a slider becomes the slider.
+
+mod check;
+mod drawing;
+mod slider;
+
+pub(super) use slider::marker as slider_marker;
+
+use std::fmt::Write as _;
+
+use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html::push_html};
+use pulldown_latex::config::{DisplayMode, RenderConfig};
+use pulldown_latex::{Storage, push_mathml};
+
+use super::error::Cause;
+use super::{DOCUMENTS, Rendered, links, path_of};
+
+/// The file, below `report/`.
+pub(super) const PATH: &str = "index.html";
+
+/// Nothing may be loaded, and nothing but what is in the page may run.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; \
+                      base-uri 'none'; form-action 'none'";
+
+/// The page; an error if it does not keep what [`check`] asks of it.
+pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
+    let (mut navigation, mut articles, mut drawings, mut title) = (String::new(), String::new(), 0, String::new());
+    for name in DOCUMENTS {
+        let path = path_of(name);
+        let text = rendered.get(&path).ok_or_else(|| format!("{path} is not rendered"))?;
+        let mut document = Document { name, path: &path, rendered, headings: Vec::new(), drawings };
+        let body = document.html(text).map_err(|error| format!("{path}: {error}"))?;
+        drawings = document.drawings;
+        let _ = write!(articles, "<article id=\"{name}\">\n{body}</article>\n");
+        let _ = writeln!(navigation, "{}", document.navigation());
+        if title.is_empty() {
+            title = document.headings.first().map(|heading| heading.text.clone()).unwrap_or_default();
+        }
+    }
+    let sliders = slider::data(rendered, &articles)?;
+    let top = DOCUMENTS[0];
+    let page = format!(
+        "<!doctype html>\n{generated}<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
+         <title>{title}</title>\n<style>\n{style}{figures}</style>\n<script>\n{theme}</script>\n</head>\n<body>\n\
+         <a class=\"skip\" href=\"#{top}\">To the text</a>\n\
+         <header>\n<div class=\"bar\">\n<a class=\"home\" href=\"#{top}\">palkki</a>\n\
+         <button id=\"theme\" type=\"button\">Dark</button>\n\
+         <button id=\"menu\" type=\"button\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>\n</div>\n\
+         <nav id=\"contents\" aria-label=\"Contents\">\n<ol>\n{navigation}</ol>\n</nav>\n</header>\n\
+         <main>\n{articles}</main>\n{sliders}<script>\n{script}</script>\n</body>\n</html>\n",
+        generated = super::GENERATED,
+        title = escaped(&title),
+        style = include_str!("html/page.css"),
+        figures = drawing::style(rendered),
+        theme = include_str!("html/theme.js"),
+        script =
+            concat!(include_str!("html/page.js"), include_str!("html/sliders.js"), include_str!("html/selftest.js")),
+    );
+    check::check(&page)?;
+    Ok(page)
+}
+
+/// A heading that can be linked to.
+#[derive(Debug)]
+struct Heading {
+    level: HeadingLevel,
+    id: String,
+    text: String,
+}
+
+/// One document on its way into the page.
+#[derive(Debug)]
+struct Document<'a> {
+    name: &'a str,
+    path: &'a str,
+    rendered: &'a Rendered,
+    headings: Vec<Heading>,
+    /// How many drawings the page has so far.
+    drawings: usize,
+}
+
+impl Document<'_> {
+    /// The document as HTML.
+    fn html(&mut self, text: &str) -> Result<String, Cause> {
+        let options = Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
+        let inline = self.inline(Parser::new_ext(text, options))?;
+        let mut html = String::new();
+        push_html(&mut html, self.blocks(inline)?.into_iter());
+        Ok(html)
+    }
+
+    /// Links, drawings and names of footnotes, everywhere.
+    fn inline<'t>(&mut self, events: impl Iterator<Item = Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
+        let mut out = Vec::new();
+        let mut events = events;
+        while let Some(event) = events.next() {
+            out.push(match event {
+                Event::Start(Tag::Link { dest_url, .. }) => {
+                    Event::InlineHtml(format!("<a href=\"{}\">", escaped(&self.target(&dest_url))).into())
+                }
+                Event::End(TagEnd::Link) => Event::InlineHtml("</a>".into()),
+                Event::Start(Tag::Image { dest_url, .. }) => {
+                    // The drawing has a title and a description of its own.
+                    events.by_ref().take_while(|event| *event != Event::End(TagEnd::Image)).for_each(drop);
+                    Event::InlineHtml(self.drawing(&dest_url)?.into())
+                }
+                Event::InlineHtml(html) => Event::InlineHtml(self.with_drawings(&html)?.into()),
+                Event::Html(html) => Event::Html(self.with_drawings(&html)?.into()),
+                Event::FootnoteReference(label) => Event::FootnoteReference(format!("{}-{label}", self.name).into()),
+                Event::Start(Tag::FootnoteDefinition(label)) => {
+                    Event::Start(Tag::FootnoteDefinition(format!("{}-{label}", self.name).into()))
+                }
+                other => other,
+            });
+        }
+        Ok(out)
+    }
+
+    /// Headings, formulas, tables, figures and sliders.
+    fn blocks<'t>(&mut self, events: Vec<Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
+        let mut out = Vec::new();
+        let mut events = events.into_iter();
+        let html = |out: &mut Vec<Event<'t>>, text: String| out.push(Event::Html(text.into()));
+        while let Some(event) = events.next() {
+            match event {
+                Event::Start(Tag::Heading { level, .. }) => {
+                    let inner: Vec<_> =
+                        events.by_ref().take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_)))).collect();
+                    let text: String = inner.iter().filter_map(words).collect();
+                    let id = format!("{}-{}", self.name, links::anchor(&text));
+                    html(&mut out, format!("<{level} id=\"{id}\">"));
+                    out.extend(inner);
+                    html(&mut out, format!("</{level}>\n"));
+                    self.headings.push(Heading { level, id, text });
+                }
+                Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(kind))) if &*kind == "math" => {
+                    let inner = events.by_ref().take_while(|event| *event != Event::End(TagEnd::CodeBlock));
+                    let latex: String = inner.filter_map(|event| words(&event).map(str::to_owned)).collect();
+                    html(&mut out, format!("<div class=\"formula\" tabindex=\"0\">{}</div>\n", formula(&latex)?));
+                }
+                Event::Start(Tag::Table(_)) => {
+                    html(&mut out, "<div class=\"table\" tabindex=\"0\">".to_owned());
+                    out.push(event);
+                }
+                Event::End(TagEnd::Table) => {
+                    out.push(event);
+                    html(&mut out, "</div>\n".to_owned());
+                }
+                Event::Start(Tag::Paragraph) => {
+                    let inner: Vec<_> =
+                        events.by_ref().take_while(|event| *event != Event::End(TagEnd::Paragraph)).collect();
+                    let figure = inner.iter().all(|event| {
+                        matches!(event, Event::SoftBreak)
+                            || matches!(event, Event::InlineHtml(html) if html.starts_with("<svg"))
+                    });
+                    let (open, close) =
+                        if figure { ("<figure tabindex=\"0\">", "</figure>\n") } else { ("<p>", "</p>\n") };
+                    html(&mut out, open.to_owned());
+                    out.extend(inner);
+                    html(&mut out, close.to_owned());
+                }
+                Event::Html(text) | Event::InlineHtml(text) if text.starts_with("<!--") => {
+                    html(&mut out, slider::of_marker(&text).unwrap_or_default());
+                }
+                other => out.push(other),
+            }
+        }
+        Ok(out)
+    }
+
+    /// Where a link leads: to a place in the page if its target is a document.
+    fn target(&self, link: &str) -> String {
+        if link.contains("://") || link.starts_with("mailto:") {
+            return link.to_owned();
+        }
+        let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+        let file = if file.is_empty() { self.path.to_owned() } else { links::resolved(self.path, file) };
+        match (DOCUMENTS.into_iter().find(|name| path_of(name) == file), anchor) {
+            (Some(name), "") => format!("#{name}"),
+            (Some(name), anchor) => format!("#{name}-{anchor}"),
+            (None, _) if file == PATH => format!("#{}", DOCUMENTS[0]),
+            (None, "") => file,
+            (None, anchor) => format!("{file}#{anchor}"),
+        }
+    }
+
+    /// A drawing as part of the page.
+    fn drawing(&mut self, link: &str) -> Result<String, Cause> {
+        let path = links::resolved(self.path, link);
+        let svg = self.rendered.get(&path).filter(|_| path.ends_with(".svg"));
+        let svg = svg.ok_or_else(|| format!("{link} is no drawing of the report and would have to be loaded"))?;
+        self.drawings += 1;
+        Ok(drawing::inlined(svg, &format!("f{}", self.drawings)))
+    }
+
+    /// Raw HTML, with the drawings of `<img src="…">` in it.
+    fn with_drawings(&mut self, html: &str) -> Result<String, Cause> {
+        let mut out = String::new();
+        let mut rest = html;
+        while let Some((before, tag)) = rest.split_once("<img ") {
+            let (tag, after) = tag.split_once('>').ok_or("an <img> does not end in its line")?;
+            let link = tag.split_once("src=\"").and_then(|(_, link)| link.split_once('"')).map(|(link, _)| link);
+            out += before;
+            out += &self.drawing(link.ok_or("an <img> has no src")?)?;
+            rest = after;
+        }
+        Ok(out + rest)
+    }
+
+    /// The entry of the document, with its sections.
+    fn navigation(&self) -> String {
+        let of_level = |level| self.headings.iter().filter(move |heading| heading.level == level);
+        // What stands before a colon is the name, what stands behind it an explanation.
+        let title = of_level(HeadingLevel::H1).next().map_or(self.name, |heading| &heading.text);
+        let title = if self.name == DOCUMENTS[0] { "The report" } else { title.split(':').next().unwrap_or(title) };
+        let link = |id: &str, text: &str| format!("<a href=\"#{id}\">{}</a>", escaped(text));
+        let sections: Vec<String> = of_level(HeadingLevel::H2)
+            .map(|heading| format!("<li>{}</li>", link(&heading.id, &heading.text)))
+            .collect();
+        let sections =
+            if sections.is_empty() { String::new() } else { format!("\n<ol>\n{}\n</ol>\n", sections.join("\n")) };
+        format!("<li>{}{sections}</li>", link(self.name, title))
+    }
+}
+
+/// The words of an event.
+fn words<'e>(event: &'e Event<'_>) -> Option<&'e str> {
+    match event {
+        Event::Text(text) | Event::Code(text) => Some(text),
+        _ => None,
+    }
+}
+
+/// A displayed formula as MathML.
+fn formula(latex: &str) -> Result<String, Cause> {
+    let storage = Storage::new();
+    let events: Result<Vec<_>, _> = pulldown_latex::Parser::new(latex, &storage).collect();
+    let events = events.map_err(|error| format!("the formula\n{latex}\n{error}"))?;
+    let mut mathml = String::new();
+    let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
+    push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::fmt::Error>), config)?;
+    // The library writes the sign "less" and the blank `\ ` as they must not be in HTML.
+    Ok(mathml.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("&amp;nbsp;", "&#160;"))
+}
+
+/// Text as HTML, also inside an attribute.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests;

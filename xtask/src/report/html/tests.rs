@@ -1,0 +1,107 @@
+//! Links, formulas, drawings and sliders on their way into the page.
+
+use super::*;
+
+const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" height=\"300\" viewBox=\"0 0 2400 900\" \
+                   role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">t</title>\n<desc id=\"desc\">d</desc>\n\
+                   <style>@media (prefers-color-scheme: dark) { [fill=\"#000000\"]{fill:#E6EDF3} }</style>\n\
+                   <clipPath id=\"c\"/><path clip-path=\"url(#c)\" fill=\"#000000\"/></svg>\n";
+
+/// A report of which one document has a text, with all that the page needs.
+fn report(name: &str, text: &str) -> Rendered {
+    let mut rendered: Rendered =
+        DOCUMENTS.iter().map(|document| (path_of(document), format!("# {document}: words\n\n## Part\n"))).collect();
+    let markers = format!("{}\n\n{}\n", slider_marker("depth"), slider_marker("grid"));
+    rendered.insert(path_of("convergence"), format!("# Convergence\n\n{markers}"));
+    rendered.insert(path_of(name), text.to_owned());
+    for (path, text) in [("figures/f.svg", SVG), ("data/slider-depth.csv", "x\n"), ("data/slider-grid.csv", "x\n")] {
+        rendered.insert(path.to_owned(), text.to_owned());
+    }
+    rendered
+}
+
+/// The page with a document, between its beginning and its end.
+fn article(name: &str, text: &str) -> Result<String, String> {
+    let page = page(&report(name, text)).map_err(|error| error.to_string())?;
+    let article =
+        page.split_once(&format!("<article id=\"{name}\">\n")).and_then(|(_, rest)| rest.split_once("</article>"));
+    Ok(article.map(|(article, _)| article.to_owned()).unwrap_or_default())
+}
+
+#[test]
+fn links_to_documents_become_places_in_the_page_and_others_stay() {
+    let text = "# Theory\n\n## A `b`, c\n\n[1](#a-b-c) [2](claims.md) [3](claims.md#part) [4](../README.md) \
+                [5](../../src/lib.rs#L3) [6](../data/f.csv) [7](https://example.org/x?a=1&b) [8](../index.html)";
+    let html = article("theory", text).expect("every link leads somewhere");
+    for (n, target) in [
+        "#theory-a-b-c",
+        "#claims",
+        "#claims-part",
+        "#report",
+        "../src/lib.rs#L3",
+        "data/f.csv",
+        "https://example.org/x?a=1&amp;b",
+        "#report",
+    ]
+    .iter()
+    .enumerate()
+    {
+        assert!(html.contains(&format!("<a href=\"{target}\">{}</a>", n + 1)), "{target}: {html}");
+    }
+    let nowhere = article("theory", "# Theory\n[x](claims.md#nothing)");
+    assert_eq!(nowhere, Err("a link leads to #claims-nothing, which does not exist".to_owned()));
+}
+
+#[test]
+fn the_navigation_has_all_documents_in_their_order() {
+    let page = page(&report("theory", "# Theory: the problem\n\n## One & two\n\n### Three")).expect("all is there");
+    let at = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the page"));
+    let entries =
+        ["<a href=\"#report\">The report</a>", "<a href=\"#theory\">Theory</a>", "<a href=\"#solvers\">solvers</a>"];
+    assert!(entries.map(at).is_sorted(), "reading order");
+    at("<li><a href=\"#theory-one--two\">One &amp; two</a></li>");
+    assert!(!page.contains("href=\"#theory-three\""), "two levels are enough");
+}
+
+#[test]
+fn drawings_become_part_of_the_page_with_ids_of_their_own() {
+    let html = article("theory", "# Theory\n\n![f](../figures/f.svg)\n\nand ![f](../figures/f.svg) again")
+        .expect("it is made");
+    let head = "<svg viewBox=\"0 0 2400 900\" role=\"img\" aria-labelledby=\"f1-title f1-desc\">";
+    assert!(html.contains(&format!("<figure tabindex=\"0\">{head}")), "alone it is a figure: {html}");
+    assert!(html.contains("<p>and <svg") && html.contains("id=\"f2-title\""), "inside a text it is not: {html}");
+    assert!(html.contains("<clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\""), "references follow: {html}");
+    assert!(!html.contains("<style>"), "the theme is the page's: {html}");
+    let page = page(&report("theory", "# Theory")).expect("it is made");
+    assert!(page.contains(":root[data-theme=dark] svg { [fill=\"#000000\"]{fill:#E6EDF3} }"), "once for all drawings");
+    let tag = article("report", "# R\n\n<p align=\"center\"><img alt=\"f\" src=\"figures/f.svg\" width=\"600\"></p>");
+    assert!(tag.is_ok_and(|html| html.contains("<p align=\"center\"><svg ")), "also as HTML");
+    let foreign = article("theory", "# Theory\n![x](https://example.org/x.png)");
+    assert!(foreign.is_err_and(|error| error.contains("would have to be loaded")), "nothing is loaded");
+}
+
+#[test]
+fn formulas_become_mathml_or_fail() {
+    let html = article("theory", "# Theory\n\n```math\n\\frac{a}{b} < c,\\ d\n```\n\n```text\n\\frac\n```")
+        .expect("it parses");
+    assert!(html.contains("<math display=\"block\"><mfrac><mrow><mi>a</mi></mrow>"), "{html}");
+    assert!(
+        html.contains("<mo>&lt;</mo>") && html.contains("&#160;"),
+        "signs that HTML would take for its own: {html}"
+    );
+    assert!(html.contains("<pre><code class=\"language-text\">\\frac"), "other code stays: {html}");
+    let error = article("theory", "# Theory\n\n```math\na + \\nosuch b\n```").expect_err("no such command");
+    assert!(error.starts_with("pages/theory.md: the formula\na + \\nosuch b\n"), "{error}");
+}
+
+#[test]
+fn each_slider_stands_in_one_place() {
+    let mut rendered = report("theory", "# Theory");
+    let page_of = |rendered: &Rendered| page(rendered).map_err(|error| error.to_string());
+    let whole = page_of(&rendered).expect("both are there");
+    assert!(whole.contains("<section class=\"slider\" id=\"slider-depth\"") && !whole.contains("<!-- slider"), "both");
+    assert!(whole.contains("<script type=\"text/csv\" id=\"data-grid\">\nx\n</script>"), "with its data");
+    rendered.insert(path_of("convergence"), "# Convergence".to_owned());
+    let error = page_of(&rendered).expect_err("both are missing");
+    assert_eq!(error, "0 documents have the marker <!-- slider: depth --> and not one");
+}

@@ -1,0 +1,144 @@
+//! `cargo xtask browser`: opens `report/index.html` in an installed browser, without a window, and tries it out.
+//!
+//! The page tries itself when it is opened as `index.html#selftest`. Here it is put into frames of several widths, in both
+//! themes, and printed.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use crate::checks::browser_of;
+use crate::surroundings::Machine;
+
+/// Widths of a screen \[px\]: a desk and a telephone.
+const WIDTHS: [u32; 2] = [1280, 390];
+/// Height of the screens \[px\].
+const HEIGHT: u32 = 900;
+/// The longest that the browser may take for one page.
+const PATIENCE: Duration = Duration::from_secs(120);
+/// What the browser writes of the page's console, among much else of its own.
+const CONSOLE: &str = ":CONSOLE";
+
+/// Tries the page; success also if there is no browser, which is said.
+pub(crate) fn run() -> ExitCode {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let Some(browser) = browser_of(&Machine { root: root.clone() }) else {
+        println!("skipped: no browser is installed; `cargo xtask doctor` says how to get one");
+        return ExitCode::SUCCESS;
+    };
+    match tried(&browser, &root) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: report/index.html in {browser}: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn tried(browser: &str, root: &Path) -> Result<(), String> {
+    let root = fs::canonicalize(root).map_err(said)?;
+    let page = root.join("report/index.html");
+    let documents = fs::read_to_string(&page).map_err(|error| format!("{error}; run `cargo xtask report`"))?;
+    let documents = documents.matches("<article ").count();
+    let browser = Browser { program: browser, place: root.join("target/browser") };
+    // What an earlier run left there; if there is none, there is nothing to do.
+    let _ = fs::remove_dir_all(&browser.place);
+    fs::create_dir_all(&browser.place).map_err(said)?;
+    for width in WIDTHS {
+        for (theme, preferred) in [("light", 1), ("dark", 0)] {
+            let page = page.display();
+            let frame = format!(
+                "<!doctype html><meta charset=\"utf-8\"><p>nothing</p>\
+                 <script>onmessage = (e) => {{ document.querySelector('p').textContent = e.data }}</script>\
+                 <iframe src=\"file://{page}#selftest\" width=\"{width}\" height=\"{HEIGHT}\"></iframe>"
+            );
+            let address = browser.place.join("frame.html");
+            fs::write(&address, frame).map_err(said)?;
+            let (shown, logged) = browser.open(
+                &["--dump-dom".to_owned(), format!("--blink-settings=preferredColorScheme={preferred}")],
+                &address,
+            )?;
+            let heard = shown.split_once("<p>").and_then(|(_, rest)| rest.split_once("</p>")).map_or("", |(p, _)| p);
+            println!("{theme:<5} {heard}");
+            if !(heard.starts_with(&format!("{width} px")) && heard.ends_with(": passed")) {
+                return Err(format!("at {width} px, {theme}: {heard}"));
+            }
+            if let Some(line) = logged.lines().find(|line| line.contains(CONSOLE)) {
+                return Err(format!("at {width} px, {theme}, on the console: {line}"));
+            }
+        }
+    }
+    let printed = browser.place.join("index.pdf");
+    browser.open(&["--no-pdf-header-footer".to_owned(), format!("--print-to-pdf={}", printed.display())], &page)?;
+    let pages = pages(&fs::read(printed).map_err(said)?);
+    println!("print {pages} pages");
+    // Each document begins a new one.
+    if pages < documents { Err(format!("{documents} documents are {pages} printed pages")) } else { Ok(()) }
+}
+
+fn said(error: io::Error) -> String {
+    error.to_string()
+}
+
+/// The pages of a PDF.
+fn pages(pdf: &[u8]) -> usize {
+    let page = b"/Type /Page\n";
+    pdf.windows(page.len()).filter(|window| window == page).count()
+}
+
+/// A browser, and where it may write.
+#[derive(Debug)]
+struct Browser<'a> {
+    program: &'a str,
+    place: PathBuf,
+}
+
+impl Browser<'_> {
+    /// Opens a file and returns what the browser writes on its two channels.
+    fn open(&self, arguments: &[String], file: &Path) -> Result<(String, String), String> {
+        let [shown, logged] = ["shown", "logged"].map(|name| self.place.join(name));
+        let mut child = Command::new(self.program)
+            // The page is our own, and root, who runs many a check, has no sandbox.
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"])
+            .args(["--disable-background-networking", "--disable-component-update", "--enable-logging=stderr"])
+            .args(["--window-size=1400,1000", "--virtual-time-budget=60000"])
+            .arg(format!("--user-data-dir={}", self.place.join("profile").display()))
+            .args(arguments)
+            .arg(format!("file://{}", file.display()))
+            .stdin(Stdio::null())
+            .stdout(File::create(&shown).map_err(said)?)
+            .stderr(File::create(&logged).map_err(said)?)
+            .spawn()
+            .map_err(said)?;
+        let begun = Instant::now();
+        let status = loop {
+            if let Some(status) = child.try_wait().map_err(said)? {
+                break status;
+            }
+            if PATIENCE < begun.elapsed() {
+                // It is being given up; what it says to that does not matter.
+                let _ = child.kill().and_then(|()| child.wait());
+                return Err(format!("it did not end in {} s", PATIENCE.as_secs()));
+            }
+            sleep(Duration::from_millis(50));
+        };
+        let texts =
+            [&shown, &logged].map(|path| fs::read(path).map(|text| String::from_utf8_lossy(&text).into_owned()));
+        let [shown, logged] = texts;
+        let (shown, logged) = (shown.map_err(said)?, logged.map_err(said)?);
+        if status.success() { Ok((shown, logged)) } else { Err(format!("it ended with {status}:\n{logged}")) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pages;
+
+    #[test]
+    fn pages_are_counted_and_their_list_is_not() {
+        assert_eq!(pages(b"<</Type /Page\n/A 1>><</Type /Pages\n>><</Type /Page\n>>"), 2);
+    }
+}
