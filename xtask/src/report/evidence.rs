@@ -12,6 +12,7 @@ mod dial;
 mod discrepancies;
 mod extremes;
 mod figures;
+mod first_force;
 mod hostile;
 mod judged;
 mod methods;
@@ -20,6 +21,7 @@ mod recommendation;
 mod regimes;
 mod reproduce;
 mod scenes;
+mod sheet;
 mod solvers;
 mod theory;
 mod trade;
@@ -43,6 +45,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("theory", theory::evidence),
     ("solvers", solvers::evidence),
     ("figures", figures::evidence),
+    ("first_force", first_force::evidence),
     ("regimes", regimes::evidence),
     ("agreement", agreement::evidence),
     ("bounds", bounds::evidence),
@@ -50,6 +53,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("dial", dial::evidence),
     ("convergence", convergence::evidence),
     ("scenes", scenes::evidence),
+    ("sheet", sheet::evidence),
     ("claims", claims::evidence),
     ("recommendation", recommendation::evidence),
     ("trade", trade::evidence),
