@@ -41,7 +41,8 @@ impl Quantity {
     }
 
     /// Its value in a discrete state of the example.
-    fn discrete(self, state: &ContactState) -> f64 {
+    #[must_use]
+    pub fn discrete(self, state: &ContactState) -> f64 {
         let Some(nodes) = &state.nodes else { return f64::NAN };
         match self {
             Self::EndReaction => state.reactions.left,
@@ -60,7 +61,8 @@ impl Quantity {
     }
 
     /// Its value by beam theory.
-    fn exact(self) -> f64 {
+    #[must_use]
+    pub fn exact(self) -> f64 {
         let exact = theory();
         match self {
             Self::EndReaction => exact.reaction,

@@ -1,7 +1,7 @@
 //! Axes: a label with its unit, linear or logarithmic, and which way its numbers grow.
 
 use super::error::{PlotError, finite};
-use super::number::{decade, power_of_ten, ten_to};
+use super::number::power_of_ten;
 use super::ticks::{Tick, linear_ticks, log_ticks};
 
 /// How numbers are spread over an axis.
@@ -9,7 +9,7 @@ use super::ticks::{Tick, linear_ticks, log_ticks};
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By their logarithm; whole decades are shown.
+    /// By their logarithm.
     Log,
 }
 
@@ -109,10 +109,11 @@ impl Axis {
                 (lo, hi, ticks, factor)
             }
             Scale::Log => {
-                let first = decade(lo);
-                let last = if hi <= ten_to(decade(hi)) && first < decade(hi) { decade(hi) } else { decade(hi) + 1 };
-                let ticks = log_ticks(first, last, count);
-                (f64::from(first), f64::from(last), ticks, 0)
+                let [lo, hi] = [libm::log10(lo), libm::log10(hi)];
+                // A range of one number gets half a decade on either side.
+                let room = if lo < hi { self.padding * (hi - lo) } else { 0.5 };
+                let (lo, hi) = (lo - room, hi + room);
+                (lo, hi, log_ticks(lo, hi, count), 0)
             }
         };
         let (ticks, factor) = if self.numbers { (ticks, factor) } else { (Vec::new(), 0) };
@@ -159,16 +160,47 @@ impl Resolved {
     }
 }
 
-/// The two axes of a panel in place.
+impl Resolved {
+    /// The axis of forces beside an axis of something else: both have their zero at `zero`, and forces from `least` to `most`
+    /// fit between `bottom` and `top`.
+    pub(super) fn of_forces(
+        axis: &Axis,
+        [least, most]: [f64; 2],
+        zero: f64,
+        [bottom, top]: [f64; 2],
+        count: f64,
+    ) -> Self {
+        let per = |room: f64, force: f64| if 0.0 < force { room.max(1.0) / force } else { f64::INFINITY };
+        let unit = per(zero - top, most).min(per(bottom - zero, -least));
+        let unit = if unit.is_finite() { unit } else { 1.0 };
+        let (lo, hi) = ((zero - bottom) / unit, (zero - top) / unit);
+        let (mut ticks, mut factor) = linear_ticks(lo, hi, count);
+        ticks.retain(|tick| least <= tick.value);
+        if !axis.numbers {
+            (ticks, factor) = (Vec::new(), 0);
+        }
+        Self { scale: Scale::Linear, lo, hi, start: bottom, end: top, ticks, factor }
+    }
+}
+
+/// The axes of a panel in place.
 pub(super) struct Axes {
     pub(super) x: Resolved,
     pub(super) y: Resolved,
+    /// On what the length of an arrow is read, if not on `y`.
+    pub(super) forces: Option<Resolved>,
 }
 
 impl Axes {
     /// Where a point in the numbers of the axes lies on the drawing.
     pub(super) fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.place(x), self.y.place(y)]
+    }
+
+    /// How far down the drawing the arrow of a force reaches; upwards is negative.
+    pub(super) fn length(&self, force: f64) -> f64 {
+        let axis = self.forces.as_ref().unwrap_or(&self.y);
+        axis.place(force) - axis.place(0.0)
     }
 }
 
@@ -200,7 +232,13 @@ mod tests {
     fn round_numbers_are_labelled() {
         assert_eq!(labels(&Axis::new("x"), &[0.0, 10.0]), ["0", "2", "4", "6", "8", "10"]);
         assert_eq!(labels(&Axis::new("x"), &[-0.3, 0.3]), ["−0.2", "0.0", "0.2"]);
-        assert_eq!(labels(&Axis::new("n").log(), &[10.0, 2000.0]), ["10¹", "10²", "10³", "10⁴"]);
+        assert_eq!(labels(&Axis::new("n").log(), &[10.0, 2000.0]), ["10", "100", "1000"], "the axis ends at the data");
+        assert_eq!(
+            labels(&Axis::new("e").log(), &[2e-9, 0.3]),
+            ["10⁻⁸", "10⁻⁷", "10⁻⁶", "10⁻⁵", "10⁻⁴", "10⁻³", "10⁻²", "10⁻¹"]
+        );
+        assert_eq!(labels(&Axis::new("t").log(), &[3.0, 60.0]), ["5", "10", "20", "50"]);
+        assert_eq!(labels(&Axis::new("t").log(), &[1.02, 1.06]), ["1.02", "1.03", "1.04", "1.05", "1.06"]);
     }
 
     #[test]

@@ -11,12 +11,12 @@ use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform
 
 use super::error::{PlotError, finite};
 use super::palette::{Color, Dash, Marker};
-use super::trace::{Point, dashes, thinned};
+use super::trace::{Point, dashes, simplified};
 
 /// Width of the shaft of an arrow.
 pub(super) const SHAFT: u32 = 7;
-/// Size of ordinary text \[drawing units\]: 12 pixels once the drawing is shown 800 pixels wide.
-pub(super) const TEXT: f64 = 36.0;
+/// Size of ordinary text \[drawing units\]: 8 pixels on a telephone, 18 where the drawing is 900 pixels wide.
+pub(super) const TEXT: f64 = 48.0;
 
 /// The backend divides a font size by this before it writes it; we multiply, so that sizes are as we say.
 const BACKEND_FONT_FACTOR: f64 = 1.24;
@@ -42,7 +42,7 @@ pub(super) struct Type {
 impl Type {
     pub(super) const PLAIN: Self = Self { size: TEXT, color: Color::BLACK, bold: false, turned: false };
     pub(super) const BOLD: Self = Self { bold: true, ..Self::PLAIN };
-    pub(super) const TITLE: Self = Self { size: 46.0, ..Self::BOLD };
+    pub(super) const TITLE: Self = Self { size: 58.0, ..Self::BOLD };
 }
 
 /// What is drawn on.
@@ -65,7 +65,7 @@ impl<'a> Canvas<'a> {
 
     /// A line through `points`.
     pub(super) fn line(&self, points: &[Point], color: Color, width: u32, dash: Dash) -> Result<(), PlotError> {
-        for stroke in dashes(&thinned(points), dash.pattern()) {
+        for stroke in dashes(&simplified(points)?, dash.pattern()) {
             let path: Vec<_> = stroke.iter().map(|&p| pixel(p)).collect::<Result<_, _>>()?;
             if 1 < path.len() {
                 self.area.draw(&PathElement::new(path, ShapeStyle::from(&rgb(color)).stroke_width(width)))?;
@@ -76,7 +76,7 @@ impl<'a> Canvas<'a> {
 
     /// A filled polygon.
     pub(super) fn fill(&self, points: &[Point], color: Color, opacity: f64) -> Result<(), PlotError> {
-        let path: Vec<_> = thinned(points).into_iter().map(pixel).collect::<Result<_, _>>()?;
+        let path: Vec<_> = simplified(points)?.into_iter().map(pixel).collect::<Result<_, _>>()?;
         Ok(self.area.draw(&Polygon::new(path, rgb(color).mix(opacity)))?)
     }
 
@@ -94,13 +94,13 @@ impl<'a> Canvas<'a> {
     /// A marker at `at`.
     pub(super) fn mark(&self, at: Point, marker: Marker, color: Color) -> Result<(), PlotError> {
         /// Half the size of a marker.
-        const R: f64 = 11.0;
+        const R: f64 = 13.0;
         let [x, y] = at;
-        let stroke = |a: Point, b: Point| self.line(&[a, b], color, 5, Dash::Solid);
+        let stroke = |a: Point, b: Point| self.line(&[a, b], color, 6, Dash::Solid);
         match marker {
             Marker::Circle => self.disc(at, R, color),
             Marker::OpenCircle => {
-                let style = ShapeStyle::from(&rgb(color)).stroke_width(4);
+                let style = ShapeStyle::from(&rgb(color)).stroke_width(5);
                 Ok(self.area.draw(&Circle::new(pixel(at)?, units(R)?, style))?)
             }
             Marker::Square => self.rectangle([x - R, y - R], [x + R, y + R], color, 1.0),
@@ -115,6 +115,22 @@ impl<'a> Canvas<'a> {
             Marker::Plus => {
                 stroke([x - 1.2 * R, y], [x + 1.2 * R, y])?;
                 stroke([x, y - 1.2 * R], [x, y + 1.2 * R])
+            }
+            Marker::Star => {
+                /// Directions of the ten corners in tenths of a turn from the top, for an outer radius of one.
+                const CORNERS: [Point; 10] = [
+                    [0.0, -1.0],
+                    [0.224, -0.309],
+                    [0.951, -0.309],
+                    [0.363, 0.118],
+                    [0.588, 0.809],
+                    [0.0, 0.382],
+                    [-0.588, 0.809],
+                    [-0.363, 0.118],
+                    [-0.951, -0.309],
+                    [-0.224, -0.309],
+                ];
+                self.fill(&CORNERS.map(|[dx, dy]| [x + 3.0 * R * dx, y + 3.0 * R * dy]), color, 1.0)
             }
         }
     }
@@ -167,7 +183,7 @@ impl<'a> Canvas<'a> {
 
 /// Estimated width of `text`: wide fonts take about 0.6 em for a letter, a little more in bold.
 pub(super) fn text_width(text: &str, kind: Type) -> f64 {
-    let em = if kind.bold { 0.68 } else { 0.6 };
+    let em = if kind.bold { 0.66 } else { 0.58 };
     // Far more characters than fit on the sheet; the bound makes the conversion exact.
     f64::from(u16::try_from(text.chars().count()).unwrap_or(u16::MAX)) * em * kind.size
 }

@@ -7,12 +7,7 @@ use super::label::{Frame, Label, Labels};
 use super::layer::{Arrows, Layer, Place, Reference};
 use super::load::load;
 use super::palette::{Color, Dash, Style};
-use super::trace::{INK, Point, sampled, thinned};
-
-/// Least distance of two markers; those in between are left out.
-const MARKER_DISTANCE: f64 = 26.0;
-/// Shortest arrow that a force other than zero gets.
-const SHORTEST: f64 = 14.0;
+use super::trace::{INK, Point, sampled};
 
 /// Draws `layer`, and asks for the labels that it wants.
 pub(super) fn draw(
@@ -23,13 +18,13 @@ pub(super) fn draw(
     labels: &mut Labels,
 ) -> Result<(), PlotError> {
     match layer {
-        Layer::Series { points, style, .. } => series(canvas, &placed(points, axes), *style, labels),
-        Layer::Area { points, level, color, .. } => {
+        Layer::Series { points, style, label } => series(canvas, &placed(points, axes), *style, label, frame, labels),
+        Layer::Area { points, level, color } => {
             area(canvas, &placed(points, axes), axes.y.place(*level), *color, labels)
         }
-        Layer::Arrows(layer) => arrows(canvas, layer, axes, frame, labels),
-        Layer::Foundation { points, .. } => foundation(canvas, &placed(points, axes), frame, labels),
-        Layer::Zones { intervals, level, .. } => {
+        Layer::Arrows(layer) => arrows(canvas, layer, axes, labels),
+        Layer::Foundation { points } => foundation(canvas, &placed(points, axes), frame, labels),
+        Layer::Zones { intervals, level } => {
             for &[from, to] in intervals {
                 zone(canvas, axes.place([from, *level]), axes.place([to, *level]))?;
             }
@@ -54,69 +49,47 @@ pub(super) fn draw(
     }
 }
 
-/// A sample of a layer for the legend, centred in height at `at`.
-pub(super) fn swatch(canvas: &Canvas<'_>, layer: &Layer, [x, y]: Point) -> Result<(), PlotError> {
-    let ends = [[x, y], [x + 88.0, y]];
-    match layer {
-        Layer::Series { style, .. } => {
-            if let Some(dash) = style.dash {
-                canvas.line(&ends, style.color, style.width, dash)?;
-            }
-            style.marker.map_or(Ok(()), |marker| canvas.mark([x + 44.0, y], marker, style.color))
-        }
-        Layer::Area { color, .. } => {
-            canvas.rectangle([x, y - 16.0], [x + 88.0, y + 16.0], *color, 0.25)?;
-            canvas.line(&[[x, y - 16.0], [x + 88.0, y - 16.0]], *color, 5, Dash::Solid)
-        }
-        Layer::Arrows(arrows) => canvas.arrow([x, y], [x + 88.0, y], arrows.color, SHAFT, arrows.dash),
-        Layer::Foundation { .. } => {
-            canvas.rectangle([x, y - 14.0], [x + 88.0, y + 18.0], Color::GROUND, 1.0)?;
-            canvas.line(&[[x, y - 14.0], [x + 88.0, y - 14.0]], Color::BLACK, 4, Dash::Solid)
-        }
-        Layer::Zones { .. } => zone(canvas, [x, y], [x + 88.0, y]),
-        Layer::Reference { .. } | Layer::Note { .. } | Layer::Supports { .. } | Layer::Load(_) => Ok(()),
-    }
-}
-
 fn placed(points: &[Place], axes: &Axes) -> Vec<Point> {
     points.iter().map(|&p| axes.place(p)).collect()
 }
 
-fn series(canvas: &Canvas<'_>, line: &[Point], style: Style, labels: &mut Labels) -> Result<(), PlotError> {
+fn series(
+    canvas: &Canvas<'_>,
+    line: &[Point],
+    style: Style,
+    name: &str,
+    frame: &Frame,
+    labels: &mut Labels,
+) -> Result<(), PlotError> {
     if let Some(dash) = style.dash {
         canvas.line(line, style.color, style.width, dash)?;
-        labels.avoid(sampled(&thinned(line), INK));
+        labels.avoid(sampled(line, INK));
     }
     if let Some(marker) = style.marker {
-        let mut last: Option<Point> = None;
         for &at in line {
-            let far = last.is_none_or(|last| MARKER_DISTANCE < (at[0] - last[0]).abs().max((at[1] - last[1]).abs()));
-            if far {
-                canvas.mark(at, marker, style.color)?;
-                last = Some(at);
-            }
+            canvas.mark(at, marker, style.color)?;
         }
         labels.avoid(line.iter().copied());
+    }
+    if let Some(&at) = line.last() {
+        let label = Label { text: name.to_owned(), at, color: style.color, optional: false, below: false };
+        if style.dash.is_some() && frame.ends_at(at[0]) {
+            labels.name(label);
+        } else {
+            labels.ask(label);
+        }
     }
     Ok(())
 }
 
-fn arrows(
-    canvas: &Canvas<'_>,
-    layer: &Arrows,
-    axes: &Axes,
-    frame: &Frame,
-    labels: &mut Labels,
-) -> Result<(), PlotError> {
-    let full = finite("the force of an arrow of full length", layer.full)?.abs();
+fn arrows(canvas: &Canvas<'_>, layer: &Arrows, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
     for arrow in &layer.arrows {
         let force = finite("the force of an arrow", arrow.force)?;
-        if force == 0.0 || full == 0.0 {
+        if force == 0.0 {
             continue;
         }
-        let length = (force.abs() / full * layer.part * (frame.bottom - frame.top)).max(SHORTEST);
         let tail = axes.place(arrow.at);
-        let tip = [tail[0], tail[1] - length.copysign(force)];
+        let tip = [tail[0], tail[1] + axes.length(force)];
         canvas.arrow(tail, tip, layer.color, SHAFT, layer.dash)?;
         labels.avoid(sampled(&[tail, tip], INK));
         labels.ask(Label {
@@ -138,7 +111,7 @@ fn area(canvas: &Canvas<'_>, line: &[Point], base: f64, color: Color, labels: &m
         canvas.fill(&outline, color, 0.25)?;
     }
     canvas.line(line, color, 5, Dash::Solid)?;
-    labels.avoid(sampled(&thinned(line), INK));
+    labels.avoid(sampled(line, INK));
     Ok(())
 }
 
@@ -158,7 +131,7 @@ fn reference(
         }
         Reference::Y(y) => {
             let y = axes.y.place(y);
-            ([[frame.left, y], [frame.right, y]], [frame.right - 300.0, y])
+            ([[frame.left, y], [frame.right, y]], [frame.right - 400.0, y])
         }
     };
     canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;

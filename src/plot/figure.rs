@@ -20,7 +20,7 @@ pub struct Figure {
 
 /// Around the figure, and between the lines of its title \[drawing units\].
 pub(super) const MARGIN: f64 = 40.0;
-pub(super) const TITLE_LINE: f64 = 60.0;
+pub(super) const TITLE_LINE: f64 = 74.0;
 
 impl Figure {
     /// A figure with its panels one below the other.
@@ -37,35 +37,55 @@ impl Figure {
         if self.panels.is_empty() {
             return Err(PlotError::Empty { what: "a figure" });
         }
-        let columns = self.columns.clamp(1, self.panels.len());
         let sheet = f64::from(WIDTH);
-        let width = sheet / f64::from(u32::try_from(columns).unwrap_or(1));
         let title = wrapped(&self.title, sheet - 2.0 * MARGIN, Type::TITLE);
-        let top = 1.5 * MARGIN + TITLE_LINE * f64::from(u32::try_from(title.len()).unwrap_or(0));
-        let rows: Vec<(&[Panel], f64)> = self
-            .panels
-            .chunks(columns)
-            .map(|row| (row, row.iter().fold(0.0_f64, |most, panel| most.max(panel.total_height(width)))))
-            .collect();
-        let height = top + rows.iter().map(|(_, height)| height).sum::<f64>();
-        document(&self.title, &self.description, whole(height), |canvas| {
-            let mut y = MARGIN;
-            for line in &title {
-                canvas.text(line, [MARGIN, y + 0.5 * TITLE_LINE], Align::Left, Type::TITLE)?;
-                y += TITLE_LINE;
-            }
-            y += 0.5 * MARGIN;
-            for (row, height) in &rows {
-                let mut x = 0.0;
-                for panel in *row {
-                    panel.draw(canvas, [x, y], width)?;
-                    x += width;
+        let mut top = MARGIN + TITLE_LINE * count(title.len()) + 0.7 * MARGIN;
+        let rows = self.rows();
+        let mut places = Vec::new();
+        for row in &rows {
+            let width = sheet / count(row.len());
+            let mut height: f64 = 0.0;
+            for (column, &panel) in row.iter().enumerate() {
+                // Frames that stand one below the other have the same sides.
+                let mut margins = [0.0_f64; 2];
+                for other in rows.iter().filter(|other| other.len() == row.len()) {
+                    let [left, right] = other[column].margins(width)?;
+                    margins = [margins[0].max(left), margins[1].max(right)];
                 }
-                y += height;
+                height = height.max(panel.total_height(width)?);
+                places.push((panel, [width * count(column), top], width, margins));
+            }
+            top += height;
+        }
+        document(&self.title, &self.description, whole(top), |canvas| {
+            for (i, line) in title.iter().enumerate() {
+                let y = MARGIN + TITLE_LINE * (count(i) + 0.5);
+                canvas.text(line, [MARGIN, y], Align::Left, Type::TITLE)?;
+            }
+            for (panel, corner, width, margins) in places {
+                panel.draw(canvas, corner, width, margins)?;
             }
             Ok(())
         })
     }
+
+    /// The panels row by row; each takes an equal part of its row.
+    fn rows(&self) -> Vec<Vec<&Panel>> {
+        let mut rows: Vec<Vec<&Panel>> = Vec::new();
+        for panel in &self.panels {
+            match rows.last_mut() {
+                Some(row) if row.len() < self.columns && !panel.wide && !row.iter().any(|other| other.wide) => {
+                    row.push(panel);
+                }
+                _ => rows.push(vec![panel]),
+            }
+        }
+        rows
+    }
+}
+
+fn count(n: usize) -> f64 {
+    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
 /// A height in whole drawing units.

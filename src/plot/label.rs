@@ -1,6 +1,6 @@
 //! Where labels go: near their point, inside the panel, off each other and off the lines.
 
-use super::canvas::{Align, Canvas, Type, text_width};
+use super::canvas::{Align, Canvas, TEXT, Type, text_width};
 use super::error::PlotError;
 use super::palette::{Color, Dash};
 use super::trace::Point;
@@ -32,6 +32,11 @@ impl Frame {
         self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
     }
 
+    /// Whether a line that ends at `x` ends at the right side, but for the room that an axis leaves there.
+    pub(super) fn ends_at(&self, x: f64) -> bool {
+        self.right - 0.09 * (self.right - self.left) < x
+    }
+
     fn holds(&self, [x, y]: Point) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
@@ -41,12 +46,17 @@ impl Frame {
 #[derive(Debug, Default)]
 pub(super) struct Labels {
     wanted: Vec<Label>,
+    /// Names of lines that end at the right side of the frame: they stand beside it.
+    names: Vec<Label>,
     /// Points of lines, which a label had better not cover.
     ink: Vec<Point>,
 }
 
 /// Distances between a point and its label, the nearest first.
 const RINGS: [f64; 6] = [12.0, 30.0, 60.0, 100.0, 150.0, 210.0];
+
+/// Distance of a name from the right side of the frame.
+pub(super) const BESIDE: f64 = 44.0;
 
 /// A label farther from its point than this gets a line to it.
 const FAR: f64 = 45.0;
@@ -58,12 +68,27 @@ impl Labels {
         }
     }
 
+    /// The name of a line that ends at the right side of the frame.
+    pub(super) fn name(&mut self, label: Label) {
+        if !label.text.is_empty() {
+            self.names.push(label);
+        }
+    }
+
     pub(super) fn avoid(&mut self, points: impl IntoIterator<Item = Point>) {
         self.ink.extend(points);
     }
 
     /// Writes the labels, first come first served, those that must be written before those that may be left out.
     pub(super) fn write(mut self, canvas: &Canvas<'_>, bounds: &Frame) -> Result<(), PlotError> {
+        self.names.sort_by(|a, b| a.at[1].total_cmp(&b.at[1]));
+        let heights = apart(&self.names.iter().map(|name| name.at[1]).collect::<Vec<_>>(), bounds);
+        for (name, y) in self.names.iter().zip(heights) {
+            let [from, to] = [[name.at[0] + 14.0, name.at[1]], [bounds.right + BESIDE - 12.0, y]];
+            canvas.line(&[from, to], name.color, 2, Dash::Solid)?;
+            let kind = Type { color: name.color, ..Type::PLAIN };
+            canvas.text(&name.text, [bounds.right + BESIDE, y], Align::Left, kind)?;
+        }
         self.wanted.sort_by_key(|label| label.optional);
         let mut taken: Vec<Frame> = Vec::new();
         for label in &self.wanted {
@@ -134,6 +159,31 @@ impl Labels {
     }
 }
 
+/// Heights near those wanted, in their order, a line of text apart and, as far as there is room, inside the frame.
+fn apart(wanted: &[f64], bounds: &Frame) -> Vec<f64> {
+    const LINE: f64 = 1.12 * TEXT;
+    let mut heights: Vec<f64> = Vec::new();
+    // Labels that would meet share the middle of what they want: groups of equal distance, merged until none meet.
+    let mut groups: Vec<(f64, usize)> = Vec::new();
+    for &y in wanted {
+        groups.push((y, 1));
+        while let [.., (above, m), (below, n)] = groups[..] {
+            if above + 0.5 * LINE * count(m) <= below - 0.5 * LINE * count(n) {
+                break;
+            }
+            let middle = (above * count(m) + below * count(n)) / count(m + n);
+            groups.truncate(groups.len() - 2);
+            groups.push((middle, m + n));
+        }
+    }
+    for (middle, n) in groups {
+        let half = 0.5 * LINE * count(n);
+        let middle = clamped(middle, bounds.top + half, bounds.bottom - half);
+        heights.extend((0..n).map(|k| middle - half + LINE * (count(k) + 0.5)));
+    }
+    heights
+}
+
 /// `value` between `lo` and `hi`; in the middle if there is nothing between them.
 fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
     if lo <= hi { value.clamp(lo, hi) } else { 0.5 * (lo + hi) }
@@ -141,4 +191,18 @@ fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
 
 fn count(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Frame, apart};
+
+    #[test]
+    fn names_of_lines_stand_a_line_apart() {
+        let bounds = Frame { left: 0.0, top: 0.0, right: 100.0, bottom: 1000.0 };
+        let heights = apart(&[100.0, 105.0, 600.0, 995.0, 996.0], &bounds);
+        assert!(heights.windows(2).all(|pair| 50.0 < pair[1] - pair[0]), "{heights:?}");
+        assert!((heights[2] - 600.0).abs() < 1e-9, "one that has room stays: {heights:?}");
+        assert!(heights.iter().all(|y| (0.0..=1000.0).contains(y)), "{heights:?}");
+    }
 }

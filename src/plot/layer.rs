@@ -5,7 +5,7 @@ use super::palette::{Color, Dash, Style};
 /// A point in the numbers of the axes, `[x, y]`.
 pub type Place = [f64; 2];
 
-/// One thing that is drawn in a panel. A label that is empty does not appear in the legend.
+/// One thing that is drawn in a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Layer {
     /// A line, markers, or both.
@@ -14,7 +14,7 @@ pub enum Layer {
         points: Vec<Place>,
         /// Look.
         style: Style,
-        /// Name in the legend.
+        /// Name, written in its colour at its last point, or beside the frame if a line ends there; empty for none.
         label: String,
     },
     /// The area between a curve and a level.
@@ -25,8 +25,6 @@ pub enum Layer {
         level: f64,
         /// Colour, drawn light.
         color: Color,
-        /// Name in the legend.
-        label: String,
     },
     /// Concentrated forces.
     Arrows(Arrows),
@@ -34,8 +32,6 @@ pub enum Layer {
     Foundation {
         /// The line.
         points: Vec<Place>,
-        /// Name in the legend.
-        label: String,
     },
     /// Stretches of contact as thick bars; a single point of contact is a dot.
     Zones {
@@ -43,14 +39,12 @@ pub enum Layer {
         intervals: Vec<[f64; 2]>,
         /// Height at which they lie.
         level: f64,
-        /// Name in the legend.
-        label: String,
     },
     /// A dotted line across the panel.
     Reference {
         /// Where it crosses.
         at: Reference,
-        /// Text beside it; not in the legend.
+        /// Text beside it.
         text: String,
     },
     /// Words at a point.
@@ -80,21 +74,15 @@ pub enum Reference {
     Y(f64),
 }
 
-/// Forces as arrows whose length stands for the force and for nothing else, least of all for the spacing of a grid.
+/// Forces as arrows whose length is read on the force axis of the panel, or on its vertical axis if it has none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrows {
     /// The arrows.
     pub arrows: Vec<Arrow>,
-    /// The force whose arrow has the full length; the same in all layers that are to be compared.
-    pub full: f64,
-    /// The full length as a part of the height of the panel.
-    pub part: f64,
     /// Colour.
     pub color: Color,
     /// How the shaft is drawn.
     pub dash: Dash,
-    /// Name in the legend.
-    pub label: String,
 }
 
 /// A force, positive upwards on the page whichever way the axis grows. The arrow starts at its place.
@@ -135,7 +123,7 @@ impl Layer {
     /// Numbers on the x axis that the layer needs.
     pub(super) fn xs(&self) -> Vec<f64> {
         match self {
-            Self::Series { points, .. } | Self::Area { points, .. } | Self::Foundation { points, .. } => firsts(points),
+            Self::Series { points, .. } | Self::Area { points, .. } | Self::Foundation { points } => firsts(points),
             Self::Arrows(arrows) => arrows.arrows.iter().map(|a| a.at[0]).collect(),
             Self::Zones { intervals, .. } => intervals.iter().flatten().copied().collect(),
             Self::Reference { at: Reference::X(x), .. } => vec![*x],
@@ -153,7 +141,7 @@ impl Layer {
     /// Numbers on the y axis that the layer needs.
     pub(super) fn ys(&self) -> Vec<f64> {
         match self {
-            Self::Series { points, .. } | Self::Foundation { points, .. } => seconds(points),
+            Self::Series { points, .. } | Self::Foundation { points } => seconds(points),
             Self::Area { points, level, .. } => {
                 let mut ys = seconds(points);
                 ys.push(*level);
@@ -169,17 +157,20 @@ impl Layer {
         }
     }
 
-    /// Name in the legend, if the layer appears there.
-    pub(super) fn legend(&self) -> Option<&str> {
-        let label = match self {
-            Self::Series { label, .. }
-            | Self::Area { label, .. }
-            | Self::Foundation { label, .. }
-            | Self::Zones { label, .. } => label,
-            Self::Arrows(arrows) => &arrows.label,
-            Self::Reference { .. } | Self::Note { .. } | Self::Supports { .. } | Self::Load(_) => return None,
-        };
-        Some(label.as_str()).filter(|label| !label.is_empty())
+    /// The forces that the layer draws as arrows.
+    pub(super) fn forces(&self) -> impl Iterator<Item = f64> {
+        let arrows = if let Self::Arrows(layer) = self { layer.arrows.as_slice() } else { &[] };
+        arrows.iter().map(|arrow| arrow.force)
+    }
+
+    /// Where a line with a name ends.
+    pub(super) fn named_end(&self) -> Option<(Place, &str)> {
+        match self {
+            Self::Series { points, style, label } if style.dash.is_some() && !label.is_empty() => {
+                points.last().map(|&end| (end, label.as_str()))
+            }
+            _ => None,
+        }
     }
 }
 

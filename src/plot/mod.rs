@@ -1,6 +1,6 @@
 //! Figures as SVG: pure functions from data to text, the same to the byte for the same data, without I/O.
 //!
-//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`solution`] draws a beam in its final position, [`paper`]
+//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`solution`] draws a beam in its final position, `paper`
 //! the figures of the paper, [`study`] convergence and regimes, [`table`] verdicts and bars. Deflections and bending
 //! moments grow downwards; a concentrated force is an arrow with its value, on a scale of forces of its own.
 
@@ -31,9 +31,9 @@ pub use error::PlotError;
 pub use figure::Figure;
 pub use layer::{Arrow, Arrows, Layer, LoadSketch, Place, Reference};
 pub use number::significant;
-pub use palette::{Color, Dash, Marker, Style};
+pub use palette::{Color, Dash, Marker, Style, dark_rules};
 pub use panel::Panel;
-pub use solution::{curves, solution};
+pub use solution::{curves, sheet, solution};
 
 #[cfg(test)]
 mod tests;

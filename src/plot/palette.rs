@@ -7,6 +7,32 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Color(pub u8, pub u8, pub u8);
 
+/// What each colour becomes in dark surroundings. The paper is a property that a page may set to its own.
+const DARK: [(Color, &str); 12] = [
+    (Color::BLACK, "#E6EDF3"),
+    (Color::BLUE, "#479FE6"),
+    (Color::VERMILLION, "#F4803C"),
+    (Color::GREEN, "#2CC295"),
+    (Color::PURPLE, "#E09AC2"),
+    (Color::ORANGE, "#F0B93A"),
+    (Color::SKY, "#8CD0F5"),
+    (Color::WHITE, "var(--figure-paper, #0D1117)"),
+    (Color::GRAY, "#A6AFB9"),
+    (Color::GRID, "#30363D"),
+    (Color::PALE, "#59616B"),
+    (Color::GROUND, "#3B352C"),
+];
+
+/// Style rules that turn a figure dark, each selector behind `scope`: empty, or for example `html.dark ` where a page decides.
+#[must_use]
+pub fn dark_rules(scope: &str) -> String {
+    let rule = |(Color(red, green, blue), dark): (Color, &str)| {
+        let color = format!("#{red:02X}{green:02X}{blue:02X}");
+        format!("{scope}[fill=\"{color}\"]{{fill:{dark}}}{scope}[stroke=\"{color}\"]{{stroke:{dark}}}")
+    };
+    DARK.map(rule).concat()
+}
+
 impl Color {
     /// Black: text, beam, axes.
     pub const BLACK: Self = Self(0, 0, 0);
@@ -73,6 +99,7 @@ pub enum Marker {
     Diamond,
     Cross,
     Plus,
+    Star,
 }
 
 /// The look of one series.

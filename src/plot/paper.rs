@@ -1,4 +1,4 @@
-//! The figures of the paper: contact pressure and deflection of its example, beside beam theory.
+//! The figures of the paper: contact forces and deflection of its example, beside beam theory.
 //!
 //! Plain numbers in, a drawing out: nothing here solves anything.
 
@@ -10,12 +10,13 @@ use super::number::{DIGITS, significant};
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
 
-// Discrepancy: figures-halves
+// Discrepancy: figures-redrawn
 //
-// The drawings of the paper's figures are lost. Figure 4 carried two labels, beam theory and finite differences; here
-// they take a half of the beam each, in Figure 7 as well. The example is symmetric, so nothing is lost, and the point
-// force of beam theory at the lift-off point does not cover the nodal force that stands for it, a fraction of an interval
-// away. Tried: both over the whole beam; the arrows cannot be told apart.
+// The drawings of the paper's figures are lost, and the text speaks of contact pressure. Figures 4 and 7 show contact forces
+// at the nodes instead: beam theory has a point force at the lift-off point, which is no pressure, and forces at nodes and
+// that force are read on one axis. The pressure of a node is its force over the spacing. Theory and method stand in the same
+// place over the whole beam; a second panel shows the left lift-off point larger, and a third one the sum of the contact
+// forces from the left end. Figure 8 has a second panel with the difference from beam theory.
 
 /// Beam theory on a flat foundation with a contact zone: the paper's reference solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +38,7 @@ pub struct Theory<'a> {
 /// Nodal values of one method on equal intervals, interior nodes only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nodal<'a> {
-    /// Name in the legend.
+    /// Name in the figure.
     pub label: &'a str,
     /// Places.
     pub x: &'a [f64],
@@ -47,173 +48,180 @@ pub struct Nodal<'a> {
     pub contact_force: &'a [f64],
 }
 
-/// So many nodal forces at the end of the contact are drawn as arrows: a point force between two nodes is shared by them.
-const END_NODES: usize = 2;
-
-/// Contact pressure above, deflection below: Figure 4.
+/// Contact forces over the whole beam, at the left lift-off point, and summed from the left end: Figures 4 and 7.
 ///
 /// # Errors
 ///
 /// A [`PlotError`] for numbers that are not finite, lists of unequal length and fewer than two nodes.
-pub fn pressure_and_shape(
-    title: &str,
-    description: &str,
-    theory: &Theory<'_>,
-    nodal: &Nodal<'_>,
-) -> Result<String, PlotError> {
-    let panels = vec![pressure_panel(theory, nodal)?, shape_panel(theory, &[*nodal])?];
-    Figure::new(title, described(description, theory, nodal), panels).svg()
-}
-
-/// Contact pressure: the first of Figures 7 and 8.
-///
-/// # Errors
-///
-/// As [`pressure_and_shape`].
-pub fn pressure(title: &str, description: &str, theory: &Theory<'_>, nodal: &Nodal<'_>) -> Result<String, PlotError> {
-    let panels = vec![pressure_panel(theory, nodal)?];
-    Figure::new(title, described(description, theory, nodal), panels).svg()
-}
-
-/// Deflection by one or more methods: the second of Figures 7 and 8.
-///
-/// # Errors
-///
-/// As [`pressure_and_shape`].
-pub fn shape(title: &str, description: &str, theory: &Theory<'_>, nodal: &[Nodal<'_>]) -> Result<String, PlotError> {
-    Figure::new(title, description, vec![shape_panel(theory, nodal)?]).svg()
-}
-
-/// The arrows of the right half, outermost first.
-fn end_forces(nodal: &Nodal<'_>, length: f64) -> Vec<(f64, f64)> {
-    let right = nodal.x.iter().zip(nodal.contact_force).map(|(&x, &f)| (x, f)).rev();
-    right.filter(|&(x, f)| 0.5 * length < x && f != 0.0).take(END_NODES).collect()
-}
-
-fn described(description: &str, theory: &Theory<'_>, nodal: &Nodal<'_>) -> String {
-    let forces: Vec<String> = end_forces(nodal, theory.length)
-        .iter()
-        .map(|&(x, f)| format!("{} at x = {}", significant(f, DIGITS), significant(x, DIGITS)))
-        .collect();
-    format!(
-        "{description} Left half: beam theory, pressure {} from x = {} with a point force {} there. Right half: {}, outermost \
-         contact forces {}.",
-        significant(theory.pressure, DIGITS),
-        significant(theory.lift_off, DIGITS),
-        significant(theory.end_force, DIGITS),
-        nodal.label,
-        forces.join(" and "),
-    )
-}
-
-fn pressure_panel(theory: &Theory<'_>, nodal: &Nodal<'_>) -> Result<Panel, PlotError> {
+pub fn contact(title: &str, description: &str, theory: &Theory<'_>, nodal: &Nodal<'_>) -> Result<String, PlotError> {
+    /// Intervals that are shown on either side of the lift-off point.
+    const BEFORE: f64 = 1.4;
+    const BEHIND: f64 = 4.4;
     same_length("the contact forces", nodal.contact_force, nodal.x)?;
     let [first, second, ..] = nodal.x else {
         return Err(PlotError::Empty { what: "a list of two or more nodes" });
     };
-    let step = second - first;
-    let (l, a, middle) = (theory.length, theory.lift_off, 0.5 * theory.length);
-    let ends = end_forces(nodal, l);
-    let innermost = ends.iter().fold(l, |least, &(x, _)| least.min(x));
-    let inner = pressures(nodal, step, middle, innermost);
-    let steps = inner.iter().flat_map(|&[x, p]| [[(x - 0.5 * step).max(middle), p], [x + 0.5 * step, p]]).collect();
-    let mut full = theory.end_force.abs();
-    for &(_, f) in &ends {
-        full = full.max(finite("a contact force", f)?.abs());
-    }
-    let arrow = |at: f64, force: f64, name: &str| Arrow {
-        at: [at, 0.0],
-        force,
-        text: format!("{name}{}", significant(force, DIGITS)),
-        optional: false,
-    };
-    let arrows = |arrows: Vec<Arrow>, color: Color, dash: Dash, label: &str| {
-        Layer::Arrows(Arrows { arrows, full, part: 0.62, color, dash, label: label.to_owned() })
-    };
-    let axis = Axis::new("contact pressure p, force per length, and contact forces as arrows").including(&[0.0]);
-    let panel = Panel::new(along(l, "x"), axis)
-        .tall(560.0)
-        .room(230.0, 40.0)
-        .with(Layer::Area {
-            points: steps,
-            level: 0.0,
-            color: Color::BLUE,
-            label: format!("right half: {}", nodal.label),
-        })
-        .with(Layer::Series {
-            points: inner.into_iter().filter(|p| middle <= p[0]).collect(),
-            style: Style::marks(Color::BLUE, Marker::Circle),
-            label: String::new(),
-        })
-        .with(Layer::Area {
-            points: vec![[a, theory.pressure], [middle, theory.pressure]],
-            level: 0.0,
-            color: Color::PALE,
-            label: String::new(),
-        })
-        .with(beam(l, 0.0))
-        .with(Layer::Series {
-            points: vec![[a, 0.0], [a, theory.pressure], [l - a, theory.pressure]],
-            style: Style::theory(),
-            label: "beam theory: p = q₀".to_owned(),
-        })
-        .with(Layer::Reference { at: Reference::X(middle), text: String::new() })
-        .with(arrows(ends.iter().map(|&(x, f)| arrow(x, f, "")).collect(), Color::BLUE, Dash::Solid, "nodal force"))
-        .with(arrows(vec![arrow(a, theory.end_force, "T = ")], Color::GRAY, Dash::Dashed, "beam theory: T"));
-    Ok(panel)
+    let (l, a, step) = (theory.length, theory.lift_off, second - first);
+    let whole = forces_panel(theory, nodal, step, [0.0, l], "contact force at each node").wide();
+    let near = [(a - BEFORE * step).max(0.0), (a + BEHIND * step).min(l)];
+    let zoom = forces_panel(theory, nodal, step, near, "the same at the left lift-off point");
+    let description = format!(
+        "{description} Beam theory, dashed: {} for each interval of the contact zone, and a point force T = {} at its end x = \
+         {}. Arrows: nodal forces by {}.",
+        significant(theory.pressure * step, DIGITS),
+        significant(theory.end_force, DIGITS),
+        significant(a, DIGITS),
+        nodal.label,
+    );
+    let figure = Figure::new(title, description, vec![whole, zoom, sum_panel(theory, nodal)]);
+    Figure { columns: 2, ..figure }.svg()
 }
 
-/// Contact forces per interval, `p_i / Δ`, from mid-span to the node before `end`.
-fn pressures(nodal: &Nodal<'_>, step: f64, middle: f64, end: f64) -> Vec<Place> {
-    let nodes = nodal.x.iter().zip(nodal.contact_force);
-    let inside = nodes.filter(|&(&x, _)| middle <= x + 0.5 * step && x < end);
-    inside.map(|(&x, &f)| [x, f / step]).collect()
-}
-
-fn shape_panel(theory: &Theory<'_>, nodal: &[Nodal<'_>]) -> Result<Panel, PlotError> {
-    const MARKERS: [(Color, Marker); 3] =
-        [(Color::BLUE, Marker::OpenCircle), (Color::VERMILLION, Marker::Plus), (Color::GREEN, Marker::Cross)];
+/// Nodal forces and those of beam theory between two places.
+fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, [from, to]: [f64; 2], name: &str) -> Panel {
     let (l, a) = (theory.length, theory.lift_off);
-    let axis = Axis::new("deflection v, downwards").down().including(&[0.0]);
-    let mut panel = Panel::new(along(l, "x"), axis)
-        .tall(520.0)
-        .room(40.0, 40.0)
-        .with(Layer::Foundation {
-            points: vec![[0.0, theory.depth], [l, theory.depth]],
-            label: "foundation".to_owned(),
+    let all = to - from == l;
+    let level = theory.pressure * step;
+    let inside = |x: f64| from <= x && x <= to;
+    let arrow = |x: f64, force: f64, text: String| Arrow { at: [x, 0.0], force, text, optional: false };
+    let mut written = 0;
+    // Over the whole beam T is written at the left end and the nodal force that stands for it at the right one.
+    let nodes = nodal.x.iter().zip(nodal.contact_force).rev().filter(|(x, _)| inside(**x));
+    let mut forces: Vec<Arrow> = nodes
+        .map(|(&x, &force)| {
+            written += usize::from(force != 0.0);
+            let text = if all && 1 < written { String::new() } else { significant(force, DIGITS) };
+            arrow(x, force, if force == 0.0 { String::new() } else { text })
         })
-        .with(beam(l, 0.0))
-        .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
+        .collect();
+    forces.reverse();
+    let ends = [(a, format!("T = {}", significant(theory.end_force, DIGITS))), (l - a, String::new())];
+    let ends = ends.into_iter().filter(|(x, _)| inside(*x));
+    let theory_arrows = ends.map(|(x, text)| arrow(x, theory.end_force, text)).collect();
+    let arrows = |arrows: Vec<Arrow>, color: Color, dash: Dash| Layer::Arrows(Arrows { arrows, color, dash });
+    let most = nodal.contact_force.iter().fold(theory.end_force, |most, force| most.max(*force));
+    let axis = Axis { padding: 0.02, ..Axis::new(name).including(&[0.0, most]) };
+    let label =
+        if all { format!("beam theory: q₀Δ = {} and T", significant(level, DIGITS)) } else { "q₀Δ".to_owned() };
+    let words = |at: Place, color: Color, label: &str| Layer::Series {
+        points: vec![at],
+        style: Style { color, dash: None, marker: None, width: 0 },
+        label: label.to_owned(),
+    };
+    let mut panel = Panel::new(along([from, to]), axis)
+        .tall(620.0)
+        .room(70.0, 10.0)
+        .with(beam([from, to]))
+        .with(arrows(theory_arrows, Color::GRAY, Dash::Dashed))
+        .with(arrows(forces, Color::BLUE, Dash::Solid))
         .with(Layer::Series {
-            points: theory.deflection.to_vec(),
+            points: vec![[a.max(from), level], [(l - a).min(to), level]],
             style: Style::theory(),
-            label: "beam theory".to_owned(),
+            label: String::new(),
         });
-    for (nodal, &(color, marker)) in nodal.iter().zip(MARKERS.iter().cycle()) {
+    if all {
+        panel = panel.with(words([0.5 * l, 2.4 * level], Color::BLUE, nodal.label)).with(words(
+            [0.5 * l, 1.4 * level],
+            Color::GRAY,
+            &label,
+        ));
+    }
+    panel
+}
+
+/// The sum of the contact forces from the left end.
+fn sum_panel(theory: &Theory<'_>, nodal: &Nodal<'_>) -> Panel {
+    let (l, a, t) = (theory.length, theory.lift_off, theory.end_force);
+    let inner = t + theory.pressure * (l - 2.0 * a);
+    let mut sum = 0.0;
+    let mut steps = vec![[0.0, 0.0]];
+    for (&x, &force) in nodal.x.iter().zip(nodal.contact_force) {
+        steps.push([x, sum]);
+        sum += force;
+        steps.push([x, sum]);
+    }
+    steps.push([l, sum]);
+    let dashed = vec![[0.0, 0.0], [a, 0.0], [a, t], [l - a, inner], [l - a, inner + t], [l, inner + t]];
+    let style = Style { color: Color::BLACK, ..Style::theory() };
+    Panel::new(along([0.0, l]), Axis::new("sum of contact forces from the left"))
+        .tall(620.0)
+        .with(Layer::Series { points: steps, style: Style::solid(Color::BLUE), label: String::new() })
+        .with(Layer::Series { points: dashed, style, label: String::new() })
+}
+
+/// Deflection by one or more methods beside beam theory, and the difference: Figure 8.
+///
+/// # Errors
+///
+/// As [`contact`].
+pub fn shape(title: &str, description: &str, theory: &Theory<'_>, nodal: &[Nodal<'_>]) -> Result<String, PlotError> {
+    const LOOKS: [(Color, Marker); 3] =
+        [(Color::BLUE, Marker::OpenCircle), (Color::VERMILLION, Marker::Plus), (Color::GREEN, Marker::Cross)];
+    /// By what the differences are multiplied.
+    const LARGER: f64 = 1000.0;
+    let (l, a) = (theory.length, theory.lift_off);
+    let axis = Axis::new("deflection v, downwards, beside the depth u₀").down().including(&[0.0]);
+    let mut shapes = Panel::new(along([0.0, l]), axis)
+        .tall(560.0)
+        .room(40.0, 60.0)
+        .with(Layer::Foundation { points: vec![[0.0, theory.depth], [l, theory.depth]] })
+        .with(beam([0.0, l]))
+        .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
+        .with(Layer::Series { points: theory.deflection.to_vec(), style: Style::theory(), label: String::new() });
+    let mut differences = Panel::new(along([0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
+        .tall(460.0)
+        .with(beam([0.0, l]));
+    for (k, (nodal, &(color, marker))) in nodal.iter().zip(LOOKS.iter().cycle()).enumerate() {
         same_length("the deflections", nodal.deflection, nodal.x)?;
-        let points = nodal.x.iter().zip(nodal.deflection).map(|(&x, &v)| [x, v]).collect();
-        panel = panel.with(Layer::Series { points, style: Style::marks(color, marker), label: nodal.label.to_owned() });
+        let style = Style::marks(color, marker);
+        let points: Vec<Place> = nodal.x.iter().zip(nodal.deflection).map(|(&x, &v)| [x, v]).collect();
+        let off = |&[x, v]: &Place| -> Result<Place, PlotError> {
+            Ok([x, LARGER * (v - at(theory.deflection, finite("a place", x)?))])
+        };
+        let points_off = points.iter().map(off).collect::<Result<_, _>>()?;
+        // The names stand one above the other at mid-span, where there is room above the beam.
+        let name = [
+            0.5 * l,
+            theory.depth * if k == 0 { 0.35 } else { 0.55 + 0.2 * (f64::from(u8::try_from(k).unwrap_or(9)) - 1.0) },
+        ];
+        shapes = shapes.with(Layer::Series { points, style, label: String::new() }).with(Layer::Series {
+            points: vec![name],
+            style,
+            label: nodal.label.to_owned(),
+        });
+        differences = differences.with(Layer::Series { points: points_off, style, label: String::new() });
     }
     for (x, name) in [(a, "a"), (l - a, "l − a")] {
         let text = format!("{name} = {}", significant(x, DIGITS));
-        panel = panel.with(Layer::Reference { at: Reference::X(x), text });
+        shapes = shapes.with(Layer::Reference { at: Reference::X(x), text });
+        differences = differences.with(Layer::Reference { at: Reference::X(x), text: String::new() });
     }
-    Ok(panel)
+    Figure::new(title, description, vec![shapes, differences]).svg()
 }
 
-fn along(length: f64, label: &str) -> Axis {
-    Axis { padding: 0.03, ..Axis::new(label).including(&[0.0, length]) }
+/// A curve between its points.
+fn at(curve: &[Place], x: f64) -> f64 {
+    let k = curve.partition_point(|p| p[0] <= x);
+    match (k.checked_sub(1).and_then(|k| curve.get(k)), curve.get(k)) {
+        (Some(&[from, start]), Some(&[to, end])) => start + (end - start) * (x - from) / (to - from),
+        (Some(p), None) | (None, Some(p)) => p[1],
+        (None, None) => 0.0,
+    }
+}
+
+fn along(range: [f64; 2]) -> Axis {
+    Axis { padding: 0.03, ..Axis::new("x").including(&range) }
 }
 
 /// The line of the unloaded beam.
-fn beam(length: f64, level: f64) -> Layer {
+fn beam([from, to]: [f64; 2]) -> Layer {
     let style = Style { width: 3, ..Style::solid(Color::BLACK) };
-    Layer::Series { points: vec![[0.0, level], [length, level]], style, label: String::new() }
+    Layer::Series { points: vec![[from, 0.0], [to, 0.0]], style, label: String::new() }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Nodal, PlotError, Theory, pressure, pressure_and_shape, shape};
+    use super::{Nodal, PlotError, Theory, contact, shape};
 
     const THEORY: Theory<'static> = Theory {
         length: 8.0,
@@ -232,43 +240,40 @@ mod tests {
     };
 
     #[test]
-    fn point_forces_are_arrows_with_their_value() {
-        let svg = pressure_and_shape("Figure", "The example.", &THEORY, &NODAL).expect("a figure");
-        for text in [
-            "T = 1.688",
-            "\n2.125\n",
-            "\n1.25\n",
-            "a = 2.25",
-            "right half: a &lt; b",
-            "<desc id=\"desc\">The example. Left half",
-        ] {
+    fn theory_and_method_stand_beside_each_other() {
+        let svg = contact("Figure", "The example.", &THEORY, &NODAL).expect("a figure");
+        for text in [">T = 1.688<", ">2.125<", ">1.25<", ">a &lt; b<", "<desc id=\"desc\">The example. Beam theory"] {
             assert!(svg.contains(text), "`{text}` is missing");
         }
     }
 
-    #[test]
-    fn arrows_do_not_depend_on_the_spacing() {
-        // The same forces on nodes that lie closer: the shafts keep their length.
-        let shafts = |x: &[f64]| {
-            let svg = pressure("Figure", "", &THEORY, &Nodal { x, ..NODAL }).expect("a figure");
-            let heights = svg.lines().filter(|line| line.contains("#0072B2") && line.contains("stroke-width=\"7\""));
-            heights
-                .map(|line| line.split(',').skip(1).map(|y| y.split(' ').next().map(str::to_owned)).collect::<Vec<_>>())
-                .collect::<Vec<_>>()
+    /// Height of the arrow of a colour that is the longest, in drawing units, head included.
+    fn longest(svg: &str, color: &str) -> f64 {
+        let ys = |line: &str| -> Vec<f64> {
+            let points = line.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
+            points.split(' ').filter_map(|p| p.split(',').nth(1)?.parse().ok()).collect()
         };
-        let close: Vec<f64> = X.iter().map(|x| 4.0 + 0.1 * (x - 4.0)).collect();
-        assert_eq!(shafts(&X).len(), 3, "two arrows and one in the legend");
-        assert_eq!(shafts(&X), shafts(&close));
+        let lines: Vec<&str> = svg.lines().collect();
+        let arrows =
+            lines.windows(2).filter(|pair| pair[0].contains(&format!("stroke=\"{color}\" stroke-width=\"7\"")));
+        arrows.map(|pair| ys(pair[0])[0] - ys(pair[1])[0]).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn arrows_of_theory_and_method_are_on_one_scale() {
+        let svg = contact("Figure", "", &THEORY, &NODAL).expect("a figure");
+        let (nodal, theory) = (longest(&svg, "#0072B2"), longest(&svg, "#5A5A5A"));
+        assert!((nodal / theory - 2.125 / 1.6875).abs() < 0.01, "{nodal} for 2.125, {theory} for 1.6875");
     }
 
     #[test]
     fn broken_data_are_refused() {
         let nan = Theory { end_force: f64::NAN, ..THEORY };
-        assert!(matches!(pressure("", "", &nan, &NODAL), Err(PlotError::NotFinite { .. })), "NaN");
+        assert!(matches!(contact("", "", &nan, &NODAL), Err(PlotError::NotFinite { .. })), "NaN");
         let short = Nodal { contact_force: &[1.0], ..NODAL };
-        assert!(matches!(pressure("", "", &THEORY, &short), Err(PlotError::LengthMismatch { .. })), "lengths");
+        assert!(matches!(contact("", "", &THEORY, &short), Err(PlotError::LengthMismatch { .. })), "lengths");
         let one = Nodal { x: &[4.0], contact_force: &[1.0], ..NODAL };
-        assert!(matches!(pressure("", "", &THEORY, &one), Err(PlotError::Empty { .. })), "one node");
+        assert!(matches!(contact("", "", &THEORY, &one), Err(PlotError::Empty { .. })), "one node");
         assert!(shape("", "", &THEORY, &[]).is_ok(), "theory alone is a figure");
     }
 }

@@ -1,79 +1,68 @@
-//! Figures of studies: how errors fall with the grid, and how the end reaction depends on the foundation's depth.
+//! Figures of studies: how errors fall with the grid, how the end reaction depends on the depth of the ground, how the first
+//! nodal force jumps from grid to grid, and what a digit costs.
 
 use super::axis::Axis;
 use super::error::{PlotError, finite};
 use super::figure::Figure;
 use super::layer::{Layer, Place, Reference};
-use super::number::fixed;
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
 
-/// Errors of one quantity on finer and finer grids.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ErrorSeries<'a> {
-    /// Name in the legend.
+/// Points with a name, written at the last of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Named<'a> {
+    /// The name.
     pub label: &'a str,
-    /// `[N, error]`: intervals and the magnitude of the error, coarse grids first.
-    pub points: &'a [Place],
-    /// Observed order `p` of `error ~ N⁻ᵖ`, drawn as a dotted line of that slope.
-    pub order: Option<f64>,
+    /// The points in their order.
+    pub points: Vec<Place>,
 }
 
-/// Errors over the number of intervals, both axes logarithmic; `quantity` names the error.
+/// Errors over the number of intervals, both axes logarithmic, with grey lines of order 1 and 2 to compare with.
 ///
 /// An error of exactly zero has no place on the axis: it is left out, and the description says so.
 ///
 /// # Errors
 ///
 /// A [`PlotError`] for numbers that are not finite, a number of intervals that is not positive, or no error at all.
-pub fn convergence(
-    title: &str,
-    description: &str,
-    quantity: &str,
-    series: &[ErrorSeries<'_>],
-) -> Result<String, PlotError> {
-    let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new(quantity).log()).tall(900.0);
-    let mut zeros = 0;
+pub fn convergence(title: &str, description: &str, series: &[Named<'_>]) -> Result<String, PlotError> {
+    let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("relative error").log()).tall(1000.0);
+    let (mut zeros, mut all) = (0, Vec::new());
     for (i, series) in series.iter().enumerate() {
         let points: Vec<Place> = series.points.iter().copied().filter(|p| p[1] != 0.0).collect();
         zeros += series.points.len() - points.len();
-        let (Some(&first), Some(&last)) = (points.first(), points.last()) else {
-            continue;
-        };
-        let style = Style::of_series(i);
-        let label = match series.order {
-            Some(order) => format!("{} (order {:.2})", series.label, finite("an observed order", order)?),
-            None => series.label.to_owned(),
-        };
-        panel = panel.with(Layer::Series { points, style, label });
-        if let Some(order) = series.order {
-            panel = slope(panel, first, last, order, style.color);
+        all.extend_from_slice(&points);
+        if !points.is_empty() {
+            let (style, label) = (Style::of_series(i), series.label.to_owned());
+            panel = panel.with(Layer::Series { points, style, label });
         }
     }
-    let mut description = description.to_owned();
+    for order in [1_i32, 2] {
+        if let Some(points) = slope(&all, f64::from(order)) {
+            let style = Style { width: 4, ..Style::solid(Color::PALE) };
+            let label = format!("order {order}");
+            panel.layers.insert(0, Layer::Series { points, style: Style { color: Color::GRAY, ..style }, label });
+        }
+    }
+    let mut description = format!("{description} Grey lines fall with order 1 and order 2.");
     if 0 < zeros {
         description.push_str(&format!(" Errors of exactly zero, not shown: {zeros}."));
     }
     Figure::new(title, description, vec![panel]).svg()
 }
 
-/// A dotted line below a series with the slope of its order, over the finer half of the grids.
-fn slope(panel: Panel, first: Place, last: Place, order: f64, color: Color) -> Panel {
-    /// How far below the series, as a factor.
-    const BELOW: f64 = 0.45;
-    let from = libm::sqrt(first[0] * last[0]);
-    let to = last[0];
-    let end = BELOW * last[1];
-    let start = end * libm::pow(to / from, order);
-    // A single grid has no slope; NaN and overflow end here too.
-    if !(from < to && 0.0 < end && 0.0 < start && start < f64::INFINITY) {
-        return panel;
+/// A line `error ~ N⁻ᵖ` from above the first errors, over the range of the points; none if they have no range.
+fn slope(points: &[Place], order: f64) -> Option<Vec<Place>> {
+    /// How far above the largest error on the coarsest grid, as a factor.
+    const ABOVE: f64 = 1.6;
+    let range = |k: usize| points.iter().fold([f64::INFINITY, 0.0], |r: [f64; 2], p| [r[0].min(p[k]), r[1].max(p[k])]);
+    let ([from, to], [least, most]) = (range(0), range(1));
+    if !(0.0 < from && from < to && to < f64::INFINITY && 0.0 < least && most < f64::INFINITY) {
+        return None;
     }
-    let style = Style { color, dash: Some(Dash::Dotted), marker: None, width: 5 };
-    let middle = [libm::sqrt(from * to), libm::sqrt(start) * libm::sqrt(end)];
-    panel
-        .with(Layer::Series { points: vec![[from, start], [to, end]], style, label: String::new() })
-        .with(Layer::Note { at: middle, text: format!("slope {}", fixed(-order, 2)), dot: false })
+    let start = ABOVE * most;
+    // Not below the least error.
+    let end = to.min(from * libm::pow(start / least, 1.0 / order));
+    Some(vec![[from, start], [end, start * libm::pow(from / end, order)]])
 }
 
 /// Border between contact zone and contact at mid-span, in `EI u₀ / (q₀ l⁴)`.
@@ -81,9 +70,9 @@ const ZONE_ENDS: f64 = 1.0 / 384.0;
 /// Border between contact at mid-span and no contact: the mid-span deflection of the free beam.
 const CONTACT_ENDS: f64 = 5.0 / 384.0;
 
-/// End reaction over `EI u₀ / (q₀ l⁴)` with the borders 1/384 and 5/384 of the three regimes of a flat foundation.
+/// End reaction over `EI u₀ / (q₀ l⁴)` with the three regimes of a flat foundation and their borders 1/384 and 5/384.
 ///
-/// `theory` and `computed` are lists of `[EI u₀ / (q₀ l⁴), reaction / (q₀ l)]`; `label` names the computed points.
+/// `theory` and `computed` are lists of `[EI u₀ / (q₀ l⁴), reaction / (q₀ l)]`, `example` is such a point with its name.
 ///
 /// # Errors
 ///
@@ -92,64 +81,177 @@ pub fn regimes(
     title: &str,
     description: &str,
     theory: &[Place],
-    computed: &[Place],
-    label: &str,
+    computed: &Named<'_>,
+    (example, name): (Place, &str),
 ) -> Result<String, PlotError> {
-    let reach = theory.iter().chain(computed).fold(1.2 * CONTACT_ENDS, |most, p| most.max(p[0]));
-    let x = Axis { padding: 0.0, ..Axis::new("EI u₀ / (q₀ l⁴)").including(&[0.0, reach]) };
-    let y = Axis::new("end reaction / (q₀ l)").including(&[0.0]);
-    let mut panel = Panel::new(x, y).tall(760.0).room(150.0, 0.0);
-    for (at, text) in [(ZONE_ENDS, "1/384"), (CONTACT_ENDS, "5/384")] {
-        panel = panel.with(Layer::Reference { at: Reference::X(at), text: text.to_owned() });
+    // In units of 1/384 the borders are 1 and 5.
+    let scaled = |points: &[Place]| -> Vec<Place> { points.iter().map(|p| [p[0] / ZONE_ENDS, p[1]]).collect() };
+    let (theory, computed, example) = (scaled(theory), (scaled(&computed.points), computed.label), scaled(&[example]));
+    let reach = theory.iter().fold(1.2 * CONTACT_ENDS / ZONE_ENDS, |most, p| most.max(p[0]));
+    let x = Axis {
+        padding: 0.0,
+        ..Axis::new("384 EI u₀ / (q₀ l⁴): a stiffer beam or deeper ground to the right").including(&[0.0, reach])
+    };
+    let y = Axis { padding: 0.06, ..Axis::new("end reaction / (q₀ l)").including(&[0.0, 0.5]) };
+    let mut panel = Panel::new(x, y).tall(900.0).room(140.0, 0.0);
+    let borders = [0.0, 1.0, CONTACT_ENDS / ZONE_ENDS, reach];
+    for at in &borders[1..3] {
+        panel = panel.with(Layer::Reference { at: Reference::X(*at), text: String::new() });
     }
-    let top = theory.iter().chain(computed).fold(0.0_f64, |most, p| most.max(p[1]));
-    for (from, to, text) in
-        [(0.0, ZONE_ENDS, "zone"), (ZONE_ENDS, CONTACT_ENDS, "mid-span only"), (CONTACT_ENDS, reach, "free")]
-    {
-        panel = panel.with(Layer::Note { at: [0.5 * (from + to), top], text: text.to_owned(), dot: false });
+    for (pair, text) in borders.windows(2).zip(["contact zone", "contact at mid-span only", "no contact"]) {
+        panel = panel.with(Layer::Note { at: [0.5 * (pair[0] + pair[1]), 0.55], text: text.to_owned(), dot: false });
     }
+    let marks = Style::marks(Color::BLUE, Marker::OpenCircle);
     panel = panel
-        .with(Layer::Series { points: theory.to_vec(), style: Style::theory(), label: "beam theory".to_owned() })
+        .with(Layer::Series { points: theory, style: Style::theory(), label: String::new() })
+        .with(Layer::Series { points: computed.0, style: marks, label: computed.1.to_owned() });
+    for at in example {
+        panel = panel.with(Layer::Series {
+            points: vec![at],
+            style: Style::marks(Color::VERMILLION, Marker::Star),
+            label: name.to_owned(),
+        });
+    }
+    Figure::new(title, description, vec![panel]).svg()
+}
+
+/// What a digit costs on one kind of ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Price<'a> {
+    /// The kind of ground.
+    pub ground: &'a str,
+    /// `[digits, milliseconds]` of each solver. A solver has the same place in the lists of all panels, and no points where
+    /// it has nothing to show.
+    pub solvers: Vec<Named<'a>>,
+    /// `[digits, milliseconds]` of beam theory.
+    pub exact: Place,
+    /// A sentence in the panel; empty for none.
+    pub remark: &'a str,
+}
+
+/// Time over correct digits, one panel for each kind of ground, side by side and on the same axes.
+///
+/// `digits` says what has so many correct digits.
+///
+/// # Errors
+///
+/// A [`PlotError`] for numbers that are not finite, a time that is not positive, or no panel.
+pub fn price(title: &str, description: &str, digits: &str, grounds: &[Price<'_>]) -> Result<String, PlotError> {
+    let all = || grounds.iter().flat_map(|g| g.solvers.iter().flat_map(|s| &s.points).chain([&g.exact]));
+    let [digits_range, times]: [Vec<f64>; 2] = [0, 1].map(|k| all().map(|p| p[k]).collect());
+    let least = times.iter().copied().fold(f64::INFINITY, f64::min);
+    let panels = grounds.iter().map(|ground| {
+        let x = Axis::new(digits).including(&digits_range).including(&[0.0]);
+        let y = Axis::new(format!("{}: time", ground.ground)).unit(Some("ms".to_owned()));
+        let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
+        for (i, solver) in ground.solvers.iter().enumerate().filter(|(_, solver)| !solver.points.is_empty()) {
+            let style = Style { dash: Some(Dash::Solid), ..Style::of_series(i) };
+            panel = panel.with(Layer::Series { points: solver.points.clone(), style, label: solver.label.to_owned() });
+        }
+        let star = Style::marks(Color::BLACK, Marker::Star);
+        panel
+            .with(Layer::Series { points: vec![ground.exact], style: star, label: "exact".to_owned() })
+            .with(Layer::Note { at: [0.5 * ground.exact[0], least], text: ground.remark.to_owned(), dot: false })
+    });
+    let figure = Figure::new(title, description, panels.collect());
+    Figure { columns: 2, ..figure }.svg()
+}
+
+/// The first nodal contact force of each grid beside the resultant at the lift-off point, both over the point force of beam
+/// theory: lists of `[intervals, force / T]`.
+///
+/// # Errors
+///
+/// A [`PlotError`] for numbers that are not finite, and for empty lists.
+pub fn first_force(
+    title: &str,
+    description: &str,
+    first: &Named<'_>,
+    resultant: &Named<'_>,
+) -> Result<String, PlotError> {
+    let (Some(from), Some(to)) = (first.points.first(), first.points.last()) else {
+        return Err(PlotError::Empty { what: "a list of grids" });
+    };
+    let theory = vec![[finite("a number of intervals", from[0])?, 1.0], [to[0], 1.0]];
+    let y = Axis::new("force / T, where T is the point force of beam theory at lift-off").including(&[0.0]);
+    let x = Axis { padding: 0.02, ..Axis::new("intervals N").including(&[0.0]) };
+    let small = Style { dash: None, marker: Some(Marker::OpenCircle), ..Style::solid(Color::VERMILLION) };
+    let panel = Panel::new(x, y)
+        .tall(900.0)
+        .with(Layer::Series { points: first.points.clone(), style: small, label: first.label.to_owned() })
+        .with(Layer::Series { points: theory, style: Style::theory(), label: String::new() })
         .with(Layer::Series {
-            points: computed.to_vec(),
-            style: Style::marks(Color::BLUE, Marker::OpenCircle),
-            label: label.to_owned(),
+            points: resultant.points.clone(),
+            style: Style::solid(Color::BLUE),
+            label: resultant.label.to_owned(),
         });
     Figure::new(title, description, vec![panel]).svg()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ErrorSeries, PlotError, convergence, regimes};
+    use super::{Named, PlotError, Price, convergence, price, regimes};
+
+    fn named<'a>(label: &'a str, points: &[[f64; 2]]) -> Named<'a> {
+        Named { label, points: points.to_vec() }
+    }
 
     #[test]
-    fn the_order_is_written_and_zeros_are_counted() {
+    fn orders_are_drawn_to_compare_with_and_zeros_are_counted() {
         let points = [[10.0, 1e-2], [20.0, 2.5e-3], [40.0, 0.0], [80.0, 1.5e-4]];
-        let series = ErrorSeries { label: "end reaction", points: &points, order: Some(2.0) };
-        let svg = convergence("Errors", "Errors fall.", "error", &[series]).expect("a figure");
-        for text in ["end reaction (order 2.00)", "slope −2.00", "Errors of exactly zero, not shown: 1.", "10⁻⁵"]
-        {
+        let svg = convergence("Errors", "Errors fall.", &[named("end reaction", &points)]).expect("a figure");
+        for text in [">end reaction<", ">order 1<", ">order 2<", "Errors of exactly zero, not shown: 1."] {
             assert!(svg.contains(text), "`{text}` is missing");
         }
     }
 
     #[test]
     fn errors_without_a_place_are_refused() {
-        let series = |points| ErrorSeries { label: "", points, order: Some(1.0) };
-        let nan = convergence("", "", "error", &[series(&[[1.0, f64::NAN]])]);
-        assert!(matches!(nan, Err(PlotError::NotFinite { .. })), "NaN");
-        let negative = convergence("", "", "error", &[series(&[[1.0, -1.0]])]);
-        assert!(matches!(negative, Err(PlotError::NotPositive { .. })), "negative");
-        let none = convergence("", "", "error", &[series(&[[1.0, 0.0]])]);
-        assert!(matches!(none, Err(PlotError::Empty { .. })), "nothing left");
-        assert!(convergence("", "", "error", &[series(&[[1.0, 1.0]])]).is_ok(), "one grid has no slope");
+        let figure = |points: &[[f64; 2]]| convergence("", "", &[named("", points)]);
+        assert!(matches!(figure(&[[1.0, f64::NAN]]), Err(PlotError::NotFinite { .. })), "NaN");
+        assert!(matches!(figure(&[[1.0, -1.0]]), Err(PlotError::NotPositive { .. })), "negative");
+        assert!(matches!(figure(&[[1.0, 0.0]]), Err(PlotError::Empty { .. })), "nothing left");
+        assert!(figure(&[[1.0, 1.0]]).is_ok(), "one grid has no slope");
     }
 
     #[test]
-    fn the_borders_of_the_regimes_are_marked() {
-        let svg = regimes("Regimes", "Three.", &[[0.0, 0.0], [0.02, 0.5]], &[], "computed").expect("a figure");
-        for text in ["1/384", "5/384", "mid-span only", "free"] {
+    fn the_regimes_and_the_example_are_named() {
+        let computed = named("computed", &[[0.01, 0.2]]);
+        let theory = [[0.0, 0.0], [0.02, 0.5]];
+        let svg = regimes("Regimes", "Three.", &theory, &computed, ([0.001, 0.1], "the example")).expect("a figure");
+        for text in ["contact zone", "contact at mid-span only", "no contact", ">the example<", ">computed<"] {
             assert!(svg.contains(text), "`{text}` is missing");
+        }
+    }
+
+    /// The chart of what a digit costs: panels side by side, a logarithmic axis of times, names at the ends of lines, a star.
+    #[test]
+    fn a_price_has_a_panel_for_each_ground() {
+        let flat = Price {
+            ground: "flat ground",
+            solvers: vec![
+                named("active set", &[[1.7, 0.005], [3.8, 0.028], [5.0, 0.06], [7.7, 0.7], [11.0, 140.0]]),
+                named("clarabel", &[[1.7, 0.05], [3.8, 0.68], [5.6, 10.0], [8.4, 640.0]]),
+                named("four steps", &[[1.7, 0.003], [4.1, 0.5], [5.7, 5.5], [7.7, 500.0]]),
+                named("NSOR", &[[1.7, 0.003], [2.7, 0.31], [3.8, 38.0]]),
+            ],
+            exact: [14.0, 0.017],
+            remark: "one digit more: ×2.5 time",
+        };
+        let uneven = Price {
+            ground: "uneven ground",
+            solvers: vec![named("active set", &[[1.3, 0.004], [4.3, 1.2], [6.1, 80.0]]), named("clarabel", &[])],
+            exact: [14.0, 0.11],
+            remark: "",
+        };
+        let svg = price("One more digit", "Two panels.", "correct digits", &[flat, uneven]).expect("a figure");
+        for text in ["flat ground: time [ms]", "uneven ground: time [ms]", ">NSOR<", "×2.5 time"] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+        assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");
+        assert_eq!(svg.matches(">clarabel<").count(), 1, "no line without points");
+        if let Ok(path) = std::env::var("PALKKI_FIGURE") {
+            std::fs::write(path, svg).expect("written");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Labelled places along an axis: round numbers, or decades.
 
-use super::number::{decade, fixed, power_of_ten, ten_to};
+use super::number::{decade, fixed, power_of_ten, significant, ten_to};
 
 /// A labelled place on an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,16 +31,34 @@ pub(super) fn linear_ticks(lo: f64, hi: f64, count: f64) -> (Vec<Tick>, i32) {
     (ticks, factor)
 }
 
-/// Decades, all of them or every second, third …, so that there are at most about `count`.
-pub(super) fn log_ticks(first: i32, last: i32, count: f64) -> Vec<Tick> {
-    let mut every = 1;
-    while count < f64::from((last - first) / every) {
-        every += 1;
+/// Decades between two decimal logarithms, so many that there are at most about `count`; where there are few, twice and five
+/// times a decade as well.
+pub(super) fn log_ticks(lo: f64, hi: f64, count: f64) -> Vec<Tick> {
+    let inside = |value: &f64| (lo..=hi).contains(&libm::log10(*value));
+    let (first, last) = (whole(lo.floor()), whole(hi.ceil()));
+    let decades: Vec<i32> = (first..=last).filter(|&n| inside(&ten_to(n))).collect();
+    let few = || (first..=last).flat_map(|n| [1.0, 2.0, 5.0].map(|m| m * ten_to(n))).filter(inside);
+    let written = (-3..=4).contains(&first) && (-3..=4).contains(&last);
+    let label = |value: f64| {
+        let n = decade(value);
+        if written || value.to_bits() != ten_to(n).to_bits() { significant(value, 2) } else { power_of_ten(n) }
+    };
+    let tick = |value: f64| Tick { value, label: label(value) };
+    match decades.len() {
+        3.. => {
+            let mut every = 1;
+            while count < f64::from(last - first) / f64::from(every) {
+                every += 1;
+            }
+            decades.into_iter().filter(|n| n.rem_euclid(every) == 0).map(|n| tick(ten_to(n))).collect()
+        }
+        _ if 1 < few().count() => few().map(tick).collect(),
+        _ => linear_ticks(libm::pow(10.0, lo), libm::pow(10.0, hi), count).0,
     }
-    (first..=last)
-        .filter(|n| n.rem_euclid(every) == 0)
-        .map(|n| Tick { value: ten_to(n), label: power_of_ten(n) })
-        // The decades just beyond the range of f64 have no number.
-        .filter(|tick| 0.0 < tick.value && tick.value < f64::INFINITY)
-        .collect()
+}
+
+/// The nearest power of ten; those of `f64` end at 308.
+#[expect(clippy::cast_possible_truncation, reason = "clamped to what an i32 holds")]
+fn whole(exponent: f64) -> i32 {
+    exponent.clamp(-400.0, 400.0) as i32
 }

@@ -6,7 +6,7 @@ mod sketch;
 mod units;
 
 use self::ground::{Ground, foundation_line};
-use self::panels::{clearance, forces, moment, shape, shear};
+use self::panels::{clearance, forces, moment, shape, shear, small};
 use self::units::{UnitLabels, with_unit};
 use super::curves::Curves;
 use super::error::{PlotError, same_length};
@@ -38,13 +38,28 @@ pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, 
     let title = if subtitle.is_empty() { title.to_owned() } else { format!("{title}: {subtitle}") };
     let mut panels = vec![shape(scene, curves, &foundation, &units)?];
     panels.extend(clearance(scene, curves, &units)?);
-    panels.push(forces(scene, curves, &units)?);
+    panels.push(forces(scene, curves, &units));
     panels.push(moment(scene, curves, &units)?);
     panels.push(shear(scene, curves, &units)?);
     if let Some(last) = panels.last_mut() {
         "x".clone_into(&mut last.x.label);
     }
     Figure::new(title, description(curves, &foundation, &units), panels).svg()
+}
+
+/// Small pictures of many solutions, four in a row: ground, beam, contact zones as thick lines and concentrated contact forces
+/// as arrows, all without numbers.
+///
+/// # Errors
+///
+/// As [`curves`].
+pub fn sheet<'a>(
+    title: &str,
+    description: &str,
+    solutions: impl IntoIterator<Item = (&'a str, &'a Scene, &'a Curves)>,
+) -> Result<String, PlotError> {
+    let panels = solutions.into_iter().map(|(name, scene, curves)| small(name, scene, curves)).collect();
+    Figure { columns: 4, ..Figure::new(title, description, panels) }.svg()
 }
 
 /// The figure in words.

@@ -1,9 +1,10 @@
 //! The panels of a solution, one below the other.
 
-use super::ground::Ground;
+use super::ground::{Ground, foundation_line};
 use super::sketch::sketch;
 use super::units::{UnitLabels, with_unit};
 use crate::plot::axis::Axis;
+use crate::plot::canvas::TEXT;
 use crate::plot::curves::{Curves, PointForce};
 use crate::plot::error::{PlotError, finite};
 use crate::plot::layer::{Arrow, Arrows, Layer, Place};
@@ -54,9 +55,8 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
     let length = scene.beam().length();
     let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(640.0);
-    for (i, points) in ground.pieces.iter().enumerate() {
-        let label = if i == 0 { "foundation u(x)" } else { "" };
-        panel = panel.with(Layer::Foundation { points: points.clone(), label: label.to_owned() });
+    for points in &ground.pieces {
+        panel = panel.with(Layer::Foundation { points: points.clone() });
     }
     for (at, text) in &ground.below {
         panel = panel.with(Layer::Note { at: *at, text: text.clone(), dot: false });
@@ -74,7 +74,7 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
         .with(Layer::Series {
             points: zip(&curves.x, &curves.deflection),
             style: Style { width: 9, ..Style::solid(Color::BLACK) },
-            label: "beam v(x)".to_owned(),
+            label: String::new(),
         })
         .room(headroom, 30.0);
     if load {
@@ -84,6 +84,37 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
         panel = panel.with(note);
     }
     Ok(panel)
+}
+
+/// Shape and contact of a scene at a glance.
+pub(super) fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
+    let length = scene.beam().length();
+    let beam = zip(&curves.x, &curves.deflection);
+    let x = Axis { padding: 0.04, ..Axis::new("").bare().including(&[0.0, length]) };
+    let mut panel = Panel::new(x, Axis::new(name).bare().down().including(&[0.0]))
+        .tall(330.0)
+        .room(170.0, 40.0)
+        .forces(Axis::new("").bare());
+    for points in foundation_line(scene, curves).pieces {
+        panel = panel.with(Layer::Foundation { points });
+    }
+    let at = |x: f64| beam.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
+    let zone = |&[from, to]: &[f64; 2]| -> Vec<Place> {
+        let inside = beam.iter().copied().filter(|p| from < p[0] && p[0] < to);
+        std::iter::once([from, at(from)]).chain(inside).chain([[to, at(to)]]).collect()
+    };
+    let zones: Vec<Vec<Place>> = curves.contacts.iter().map(zone).collect();
+    let forces = curves.point_forces.iter();
+    let arrows = forces.map(|f| Arrow { at: [f.at, at(f.at)], force: f.force, text: String::new(), optional: true });
+    let arrows = Arrows { arrows: arrows.collect(), color: Color::VERMILLION, dash: Dash::Solid };
+    let thick = |width: u32, color: Color| Style { width, ..Style::solid(color) };
+    panel = panel.with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] });
+    for points in zones {
+        panel = panel.with(Layer::Series { points, style: thick(18, Color::VERMILLION), label: String::new() });
+    }
+    panel
+        .with(Layer::Series { points: beam, style: thick(7, Color::BLACK), label: String::new() })
+        .with(Layer::Arrows(arrows))
 }
 
 /// No panel where there is no foundation.
@@ -102,7 +133,7 @@ pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> R
     });
     if !curves.contacts.is_empty() {
         let intervals = curves.contacts.clone();
-        panel = panel.with(Layer::Zones { intervals, level: 0.0, label: "contact".to_owned() });
+        panel = panel.with(Layer::Zones { intervals, level: 0.0 });
     }
     if curves.contacts.is_empty() {
         panel = panel.with(extreme("h", most.min_at, most.min, units.length.as_ref(), units.length.as_ref()));
@@ -112,44 +143,33 @@ pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> R
     Ok(Some(panel))
 }
 
-pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
-    /// Length of the arrow of the largest force \[drawing units\].
-    const LONGEST: f64 = 280.0;
+pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
+    /// Height that all arrows share \[drawing units\].
+    const HEIGHT: f64 = 480.0;
     let length = scene.beam().length();
-    let distributed = curves.pressure.iter().any(|zone| !zone.is_empty());
-    let y = if distributed {
-        Axis::new("contact pressure p, and forces as arrows").unit(units.pressure.clone()).including(&[0.0])
-    } else {
-        Axis::new("contact forces and reactions, as arrows").including(&[0.0]).bare()
-    };
     let reactions = [(0.0, curves.reactions.left), (length, curves.reactions.right)];
     let all = || curves.point_forces.iter().map(|f| f.force).chain(reactions.map(|r| r.1));
-    // A number that is not finite must reach the check when it is drawn, which `max` would hide.
-    let full = all().fold(0.0_f64, |most, f| if f.is_finite() { most.max(f.abs()) } else { f });
-    // Arrows that point downwards, at a support that holds the beam down, need room of their own.
-    let down = if 0.0 < full { LONGEST * all().fold(0.0_f64, |most, f| most.max(-f)) / full } else { 0.0 };
-    let height = 430.0 + down;
-    let above = if distributed { 150.0 } else { 330.0 };
-    let mut panel = Panel::new(along(scene, units), y).tall(height).room(above, 50.0 + down);
-    for (i, zone) in curves.pressure.iter().enumerate() {
-        let label = if i == 0 { "contact pressure" } else { "" };
-        panel = panel.with(Layer::Area {
-            points: zone.clone(),
-            level: 0.0,
-            color: Color::VERMILLION,
-            label: label.to_owned(),
-        });
-    }
-    let layer = |arrows: Vec<Arrow>, color: Color, label: String| {
-        Layer::Arrows(Arrows { arrows, full, part: LONGEST / height, color, dash: Dash::Solid, label })
+    let [least, most] = all().fold([0.0_f64; 2], |[least, most], f| [least.min(f), most.max(f)]);
+    // Arrows that point downwards, at a support that holds the beam down, need their part of the height.
+    let footroom = if least < 0.0 { 90.0 + HEIGHT * (-least / (most - least)) } else { 40.0 };
+    let arrows = Axis::new("forces, as arrows").unit(units.force.clone());
+    let mut panel = if curves.pressure.is_empty() {
+        let axis = Axis { padding: 0.0, ..arrows }.including(&[0.0, least, most]);
+        Panel::new(along(scene, units), axis).room(1.6 * TEXT, if least < 0.0 { 1.6 * TEXT } else { 40.0 })
+    } else {
+        let axis = Axis::new("contact pressure p, as an area").unit(units.pressure.clone()).including(&[0.0]);
+        Panel::new(along(scene, units), axis).forces(arrows).room(1.6 * TEXT, footroom)
     };
-    panel = panel.with(zero_line(scene));
-    if !curves.point_forces.is_empty() {
-        let contact = contact_arrows(&curves.point_forces, units);
-        panel = panel.with(layer(contact, Color::VERMILLION, name_of(&curves.point_forces)));
+    panel = panel.tall(HEIGHT);
+    for zone in &curves.pressure {
+        panel = panel.with(Layer::Area { points: zone.clone(), level: 0.0, color: Color::VERMILLION });
     }
+    let layer = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
     let supports = reactions.map(|(at, force)| arrow(at, force, false, units)).to_vec();
-    Ok(panel.with(layer(supports, Color::BLACK, "reaction".to_owned())))
+    panel
+        .with(zero_line(scene))
+        .with(layer(contact_arrows(&curves.point_forces, units), Color::VERMILLION))
+        .with(layer(supports, Color::BLACK))
 }
 
 fn arrow(at: f64, force: f64, optional: bool, units: &UnitLabels) -> Arrow {
@@ -170,25 +190,10 @@ fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
     arrows
 }
 
-/// What the legend calls contact forces.
-fn name_of(forces: &[PointForce]) -> String {
-    let shared = forces.iter().map(|f| f.nodes).max().unwrap_or(1);
-    if 1 < shared {
-        format!("contact force (at the ends of a zone: {shared} nodes as one)")
-    } else {
-        "contact force".to_owned()
-    }
-}
-
 pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
     let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(400.0).room(50.0, 50.0).with(zero_line(scene));
-    panel = panel.with(Layer::Area {
-        points: zip(&curves.x, &curves.moment),
-        level: 0.0,
-        color: Color::BLUE,
-        label: String::new(),
-    });
+    panel = panel.with(Layer::Area { points: zip(&curves.x, &curves.moment), level: 0.0, color: Color::BLUE });
     for note in extremes("M", &curves.moment_extremes, units.moment.as_ref(), units.length.as_ref())? {
         panel = panel.with(note);
     }
@@ -198,8 +203,7 @@ pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Resu
 pub(super) fn shear(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
     let y = Axis::new("shear force V = dM/dx").unit(units.force.clone()).including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(400.0).room(50.0, 50.0).with(zero_line(scene));
-    panel =
-        panel.with(Layer::Area { points: curves.shear.clone(), level: 0.0, color: Color::GREEN, label: String::new() });
+    panel = panel.with(Layer::Area { points: curves.shear.clone(), level: 0.0, color: Color::GREEN });
     let ends = Extremes::of(curves.shear.iter().map(|p| (p[0], p[1])));
     for note in extremes("V", &ends, units.force.as_ref(), units.length.as_ref())? {
         panel = panel.with(note);

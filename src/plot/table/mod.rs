@@ -1,6 +1,5 @@
-//! Figures without curves: a map of verdicts, and bars with their values.
+//! Figures without curves: a map of verdicts.
 
-mod bars;
 mod map;
 
 use super::canvas::{Align, Canvas, TEXT, Type, text_width, wrapped};
@@ -8,7 +7,6 @@ use super::error::PlotError;
 use super::figure::{MARGIN, TITLE_LINE};
 use super::svg::WIDTH;
 
-pub use self::bars::bars;
 pub use self::map::{Cell, Row, Tone, verdict_map};
 
 /// Height of a line of text.

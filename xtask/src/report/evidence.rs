@@ -14,6 +14,7 @@ mod cost;
 mod discrepancies;
 mod extremes;
 mod figures;
+mod first_force;
 mod hostile;
 mod judged;
 mod methods;
@@ -22,6 +23,7 @@ mod recommendation;
 mod regimes;
 mod reproduce;
 mod scenes;
+mod sheet;
 mod sliders;
 mod solvers;
 mod teaching;
@@ -48,6 +50,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
     ("figures", figures::evidence),
+    ("first_force", first_force::evidence),
     ("regimes", regimes::evidence),
     ("agreement", agreement::evidence),
     ("bounds", bounds::evidence),
@@ -55,6 +58,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
     ("scenes", scenes::evidence),
+    ("sheet", sheet::evidence),
     ("claims", claims::evidence),
     ("recommendation", recommendation::evidence),
     ("cost", cost::evidence),

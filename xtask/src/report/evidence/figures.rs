@@ -1,17 +1,21 @@
 //! Figures 4, 7 and 8 of the paper, drawn again.
 
-use palkki::paper::{INTERVALS, Pressures, figure_4, figure_7, figure_8, theory};
+use palkki::methods::Method;
+use palkki::paper::convergence::Quantity;
+use palkki::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 use palkki::plot::PlotError;
-use palkki::plot::paper::{Nodal, Theory, pressure, pressure_and_shape, shape};
-use palkki::state::Nodes;
+use palkki::plot::paper::{Nodal, Theory, contact as contact_forces, shape};
+use palkki::solvers::Solver;
+use palkki::state::{ContactState, Nodes};
 use palkki::theory::FlatSolution;
+use palkki::{Settings, solve};
 use serde::Serialize;
 
 use crate::report::csv::{csv, fixed};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::study::Study;
-use crate::report::verdict::Row;
+use crate::report::table::Table;
 
 /// Where the deflection of beam theory is evaluated for its dashed line.
 const SAMPLES: u32 = 400;
@@ -28,7 +32,9 @@ struct Values {
     figure_4: Contact,
     figure_7: Contact,
     figure_8: Shape,
-    verdicts: Vec<Row>,
+    table_4: Table,
+    table_7: Table,
+    table_8: Table,
 }
 
 /// The left end of the contact by one method.
@@ -77,7 +83,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let shape_8 = deviation(&eight.nodes, &exact, length);
 
     let [svg_4, svg_7, svg_8] = drawings(&drawn, [&four.nodes, &seven.nodes, &eight.nodes], shape_8.error)?;
-    let verdicts = verdicts([&contact_4, &contact_7], &shape_8, &exact);
+    let state = |method| -> Result<ContactState, Cause> {
+        Ok(solve(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?.state)
+    };
+    let [differences, force, displacement] =
+        [state(Method::Complementarity)?, state(Method::Force)?, state(Method::Displacement)?];
     let values = Values {
         intervals: INTERVALS,
         nodes: INTERVALS - 1,
@@ -89,68 +99,87 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         figure_4: contact_4,
         figure_7: contact_7,
         figure_8: shape_8,
-        verdicts,
+        table_4: contact_table("finite differences", &differences, &exact),
+        table_7: contact_table("force method", &force, &exact),
+        table_8: shape_table("displacement method", &displacement, &exact),
     };
     Ok(Evidence::new(values)
-        .figure("figure-4", svg_4, table(&four.nodes, &exact, four.spacing))
-        .figure("figure-7", svg_7, table(&seven.nodes, &exact, seven.spacing))
-        .figure("figure-8", svg_8, table(&eight.nodes, &exact, four.spacing)))
+        .figure("figure-4", svg_4, data(&four.nodes, &exact, four.spacing))
+        .figure("figure-7", svg_7, data(&seven.nodes, &exact, seven.spacing))
+        .figure("figure-8", svg_8, data(&eight.nodes, &exact, four.spacing)))
 }
 
 /// Figures 4, 7 and 8; the nodes of both energy methods are off by at most `error` in the last of them.
 fn drawings(drawn: &Theory<'_>, [four, seven, eight]: [&Nodes; 3], error: f64) -> Result<[String; 3], PlotError> {
+    let words = format!("The example of the paper on {INTERVALS} intervals.");
     Ok([
-        pressure_and_shape(
-            &format!("Figure 4: contact pressure by finite differences, {INTERVALS} intervals"),
-            "The example of the paper.",
+        contact_forces(
+            "Figure 4: finite differences share T between two nodes; the sum of the forces agrees",
+            &words,
             drawn,
             &nodal("finite differences", four),
         )?,
-        pressure(
-            &format!("Figure 7: contact pressure by the energy methods, {INTERVALS} intervals"),
-            "The example of the paper.",
+        contact_forces(
+            "Figure 7: nodal forces of the energy methods swing; the sum of the forces agrees",
+            &words,
             drawn,
             &nodal("force method", seven),
         )?,
         shape(
-            &format!("Figure 8: deflection by the energy methods, {INTERVALS} intervals"),
             &format!(
-                "The example of the paper. The nodes of both energy methods lie on the dashed line of beam theory, within {} % \
-                 of the depth.",
+                "Figure 8: both energy methods are within {} % of the depth from beam theory",
                 fixed(100.0 * error, 1)
             ),
+            &words,
             drawn,
             &[nodal("displacement method", eight), nodal("force method", seven)],
         )?,
     ])
 }
 
-/// What the first screen says of the three figures.
-fn verdicts([four, seven]: [&Contact; 2], eight: &Shape, exact: &FlatSolution) -> Vec<Row> {
-    let rebuilt = |figure: &str, paper: String, now: String| Row {
-        what: figure.to_owned(),
-        paper,
-        now,
-        verdict: "rebuilt",
-        section: "figures-4-7-and-8",
+/// Beam theory, a method, and the difference, to five decimals.
+fn compared(first: &str, method: &str, columns: &[(&str, f64, f64)]) -> Table {
+    let row = |name: &str, of: fn(&(&str, f64, f64)) -> f64| -> Vec<String> {
+        let cells = columns.iter().map(|column| fixed(of(column), 5).replace('-', "−"));
+        std::iter::once(name.to_owned()).chain(cells).collect()
     };
-    let lift_off = exact.lift_off.unwrap_or(0.0);
-    let pressures = |c: &Contact| {
-        format!(
-            "first contact force {:.4} at x = {:.3}, beam theory {:.4} at {lift_off:.3}",
-            c.forces[0], c.x, exact.end_force
-        )
-    };
-    let lost = |what: &str| format!("{what}, {INTERVALS} intervals; the drawing is lost");
-    vec![
-        rebuilt("Figure 4, finite differences", lost("contact pressure"), pressures(four)),
-        rebuilt("Figure 7, energy methods", lost("contact pressure"), pressures(seven)),
-        rebuilt(
-            "Figure 8, energy methods",
-            lost("deflected shape"),
-            format!("nodes within {:.2} % of the depth from beam theory", 100.0 * eight.error),
-        ),
-    ]
+    Table::new(std::iter::once(first).chain(columns.iter().map(|column| column.0)))
+        .row(row("beam theory", |c| c.1))
+        .row(row(method, |c| c.2))
+        .row(row("difference", |c| c.2 - c.1))
+}
+
+/// Contact at the left end, and the resultants.
+fn contact_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Table {
+    let first = state.nodes.iter().flat_map(|nodes| &nodes.contact_force).copied().find(|p| 0.0 < *p);
+    let of = |name, quantity: Quantity| (name, quantity.exact(), quantity.discrete(state));
+    let columns = [
+        of("contact begins at x", Quantity::LiftOff),
+        ("first contact force", exact.end_force, first.unwrap_or(f64::NAN)),
+        of("resultant at lift-off", Quantity::PointForce),
+        ("whole contact force", exact.contact_force, state.contact_force()),
+        of("end reaction", Quantity::EndReaction),
+    ];
+    compared("contact", method, &columns)
+}
+
+/// What the deflected shape gives.
+fn shape_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Table {
+    let [tenth, fifth] = [0.1, 0.2].map(|part| {
+        let node = state.nodes.as_ref().and_then(|nodes| {
+            let k = nodes.x.partition_point(|x| *x < part * 10.0 - 1e-9);
+            Some((*nodes.x.get(k)?, *nodes.deflection.get(k)?))
+        });
+        node.map_or([f64::NAN; 2], |(x, v)| [exact.deflection(x), v])
+    });
+    let columns = [
+        ("deflection at l/10", tenth[0], tenth[1]),
+        ("deflection at l/5", fifth[0], fifth[1]),
+        ("largest deflection", exact.deflection(exact.lift_off.unwrap_or_default()), state.deflection.max),
+        ("largest moment", exact.end_force * exact.end_force / 2.0, state.moment.max),
+        ("energy J", Quantity::Energy.exact(), Quantity::Energy.discrete(state)),
+    ];
+    compared("shape", method, &columns)
 }
 
 fn nodal<'a>(label: &'a str, nodes: &'a Nodes) -> Nodal<'a> {
@@ -183,7 +212,7 @@ fn deviation(nodes: &Nodes, exact: &FlatSolution, length: f64) -> Shape {
     Shape { error, at }
 }
 
-fn table(nodes: &Nodes, exact: &FlatSolution, spacing: f64) -> String {
+fn data(nodes: &Nodes, exact: &FlatSolution, spacing: f64) -> String {
     let header =
         ["x", "contact_force", "contact_force_per_interval", "theory_pressure", "deflection", "theory_deflection"];
     let rows = nodes.x.iter().enumerate().map(|(i, &x)| {

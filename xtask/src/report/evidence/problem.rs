@@ -43,10 +43,8 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let arrow = |force: f64, at: [f64; 2]| Arrow { at, force, text: significant(force, 3), optional: true };
     let contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
     let reactions = vec![arrow(curves.reactions.left, [0.0, 0.0]), arrow(curves.reactions.right, [l, 0.0])];
-    let full = contact.iter().chain(&reactions).fold(0.0_f64, |most, a| most.max(a.force));
-    let arrows = |arrows: Vec<Arrow>, color: Color, label: &str| {
-        Layer::Arrows(Arrows { arrows, full, part: 0.34, color, dash: Dash::Solid, label: label.to_owned() })
-    };
+    let arrows = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
+    let full = curves.point_forces.iter().fold(0.0_f64, |most, f| most.max(f.force));
     let load = LoadSketch {
         level: 0.0,
         intensity: vec![[0.0, scene.load().uniform()], [l, scene.load().uniform()]],
@@ -58,28 +56,26 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let x = Axis { padding: 0.03, ..Axis::new("x, from the left support to the right one at l").including(&[0.0, l]) };
     let panel = Panel::new(x, Axis::new("downwards: depth u(x), deflection v(x)").down().including(&[0.0]))
         .tall(700.0)
-        .room(220.0, 40.0)
-        .with(Layer::Foundation { points: ground, label: "rigid foundation, u(x)".to_owned() })
+        .room(240.0, 110.0)
+        // The greatest force is as long as the load sketch has room.
+        .forces(Axis::new("").bare().including(&[1.2 * full]))
+        .with(Layer::Foundation { points: ground })
         .with(Layer::Load(load))
         .with(Layer::Series {
             points: vec![[0.0, 0.0], [l, 0.0]],
             style: Style { width: 3, ..Style::theory() },
-            label: "line of the supports".to_owned(),
+            label: String::new(),
         })
         .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
-        .with(Layer::Series {
-            points: deflected.clone(),
-            style: Style::solid(Color::BLUE),
-            label: "beam, v(x)".to_owned(),
-        })
+        .with(Layer::Series { points: deflected.clone(), style: Style::solid(Color::BLUE), label: String::new() })
         .with(Layer::Series {
             points: vec![[lifted, at(lifted)], [lifted, scene.depth(lifted)]],
             style: Style { dash: Some(Dash::Dotted), ..Style::solid(Color::BLACK) },
             label: String::new(),
         })
         .with(note([lifted, 0.5 * (at(lifted) + scene.depth(lifted))], "clearance h = u − v"))
-        .with(arrows(contact, Color::VERMILLION, "contact forces"))
-        .with(arrows(reactions, Color::GREEN, "reactions"));
+        .with(arrows(contact, Color::VERMILLION))
+        .with(arrows(reactions, Color::GREEN));
     let description = "A beam on two supports, loaded from above, bends down to a foundation that is flat but for one ridge. It \
                        touches the flat ground at a point on one side and along a stretch on the other, and the ridge between them; \
                        elsewhere there is a clearance. Arrows show the concentrated contact forces and the reactions of the supports.";

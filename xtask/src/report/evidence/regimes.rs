@@ -1,7 +1,7 @@
 //! The three regimes of a flat foundation as one picture: the end reaction over the depth.
 
 use palkki::paper::{INTERVALS, beam, example, scene_over};
-use palkki::plot::study::regimes;
+use palkki::plot::study::{Named, regimes};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Foundation;
 use palkki::state::Regime;
@@ -82,21 +82,24 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         }
         rows.push(vec![fixed(share, 8), fixed(reaction, 6), regime.to_owned(), computed]);
     }
+    let paper = example()?;
+    let paper = [paper.depth(0.0) / unit, theory::solve(&paper)?.state.reactions.left / (load * l)];
+    let computed_points = points.len();
     let svg = regimes(
-        "End reaction on a flat foundation of any depth",
+        "Three regimes: the end reaction grows until nothing touches",
         "The end reaction rises with the fourth root of the depth while the beam rests on a zone, then along a straight line \
-         while it touches at mid-span only, and is constant when it touches nothing. Circles lie on the line.",
+         while it touches at mid-span only, and is constant when it touches nothing. Circles lie on the line. A star marks the \
+         example of the paper, at the left end of the curve.",
         &line,
-        &points,
-        &format!("force method, {INTERVALS} intervals"),
+        &Named { label: &format!("force method, {INTERVALS} intervals"), points },
+        (paper, "the paper's example"),
     )?;
     let header = ["ei_depth_over_q_l4", "reaction_over_q_l", "regime", "force_method"];
-    let example = example()?;
     let values = Values {
-        example: [example.depth(0.0) / unit, theory::solve(&example)?.state.reactions.left / (load * l)],
+        example: paper,
         depths: line.len(),
         exact,
-        points: points.len(),
+        points: computed_points,
         intervals: INTERVALS,
         found,
         worst,
