@@ -110,13 +110,13 @@ impl Evidence {
             .iter()
             .map(|c| {
                 format!(
-                    "{} of {} grids ({}), {} of {SCENES} waves and {} of {SCENES} polylines by the {} method",
+                    "by the {} method {} of {} grids ({}), {} of {SCENES} waves and {} of {SCENES} polylines",
+                    c.method,
                     c.grids,
                     self.grids,
-                    c.first_failure.map_or("all".to_owned(), |n| format!("not on {n} intervals, the coarsest failure")),
+                    c.first_failure.map_or("all of them".to_owned(), |n| format!("it fails first on {n} intervals")),
                     c.uneven[0],
                     c.uneven[1],
-                    c.method,
                 )
             })
             .collect();
@@ -136,7 +136,7 @@ impl Evidence {
             evidence: format!(
                 "It is true for the example on 30 intervals by every method. It is no property of the algorithm: of the grids of the \
                  example with 4 to {FINEST} intervals, and of {} random uneven foundations on 30 intervals, half of them cosine waves \
-                 and half of them polylines, it ends at the optimum on {}. \
+                 and half of them polylines, it ends at the optimum on the following: {}. \
                  Elsewhere it stops at a point where a variable that was set to zero has a negative gradient.",
                 2 * SCENES,
                 lines.join("; "),

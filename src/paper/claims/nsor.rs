@@ -117,11 +117,11 @@ impl Evidence {
         let counted = GRIDS[GRIDS.len() - 1];
         let line = |c: &Count| {
             format!(
-                "{:.1} thousand sweeps on {INTERVALS} intervals, growing like n^{:.1}, and convergence up to {} intervals by the {} method",
+                "by the {} method {:.1} thousand sweeps on {INTERVALS} intervals, growing like n^{:.1}, and convergence up to {} intervals",
+                c.method,
                 1e-3 * c.on_the_paper_grid() as f64,
                 c.exponent,
                 c.finest,
-                c.method,
             )
         };
         let lines: Vec<String> = self.counts.iter().map(line).collect();

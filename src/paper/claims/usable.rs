@@ -163,7 +163,7 @@ impl Evidence {
                 "The first contact force differs from the point force at lift-off by {} on 30 intervals, {} on 20 and {} on {}. \
                  It does not converge, because neighbouring nodes share that force. The nodal forces between the first and the last \
                  one, the second one included, differ from q₀Δ by up to {:.0} % on 30, {:.0} % on 20 and {:.0} % on {} intervals, and \
-                 by {:.0} % on the worst of {} grids from 20 to 400 intervals, {}. {} of these grids have an open interval inside the \
+                 by {:.0} % on {} intervals, the worst of {} grids from 20 to 400 intervals. {} of these grids have an open interval inside the \
                  contact, where beam theory has none. Resultants converge, nodal pressures do not.",
                 percent(paper.first_force),
                 percent(coarse.first_force),
@@ -174,8 +174,8 @@ impl Evidence {
                 100.0 * fine.pressure,
                 fine.intervals,
                 100.0 * self.worst_pressure.1,
-                self.grids_looked_at,
                 self.worst_pressure.0,
+                self.grids_looked_at,
                 self.grids_with_holes,
             ),
         };

@@ -21,7 +21,7 @@ fn fixed(value: f64, places: usize) -> Result<String, Error> {
     finite(value).map(|value| unsigned_zero(format!("{value:.places$}")))
 }
 
-/// `{{ x | digits(3) }}`: significant digits, `1.18`; as [`sci`] below 10⁻⁴ and where digits before the point would be made up.
+/// `{{ x | digits(3) }}`: significant digits, `1.18` and `610`; as [`sci`] below 10⁻⁴ and from 10⁶ on.
 fn digits(value: f64, significant: usize) -> Result<String, Error> {
     let behind = significant.saturating_sub(1);
     let scientific = format!("{:.behind$e}", finite(value)?);
@@ -30,8 +30,22 @@ fn digits(value: f64, significant: usize) -> Result<String, Error> {
     let places = i32::try_from(behind).unwrap_or(i32::MAX).saturating_sub(exponent);
     match usize::try_from(places) {
         Ok(places) if -4 <= exponent => fixed(value, places),
+        Err(_) if exponent < 6 => {
+            let rounded: f64 = scientific.parse().unwrap_or(value);
+            Ok(grouped(&format!("{rounded:.0}")))
+        }
         _ => sci(value, behind),
     }
+}
+
+/// A number of a table, as [`digits`]; a dash for one that is not there or is none.
+pub(super) fn cell(value: Option<f64>, significant: usize) -> String {
+    value.and_then(|value| digits(value, significant).ok()).unwrap_or_else(|| "–".to_owned())
+}
+
+/// An error of a table, to one digit; a dash for one that is not there.
+pub(super) fn error_cell(value: Option<f64>) -> String {
+    value.and_then(|value| sci(value, 0).ok()).unwrap_or_else(|| "–".to_owned())
 }
 
 /// `{{ x | sci(1) }}`: digits behind the point and a power of ten, `1.2·10⁻⁹`; zero is `0`.
@@ -77,11 +91,19 @@ fn percent(value: f64, places: usize) -> Result<String, Error> {
 }
 
 /// `{{ n | thousands }}`: an integer in groups, `20 000`.
-fn thousands(value: i64) -> String {
-    let digits = value.unsigned_abs().to_string();
+pub(super) fn thousands(value: i64) -> String {
+    grouped(&value.to_string())
+}
+
+/// Digits in groups of three from five digits on.
+fn grouped(number: &str) -> String {
+    let (sign, digits) = number.strip_prefix('-').map_or(("", number), |digits| ("-", digits));
+    if digits.len() < 5 {
+        return number.to_owned();
+    }
     let groups: Vec<&str> =
         digits.as_bytes().rchunks(3).rev().filter_map(|group| std::str::from_utf8(group).ok()).collect();
-    format!("{}{}", if value < 0 { "-" } else { "" }, groups.join(" "))
+    format!("{sign}{}", groups.join(" "))
 }
 
 /// `value`, or an error that stops the report: a number that is none must not look like a result.
@@ -139,7 +161,9 @@ mod tests {
         check(digits(9.9996, 4), "10.00");
         check(digits(0.001_234_5, 2), "0.0012");
         check(digits(0.000_012_34, 2), "1.2·10⁻⁵");
-        check(digits(123_456.0, 3), "1.23·10⁵");
+        check(digits(123_456.0, 3), "123 000");
+        check(digits(612.0, 2), "610");
+        check(digits(2.5e6, 2), "2.5·10⁶");
         check(digits(-123.4, 3), "-123");
         check(digits(0.0, 3), "0.00");
     }
@@ -163,7 +187,7 @@ mod tests {
         check(percent(0.034, 1), "3.4 %");
         assert_eq!(
             [0, 999, -1000, 20_000, 1_234_567].map(thousands),
-            ["0", "999", "-1 000", "20 000", "1 234 567"],
+            ["0", "999", "-1000", "20 000", "1 234 567"],
             "groups of three"
         );
     }

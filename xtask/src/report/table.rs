@@ -48,6 +48,12 @@ fn is_number(cell: &str) -> bool {
     cell == "–" || cell.chars().next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '-' | '−' | '+'))
 }
 
+impl From<Table> for minijinja::Value {
+    fn from(table: Table) -> Self {
+        table.to_string().into()
+    }
+}
+
 impl Serialize for Table {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
