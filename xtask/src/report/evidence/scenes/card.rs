@@ -6,7 +6,7 @@ use palkki::scene::{Foundation, Scene};
 use palkki::theory::Exact;
 use palkki::verdict::Verdict;
 
-use super::closed::{Closed, closed};
+use super::closed::{Values, closed};
 use super::value_of;
 use crate::report::csv::fixed;
 use crate::report::error::Cause;
@@ -41,7 +41,7 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         let places = places(row.values.iter().fold(0.0, |most, v| most.max(v.abs())));
         let printed = |value: f64| if value.abs() <= 1e-9 * row.scale { "0".to_owned() } else { fixed(value, places) };
         let values: Vec<String> = row.values.iter().map(|value| printed(*value)).collect();
-        let (error, source) = match (of_closed(&row, name, reference.as_ref())?, row.proven) {
+        let (error, source) = match (of_closed(&row, name, reference.as_ref().map(|(_, values)| values))?, row.proven) {
             (Some(difference), _) => (difference, "closed form"),
             (None, Some(width)) if width.is_finite() => (width, "certificate"),
             _ => (0.0, "beam theory"),
@@ -60,7 +60,7 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         certified => verdict.status == Status::Certified,
         unknowns => exact.unknowns,
         error => certificate,
-        formula => reference.map(|reference| reference.formula),
+        formula => reference.map(|(formula, _)| formula),
         beam => beam(scene),
         load => load(scene),
         ground => scene.foundation().map(ground),
@@ -74,8 +74,8 @@ fn places(size: f64) -> usize {
 }
 
 /// How far the values of a row are from their closed form; none if they have none, an error if they are not the same.
-fn of_closed(row: &Row, scene: &str, reference: Option<&Closed>) -> Result<Option<f64>, Differs> {
-    let Some((_, values)) = reference.and_then(|r| r.values.iter().find(|(name, _)| row.name == *name)) else {
+fn of_closed(row: &Row, scene: &str, reference: Option<&Values>) -> Result<Option<f64>, Differs> {
+    let Some((_, values)) = reference.and_then(|values| values.iter().find(|(name, _)| row.name == *name)) else {
         return Ok(None);
     };
     let differences = row.values.iter().zip(values).map(|(a, b)| (a - b).abs());
@@ -109,7 +109,7 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     let width = widths.map(|reactions| reactions.iter().map(|[lo, hi]| hi - lo).fold(0.0, f64::max));
     let mut rows =
         vec![row("reactions, left and right", &of_force, &[state.reactions.left, state.reactions.right], force, width)];
-    if exact.support_couples != [0.0; 2] {
+    if exact.support_couples.iter().any(|couple| *couple < 0.0) {
         rows.push(row(
             "moments of ground and support, left and right",
             &of_moment,
@@ -159,7 +159,7 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
         ("deflection", &of_length, &state.deflection, deflection, error),
         ("moment", &of_moment, &state.moment, moment, None),
     ] {
-        let least = Some(("least", found.min, found.min_at)).filter(|_| found.min != found.max);
+        let least = Some(("least", found.min, found.min_at)).filter(|_| found.min < found.max);
         for (word, value, x) in [Some(("largest", found.max, found.max_at)), least].into_iter().flatten() {
             if value != 0.0 {
                 rows.push(row(&at(&format!("{word} {what}"), x), unit, &[value], scale, proven));

@@ -4,100 +4,79 @@ use palkki::scene::{Foundation, Scene};
 use palkki::theory::closed::{incline, lifted, parabola};
 use palkki::theory::flat;
 
-/// A formula in words of the report, and what follows from it: the name of a quantity and its values.
-pub(super) struct Closed {
-    pub(super) formula: &'static str,
-    pub(super) values: Vec<(&'static str, Vec<f64>)>,
-}
+/// Names of quantities, as the cards have them, with their values.
+pub(super) type Values = Vec<(&'static str, Vec<f64>)>;
 
-/// The closed form of a scene of the gallery, if it has one. Derivations: `src/theory/flat.rs` and `src/theory/closed`.
-pub(super) fn closed(name: &str, scene: &Scene) -> Option<Closed> {
+const REACTIONS: &str = "reactions, left and right";
+const ZONES: [&str; 2] = ["zone 1, from and to", "zone 2, from and to"];
+const ENDS: [&str; 2] = ["forces at the ends of zone 1", "forces at the ends of zone 2"];
+const CONTACT: &str = "contact force, total";
+const ENERGY: &str = "energy";
+
+/// The closed form of a scene of the gallery, if it has one, and what follows from it. Derivations: `src/theory/flat.rs` and
+/// `src/theory/closed`.
+pub(super) fn closed(name: &str, scene: &Scene) -> Option<(&'static str, Values)> {
     let (l, ei, q) = (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform());
+    let depth = |x: f64| scene.depth(x);
+    let zone = |t: f64, a: f64, end: f64, contact: f64, energy: f64| {
+        vec![
+            (REACTIONS, vec![t; 2]),
+            (ZONES[0], vec![a, l - a]),
+            (ENDS[0], vec![end; 2]),
+            (CONTACT, vec![contact]),
+            (ENERGY, vec![energy]),
+        ]
+    };
     let point = scene.load().point().first();
-    let values = match (name, scene.foundation()?) {
-        ("heinisuo-1984", &Foundation::Flat { depth }) => {
-            let exact = flat(l, ei, depth, q);
-            let a = exact.lift_off?;
-            vec![
-                ("reactions, left and right", vec![exact.reaction; 2]),
-                ("zone 1, from and to", vec![a, l - a]),
-                ("forces at the ends of zone 1", vec![exact.end_force; 2]),
-                ("contact force, total", vec![exact.contact_force]),
-                ("energy", vec![exact.energy]),
-            ]
+    Some(match (name, scene.foundation()?) {
+        ("heinisuo-1984", _) => {
+            let e = flat(l, ei, depth(0.0), q);
+            let formula =
+                "a⁴ = 24 EI u₀/q, T = q a/2, zone from a to l − a, force T at each end of it, J = −q u₀ (l − 4a/5)";
+            (formula, zone(e.reaction, e.lift_off?, e.end_force, e.contact_force, e.energy))
         }
-        ("mid-span" | "verge", &Foundation::Flat { depth }) => {
-            let exact = flat(l, ei, depth, q);
-            vec![
-                ("reactions, left and right", vec![exact.reaction; 2]),
-                ("contact force, total", vec![exact.contact_force]),
-                ("energy", vec![exact.energy]),
-            ]
+        ("mid-span" | "verge", _) => {
+            let e = flat(l, ei, depth(0.0), q);
+            let values =
+                vec![(REACTIONS, vec![e.reaction; 2]), (CONTACT, vec![e.contact_force]), (ENERGY, vec![e.energy])];
+            ("F = 5 q l/8 − 48 EI u₀/l³ at mid-span, T = (q l − F)/2, J = −q² l⁵/(240 EI) + F² l³/(96 EI)", values)
         }
-        ("gap", &Foundation::Flat { depth }) => {
-            let exact = lifted(l, ei, depth, q, -point?.force)?;
-            let ends = [exact.reaction, exact.inner_force];
-            vec![
-                ("reactions, left and right", vec![exact.reaction; 2]),
-                ("zone 1, from and to", exact.zones[0].to_vec()),
-                ("forces at the ends of zone 1", ends.to_vec()),
-                ("zone 2, from and to", exact.zones[1].to_vec()),
-                ("forces at the ends of zone 2", vec![ends[1], ends[0]]),
-                ("contact force, total", vec![2.0 * exact.zone_force]),
-                ("energy", vec![exact.energy]),
-            ]
+        ("gap", _) => {
+            let e = lifted(l, ei, depth(0.0), q, -point?.force)?;
+            let mut values = zone(e.reaction, 0.0, e.inner_force, 2.0 * e.zone_force, e.energy);
+            values[1].1 = e.zones[0].to_vec();
+            values[2].1 = vec![e.reaction, e.inner_force];
+            values.extend([(ZONES[1], e.zones[1].to_vec()), (ENDS[1], vec![e.inner_force, e.reaction])]);
+            ("a⁴ = 24 EI u₀/q, T = q a/2, gap g = 3P/(2q) below the lift P, force P/4 at each end of the gap", values)
         }
-        ("incline", Foundation::Polynomial { coefficients }) => {
-            let exact = incline(l, ei, [coefficients[0], scene.depth(l)], q)?;
-            vec![
-                ("reactions, left and right", exact.reactions.to_vec()),
-                ("zone 1, from and to", vec![exact.lift_off[0], l - exact.lift_off[1]]),
-                ("forces at the ends of zone 1", exact.reactions.to_vec()),
-                ("contact force, total", vec![exact.contact_force]),
-                ("energy", vec![exact.energy]),
-            ]
+        ("incline", _) => {
+            let e = incline(l, ei, [depth(0.0), depth(l)], q)?;
+            let mut values = zone(0.0, e.lift_off[0], 0.0, e.contact_force, e.energy);
+            values[1].1[1] = l - e.lift_off[1];
+            (values[0].1, values[2].1) = (e.reactions.to_vec(), e.reactions.to_vec());
+            (
+                "at each end a⁴ = 24 EI u/q with the depth u below that support, T = q a/2, force T at the end of the zone",
+                values,
+            )
         }
-        ("dish", Foundation::Polynomial { coefficients }) => {
-            let load = point?;
-            let exact = parabola(l, ei, coefficients[0], scene.depth(0.5 * l) - coefficients[0], q);
-            let a = exact.lift_off?;
-            vec![
-                ("reactions, left and right", vec![exact.reaction; 2]),
-                ("zone 1, from and to", vec![a, l - a]),
-                ("forces at the ends of zone 1", vec![exact.end_force; 2]),
-                ("contact force, total", vec![exact.contact_force + load.force]),
-                ("energy", vec![exact.energy - load.force * scene.depth(load.at)]),
-            ]
+        ("dish", _) => {
+            let (e, load) = (parabola(l, ei, depth(0.0), depth(0.5 * l) - depth(0.0), q), point?);
+            let formula = "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the \
+                           zone, and the point load goes into the ground where it stands";
+            let (contact, energy) = (e.contact_force + load.force, e.energy - load.force * depth(load.at));
+            (formula, zone(e.reaction, e.lift_off?, e.end_force, contact, energy))
         }
         ("kink", Foundation::Polyline { points }) => {
-            let [a, depth] = *points.get(1)?;
-            let b = l - a;
-            let of_load = q * a * (l * l * l - 2.0 * l * a * a + a * a * a) / (24.0 * ei);
-            // For a ≤ the place of the load.
-            let c = l - point?.at;
-            let of_point = point?.force * c * a * (l * l - c * c - a * a) / (6.0 * ei * l);
-            vec![("contact force, total", vec![(of_load + of_point - depth) * 3.0 * ei * l / (a * a * b * b)])]
+            let (a, p) = (points.get(1)?[0], point?);
+            // The deflection of the simple beam at the kink, which is left of the point load.
+            let (b, c) = (l - a, l - p.at);
+            let load = q * a * (l * l * l - 2.0 * l * a * a + a * a * a) / (24.0 * ei);
+            let free = load + p.force * c * a * (l * l - c * c - a * a) / (6.0 * ei * l);
+            let force = (free - depth(a)) * 3.0 * ei * l / (a * a * b * b);
+            let formula = "F = (v₀ − u) 3 EI l/(a² b²) at the kink, at a and b from the supports, with the deflection v₀ of the simple \
+                           beam there";
+            (formula, vec![(CONTACT, vec![force])])
         }
         _ => return None,
-    };
-    let formula = match name {
-        "heinisuo-1984" => {
-            "a⁴ = 24 EI u₀/q, T = q a/2, zone from a to l − a, force T at each end of it, J = −q u₀ (l − 4a/5)"
-        }
-        "mid-span" | "verge" => {
-            "F = 5 q l/8 − 48 EI u₀/l³ at mid-span, T = (q l − F)/2, J = −q² l⁵/(240 EI) + F² l³/(96 EI)"
-        }
-        "gap" => "a⁴ = 24 EI u₀/q, T = q a/2, gap g = 3P/(2q) below the lift P, force P/4 at each end of the gap",
-        "incline" => {
-            "at each end a⁴ = 24 EI u/q with the depth u below that support, T = q a/2, force T at the end of the zone"
-        }
-        "dish" => {
-            "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the zone, and the \
-             point load goes into the ground where it stands"
-        }
-        _ => {
-            "F = (v₀ − u) 3 EI l/(a² b²) at the kink, a and b from the supports, with the deflection v₀ of the simple beam there"
-        }
-    };
-    Some(Closed { formula, values })
+    })
 }
