@@ -1,4 +1,4 @@
-//! The interior-point library `clarabel`: translation to its form and back, nothing else.
+//! The interior-point library `clarabel` (Goulart and Chen 2024): translation to its form and back, nothing else.
 //!
 //! ```text
 //! minimise ½ zᵀ P z + cᵀ z   subject to   E z + 0 = e,   −z_k + s_k = 0, s ≥ 0 for the variables with a sign

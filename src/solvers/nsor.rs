@@ -120,8 +120,7 @@ impl Candidate {
     }
 }
 
-/// Whether a sequence has come back to where it was, by Brent's method ("An improved Monte Carlo factorization algorithm",
-/// BIT 20, 1980): one point of it is kept, a later one whenever the number of looks has doubled. A sweep depends on `x`
+/// Whether a sequence has come back to where it was, by Brent's method (Brent 1980): one point of it is kept, a later one whenever the number of looks has doubled. A sweep depends on `x`
 /// alone, so that equal bits now mean equal bits for ever.
 #[derive(Clone)]
 struct Cycle {

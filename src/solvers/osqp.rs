@@ -1,4 +1,4 @@
-//! The operator-splitting library `osqp`: translation to its form and back, nothing else.
+//! The operator-splitting library `osqp` (Stellato, Banjac, Goulart, Bemporad and Boyd 2020): translation to its form and back, nothing else.
 //!
 //! ```text
 //! minimise ½ zᵀ P z + cᵀ z   subject to   e ≤ E z ≤ e,   0 ≤ z_k ≤ ∞ for the variables with a sign

@@ -81,26 +81,28 @@ impl Evidence {
 
     pub(super) fn claim(&self) -> Claim {
         let line = |g: &Grid| {
-            format!(
-                "{} intervals: penetration {:.1e} u₀ between the nodes, energy {:+.2} % from beam theory",
-                g.intervals,
-                g.penetration,
-                100.0 * g.energy
-            )
+            format!("{:.3} % of u₀ and {:+.2} % on {} intervals", 100.0 * g.penetration, 100.0 * g.energy, g.intervals)
         };
         let between = |g: &Grid| g.bracket[0] <= 0.0 && 0.0 <= g.bracket[1];
-        let holds = if self.grids.iter().all(between) { "holds" } else { "does not hold" };
+        let holds = if self.grids.iter().all(between) { "contains" } else { "does not contain" };
         let width = self.grids.iter().map(|g| g.bracket[1] - g.bracket[0]).fold(0.0, f64::max);
         Claim {
             name: "bounded_from_both_sides",
             statement: "Without tension, or penetration, between the nodes, the stiffness D is bounded from both sides.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "the condition is not met: the beam goes up to {:.2} % of u₀ below the ground between the nodes, and both methods have one \
+                 energy; with a deflection that keeps above the ground `palkki certify` computes such bounds",
+                100.0 * self.grids.iter().map(|g| g.penetration).fold(0.0, f64::max),
+            ),
             evidence: format!(
-                "The condition is essential and does not hold as the methods stand: with constraints at the nodes only, both have \
-                 the same energy (the two differ by less than {}), and the beam dips below the foundation between them: {}. One \
-                 number on one side is no bracket. With a deflection made admissible between the nodes the claim can be carried \
-                 out, and `palkki certify` does: from the contact forces alone the energy of the continuous beam is bounded from both \
-                 sides. On each of these grids the bracket {holds} that of beam theory, and is narrower than {} of it.",
+                "The condition is not met by the methods as they stand. They have constraints at the nodes only, and both then have \
+                 the same energy (the two differ by less than {}), which is one number and no pair of bounds. Between the nodes the \
+                 beam goes below the ground; the penetration and the difference of the energy from beam theory are {}. \
+                 If the deflection is changed so that it stays above the ground between the nodes too, the claim can be carried out: \
+                 `palkki certify` bounds the energy of the continuous beam from both sides, from the contact forces alone. On each of \
+                 these grids the interval {holds} the energy of beam theory, and it is narrower than {} of that energy.",
                 // Two sums that end in the same bits still say no more than that.
                 bound(self.grids.iter().map(|g| g.difference).fold(f64::EPSILON, f64::max)),
                 self.grids.iter().map(line).collect::<Vec<_>>().join("; "),

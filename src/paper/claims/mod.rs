@@ -1,11 +1,13 @@
 //! The claims ledger: what the paper says, what the numbers say now.
 //!
 //! A claim has one file: what is measured (a struct of numbers), the verdict that follows from it, and the words. Verdicts
-//! are computed; `tests/acceptance/claims.rs` asserts them and the numbers behind them.
+//! are computed; `tests/acceptance/claims.rs` asserts them and the numbers behind them. The one claim about the literature,
+//! [`novelty`], cannot be decided by computing and stays open.
 
 pub mod bounds;
 pub mod extensions;
 pub mod four_step;
+pub mod novelty;
 pub mod nsor;
 pub mod point_forces;
 pub mod printed;
@@ -25,6 +27,8 @@ pub enum Verdict {
     Qualified,
     /// It does not hold.
     Refuted,
+    /// No computation can decide it.
+    Open,
 }
 
 impl Verdict {
@@ -35,6 +39,7 @@ impl Verdict {
             Self::Confirmed => "confirmed",
             Self::Qualified => "qualified",
             Self::Refuted => "refuted",
+            Self::Open => "open",
         }
     }
 }
@@ -48,6 +53,10 @@ pub struct Claim {
     pub statement: &'static str,
     /// What became of it.
     pub verdict: Verdict,
+    /// Which of two readings the verdict is about, where the words of the paper allow two.
+    pub reading: Option<&'static str>,
+    /// Why, in a few words with a number.
+    pub summary: String,
     /// Why, with numbers.
     pub evidence: String,
 }
@@ -112,6 +121,7 @@ impl Ledger {
         vec![
             self.printed.claim(),
             self.same_result.claim(),
+            novelty::claim(),
             self.point_forces.claim(),
             shape,
             pressure,

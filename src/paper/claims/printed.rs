@@ -65,9 +65,11 @@ impl Evidence {
             name: "printed_numbers",
             statement: "The reaction became 1.14 (n = 29); beam theory gives 1.18.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!("{:.5} and {:.5}", self.first_force, self.reaction_by_theory),
             evidence: format!(
                 "Beam theory gives {:.5}. The force method on 30 intervals gives {:.5} as the contact force of its first node \
-                 in contact, x = {:.4}, which rounds to the printed number; the end reaction of the same grid, {:.5}, does \
+                 in contact, at x = {:.4}, which rounds to the printed number; the end reaction of the same grid, {:.5}, does \
                  not. Finite differences give {:.5} for the first contact force.",
                 self.reaction_by_theory,
                 self.first_force,

@@ -90,9 +90,11 @@ impl Evidence {
             name: "same_result",
             statement: "Force and displacement method lead to entirely the same result.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!("the same up to rounding on {} scenes", self.scenes),
             evidence: format!(
-                "The two programmes are dual: K C = I (largest entry of K C − I with n = 29: below {}). On the example and {} \
-                 random uneven foundations with 30 intervals nodal deflections differ by less than {} of the largest one, \
+                "The two quadratic programs are dual, and K C = I (largest entry of K C − I with n = 29: below {}). On the example and {} \
+                 random uneven foundations, on 30 intervals, nodal deflections differ by less than {} of the largest one, \
                  contact forces by less than {} of the load.",
                 bound(self.inverse),
                 self.scenes - 1,

@@ -40,7 +40,7 @@ pub struct Evidence {
     pub worst_pressure: (usize, f64),
 }
 
-/// What an engineer calls usable without asking: one per cent.
+/// What we call usable: one per cent.
 const USABLE: f64 = 0.01;
 
 /// A grid that nobody could afford in 1984.
@@ -88,11 +88,19 @@ pub fn errors(intervals: usize) -> Result<Errors, SceneError> {
     })
 }
 
+impl Errors {
+    /// The worst of the errors that a designer looks at: end reaction, moment, deflection.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        self.end_reaction.abs().max(self.deflection).max(self.moment.abs())
+    }
+}
+
 impl Evidence {
     /// Deflected shape, moment and end reaction on the two grids of the paper.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
-        let good = |e: &Errors| e.end_reaction.abs().max(e.deflection).max(e.moment.abs()) <= USABLE;
+        let good = |e: &Errors| e.worst() <= USABLE;
         match (good(&self.grids[0]), good(&self.grids[1])) {
             (true, true) => Verdict::Confirmed,
             (false, false) => Verdict::Refuted,
@@ -118,7 +126,7 @@ impl Evidence {
         let percent = |e: f64| format!("{:+.2} %", 100.0 * e);
         let line = |e: &Errors| {
             format!(
-                "{} intervals: end reaction {}, largest moment {}, deflection within {:.2} % of u₀",
+                "On {} intervals the end reaction is off by {}, the largest moment by {} and the deflection of the nodes by at most {:.2} % of u₀",
                 e.intervals,
                 percent(e.end_reaction),
                 percent(e.moment),
@@ -129,18 +137,34 @@ impl Evidence {
             name: "usable_shape",
             statement: "The deflected shape is entirely usable on 30 intervals, and usable on 20.",
             verdict: self.verdict(),
-            evidence: format!("{}. {}. (Usable: within one per cent.)", line(paper), line(coarse)),
+            reading: None,
+            summary: format!(
+                "deflection, end reaction and moment within {:.2} % on {} intervals, {:.2} % on {}",
+                100.0 * paper.worst(),
+                paper.intervals,
+                100.0 * coarse.worst(),
+                coarse.intervals,
+            ),
+            evidence: format!("We call usable what is within one per cent. {}. {}.", line(paper), line(coarse)),
         };
         let pressure = Claim {
             name: "usable_pressure",
             statement: "The contact pressure distribution is entirely usable on 30 intervals, and usable on 20.",
             verdict: self.pressure_verdict(),
+            reading: None,
+            summary: format!(
+                "nodal forces are off by up to {:.0} % on {} intervals and {:.0} % on {}; their sum converges",
+                100.0 * paper.pressure,
+                paper.intervals,
+                100.0 * self.worst_pressure.1,
+                self.worst_pressure.0,
+            ),
             evidence: format!(
-                "The first contact force stands for the point force at lift-off with {} on 30 intervals, {} on 20 and {} on {}: \
-                 it does not converge, because neighbouring nodes share that force. Other nodal forces deviate from q₀Δ by up \
-                 to {:.0} % on 30, {:.0} % on 20 and {:.0} % on {} intervals, and by {:.0} % on the worst of {} grids from 20 to 400 \
-                 intervals, {}. {} of these grids have an open interval inside the contact, where beam theory has none. \
-                 Resultants converge, nodal pressures do not.",
+                "The first contact force differs from the point force at lift-off by {} on 30 intervals, {} on 20 and {} on {}. \
+                 It does not converge, because neighbouring nodes share that force. The nodal forces between the first and the last \
+                 one, the second one included, differ from q₀Δ by up to {:.0} % on 30, {:.0} % on 20 and {:.0} % on {} intervals, and \
+                 by {:.0} % on {} intervals, the worst of {} grids from 20 to 400 intervals. {} of these grids have an open interval inside the \
+                 contact, where beam theory has none. Resultants converge, nodal pressures do not.",
                 percent(paper.first_force),
                 percent(coarse.first_force),
                 percent(fine.first_force),
@@ -150,8 +174,8 @@ impl Evidence {
                 100.0 * fine.pressure,
                 fine.intervals,
                 100.0 * self.worst_pressure.1,
-                self.grids_looked_at,
                 self.worst_pressure.0,
+                self.grids_looked_at,
                 self.grids_with_holes,
             ),
         };

@@ -20,7 +20,6 @@ pub(crate) mod scenes;
 mod study;
 mod table;
 mod template;
-mod verdict;
 mod workers;
 
 use std::collections::{BTreeMap, BTreeSet};

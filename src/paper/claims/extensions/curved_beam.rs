@@ -68,8 +68,13 @@ impl Curved {
             name: "curved_beam",
             statement: "A curved beam (a ski) on a straight base is almost the same problem.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "contact forces differ by less than {} of the load: only u − w₀ enters",
+                bound(self.difference)
+            ),
             evidence: format!(
-                "Exactly the same if its ends are supported: only u − w₀ enters. A ski with a camber of {CAMBER} u₀ over a flat base \
+                "It is the same problem if its ends are supported, since only u − w₀ enters, w₀ being the unloaded shape. A ski with a camber of {CAMBER} u₀ over a flat base \
                  and a straight beam over the equivalent foundation, {INTERVALS} intervals: contact forces differ by less than {} \
                  of the load (resultant {:.4}).",
                 bound(self.difference),

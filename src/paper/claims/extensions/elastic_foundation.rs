@@ -68,9 +68,14 @@ impl Springs {
             name: "elastic_foundation",
             statement: "The methods extend to an elastic foundation.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "springs: deflection at mid-span within {} of the series solution",
+                bound(self.deflection)
+            ),
             evidence: format!(
                 "The force method with the flexibility of springs added to the diagonal of C, {INTERVALS} intervals: scaled residual \
-                 below {}, deflection at mid-span within {} of the series solution of a beam on an elastic foundation.",
+                 below {}, deflection at mid-span within {} of the series solution of a beam on an elastic foundation (Hetényi 1946).",
                 bound(self.residual.max(f64::EPSILON)),
                 bound(self.deflection)
             ),

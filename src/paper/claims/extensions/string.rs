@@ -7,7 +7,7 @@ use crate::problem::{Dense, Sizes, residual};
 use crate::solvers::Solver;
 
 /// A taut string of span 10 under tension 10 and a unit load, above a flat foundation at depth 1: touched or not, the
-/// programme (32) with another `K`.
+/// quadratic program (32) with another `K`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taut {
     /// Scaled residual of the optimality conditions.
@@ -56,6 +56,8 @@ impl Taut {
             name: "any_elastic_body",
             statement: "The methods extend to any elastic body whose stiffness or flexibility matrix can be computed.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!("a taut string: end reaction within {} of its closed form", bound(self.end_reaction)),
             evidence: format!(
                 "The solvers take any symmetric positive definite matrix. Tried on a body that is not a beam, a taut string on 200 \
                  intervals: scaled residual below {}, end reaction within {} of its closed form √(2 S q u₀).",

@@ -66,9 +66,15 @@ impl Unsupported {
             name: "unknown_rigid_motion",
             statement: "Where the rigid motion of the body is not known beforehand, further study is needed.",
             verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "without supports there are {} rigid motions, and step 1° {}",
+                self.rigid_motions,
+                if self.first_step_works { "has a solution" } else { "has no solution" },
+            ),
             evidence: format!(
                 "Without supports the condensed stiffness has {} vanishing eigenvalues, the rigid motions, and C does not exist: \
-                 step 1° of the algorithm {}. The programme is still convex; its solvers would have to be others.",
+                 step 1° of the algorithm {}. The quadratic program is still convex; it needs other solvers.",
                 self.rigid_motions,
                 if self.first_step_works { "can be carried out" } else { "cannot be carried out" }
             ),

@@ -3,70 +3,27 @@
 mod tolerance;
 
 use dashu_ratio::RBig;
+use minijinja::context;
 use palkki::paper::{INTERVALS, example, theory};
-use palkki::route::{Method, Outcome, Solver};
-use palkki::scene::Scene;
+use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::verdict::{Demand, Verdict};
 use palkki::{Settings, solve};
-use serde::Serialize;
 
 use self::tolerance::Tolerances;
-use crate::report::csv::{csv, fixed};
+use crate::report::csv::{csv, fixed, scientific};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::rational::Example;
 use crate::report::study::Study;
+use crate::report::table::Table;
 
-#[derive(Debug, Serialize)]
-struct Values {
-    intervals: usize,
-    energy: Authority,
-    differences: Authority,
-    theory: Theory,
-    rows: Vec<Row>,
-    /// Norm of the stiffness, from which the tolerances of iterative solvers follow.
-    norm: f64,
-    tolerances: Vec<tolerance::Reason>,
-    /// Whether every route agrees with the authority, and with every other route of the same model.
-    all_agree: bool,
-    /// Whether every route keeps to a tenth of its tolerance.
-    margin: bool,
-    pairs: usize,
-    pairs_agree: usize,
-}
-
-/// Exact results of one discrete model.
-#[derive(Debug, Serialize)]
+/// Exact results of one discrete model, as fractions and as the nearest numbers.
 struct Authority {
-    first_force: String,
-    first_force_value: f64,
-    left_reaction: String,
-    left_reaction_value: f64,
-    #[serde(skip)]
+    fractions: [String; 2],
     forces: Vec<f64>,
-}
-
-#[derive(Debug, Serialize)]
-struct Theory {
-    end_force: f64,
-    reaction: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct Row {
-    method: &'static str,
-    solver: &'static str,
-    status: &'static str,
-    /// Guaranteed error of the deflection over the largest deflection, if there is one.
-    certified: Option<f64>,
-    /// With as many digits as the tolerance of the solver promises.
-    first_force: String,
-    left_reaction: String,
-    tolerance: String,
-    agrees: &'static str,
-    /// The largest difference from the authority, over the tolerance.
-    #[serde(skip)]
-    share: f64,
+    /// The first node in contact.
+    first: usize,
+    left_reaction: f64,
 }
 
 /// A route with what is compared.
@@ -80,17 +37,41 @@ struct Run {
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let tolerances = Tolerances::new()?;
+    let run = |method, solver, intervals| -> Result<Run, Cause> {
+        let outcome = solve(&scene, &Settings::new(method, solver, intervals))?;
+        let forces = outcome.state.nodes.as_ref().map_or_else(Vec::new, |nodes| nodes.contact_force.clone());
+        Ok(Run { method, solver, outcome, forces })
+    };
     let mut runs = Vec::new();
     for method in Method::ALL {
         for solver in Solver::ALL {
-            let outcome = solve(&scene, &Settings::new(method, solver, INTERVALS))?;
-            let forces = outcome.state.nodes.as_ref().map_or_else(Vec::new, |nodes| nodes.contact_force.clone());
-            runs.push(Run { method, solver, outcome, forces });
+            runs.push(run(method, solver, INTERVALS)?);
         }
     }
     let (energy, differences) = (authority(&runs, Method::Force)?, authority(&runs, Method::Complementarity)?);
     let of = |run: &Run| if run.method == Method::Complementarity { &differences } else { &energy };
-    let rows: Vec<Row> = runs.iter().map(|run| row(&scene, run, of(run), &tolerances)).collect();
+
+    let mut table = Table::new(["method", "solver", "first contact force", "end reaction", "tolerance"]);
+    let mut rows = Vec::new();
+    let (mut worst, mut certified) = (0.0_f64, 0);
+    for run in &runs {
+        let authority = of(run);
+        let reaction = run.outcome.state.reactions.left;
+        let error = largest_difference(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
+        let share = error / tolerances.of(run.solver);
+        worst = worst.max(share);
+        let verdict = Verdict::of_outcome(&scene, &run.outcome, &Demand::default());
+        certified += usize::from(verdict.status == Status::Certified);
+        let first = run.forces.get(authority.first).copied().unwrap_or(f64::NAN);
+        let printed = [first, reaction].map(|value| fixed(value, tolerances.places(run.solver)));
+        let [force, reaction] = printed.clone();
+        let (method, solver) = (run.method.word().to_owned(), run.solver.word().to_owned());
+        table = table.row([method.clone(), solver.clone(), force, reaction, tolerances.printed(run.solver)]);
+        let [force, reaction] = printed;
+        let agrees = if share <= 1.0 { "yes" } else { "no" };
+        let (status, error) = (verdict.status.word().to_owned(), scientific(verdict.error, 1));
+        rows.push(vec![method, solver, status, error, force, reaction, agrees.to_owned()]);
+    }
 
     let (mut pairs, mut pairs_agree) = (0, 0);
     for (i, a) in runs.iter().enumerate() {
@@ -102,24 +83,36 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         }
     }
     let exact = theory();
-    let table = rows.iter().map(|r| {
-        [r.method, r.solver, r.status, &r.first_force, &r.left_reaction, r.agrees].map(str::to_owned).to_vec()
+    let answers = [("finite differences", &differences), ("energy methods", &energy)].map(|(name, authority)| {
+        let values = [authority.forces[authority.first], authority.left_reaction].map(|value| fixed(value, 9));
+        let [force, reaction] = [0, 1].map(|i| format!("{} = {}…", authority.fractions[i], values[i]));
+        [name.to_owned(), force, reaction]
     });
-    let table = csv(&["method", "solver", "status", "first_contact_force", "left_reaction", "agrees"], table);
-    let values = Values {
-        intervals: INTERVALS,
-        theory: Theory { end_force: exact.end_force, reaction: exact.reaction },
-        all_agree: rows.iter().all(|row| row.agrees == "yes"),
-        norm: tolerances.norm,
-        margin: rows.iter().all(|row| row.share <= 0.1),
-        tolerances: tolerances.reasons(),
-        energy,
-        differences,
-        rows,
+    let continuous =
+        ["beam theory, no grid".to_owned(), fixed(exact.end_force, 9) + "…", fixed(exact.reaction, 9) + "…"];
+    // What Figure 4 would show if its n counted the nodes.
+    let one_more = run(Method::Complementarity, Solver::ActiveSet, INTERVALS + 1)?;
+    let header = ["method", "solver", "status", "guaranteed_error", "first_contact_force", "left_reaction", "agrees"];
+    Ok(Evidence::new(context! {
+        intervals => INTERVALS,
+        exact => Table::new(["answer", "first contact force", "end reaction"]).rows(answers).row(continuous),
+        table,
+        routes => runs.len(),
+        certified,
+        agree => rows.iter().filter(|row| row.last().is_some_and(|word| word == "yes")).count(),
+        direct => tolerances.printed(Solver::ActiveSet),
+        iterative => tolerances.printed(Solver::Nsor),
+        norm => tolerances.norm,
+        margin => worst <= 0.1,
         pairs,
         pairs_agree,
-    };
-    Ok(Evidence::new(values).data("agreement", table))
+        one_more => context! {
+            intervals => INTERVALS + 1,
+            force => one_more.forces.iter().copied().find(|p| 0.0 < *p),
+            x => one_more.outcome.state.contacts.first().map_or(f64::NAN, |c| c.from),
+        },
+    })
+    .data("agreement", csv(&header, rows)))
 }
 
 /// The exact optimum. The contact set is read from a computed answer; the check in rationals does not rely on it.
@@ -133,35 +126,13 @@ fn authority(runs: &[Run], method: Method) -> Result<Authority, Cause> {
         example.by_energy(&touches)?
     };
     let nearest = |value: &RBig| value.to_f64().value();
-    let first = optimum.contact_force.iter().find(|p| !p.is_zero()).cloned().unwrap_or(RBig::ZERO);
+    let first = optimum.contact_force.iter().position(|p| !p.is_zero()).unwrap_or(0);
     Ok(Authority {
-        first_force: first.to_string(),
-        first_force_value: nearest(&first),
-        left_reaction: optimum.left_reaction.to_string(),
-        left_reaction_value: nearest(&optimum.left_reaction),
+        first,
+        fractions: [optimum.contact_force[first].to_string(), optimum.left_reaction.to_string()],
         forces: optimum.contact_force.iter().map(nearest).collect(),
+        left_reaction: nearest(&optimum.left_reaction),
     })
-}
-
-fn row(scene: &Scene, run: &Run, authority: &Authority, tolerances: &Tolerances) -> Row {
-    let verdict = Verdict::of_outcome(scene, &run.outcome, &Demand::default());
-    let allowed = tolerances.of(run.solver);
-    let places = tolerances.places(run.solver);
-    let first = authority.forces.iter().position(|p| 0.0 < *p).unwrap_or(0);
-    let reaction = run.outcome.state.reactions.left;
-    let error =
-        largest_difference(&run.forces, &authority.forces).max((reaction - authority.left_reaction_value).abs());
-    Row {
-        method: run.method.word(),
-        solver: run.solver.word(),
-        status: verdict.status.word(),
-        certified: verdict.error.is_finite().then_some(verdict.error),
-        first_force: fixed(run.forces.get(first).copied().unwrap_or(f64::NAN), places),
-        left_reaction: fixed(reaction, places),
-        tolerance: tolerances.printed(run.solver),
-        agrees: if error <= allowed { "yes" } else { "no" },
-        share: error / allowed,
-    }
 }
 
 /// Infinite if there is nothing to compare, or NaN in it.

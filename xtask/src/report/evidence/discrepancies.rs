@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use serde::Serialize;
+use minijinja::{Value, context};
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
@@ -14,7 +14,7 @@ use crate::report::study::Study;
 const OPENING: &str = "// Discrepancy: ";
 
 /// One departure, as told where the code departs.
-#[derive(Debug, Serialize, PartialEq, Eq)]
+#[derive(Debug, PartialEq, Eq)]
 struct Discrepancy {
     id: String,
     /// Path relative to the root.
@@ -23,11 +23,6 @@ struct Discrepancy {
     line: usize,
     /// Paragraphs of the block, separated by empty lines.
     text: String,
-}
-
-#[derive(Debug, Serialize)]
-struct Values {
-    entries: Vec<Discrepancy>,
 }
 
 /// Why a block cannot be read.
@@ -47,7 +42,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let text = fs::read_to_string(study.root.join(&path))?;
         sources.insert(path, text);
     }
-    Ok(Evidence::new(Values { entries: collect(&sources)? }))
+    let entries = collect(&sources)?.into_iter().map(|d| context! { id => d.id, file => d.file, text => d.text });
+    let entries: Vec<Value> = entries.collect();
+    Ok(Evidence::new(context! { count => entries.len(), entries }))
 }
 
 /// All blocks, ordered by id, so that moving code from file to file does not reorder the chapter.

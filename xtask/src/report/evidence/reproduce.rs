@@ -1,24 +1,20 @@
 //! How to reproduce: what the lock file and the tree say about themselves.
 
+mod references;
+
 use std::fs;
 
-use serde::{Deserialize, Serialize};
+use minijinja::context;
+use serde::Deserialize;
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::files;
 use crate::report::study::Study;
+use crate::report::table::Table;
 
-/// The crates whose versions can change a number or a drawing of the report.
-const NUMERICAL: [&str; 6] = ["nalgebra", "clarabel", "osqp", "libm", "plotters", "insta"];
-
-#[derive(Debug, Serialize)]
-struct Values {
-    rust_version: String,
-    versions: Vec<Package>,
-    /// Names of the files in `report/scenes`.
-    scenes: Vec<String>,
-}
+/// The crates whose versions can change a number or a line of the report.
+const NUMERICAL: [&str; 5] = ["nalgebra", "clarabel", "osqp", "libm", "insta"];
 
 /// The part of `Cargo.lock` that is read.
 #[derive(Debug, Deserialize)]
@@ -26,7 +22,7 @@ struct Lock {
     package: Vec<Package>,
 }
 
-#[derive(Debug, Deserialize, Serialize, PartialEq, Eq)]
+#[derive(Debug, Deserialize)]
 struct Package {
     name: String,
     version: String,
@@ -36,6 +32,7 @@ struct Package {
 #[derive(Debug, Deserialize)]
 struct Manifest {
     workspace: Workspace,
+    package: Package,
 }
 
 #[derive(Debug, Deserialize)]
@@ -57,26 +54,30 @@ struct NotOneVersion {
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    references::check(study.root)?;
     let manifest: Manifest = toml::from_str(&fs::read_to_string(study.root.join("Cargo.toml"))?)?;
     let lock: Lock = toml::from_str(&fs::read_to_string(study.root.join("Cargo.lock"))?)?;
     let scenes = files::list(study.root, "report/scenes")?;
-    let scenes = scenes.iter().filter_map(|path| path.strip_prefix("report/scenes/")).map(str::to_owned).collect();
-    let rust_version = manifest.workspace.package.rust_version;
-    Ok(Evidence::new(Values { rust_version, versions: versions(lock)?, scenes }))
+    let scenes: Vec<String> =
+        scenes.iter().filter_map(|path| path.strip_prefix("report/")).map(str::to_owned).collect();
+    Ok(Evidence::new(context! {
+        version => manifest.package.version,
+        rust_version => manifest.workspace.package.rust_version,
+        versions => Table::new(["crate", "version"]).rows(versions(&lock)?),
+        scenes,
+    }))
 }
 
 /// The versions of [`NUMERICAL`], in that order.
-fn versions(lock: Lock) -> Result<Vec<Package>, NotOneVersion> {
-    let mut found = Vec::new();
-    let mut packages = lock.package;
-    for name in NUMERICAL {
-        let of_name: Vec<Package> = packages.extract_if(.., |package| package.name == name).collect();
-        match <[Package; 1]>::try_from(of_name) {
-            Ok([package]) => found.push(package),
-            Err(others) => return Err(NotOneVersion { name, count: others.len() }),
+fn versions(lock: &Lock) -> Result<Vec<[String; 2]>, NotOneVersion> {
+    let version = |name: &'static str| {
+        let of_name: Vec<&Package> = lock.package.iter().filter(|package| package.name == name).collect();
+        match of_name[..] {
+            [package] => Ok([name.to_owned(), package.version.clone()]),
+            _ => Err(NotOneVersion { name, count: of_name.len() }),
         }
-    }
-    Ok(found)
+    };
+    NUMERICAL.into_iter().map(version).collect()
 }
 
 #[cfg(test)]
@@ -90,15 +91,9 @@ mod tests {
 
     #[test]
     fn one_version_of_each_is_listed() {
-        let mut names = NUMERICAL.to_vec();
-        names.push("other");
-        let found = versions(lock(&names)).expect("each is there once");
-        assert_eq!(found.iter().map(|package| package.name.as_str()).collect::<Vec<_>>(), NUMERICAL, "in our order");
-    }
-
-    #[test]
-    fn none_and_two_are_refused() {
-        assert_eq!(versions(lock(&[])), Err(NotOneVersion { name: "nalgebra", count: 0 }), "none");
-        assert_eq!(versions(lock(&["nalgebra", "nalgebra"])), Err(NotOneVersion { name: "nalgebra", count: 2 }), "two");
+        let found = versions(&lock(&[&NUMERICAL[..], &["other"]].concat())).expect("each is there once");
+        assert!(found.iter().map(|[name, _]| name).eq(NUMERICAL.iter()), "in our order");
+        assert_eq!(versions(&lock(&[])), Err(NotOneVersion { name: "nalgebra", count: 0 }), "none");
+        assert_eq!(versions(&lock(&["nalgebra"; 2])), Err(NotOneVersion { name: "nalgebra", count: 2 }), "two");
     }
 }

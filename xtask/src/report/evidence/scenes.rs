@@ -1,197 +1,125 @@
-//! The gallery: the exact solution of every scene file, what it required, and which discrete routes are certified.
+//! The gallery: the exact solution of every scene file as a card, what it required, and which discrete routes are certified.
 
+mod card;
+mod closed;
 mod required;
-mod routes;
 
 use std::fs;
-use std::path::Path;
 
+use minijinja::context;
 use palkki::plot::{Curves, curves};
-use palkki::route::Status;
+use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
-use palkki::state::{Contact, Extremes, Regime};
-use palkki::theory::{self, Exact};
-use serde::Serialize;
+use palkki::state::Regime;
+use palkki::verdict::{Demand, Verdict};
+use palkki::{Settings, solve, theory};
 
-use self::required::Required;
-use self::routes::Routes;
+use crate::report::csv::csv;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
+use crate::report::numbers::{bound, cell};
 use crate::report::study::Study;
-use crate::report::{exact, numbers, scenes, verdict};
+use crate::report::table::Table;
+use crate::report::{exact, scenes};
 
-#[derive(Debug, Serialize)]
-struct Values {
-    rows: Vec<Row>,
-    /// How many of them are exact and checked.
-    exact: usize,
-    fewest: usize,
-    most: usize,
-    /// The grid on which routes are counted.
-    coarse: usize,
-    /// Routes that are meant to reach the optimum, on all scenes together, and how many are certified.
-    routes: usize,
-    certified: usize,
-    /// The same for the four steps.
-    four_step_routes: usize,
-    four_step_certified: usize,
-    targets: [String; 2],
-    cap: usize,
-    /// Whether some search for a grid ended there.
-    capped: bool,
-    /// Whether the judge stopped one before.
-    refused: bool,
-    /// Worst residual of all scenes, as a bound.
-    residual: String,
-    /// Lines of the verdict table.
-    verdicts: Vec<verdict::Row>,
-}
-
-#[derive(Debug, Serialize)]
-struct Row {
-    name: String,
-    title: String,
-    /// What the scene file says of itself.
-    story: String,
-    figure: String,
-    status: &'static str,
-    regime: &'static str,
-    unknowns: usize,
-    length: String,
-    force: String,
-    moment: String,
-    energy_unit: String,
-    contacts: Vec<Touch>,
-    /// Concentrated forces inside zones, `[place, force]`.
-    inside: Vec<[f64; 2]>,
-    left: f64,
-    right: f64,
-    /// Moments of foundation and support together, where the foundation meets a support.
-    couples: [f64; 2],
-    contact_force: f64,
-    energy: f64,
-    deflection: Span,
-    bending: Span,
-    required: Required,
-    routes: Routes,
-}
-
-/// A contact; the forces at its ends are missing at a point.
-#[derive(Debug, Serialize)]
-struct Touch {
-    from: f64,
-    to: f64,
-    point: bool,
-    force: f64,
-    ends: [f64; 2],
-}
-
-/// The greatest and the least value, each with its place.
-#[derive(Debug, Serialize)]
-struct Span {
-    max: [f64; 2],
-    min: [f64; 2],
-}
+/// The paper's grid, on which every solver has a chance.
+const INTERVALS: usize = palkki::paper::INTERVALS;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let mut rows = Vec::new();
-    let mut drawings = Vec::new();
-    let mut residual = 0.0_f64;
+    let mut overview = Table::new([
+        "scene",
+        "contact",
+        "unknowns",
+        "left reaction",
+        "right reaction",
+        "contact force",
+        "unit of force",
+    ]);
+    let [coarse, fine] = required::TARGETS.map(bound);
+    let mut grids = Table::new([
+        "scene".to_owned(),
+        "beam theory".to_owned(),
+        format!("differences, {coarse}"),
+        format!("differences, {fine}"),
+        format!("energy methods, {coarse}"),
+        format!("energy methods, {fine}"),
+    ]);
+    let (mut cards, mut drawings, mut runs, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut residual, mut certified, mut capped, mut refused) = (0.0_f64, 0, false, false);
     for (name, scene) in scenes::all(study.root)? {
         let exact = theory::solve(&scene)?;
+        let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
         residual = residual.max(exact.residual);
-        let row = row(study.root, name, &scene, &exact)?;
-        let drawn = Curves::exact(&scene, &exact);
-        drawings.push((row.figure.clone(), curves(&scene, &drawn, "exact solution")?, exact::table(&drawn)));
-        rows.push(row);
-    }
-    let sum = |of: fn(&Routes) -> usize| rows.iter().map(|row| of(&row.routes)).sum();
-    let unknowns = || rows.iter().map(|row| row.unknowns);
-    let exact = rows.iter().filter(|row| row.status == Status::Certified.word()).count();
-    let values = Values {
-        verdicts: vec![on_the_first_screen(&rows, exact)],
-        exact,
-        fewest: unknowns().min().unwrap_or(0),
-        most: unknowns().max().unwrap_or(0),
-        coarse: routes::INTERVALS,
-        routes: sum(|routes| routes.of),
-        certified: sum(|routes| routes.certified),
-        four_step_routes: sum(|routes| routes.four_step_of),
-        four_step_certified: sum(|routes| routes.four_step),
-        targets: required::TARGETS.map(numbers::bound),
-        cap: required::MOST,
-        capped: rows.iter().any(|row| row.required.is_capped()),
-        refused: rows.iter().any(|row| row.required.is_refused()),
-        residual: numbers::bound(residual),
-        rows,
-    };
-    Ok(drawings.into_iter().fold(Evidence::new(values), |with, (name, svg, csv)| with.figure(&name, svg, csv)))
-}
-
-/// What the first screen says.
-fn on_the_first_screen(rows: &[Row], exact: usize) -> verdict::Row {
-    let unknowns: Vec<String> = rows
-        .iter()
-        .map(|row| row.unknowns)
-        .fold([usize::MAX, 0], |[least, most], n| [least.min(n), most.max(n)])
-        .iter()
-        .map(usize::to_string)
-        .collect();
-    verdict::Row {
-        what: "Beam theory for any scene".to_owned(),
-        paper: "beam theory to compare with, on a flat foundation".to_owned(),
-        now: format!(
-            "{exact} of {} scenes exact and checked everywhere, with {} unknowns",
-            rows.len(),
-            unknowns.join(" to ")
-        ),
-        verdict: if exact == rows.len() { "extended" } else { "not always found" },
-        section: "gallery",
-    }
-}
-
-fn row(root: &Path, name: String, scene: &Scene, exact: &Exact) -> Result<Row, Cause> {
-    let unit = |label: Option<&String>| label.map_or_else(String::new, |label| format!(" {label}"));
-    let units = scene.units();
-    let moment = units.force.as_ref().zip(units.length.as_ref()).map(|(force, length)| format!("{force}·{length}"));
-    let state = &exact.state;
-    Ok(Row {
-        title: scene.title().to_owned(),
-        story: story(&fs::read_to_string(root.join(format!("report/scenes/{name}.toml")))?),
-        figure: format!("scene-{name}"),
-        name,
-        status: exact.status.word(),
-        regime: match state.regime {
-            Regime::None => "no contact",
-            Regime::Points => "single points",
+        certified += usize::from(verdict.status == Status::Certified);
+        unknowns.push(exact.unknowns);
+        let state = &exact.state;
+        let force = scene.load().magnitude(scene.beam().length());
+        let regime = match state.regime {
+            Regime::None => "none",
+            Regime::Points => "points",
             Regime::Zone => "zones",
-        },
-        unknowns: exact.unknowns,
-        length: unit(units.length.as_ref()),
-        force: unit(units.force.as_ref()),
-        energy_unit: unit(moment.as_ref()),
-        moment: unit(moment.as_ref()),
-        contacts: state.contacts.iter().map(touch).collect(),
-        inside: exact.forces_inside_zones().map(|(at, force)| [at, force]).collect(),
-        left: state.reactions.left,
-        right: state.reactions.right,
-        couples: exact.support_couples,
-        contact_force: state.contact_force(),
-        energy: state.energy,
-        deflection: span(&state.deflection),
-        bending: span(&state.moment),
-        required: required::required(scene, exact)?,
-        routes: routes::judged(scene)?,
-    })
+        };
+        let forces = [state.reactions.left, state.reactions.right, state.contact_force()];
+        let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
+        let unit = scene.units().force.clone().unwrap_or_else(|| "any".to_owned());
+        let link = format!("[{}](#{name})", scene.title());
+        overview = overview.row([link, regime.to_owned(), exact.unknowns.to_string(), left, right, contact, unit]);
+
+        let searched = required::required(&scene, &exact)?;
+        (capped, refused) = (capped | searched.capped, refused | searched.refused);
+        grids = grids.row(std::iter::once(scene.title().to_owned()).chain(searched.cells));
+        runs.extend(routes(&name, &scene)?);
+
+        let story = story(&fs::read_to_string(study.root.join(format!("report/scenes/{name}.toml")))?);
+        cards.push(card::card(&name, &scene, &exact, &verdict, story)?);
+        let drawn = Curves::exact(&scene, &exact);
+        drawings.push((format!("scene-{name}"), curves(&scene, &drawn, "exact solution")?, exact::table(&drawn)));
+    }
+    let four_step = |run: &&Vec<String>| run[2] == Solver::FourStep.word();
+    let is_certified = |run: &&Vec<String>| run[3] == Status::Certified.word();
+    let others = || runs.iter().filter(|run| !four_step(run));
+    let values = context! {
+        count => cards.len(),
+        exact => certified,
+        fewest => unknowns.iter().min(),
+        most => unknowns.iter().max(),
+        residual => bound(residual),
+        overview,
+        required => grids,
+        targets => required::TARGETS.map(bound),
+        coarsest => required::COARSEST - 1,
+        cap => required::MOST,
+        capped,
+        refused,
+        intervals => INTERVALS,
+        routes => others().count(),
+        certified => others().filter(is_certified).count(),
+        not_certified => others().filter(|run| !is_certified(run)).map(|run| run.join(" ")).collect::<Vec<_>>(),
+        four_step_routes => runs.iter().filter(four_step).count(),
+        four_step_certified => runs.iter().filter(four_step).filter(is_certified).count(),
+        cards,
+    };
+    let routes = csv(&["scene", "method", "solver", "status", "solver_reports"], runs);
+    let with = Evidence::new(values).data("scene-routes", routes);
+    Ok(drawings.into_iter().fold(with, |with, (name, svg, csv)| with.figure(&name, svg, csv)))
 }
 
-fn touch(contact: &Contact) -> Touch {
-    let &Contact { from, to, force, end_forces } = contact;
-    Touch { from, to, point: end_forces.is_none(), force, ends: end_forces.unwrap_or_default() }
+/// Every method with every solver on a scene: names, status, and whether the solver reports success.
+fn routes(name: &str, scene: &Scene) -> Result<Vec<Vec<String>>, Cause> {
+    let mut rows = Vec::new();
+    for method in Method::ALL {
+        for solver in Solver::ALL {
+            let outcome = solve(scene, &Settings::new(method, solver, INTERVALS))?;
+            let reports = if outcome.solver_claims_success { "success" } else { "failure" };
+            rows.push([name, method.word(), solver.word(), outcome.status.word(), reports].map(str::to_owned).to_vec());
+        }
+    }
+    Ok(rows)
 }
 
-fn span(extremes: &Extremes) -> Span {
-    Span { max: [extremes.max, extremes.max_at], min: [extremes.min, extremes.min_at] }
+/// A number of a table to some significant digits; `0` for what is rounding beside `scale`.
+fn value_of(value: f64, scale: f64, digits: usize) -> String {
+    if value.abs() <= 1e-9 * scale { "0".to_owned() } else { cell(Some(value), digits) }
 }
 
 /// The comment at the head of a scene file.

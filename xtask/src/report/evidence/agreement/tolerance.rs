@@ -5,7 +5,6 @@ use palkki::methods::{Discrete, Method};
 use palkki::paper::{INTERVALS, example};
 use palkki::route::Solver;
 use palkki::scene::SceneError;
-use serde::Serialize;
 
 use crate::report::numbers::power;
 
@@ -13,20 +12,12 @@ use crate::report::numbers::power;
 const DIRECT: i8 = -10;
 
 /// Tolerances of contact forces and reactions \[force\].
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 pub(super) struct Tolerances {
     /// Largest row sum of the stiffness \[force / length\]: how much force a clearance is worth.
     pub(super) norm: f64,
-    /// Power of ten of an answer that stopped on a residual: that of the judge's threshold, at depth 1, times the norm.
+    /// Power of ten of an answer that stopped on a residual: that of our check's threshold, at depth 1, times the norm.
     iterative: i8,
-}
-
-/// A tolerance and where it comes from.
-#[derive(Debug, Serialize)]
-pub(super) struct Reason {
-    solver: &'static str,
-    tolerance: String,
-    why: &'static str,
 }
 
 impl Tolerances {
@@ -62,26 +53,6 @@ impl Tolerances {
     /// `10⁻⁵`
     pub(super) fn printed(&self, solver: Solver) -> String {
         power(i32::from(self.exponent(solver)))
-    }
-
-    /// All of them.
-    pub(super) fn reasons(&self) -> Vec<Reason> {
-        let reason =
-            |solver: Solver| Reason { solver: solver.word(), tolerance: self.printed(solver), why: why(solver) };
-        Solver::ALL.map(reason).into()
-    }
-}
-
-fn why(solver: Solver) -> &'static str {
-    match solver {
-        Solver::FourStep | Solver::ActiveSet => {
-            "a direct solve of a system of condition number 3: sixteen digits, less a few for sums and differences, and a wide margin"
-        }
-        Solver::Nsor => "stops on a residual: the threshold of the judge times the norm of K",
-        Solver::Clarabel => "stops on a duality gap, and passes the judge: the same",
-        Solver::Osqp => {
-            "stops on a residual; its polishing often finds far more digits, but does not promise to: the same"
-        }
     }
 }
 

@@ -4,9 +4,9 @@ use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::theory::Exact;
 use palkki::{Settings, solve};
-use serde::Serialize;
 
 use crate::report::error::Cause;
+use crate::report::numbers::thousands;
 
 /// Relative errors that are asked for: what an engineer needs, and what a reference needs.
 pub(super) const TARGETS: [f64; 2] = [1e-4, 1e-6];
@@ -17,69 +17,60 @@ pub(super) const MOST: usize = 1_000_000;
 /// The methods: displacement and force method have the same answers.
 const METHODS: [Method; 2] = [Method::Complementarity, Method::Force];
 
-/// One scene.
-#[derive(Debug, Serialize)]
+/// What the search found for one scene.
 pub(super) struct Required {
-    /// Unknowns of the exact solution.
-    exact: usize,
-    /// True if the foundation meets a support, whose reaction is then not compared.
-    meets_support: bool,
-    /// For each method and each target; none if no reaction is left to compare.
-    grids: Vec<Grid>,
-}
-
-impl Required {
-    /// True if the search for a grid ended at the finest one.
-    pub(super) fn is_capped(&self) -> bool {
-        self.grids.iter().any(|grid| !grid.found && !grid.refused)
-    }
-
-    /// True if an answer that the judge does not certify ended it.
-    pub(super) fn is_refused(&self) -> bool {
-        self.grids.iter().any(|grid| !grid.found && grid.refused)
-    }
-}
-
-/// The first grid that is good enough.
-#[derive(Debug, Serialize)]
-struct Grid {
-    /// Its unknowns, or the most that were tried.
-    unknowns: usize,
-    /// True if it is good enough.
-    found: bool,
-    /// True if the judge stopped certifying before that.
-    refused: bool,
+    /// Unknowns of the exact solution, then those of the grids, for each method and each target.
+    pub(super) cells: Vec<String>,
+    /// True if the search ended at the finest grid.
+    pub(super) capped: bool,
+    /// True if it ended at an answer that is not certified.
+    pub(super) refused: bool,
 }
 
 /// Looks for the grids.
 pub(super) fn required(scene: &Scene, exact: &Exact) -> Result<Required, Cause> {
     let met = met_supports(scene);
-    let mut grids = Vec::new();
-    let methods: &[Method] = if met == [true; 2] { &[] } else { &METHODS };
-    for &method in methods {
-        let mut found: [Option<usize>; TARGETS.len()] = [None; TARGETS.len()];
+    let mark = if met.contains(&true) { " ¹" } else { "" };
+    let mut found = Required { cells: vec![format!("{}{mark}", exact.unknowns)], capped: false, refused: false };
+    if met == [true; 2] {
+        found.cells.extend(["none ¹"; METHODS.len() * TARGETS.len()].map(str::to_owned));
+        return Ok(found);
+    }
+    for method in METHODS {
+        let mut first: [Option<usize>; TARGETS.len()] = [None; TARGETS.len()];
         let (mut last, mut refused) = (0, false);
         // One grid may be lucky: the next one has to be good enough as well.
         let mut before = f64::INFINITY;
         let mut intervals = COARSEST;
-        while intervals - 1 <= MOST && found.contains(&None) {
+        while intervals - 1 <= MOST && first.contains(&None) {
             let outcome = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals))?;
             if outcome.status != Status::Certified {
                 refused = true;
                 break;
             }
             let error = error(scene, exact, &outcome.state, met);
-            for (found, target) in found.iter_mut().zip(TARGETS) {
-                if found.is_none() && before.max(error) <= target {
-                    *found = Some(last);
+            for (first, target) in first.iter_mut().zip(TARGETS) {
+                if first.is_none() && before.max(error) <= target {
+                    *first = Some(last);
                 }
             }
             (before, last) = (error, intervals - 1);
             intervals *= 2;
         }
-        grids.extend(found.map(|n| Grid { unknowns: n.unwrap_or(last), found: n.is_some(), refused }));
+        let missing = first.contains(&None);
+        (found.refused, found.capped) = (found.refused | (missing && refused), found.capped | (missing && !refused));
+        found.cells.extend(first.map(|n| match n {
+            Some(n) => grouped(n),
+            None if refused => "none ²".to_owned(),
+            None => format!("more than {}", grouped(last)),
+        }));
     }
-    Ok(Required { exact: exact.unknowns, meets_support: met.contains(&true), grids })
+    Ok(found)
+}
+
+/// A count in groups of three digits.
+fn grouped(n: usize) -> String {
+    thousands(i64::try_from(n).unwrap_or(i64::MAX))
 }
 
 /// Supports at which the foundation starts at their own level. They share their force with the ground beside them, in a
