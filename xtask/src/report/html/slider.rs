@@ -28,7 +28,7 @@ const SLIDERS: [Slider; 2] = [
         name: "grid",
         title: "Try it: how many intervals",
         text: "The paper's example by the force method. The force at the first node that touches jumps from grid to grid, \
-               because it depends on where the nodes happen to lie. The resultant does not: it is the sum of all contact \
+               because it depends on where the nodes happen to lie. The resultant moves far less: it is the sum of all contact \
                forces of one half, less the pressure that beam theory has there.",
         label: "Number of intervals",
     },
