@@ -14,14 +14,15 @@ pub(super) fn sweeps(found: &nsor::Evidence) -> Result<Drawn, PlotError> {
     let mut rows = Vec::new();
     for (i, count) in found.counts.iter().enumerate() {
         let points = count.sweeps.iter().map(|&(n, s)| [number(n), number(s)]).collect();
-        let label = format!("{} (like n^{:.1})", count.method, count.exponent);
+        let label = count.method.to_string();
         panel = panel.with(Layer::Series { points, style: Style::of_series(i), label });
         // Three digits: the last sweeps before the stopping rule holds depend on rounding.
         let row = |&(n, s): &(usize, usize)| vec![count.method.to_string(), n.to_string(), scientific(number(s), 2)];
         rows.extend(count.sweeps.iter().map(row));
     }
+    let of = |best: fn(f64, f64) -> f64| found.counts.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
     let svg = Figure::new(
-        "Sweeps that NSOR needs on the example",
+        &format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
         "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method. All rise; the force \
          method needs the most.",
         vec![panel],
@@ -54,8 +55,14 @@ pub(super) fn successes(found: &four_step::Evidence) -> Result<Drawn, PlotError>
         let style = Style { marker: None, ..Style::of_series(i) };
         panel = panel.with(Layer::Series { points: shares, style, label: count.method.to_string() });
     }
+    let grids = || found.counts.iter().map(|count| count.grids);
     let svg = Figure::new(
-        "How often the four steps end at the optimum of the example",
+        &format!(
+            "The four steps end at the optimum on {} to {} of {} grids of the example",
+            grids().min().unwrap_or(0),
+            grids().max().unwrap_or(0),
+            found.grids
+        ),
         "Share of the grids of at most N intervals on which the four steps end at the optimum, one line for each method. It is 100 \
          per cent on coarse grids and falls on finer ones.",
         vec![panel],
