@@ -176,12 +176,13 @@ fn demanded(scene: &Scene, exponent: i32) -> Result<(usize, Option<f64>, bool), 
 fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
     let panels = SCENES.map(|scene| {
         let y = Axis::new(format!("certified error, {scene}")).log();
-        let diagonal = vec![[1e-1, 1e-1], [1e-8, 1e-8]];
-        let panel = Panel::new(Axis::new("error that is demanded, EPS").log(), y).tall(620.0);
+        let diagonal = vec![[1e-8, 1e-8], [1e-1, 1e-1]];
+        let panel = Panel::new(Axis::new("error that is demanded, EPS").log(), y).tall(520.0);
         let demanded = Layer::Series { points: diagonal, style: Style::theory(), label: "demanded".to_owned() };
         ROUTES.into_iter().enumerate().fold(panel.with(demanded), |panel, (i, route)| {
             let reached = runs.iter().filter(|run| run.is_of(scene, route) && run.reached());
-            let points = reached.map(|run| [10_f64.powi(run.exponent), run.found.verdict.error]).collect();
+            // From small errors to large ones: names stand at the right.
+            let points = reached.rev().map(|run| [10_f64.powi(run.exponent), run.found.verdict.error]).collect();
             let label = format!("{}, {}", route.0, route.1);
             panel.with(Layer::Series { points, style: Style::of_series(i), label })
         })
@@ -205,7 +206,7 @@ fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
          route. All lie below the dashed diagonal; each line ends where its route does.",
         panels.into(),
     );
-    Ok((Figure { columns: 2, ..figure }.svg()?, csv(&header, rows)))
+    Ok((figure.svg()?, csv(&header, rows)))
 }
 
 fn count(number: usize) -> String {

@@ -13,8 +13,7 @@ use crate::report::numbers::cell;
 use crate::report::table::Table;
 
 /// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
-const GROUNDS: [(&str, &str); 2] =
-    [(EXAMPLE, "flat ground (the paper's example)"), ("wave", "uneven ground (smooth crests)")];
+const GROUNDS: [(&str, &str); 2] = [(EXAMPLE, "flat ground"), ("wave", "smooth crests")];
 
 /// Correct digits of the table.
 const DIGITS: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 8.0];
@@ -154,7 +153,7 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
             panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: solver.to_owned() });
         }
         if let Some(exact) = exact {
-            let style = Style::marks(Color::BLACK, Marker::Diamond);
+            let style = Style::marks(Color::BLACK, Marker::Star);
             panel = panel
                 .with(Layer::Series { points: vec![[EXACT, exact]], style, label: String::new() })
                 .with(Layer::Note { at: [EXACT, exact], text: "exact".to_owned(), dot: false });

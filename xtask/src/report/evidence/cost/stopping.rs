@@ -107,7 +107,8 @@ fn drawn(lines: &[&Line]) -> Result<(String, String), PlotError> {
         Panel::new(Axis::new("intervals N").log(), Axis::new("relative error of the end reaction").log()).tall(800.0);
     let mut rows = Vec::new();
     let mut series = |label: String, style: Style, of: &dyn Fn(&Line) -> Option<f64>| {
-        let found = lines.iter().filter_map(|line| Some((line.intervals, of(line).filter(|error| 1e-17 < *error)?)));
+        let looked_at = lines.iter().filter(|line| line.intervals <= GRIDS[GRIDS.len() - 1]);
+        let found = looked_at.filter_map(|line| Some((line.intervals, of(line).filter(|error| 1e-17 < *error)?)));
         let mut found: Vec<(usize, f64)> = found.collect();
         found.sort_by_key(|(grid, _)| *grid);
         rows.extend(found.iter().map(|(grid, error)| vec![label.clone(), grid.to_string(), scientific(*error, 2)]));
