@@ -57,6 +57,22 @@ impl<T: Number> Problem<T> {
         self.loads.len() - 1
     }
 
+    /// The optimum, its contact set and how many exchanges it took from the contact set `touches`: nodes on the wrong side
+    /// change sides until (34), (35) hold with certainty. None if that takes too long.
+    pub(crate) fn optimum(&self, mut touches: Vec<bool>) -> Option<(Solution<T>, Vec<bool>, usize)> {
+        /// From the contact set of an active set two or three are the rule.
+        const MOST: usize = 60;
+        for exchanges in 0..MOST {
+            let solution = self.solve(&touches);
+            let wrong = solution.wrong(&touches);
+            if wrong.is_empty() {
+                return solution.is_optimal(&touches).then_some((solution, touches, exchanges));
+            }
+            wrong.iter().for_each(|i| touches[i - 1] = !touches[i - 1]);
+        }
+        None
+    }
+
     /// The answer on the nodes that `touches`, entry `i − 1` for node `i`.
     pub(crate) fn solve(&self, touches: &[bool]) -> Solution<T> {
         let n = self.intervals();

@@ -1,4 +1,5 @@
-//! The authority on discrete problems: the three-moment equations in fractions, or in integers of hundreds of bits.
+//! The authority on discrete problems: the paper's matrices in fractions, and the three-moment equations in fractions or in
+//! integers of hundreds of bits.
 //!
 //! It shares no line with the library. Of the library it knows the data types of a scene alone; loads, depths, moments and
 //! deflections are its own, and what it finds is checked against the definition of the discrete problem and against (34),
@@ -8,3 +9,4 @@ pub(crate) mod clapeyron;
 pub(crate) mod forward;
 pub(crate) mod given;
 pub(crate) mod number;
+pub(crate) mod rational;

@@ -9,11 +9,11 @@ use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::Bending;
 
-use super::rational::fraction;
 use crate::authority::clapeyron::{Problem, Solution};
 use crate::authority::forward::Forward;
 use crate::authority::given;
 use crate::authority::number::{Fixed, Number};
+use crate::authority::rational::fraction;
 use crate::scenes::{example, nodes, run, scene, uniform};
 
 /// What is asked of the force route: so much at n = 29, and so much at n = 9999 and below.

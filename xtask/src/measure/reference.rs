@@ -19,9 +19,6 @@ use crate::authority::number::{Fixed, Number};
 /// The finest grid with a reference: seconds, and hundreds of megabytes.
 const FINEST: usize = 100_000;
 
-/// Exchanges before the search is given up; two or three are the rule.
-const EXCHANGES: usize = 60;
-
 /// What is known of the optimum of a discrete problem.
 #[derive(Debug)]
 pub(super) struct Reference {
@@ -59,31 +56,21 @@ impl Reference {
         }
         let method = if bending == Bending::AtNodes { Method::Complementarity } else { Method::Force };
         let begin = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals)).ok()?.state.nodes?;
-        let mut touches: Vec<bool> = begin.contact_force.iter().map(|p| 0.0 < *p).collect();
+        let touches: Vec<bool> = begin.contact_force.iter().map(|p| 0.0 < *p).collect();
 
         let start = Instant::now();
         let problem = given::problem(scene, intervals, bending)?;
-        for exchanges in 0..EXCHANGES {
-            let solution = problem.solve(&touches);
-            let wrong = solution.wrong(&touches);
-            if wrong.is_empty() {
-                if !solution.is_optimal(&touches) {
-                    return None;
-                }
-                let forces = begin.x.iter().zip(&solution.contact_force[1..]);
-                let looked_at = forces.filter(|(x, _)| looked_at(**x)).map(|(_, p)| p);
-                return Some(Self {
-                    reaction: solution.left_reaction(&problem.loads[0]),
-                    contact: looked_at.fold(Fixed::zero(), |sum, p| sum.plus(p)),
-                    energy: solution.energy(&problem.loads),
-                    deflection: (1..intervals).map(|i| solution.deflection(i).to_double()).collect(),
-                    exchanges,
-                    seconds: start.elapsed().as_secs_f64(),
-                });
-            }
-            wrong.iter().for_each(|i| touches[i - 1] = !touches[i - 1]);
-        }
-        None
+        let (solution, _, exchanges) = problem.optimum(touches)?;
+        let forces = begin.x.iter().zip(&solution.contact_force[1..]);
+        let looked_at = forces.filter(|(x, _)| looked_at(**x)).map(|(_, p)| p);
+        Some(Self {
+            reaction: solution.left_reaction(&problem.loads[0]),
+            contact: looked_at.fold(Fixed::zero(), |sum, p| sum.plus(p)),
+            energy: solution.energy(&problem.loads),
+            deflection: (1..intervals).map(|i| solution.deflection(i).to_double()).collect(),
+            exchanges,
+            seconds: start.elapsed().as_secs_f64(),
+        })
     }
 
     /// Relative errors of an answer of the same discrete problem: end reaction, contact, the worst of all nodal deflections

@@ -15,7 +15,6 @@ mod files;
 mod html;
 mod links;
 mod numbers;
-mod rational;
 pub(crate) mod scenes;
 mod study;
 mod table;

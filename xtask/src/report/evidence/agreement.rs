@@ -2,7 +2,6 @@
 
 mod tolerance;
 
-use dashu_ratio::RBig;
 use minijinja::context;
 use palkki::paper::{INTERVALS, example, theory};
 use palkki::route::{Method, Outcome, Solver, Status};
@@ -10,10 +9,10 @@ use palkki::verdict::{Demand, Verdict};
 use palkki::{Settings, solve};
 
 use self::tolerance::Tolerances;
+use crate::authority::rational::{Data, fraction, number};
 use crate::report::csv::{csv, fixed, scientific};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::rational::Example;
 use crate::report::study::Study;
 use crate::report::table::Table;
 
@@ -119,19 +118,27 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
 fn authority(runs: &[Run], method: Method) -> Result<Authority, Cause> {
     let run = runs.iter().find(|run| run.method == method && run.solver == Solver::ActiveSet);
     let touches: Vec<bool> = run.map_or_else(Vec::new, |run| run.forces.iter().map(|p| 0.0 < *p).collect());
-    let example = Example::new(u16::try_from(INTERVALS)?);
-    let optimum = if method == Method::Complementarity {
-        example.by_differences(&touches)?
-    } else {
-        example.by_energy(&touches)?
+    let load = fraction(10, i32::try_from(INTERVALS)?);
+    let data = Data {
+        length: fraction(10, 1),
+        stiffness: fraction(500, 384),
+        loads: vec![load.clone(); touches.len()],
+        depths: vec![fraction(1, 1); touches.len()],
     };
-    let nearest = |value: &RBig| value.to_f64().value();
+    let optimum = if method == Method::Complementarity { data.differences(&touches) } else { data.energy(&touches) };
+    if let Some(node) = optimum.violation(&touches) {
+        return Err(
+            format!("the contact set of the {method} method is not that of the optimum, see node {node}").into()
+        );
+    }
     let first = optimum.contact_force.iter().position(|p| !p.is_zero()).unwrap_or(0);
+    // With the load of half an interval on the support.
+    let left_reaction = data.left_reaction(&optimum) + load / fraction(2, 1);
     Ok(Authority {
         first,
-        fractions: [optimum.contact_force[first].to_string(), optimum.left_reaction.to_string()],
-        forces: optimum.contact_force.iter().map(nearest).collect(),
-        left_reaction: nearest(&optimum.left_reaction),
+        fractions: [optimum.contact_force[first].to_string(), left_reaction.to_string()],
+        forces: optimum.contact_force.iter().map(number).collect(),
+        left_reaction: number(&left_reaction),
     })
 }
 

@@ -3,7 +3,6 @@
 mod grazing;
 mod matrix;
 mod routes;
-mod wide;
 
 use minijinja::{Value, context};
 use palkki::methods::Method;

@@ -12,7 +12,9 @@ use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::{Settings, solve};
 
-use super::{matrix, wide};
+use super::matrix;
+use crate::authority::given;
+use crate::authority::number::Number;
 use crate::report::error::Cause;
 
 /// Grids of the table.
@@ -82,6 +84,28 @@ pub(super) fn exponent(size: f64) -> i32 {
     if size.is_finite() { (3.0 * size.max(NOTHING)).log10().ceil() as i32 } else { 0 }
 }
 
+/// The optimum of a discrete problem, computed with eighty digits and rounded to 64 bits.
+struct Reference {
+    contact_force: Vec<f64>,
+    left_reaction: f64,
+    deflection: Vec<f64>,
+    touches: Vec<bool>,
+}
+
+impl Reference {
+    /// Found from a guess of the contact set; none if the search does not end.
+    fn of(scene: &Scene, method: Method, guess: Vec<bool>) -> Option<Self> {
+        let problem = given::problem(scene, guess.len() + 1, method.bending())?;
+        let (solution, touches, _) = problem.optimum(guess)?;
+        Some(Self {
+            contact_force: solution.contact_force[1..=touches.len()].iter().map(Number::to_double).collect(),
+            left_reaction: solution.left_reaction(&problem.loads[0]).to_double(),
+            deflection: (1..=touches.len()).map(|node| solution.deflection(node).to_double()).collect(),
+            touches,
+        })
+    }
+}
+
 pub(super) fn measured(method: Method) -> Result<Vec<Grid>, Cause> {
     let scene = example()?;
     GRIDS.iter().map(|&intervals| grid(&scene, method, intervals)).collect()
@@ -92,7 +116,7 @@ pub(super) fn grid(scene: &Scene, method: Method, intervals: usize) -> Result<Gr
     let settings = |solver| Settings::new(method, solver, intervals);
     let guess = solve(scene, &settings(Solver::ActiveSet))?.state.nodes.ok_or("a discretised state has nodes")?;
     let guess: Vec<bool> = guess.contact_force.iter().map(|p| 0.0 < *p).collect();
-    let reference = wide::optimum(method.bending(), &guess).ok_or("the exchanges with eighty digits do not end")?;
+    let reference = Reference::of(scene, method, guess).ok_or("the exchanges with eighty digits do not end")?;
     let mut runs = Vec::new();
     if let Some(state) = matrix::solved(scene, method, &reference.touches)? {
         let kkt = Kkt::of(scene, &state).ok_or("a discretised state has nodes")?;
@@ -111,12 +135,12 @@ fn run(
     name: &'static str,
     state: &ContactState,
     (residual, certified): (f64, bool),
-    reference: &wide::Optimum,
+    reference: &Reference,
 ) -> Result<Run, Cause> {
     let nodes = state.nodes.as_ref().ok_or("a discretised state has nodes")?;
     let load = scene.load().magnitude(scene.beam().length());
-    let worst = |found: &[f64], expected: &[f64], unit: f64| {
-        let errors = found.iter().zip(expected).map(|(a, b)| (a / unit - b).abs());
+    let worst = |found: &[f64], expected: &[f64]| {
+        let errors = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
         errors.fold(0.0, |most: f64, e| if e.is_nan() { f64::INFINITY } else { most.max(e) })
     };
     let depth = scene.depth(0.5 * scene.beam().length());
@@ -124,8 +148,8 @@ fn run(
         name,
         certified,
         residual: exponent(residual),
-        reaction: exponent((state.reactions.left / load - reference.left_reaction).abs()),
-        deflection: exponent(worst(&nodes.deflection, &reference.deflection, depth)),
-        contact_force: exponent(worst(&nodes.contact_force, &reference.contact_force, load)),
+        reaction: exponent((state.reactions.left - reference.left_reaction).abs() / load),
+        deflection: exponent(worst(&nodes.deflection, &reference.deflection) / depth),
+        contact_force: exponent(worst(&nodes.contact_force, &reference.contact_force) / load),
     })
 }

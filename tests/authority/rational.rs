@@ -4,30 +4,32 @@ use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
 /// `numerator / denominator`, the latter positive.
-pub(super) fn fraction(numerator: i32, denominator: i32) -> RBig {
+pub(crate) fn fraction(numerator: i32, denominator: i32) -> RBig {
     RBig::from_parts(IBig::from(numerator), UBig::from(denominator.unsigned_abs()))
 }
 
 /// The nearest 64-bit number.
-pub(super) fn number(value: &RBig) -> f64 {
+pub(crate) fn number(value: &RBig) -> f64 {
     value.to_f64().value()
 }
 
 /// A scene on a grid, in rationals.
-pub(super) struct Data {
-    pub(super) length: RBig,
-    pub(super) stiffness: RBig,
+#[derive(Debug)]
+pub(crate) struct Data {
+    pub(crate) length: RBig,
+    pub(crate) stiffness: RBig,
     /// Nodal loads `q_1 … q_n`, forces.
-    pub(super) loads: Vec<RBig>,
+    pub(crate) loads: Vec<RBig>,
     /// Depths `u_1 … u_n`.
-    pub(super) depths: Vec<RBig>,
+    pub(crate) depths: Vec<RBig>,
 }
 
 /// An exact answer.
-pub(super) struct Exact {
-    pub(super) contact_force: Vec<RBig>,
-    pub(super) clearance: Vec<RBig>,
-    pub(super) deflection: Vec<RBig>,
+#[derive(Debug)]
+pub(crate) struct Exact {
+    pub(crate) contact_force: Vec<RBig>,
+    pub(crate) clearance: Vec<RBig>,
+    pub(crate) deflection: Vec<RBig>,
 }
 
 /// The square of a number.
@@ -37,11 +39,11 @@ fn square(value: &RBig) -> RBig {
 
 impl Data {
     fn intervals(&self) -> i32 {
-        i32::try_from(self.loads.len()).expect("few nodes") + 1
+        i32::try_from(self.loads.len()).map_or(i32::MAX, |nodes| nodes + 1)
     }
 
     /// `C` (26), with the letters of the paper.
-    pub(super) fn flexibility(&self) -> Vec<Vec<RBig>> {
+    pub(crate) fn flexibility(&self) -> Vec<Vec<RBig>> {
         let m = self.intervals();
         let cube = square(&self.length) * &self.length;
         let below = fraction(6, 1) * &self.stiffness * fraction(m * m, 1) * fraction(m * m, 1);
@@ -54,7 +56,7 @@ impl Data {
     }
 
     /// The energy methods on a contact set: `C_cc p = (C q − u)_c`, then `h = C p + u − C q` (28).
-    pub(super) fn energy(&self, contact: &[bool]) -> Exact {
+    pub(crate) fn energy(&self, contact: &[bool]) -> Exact {
         let c = self.flexibility();
         let linear: Vec<RBig> = times(&c, &self.loads).iter().zip(&self.depths).map(|(v, u)| v - u).collect();
         let contact_force = on_face(&c, &linear, contact);
@@ -63,7 +65,7 @@ impl Data {
     }
 
     /// Finite differences on a contact set: `A_ff h = (A u − q/Δ)_f`, then `p = A h − b`, times `Δ`.
-    pub(super) fn differences(&self, contact: &[bool]) -> Exact {
+    pub(crate) fn differences(&self, contact: &[bool]) -> Exact {
         let m = self.intervals();
         let spacing = &self.length / fraction(m, 1);
         let factor = &self.stiffness / square(&square(&spacing));
@@ -92,7 +94,7 @@ impl Data {
     }
 
     /// Share of the left support in the forces on the interior nodes: `Σ (q_i − p_i) (N − i)/N`.
-    pub(super) fn left_reaction(&self, exact: &Exact) -> RBig {
+    pub(crate) fn left_reaction(&self, exact: &Exact) -> RBig {
         let m = self.intervals();
         let carried = self.loads.iter().zip(&exact.contact_force).map(|(q, p)| q - p);
         (1..m).zip(carried).fold(fraction(0, 1), |sum, (i, t)| sum + t * fraction(m - i, m))
@@ -100,18 +102,15 @@ impl Data {
 }
 
 impl Exact {
-    /// (34), (35), exactly: `p ≥ 0` and `h = 0` in contact, `p = 0` and `h ≥ 0` elsewhere.
-    #[track_caller]
-    pub(super) fn assert_optimal(&self, contact: &[bool]) {
+    /// The first node, by its number, at which (34), (35) do not hold exactly: `p ≥ 0` and `h = 0` in contact, `p = 0` and
+    /// `h ≥ 0` elsewhere. None for the optimum.
+    pub(crate) fn violation(&self, contact: &[bool]) -> Option<usize> {
         let none = fraction(0, 1);
-        for (i, touches) in contact.iter().enumerate() {
+        let holds = |i: usize| {
             let (p, h) = (&self.contact_force[i], &self.clearance[i]);
-            if *touches {
-                assert!(none <= *p && *h == none, "node {}: p = {p}, h = {h} in contact", i + 1);
-            } else {
-                assert!(*p == none && none <= *h, "node {}: p = {p}, h = {h} out of contact", i + 1);
-            }
-        }
+            if contact[i] { none <= *p && *h == none } else { *p == none && none <= *h }
+        };
+        (0..contact.len()).find(|&i| !holds(i)).map(|i| i + 1)
     }
 }
 
