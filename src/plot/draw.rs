@@ -69,15 +69,18 @@ fn series(
         for &at in line {
             canvas.mark(at, marker, style.color)?;
         }
-        labels.avoid(line.iter().copied());
+        // A marker is wider than a point of a line.
+        labels.avoid(
+            line.iter().flat_map(|&[x, y]| [[x, y], [x - 12.0, y], [x + 12.0, y], [x, y - 12.0], [x, y + 12.0]]),
+        );
     }
-    if let Some(&at) = line.last() {
-        let label = Label { text: name.to_owned(), at, color: style.color, optional: false, below: false };
-        if style.dash.is_some() && frame.ends_at(at[0]) {
-            labels.name(label);
-        } else {
-            labels.ask(label);
-        }
+    let (Some(&first), Some(&last)) = (line.first(), line.last()) else {
+        return Ok(());
+    };
+    let label = |at: Point| Label { text: name.to_owned(), at, color: style.color, optional: false, below: false };
+    match [last, first].into_iter().find(|end| style.dash.is_some() && frame.names_beside(end[0], name)) {
+        Some(end) => labels.name(label(end)),
+        None => labels.ask(label(last)),
     }
     Ok(())
 }

@@ -25,6 +25,8 @@ pub(super) struct Frame {
     pub(super) top: f64,
     pub(super) right: f64,
     pub(super) bottom: f64,
+    /// Right side of what belongs to the frame: names of lines may stand up to here.
+    pub(super) outer: f64,
 }
 
 impl Frame {
@@ -34,7 +36,12 @@ impl Frame {
 
     /// Whether a line that ends at `x` ends at the right side, but for the room that an axis leaves there.
     pub(super) fn ends_at(&self, x: f64) -> bool {
-        self.right - 0.09 * (self.right - self.left) < x
+        self.right - 0.15 * (self.right - self.left) < x
+    }
+
+    /// Whether a line that ends at `x` is named beside the frame, where there is room for its name.
+    pub(super) fn names_beside(&self, x: f64, name: &str) -> bool {
+        self.ends_at(x) && self.right + BESIDE + text_width(name, Type::PLAIN) <= self.outer
     }
 
     fn holds(&self, [x, y]: Point) -> bool {
@@ -102,7 +109,9 @@ impl Labels {
             if FAR < (near[0] - label.at[0]).abs().max((near[1] - label.at[1]).abs()) {
                 canvas.line(&[label.at, near], Color::GRAY, 2, Dash::Solid)?;
             }
-            canvas.rectangle([frame.left, frame.top], [frame.right, frame.bottom], Color::WHITE, 0.8)?;
+            if self.ink.iter().any(|p| frame.holds(*p)) {
+                canvas.rectangle([frame.left, frame.top], [frame.right, frame.bottom], Color::WHITE, 0.8)?;
+            }
             let middle = [0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom)];
             canvas.text(&label.text, middle, Align::Center, Type { color: label.color, ..Type::PLAIN })?;
         }
@@ -145,6 +154,7 @@ impl Labels {
                     top: y - 0.5 * height,
                     right: x + 0.5 * width,
                     bottom: y + 0.5 * height,
+                    outer: x + 0.5 * width,
                 };
                 let covered = taken.iter().filter(|t| t.meets(&frame)).count();
                 let crossed = near.iter().filter(|p| frame.holds(**p)).count() + usize::from(frame.holds(label.at));
@@ -199,7 +209,7 @@ mod tests {
 
     #[test]
     fn names_of_lines_stand_a_line_apart() {
-        let bounds = Frame { left: 0.0, top: 0.0, right: 100.0, bottom: 1000.0 };
+        let bounds = Frame { left: 0.0, top: 0.0, right: 100.0, bottom: 1000.0, outer: 100.0 };
         let heights = apart(&[100.0, 105.0, 600.0, 995.0, 996.0], &bounds);
         assert!(heights.windows(2).all(|pair| 50.0 < pair[1] - pair[0]), "{heights:?}");
         assert!((heights[2] - 600.0).abs() < 1e-9, "one that has room stays: {heights:?}");

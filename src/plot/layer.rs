@@ -14,7 +14,8 @@ pub enum Layer {
         points: Vec<Place>,
         /// Look.
         style: Style,
-        /// Name, written in its colour at its last point, or beside the frame if a line ends there; empty for none.
+        /// Name, written in its colour beside the frame if the line has an end there, or else at its last point; empty for
+        /// none.
         label: String,
     },
     /// The area between a curve and a level.
@@ -163,11 +164,11 @@ impl Layer {
         arrows.iter().map(|arrow| arrow.force)
     }
 
-    /// Where a line with a name ends.
-    pub(super) fn named_end(&self) -> Option<(Place, &str)> {
+    /// The ends of a line with a name, the last one first.
+    pub(super) fn named_ends(&self) -> Option<([Place; 2], &str)> {
         match self {
             Self::Series { points, style, label } if style.dash.is_some() && !label.is_empty() => {
-                points.last().map(|&end| (end, label.as_str()))
+                Some(([*points.last()?, *points.first()?], label.as_str()))
             }
             _ => None,
         }

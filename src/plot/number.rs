@@ -6,6 +6,9 @@ pub(super) const DIGITS: usize = 4;
 /// `value` to `digits` significant digits, without trailing zeros; `2.5·10⁻⁷` where that is shorter.
 #[must_use]
 pub fn significant(value: f64, digits: usize) -> String {
+    // A number that ends in 5 may come out a little below or above it, and is rounded up in either case.
+    const TIE: f64 = 1e-12;
+    let value = value + TIE * value;
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
     let Some((mantissa, exponent)) = scientific.split_once('e') else {
         return scientific;
@@ -82,6 +85,7 @@ mod tests {
         assert_eq!(significant(1.182_177_011, 4), "1.182");
         assert_eq!(significant(-0.5, 4), "−0.5");
         assert_eq!(significant(9.999_96, 4), "10");
+        assert_eq!([significant(3.4375, 4), significant(3.4375 - 1e-14, 4)], ["3.438", "3.438"]);
         assert_eq!(significant(123_456.0, 4), "123456");
         assert_eq!(significant(0.0, 4), "0");
         assert_eq!(significant(-1e-300, 3), "−1·10⁻³⁰⁰");

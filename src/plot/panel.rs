@@ -39,6 +39,8 @@ const CLEAR: f64 = 24.0;
 const NUMBERS: f64 = 78.0;
 const LINE: f64 = 1.25 * TEXT;
 const GAP: f64 = 50.0;
+/// At most this part of the width is for names beside the frame.
+const NAMES: f64 = 0.35;
 
 impl Panel {
     /// An empty panel of ordinary height.
@@ -93,9 +95,11 @@ impl Panel {
         let axes = self.axes(&frame)?;
         let widest = |ticks: &[Tick]| ticks.iter().fold(0.0_f64, |most, t| most.max(text_width(&t.label, Type::PLAIN)));
         let right = axes.forces.as_ref().map_or(0.0, |forces| CLEAR + widest(&forces.ticks));
-        let names = self.layers.iter().filter_map(Layer::named_end);
-        let beside = names.filter(|(end, _)| frame.ends_at(axes.x.place(end[0])));
-        let right = beside.fold(right, |most, (_, name)| most.max(BESIDE + text_width(name, Type::PLAIN)));
+        let names = self.layers.iter().filter_map(Layer::named_ends);
+        let beside = names.filter(|(ends, _)| ends.iter().any(|end| frame.ends_at(axes.x.place(end[0]))));
+        // Names that would take too much of the width stand inside.
+        let widths = beside.map(|(_, name)| BESIDE + text_width(name, Type::PLAIN)).filter(|w| *w < NAMES * width);
+        let right = widths.fold(right, f64::max);
         // The last number below the frame is centred at its end.
         let last = axes.x.ticks.last().map_or(0.0, |tick| 0.5 * text_width(&tick.label, Type::PLAIN));
         Ok([MARGIN + widest(&axes.y.ticks) + CLEAR, MARGIN + right.max(last)])
@@ -114,7 +118,8 @@ impl Panel {
     }
 
     fn frame(&self, [left, top]: [f64; 2], width: f64, margins: [f64; 2]) -> Frame {
-        Frame { left: left + margins[0], top, right: left + width - margins[1], bottom: top + self.height }
+        let (right, bottom) = (left + width - margins[1], top + self.height);
+        Frame { left: left + margins[0], top, right, bottom, outer: left + width }
     }
 
     /// Draws the panel with its upper left corner at `(left, top)`.
@@ -154,7 +159,7 @@ impl Panel {
                 .fold([0.0_f64; 2], |[least, most], force| [least.min(force), most.max(force)]);
             // The value of the longest arrow stands beyond its tip.
             let below = if least < 0.0 { frame.bottom - 1.4 * TEXT } else { frame.bottom };
-            Resolved::of_forces(axis, [least, most], y.place(0.0), [below, frame.top + 1.4 * TEXT], count)
+            Resolved::of_forces(axis, [least, most], y.place(0.0), [below, frame.top + 1.4 * TEXT], 1.5 * count)
         });
         let x = self.x.resolve(xs, [frame.left, frame.right], (frame.right - frame.left) / 250.0)?;
         Ok(Axes { x, y, forces })

@@ -64,7 +64,7 @@ pub fn contact(title: &str, description: &str, theory: &Theory<'_>, nodal: &Noda
     let (l, a, step) = (theory.length, theory.lift_off, second - first);
     let whole = forces_panel(theory, nodal, step, [0.0, l], "contact force at each node").wide();
     let near = [(a - BEFORE * step).max(0.0), (a + BEHIND * step).min(l)];
-    let zoom = forces_panel(theory, nodal, step, near, "the same at the left lift-off point");
+    let zoom = forces_panel(theory, nodal, step, near, "at the left lift-off point");
     let description = format!(
         "{description} Beam theory, dashed: {} for each interval of the contact zone, and a point force T = {} at its end x = \
          {}. Arrows: nodal forces by {}.",
@@ -84,17 +84,18 @@ fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, [from, to]: [
     let level = theory.pressure * step;
     let inside = |x: f64| from <= x && x <= to;
     let arrow = |x: f64, force: f64, text: String| Arrow { at: [x, 0.0], force, text, optional: false };
-    let mut written = 0;
-    // Over the whole beam T is written at the left end and the nodal force that stands for it at the right one.
-    let nodes = nodal.x.iter().zip(nodal.contact_force).rev().filter(|(x, _)| inside(**x));
-    let mut forces: Vec<Arrow> = nodes
-        .map(|(&x, &force)| {
-            written += usize::from(force != 0.0);
-            let text = if all && 1 < written { String::new() } else { significant(force, DIGITS) };
-            arrow(x, force, if force == 0.0 { String::new() } else { text })
-        })
-        .collect();
-    forces.reverse();
+    // Over the whole beam T is written at the left end and the nodal force that stands for it at the right one; at the lift-off
+    // point the first forces are written.
+    const FIRST: usize = 3;
+    let nodes: Vec<(f64, f64)> = nodal.x.iter().copied().zip(nodal.contact_force.iter().copied()).collect();
+    let touching: Vec<f64> = nodes.iter().filter(|node| node.1 != 0.0).map(|node| node.0).collect();
+    let written = if all { touching.len().saturating_sub(1)..touching.len() } else { 0..FIRST.min(touching.len()) };
+    let written = &touching[written];
+    let forces = nodes.into_iter().filter(|(x, _)| inside(*x)).map(|(x, force)| {
+        let text = if written.contains(&x) { significant(force, DIGITS) } else { String::new() };
+        arrow(x, force, text)
+    });
+    let forces = forces.collect();
     let ends = [(a, format!("T = {}", significant(theory.end_force, DIGITS))), (l - a, String::new())];
     let ends = ends.into_iter().filter(|(x, _)| inside(*x));
     let theory_arrows = ends.map(|(x, text)| arrow(x, theory.end_force, text)).collect();
@@ -143,7 +144,7 @@ fn sum_panel(theory: &Theory<'_>, nodal: &Nodal<'_>) -> Panel {
     steps.push([l, sum]);
     let dashed = vec![[0.0, 0.0], [a, 0.0], [a, t], [l - a, inner], [l - a, inner + t], [l, inner + t]];
     let style = Style { color: Color::BLACK, ..Style::theory() };
-    Panel::new(along([0.0, l]), Axis::new("sum of contact forces from the left"))
+    Panel::new(along([0.0, l]), Axis::new("their sum from the left end"))
         .tall(620.0)
         .with(Layer::Series { points: steps, style: Style::solid(Color::BLUE), label: String::new() })
         .with(Layer::Series { points: dashed, style, label: String::new() })
@@ -171,7 +172,9 @@ pub fn shape(title: &str, description: &str, theory: &Theory<'_>, nodal: &[Nodal
     let mut differences = Panel::new(along([0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
         .tall(460.0)
         .with(beam([0.0, l]));
-    for (k, (nodal, &(color, marker))) in nodal.iter().zip(LOOKS.iter().cycle()).enumerate() {
+    // The names stand one above the other at mid-span, where there is room above the beam.
+    let mut name = [0.5 * l, 0.1 * theory.depth];
+    for (nodal, &(color, marker)) in nodal.iter().zip(LOOKS.iter().cycle()) {
         same_length("the deflections", nodal.deflection, nodal.x)?;
         let style = Style::marks(color, marker);
         let points: Vec<Place> = nodal.x.iter().zip(nodal.deflection).map(|(&x, &v)| [x, v]).collect();
@@ -179,11 +182,7 @@ pub fn shape(title: &str, description: &str, theory: &Theory<'_>, nodal: &[Nodal
             Ok([x, LARGER * (v - at(theory.deflection, finite("a place", x)?))])
         };
         let points_off = points.iter().map(off).collect::<Result<_, _>>()?;
-        // The names stand one above the other at mid-span, where there is room above the beam.
-        let name = [
-            0.5 * l,
-            theory.depth * if k == 0 { 0.35 } else { 0.55 + 0.2 * (f64::from(u8::try_from(k).unwrap_or(9)) - 1.0) },
-        ];
+        name[1] += 0.25 * theory.depth;
         shapes = shapes.with(Layer::Series { points, style, label: String::new() }).with(Layer::Series {
             points: vec![name],
             style,
@@ -249,14 +248,14 @@ mod tests {
 
     /// Height of the arrow of a colour that is the longest, in drawing units, head included.
     fn longest(svg: &str, color: &str) -> f64 {
-        let ys = |line: &str| -> Vec<f64> {
-            let points = line.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
-            points.split(' ').filter_map(|p| p.split(',').nth(1)?.parse().ok()).collect()
+        // Where a shaft begins, and the tip, the first corner of its head.
+        let first = |line: &str, before: &str| -> Option<f64> {
+            line.split(before).nth(1)?.split([' ', '"', 'M']).next()?.split(',').nth(1)?.parse().ok()
         };
+        let shaft = format!("stroke=\"{color}\" stroke-width=\"7\"");
         let lines: Vec<&str> = svg.lines().collect();
-        let arrows =
-            lines.windows(2).filter(|pair| pair[0].contains(&format!("stroke=\"{color}\" stroke-width=\"7\"")));
-        arrows.map(|pair| ys(pair[0])[0] - ys(pair[1])[0]).fold(0.0, f64::max)
+        let arrows = lines.windows(2).filter(|pair| pair[0].contains(&shaft));
+        arrows.filter_map(|pair| Some(first(pair[0], " d=\"M")? - first(pair[1], "points=\"")?)).fold(0.0, f64::max)
     }
 
     #[test]

@@ -93,7 +93,7 @@ pub fn regimes(
         ..Axis::new("384 EI u₀ / (q₀ l⁴): a stiffer beam or deeper ground to the right").including(&[0.0, reach])
     };
     let y = Axis { padding: 0.06, ..Axis::new("end reaction / (q₀ l)").including(&[0.0, 0.5]) };
-    let mut panel = Panel::new(x, y).tall(900.0).room(140.0, 0.0);
+    let mut panel = Panel::new(x, y).tall(820.0).room(110.0, 0.0);
     let borders = [0.0, 1.0, CONTACT_ENDS / ZONE_ENDS, reach];
     for at in &borders[1..3] {
         panel = panel.with(Layer::Reference { at: Reference::X(*at), text: String::new() });
@@ -175,16 +175,23 @@ pub fn first_force(
     let theory = vec![[finite("a number of intervals", from[0])?, 1.0], [to[0], 1.0]];
     let y = Axis::new("force / T, where T is the point force of beam theory at lift-off").including(&[0.0]);
     let x = Axis { padding: 0.02, ..Axis::new("intervals N").including(&[0.0]) };
-    let small = Style { dash: None, marker: Some(Marker::OpenCircle), ..Style::solid(Color::VERMILLION) };
+    // The name of the scattered circles stands beside the frame, off them.
+    let name = Layer::Series {
+        points: vec![[to[0], 0.5]],
+        style: Style::solid(Color::VERMILLION),
+        label: first.label.to_owned(),
+    };
+    let circles = Style::marks(Color::VERMILLION, Marker::OpenCircle);
     let panel = Panel::new(x, y)
         .tall(900.0)
-        .with(Layer::Series { points: first.points.clone(), style: small, label: first.label.to_owned() })
-        .with(Layer::Series { points: theory, style: Style::theory(), label: String::new() })
+        .with(Layer::Series { points: first.points.clone(), style: circles, label: String::new() })
+        .with(name)
         .with(Layer::Series {
             points: resultant.points.clone(),
             style: Style::solid(Color::BLUE),
             label: resultant.label.to_owned(),
-        });
+        })
+        .with(Layer::Series { points: theory, style: Style::theory(), label: String::new() });
     Figure::new(title, description, vec![panel]).svg()
 }
 

@@ -20,6 +20,8 @@ pub(super) fn document(
     height: u32,
     draw: impl FnOnce(&Canvas<'_>) -> Result<(), PlotError>,
 ) -> Result<String, PlotError> {
+    // Whole pixels, or the last row of them would be half empty.
+    let height = height.div_ceil(UNITS_PER_PIXEL) * UNITS_PER_PIXEL;
     let mut drawn = String::new();
     let canvas = Canvas::new(&mut drawn, (WIDTH, height))?;
     draw(&canvas)?;
@@ -34,7 +36,7 @@ pub(super) fn document(
          <style>@media (prefers-color-scheme: dark) {{ {} }}</style>\n\
          {}",
         WIDTH / UNITS_PER_PIXEL,
-        height.div_ceil(UNITS_PER_PIXEL),
+        height / UNITS_PER_PIXEL,
         escaped(title),
         escaped(description),
         dark_rules(""),

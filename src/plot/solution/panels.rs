@@ -51,6 +51,11 @@ fn zero_line(scene: &Scene) -> Layer {
     Layer::Series { points, style, label: String::new() }
 }
 
+/// Room for ground below the lowest line; none where the ground is cut off, which would look like its end.
+fn footroom(ground: &Ground) -> f64 {
+    if ground.below.is_empty() { 40.0 } else { 0.0 }
+}
+
 pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) -> Result<Panel, PlotError> {
     let length = scene.beam().length();
     let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
@@ -76,7 +81,7 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
             style: Style { width: 9, ..Style::solid(Color::BLACK) },
             label: String::new(),
         })
-        .room(headroom, 30.0);
+        .room(headroom, footroom(ground));
     if load {
         panel = panel.with(Layer::Load(sketch));
     }
@@ -90,12 +95,13 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
 pub(super) fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let length = scene.beam().length();
     let beam = zip(&curves.x, &curves.deflection);
+    let ground = foundation_line(scene, curves);
     let x = Axis { padding: 0.04, ..Axis::new("").bare().including(&[0.0, length]) };
     let mut panel = Panel::new(x, Axis::new(name).bare().down().including(&[0.0]))
-        .tall(330.0)
-        .room(170.0, 40.0)
+        .tall(310.0)
+        .room(150.0, footroom(&ground))
         .forces(Axis::new("").bare());
-    for points in foundation_line(scene, curves).pieces {
+    for points in ground.pieces {
         panel = panel.with(Layer::Foundation { points });
     }
     let at = |x: f64| beam.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
@@ -117,30 +123,43 @@ pub(super) fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
         .with(Layer::Arrows(arrows))
 }
 
-/// No panel where there is no foundation.
-pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Option<Panel>, PlotError> {
+/// No panel where there is no foundation; a second one where the beam leaves the ground so little between its contacts that
+/// the first does not show it.
+pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<Panel>, PlotError> {
+    /// Below this part of the largest clearance a smaller one is drawn again on a scale of its own.
+    const SMALL: f64 = 0.1;
     if scene.foundation().is_none() {
-        return Ok(None);
+        return Ok(Vec::new());
     }
     let points = zip(&curves.x, &curves.clearance);
-    let most = Extremes::of(points.iter().map(|p| (p[0], p[1])));
+    let extremes = |points: &[Place]| Extremes::of(points.iter().map(|p| (p[0], p[1])));
+    let most = extremes(&points);
     finite("a clearance above a foundation", most.max)?;
-    let y = Axis::new("clearance h = u − v").unit(units.length.clone()).including(&[0.0]);
-    let mut panel = Panel::new(along(scene, units), y).tall(330.0).room(50.0, 20.0).with(Layer::Series {
-        points,
-        style: Style::solid(Color::BLUE),
-        label: String::new(),
-    });
-    if !curves.contacts.is_empty() {
-        let intervals = curves.contacts.clone();
-        panel = panel.with(Layer::Zones { intervals, level: 0.0 });
+    let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
+        let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
+        Panel::new(along(scene, units), y)
+            .tall(380.0)
+            .room(84.0, 20.0)
+            .with(Layer::Series { points, style: Style::solid(Color::BLUE), label: String::new() })
+            .with(Layer::Zones { intervals: curves.contacts.clone(), level: 0.0 })
+            .with(extreme("h", at, value, units.length.as_ref(), units.length.as_ref()))
+    };
+    let between: Vec<Place> = match &curves.contacts[..] {
+        [first, .., last] => points.iter().copied().filter(|p| first[0] <= p[0] && p[0] <= last[1]).collect(),
+        _ => Vec::new(),
+    };
+    let touching = !curves.contacts.is_empty();
+    let (name, at, value) = if touching {
+        ("clearance h = u − v, thick where it touches", most.max_at, most.max)
+    } else {
+        ("clearance h = u − v", most.min_at, most.min)
+    };
+    let mut panels = vec![panel(name, points, at, value)];
+    let small = extremes(&between);
+    if 0.0 < small.max && small.max < SMALL * most.max {
+        panels.push(panel("the same between the contacts, enlarged", between, small.max_at, small.max));
     }
-    if curves.contacts.is_empty() {
-        panel = panel.with(extreme("h", most.min_at, most.min, units.length.as_ref(), units.length.as_ref()));
-    } else if 0.0 < most.max {
-        panel = panel.with(extreme("h", most.max_at, most.max, units.length.as_ref(), units.length.as_ref()));
-    }
-    Ok(Some(panel))
+    Ok(panels)
 }
 
 pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
@@ -192,7 +211,7 @@ fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
 
 pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
     let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down().including(&[0.0]);
-    let mut panel = Panel::new(along(scene, units), y).tall(400.0).room(50.0, 50.0).with(zero_line(scene));
+    let mut panel = Panel::new(along(scene, units), y).tall(470.0).room(84.0, 84.0).with(zero_line(scene));
     panel = panel.with(Layer::Area { points: zip(&curves.x, &curves.moment), level: 0.0, color: Color::BLUE });
     for note in extremes("M", &curves.moment_extremes, units.moment.as_ref(), units.length.as_ref())? {
         panel = panel.with(note);
@@ -202,7 +221,7 @@ pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Resu
 
 pub(super) fn shear(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
     let y = Axis::new("shear force V = dM/dx").unit(units.force.clone()).including(&[0.0]);
-    let mut panel = Panel::new(along(scene, units), y).tall(400.0).room(50.0, 50.0).with(zero_line(scene));
+    let mut panel = Panel::new(along(scene, units), y).tall(470.0).room(84.0, 84.0).with(zero_line(scene));
     panel = panel.with(Layer::Area { points: curves.shear.clone(), level: 0.0, color: Color::GREEN });
     let ends = Extremes::of(curves.shear.iter().map(|p| (p[0], p[1])));
     for note in extremes("V", &ends, units.force.as_ref(), units.length.as_ref())? {

@@ -40,25 +40,36 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     };
     let deflected: Vec<[f64; 2]> = curves.x.iter().zip(&curves.deflection).map(|(&x, &v)| [x, v]).collect();
     let at = |x: f64| deflected.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
-    let arrow = |force: f64, at: [f64; 2]| Arrow { at, force, text: significant(force, 3), optional: true };
-    let contact: Vec<Arrow> = curves.point_forces.iter().map(|f| arrow(f.force, [f.at, at(f.at)])).collect();
-    let reactions = vec![arrow(curves.reactions.left, [0.0, 0.0]), arrow(curves.reactions.right, [l, 0.0])];
-    let arrows = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
+    let arrow = |name: &str, force: f64, at: [f64; 2]| Arrow {
+        at,
+        force,
+        text: format!("{name}{}", significant(force, 3)),
+        optional: true,
+    };
     let full = curves.point_forces.iter().fold(0.0_f64, |most, f| most.max(f.force));
+    let name = |force: f64| if force < full { "" } else { "contact force " };
+    let contact = curves.point_forces.iter().map(|f| arrow(name(f.force), f.force, [f.at, at(f.at)])).collect();
+    let reactions = curves.reactions;
+    let reactions = vec![arrow("reaction ", reactions.left, [0.0, 0.0]), arrow("", reactions.right, [l, 0.0])];
+    let arrows = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
+    let q = scene.load().uniform();
     let load = LoadSketch {
         level: 0.0,
-        intensity: vec![[0.0, scene.load().uniform()], [l, scene.load().uniform()]],
-        values: Vec::new(),
+        intensity: vec![[0.0, q], [l, q]],
+        values: vec![(0.75 * l, q, "load q".to_owned())],
         points: Vec::new(),
     };
-    let note = |at: [f64; 2], text: &str| Layer::Note { at, text: text.to_owned(), dot: true };
+    let words = |at: [f64; 2], color: Color, text: &str| Layer::Series {
+        points: vec![at],
+        style: Style { dash: None, ..Style::solid(color) },
+        label: text.to_owned(),
+    };
     let lifted = 0.05 * l;
     let x = Axis { padding: 0.03, ..Axis::new("x, from the left support to the right one at l").including(&[0.0, l]) };
-    let panel = Panel::new(x, Axis::new("downwards: depth u(x), deflection v(x)").down().including(&[0.0]))
-        .tall(700.0)
-        .room(240.0, 110.0)
-        // The greatest force is as long as the load sketch has room.
-        .forces(Axis::new("").bare().including(&[1.2 * full]))
+    let panel = Panel::new(x, Axis::new("depth and deflection, downwards").down().including(&[0.0]))
+        .tall(880.0)
+        .room(350.0, 130.0)
+        .forces(Axis::new("").bare())
         .with(Layer::Foundation { points: ground })
         .with(Layer::Load(load))
         .with(Layer::Series {
@@ -73,11 +84,18 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
             style: Style { dash: Some(Dash::Dotted), ..Style::solid(Color::BLACK) },
             label: String::new(),
         })
-        .with(note([lifted, 0.5 * (at(lifted) + scene.depth(lifted))], "clearance h = u − v"))
+        .with(words([lifted, 0.5 * (at(lifted) + scene.depth(lifted))], Color::BLACK, "clearance h = u − v"))
+        .with(words([0.72 * l, 0.4 * scene.depth(0.72 * l)], Color::BLUE, "beam, deflection v(x)"))
+        .with(words([0.5 * l, 1.2 * scene.depth(0.9 * l)], Color::BLACK, "rigid ground, depth u(x)"))
         .with(arrows(contact, Color::VERMILLION))
         .with(arrows(reactions, Color::GREEN));
     let description = "A beam on two supports, loaded from above, bends down to a foundation that is flat but for one ridge. It \
                        touches the flat ground at a point on one side and along a stretch on the other, and the ridge between them; \
                        elsewhere there is a clearance. Arrows show the concentrated contact forces and the reactions of the supports.";
-    Figure::new("A beam above an uneven foundation", description, vec![panel]).svg()
+    Figure::new(
+        "The beam sags to the ground, rests where it touches, and spans what it cannot follow",
+        description,
+        vec![panel],
+    )
+    .svg()
 }
