@@ -80,7 +80,7 @@ pub fn contact(title: &str, description: &str, theory: &Theory<'_>, nodal: &Noda
 /// Nodal forces and those of beam theory between two places.
 fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, [from, to]: [f64; 2], name: &str) -> Panel {
     let (l, a) = (theory.length, theory.lift_off);
-    let all = to - from == l;
+    let all = from <= 0.0 && l <= to;
     let level = theory.pressure * step;
     let inside = |x: f64| from <= x && x <= to;
     let arrow = |x: f64, force: f64, text: String| Arrow { at: [x, 0.0], force, text, optional: false };

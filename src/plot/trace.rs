@@ -12,7 +12,7 @@ pub(super) const INK: f64 = 9.0;
 const BESIDE: f64 = 0.6;
 
 /// The line through fewer of its points, none of the others farther from it than [`BESIDE`]
-/// (D. H. Douglas and T. K. Peucker, 1973).
+/// (Douglas and Peucker 1973).
 pub(super) fn simplified(line: &[Point]) -> Result<Vec<Point>, PlotError> {
     for &[x, y] in line {
         finite("a place on the drawing", x)?;

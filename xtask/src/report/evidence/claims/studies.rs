@@ -22,7 +22,7 @@ pub(super) fn sweeps(found: &nsor::Evidence) -> Result<Drawn, PlotError> {
     }
     let of = |best: fn(f64, f64) -> f64| found.counts.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
     let svg = Figure::new(
-        &format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
+        format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
         "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method. All rise; the force \
          method needs the most.",
         vec![panel],
@@ -57,7 +57,7 @@ pub(super) fn successes(found: &four_step::Evidence) -> Result<Drawn, PlotError>
     }
     let grids = || found.counts.iter().map(|count| count.grids);
     let svg = Figure::new(
-        &format!(
+        format!(
             "The four steps end at the optimum on {} to {} of {} grids of the example",
             grids().min().unwrap_or(0),
             grids().max().unwrap_or(0),
