@@ -50,6 +50,7 @@ fn distributed(canvas: &Canvas<'_>, sketch: &LoadSketch, axes: &Axes, labels: &m
                 let height = y + (to_y - y) * (x - from) / (to - from);
                 if 20.0 < (height - base).abs() {
                     canvas.arrow([x, height], [x, base], Color::BLUE, 3, Dash::Solid)?;
+                    labels.avoid(sampled(&[[x, height], [x, base]], INK));
                 }
                 x += APART;
             }

@@ -62,9 +62,9 @@ pub fn contact(title: &str, description: &str, theory: &Theory<'_>, nodal: &Noda
         return Err(PlotError::Empty { what: "a list of two or more nodes" });
     };
     let (l, a, step) = (theory.length, theory.lift_off, second - first);
-    let whole = forces_panel(theory, nodal, step, [0.0, l], "contact force at each node").wide();
+    let whole = forces_panel(theory, nodal, step, None, "contact force at each node").wide();
     let near = [(a - BEFORE * step).max(0.0), (a + BEHIND * step).min(l)];
-    let zoom = forces_panel(theory, nodal, step, near, "at the left lift-off point");
+    let zoom = forces_panel(theory, nodal, step, Some(near), "at the left lift-off point");
     let description = format!(
         "{description} Beam theory, dashed: {} for each interval of the contact zone, and a point force T = {} at its end x = \
          {}. Arrows: nodal forces by {}.",
@@ -77,10 +77,11 @@ pub fn contact(title: &str, description: &str, theory: &Theory<'_>, nodal: &Noda
     Figure { columns: 2, ..figure }.svg()
 }
 
-/// Nodal forces and those of beam theory between two places.
-fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, [from, to]: [f64; 2], name: &str) -> Panel {
+/// Nodal forces and those of beam theory over the whole beam or between two places.
+fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, window: Option<[f64; 2]>, name: &str) -> Panel {
     let (l, a) = (theory.length, theory.lift_off);
-    let all = from <= 0.0 && l <= to;
+    let all = window.is_none();
+    let [from, to] = window.unwrap_or([0.0, l]);
     let level = theory.pressure * step;
     let inside = |x: f64| from <= x && x <= to;
     let arrow = |x: f64, force: f64, text: String| Arrow { at: [x, 0.0], force, text, optional: false };

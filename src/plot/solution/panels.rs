@@ -137,12 +137,14 @@ pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> R
     finite("a clearance above a foundation", most.max)?;
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
         let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
-        Panel::new(along(scene, units), y)
+        let panel = Panel::new(along(scene, units), y)
             .tall(380.0)
             .room(84.0, 20.0)
             .with(Layer::Series { points, style: Style::solid(Color::BLUE), label: String::new() })
-            .with(Layer::Zones { intervals: curves.contacts.clone(), level: 0.0 })
-            .with(extreme("h", at, value, units.length.as_ref(), units.length.as_ref()))
+            .with(Layer::Zones { intervals: curves.contacts.clone(), level: 0.0 });
+        // A beam that lies on the ground from end to end has no clearance to name.
+        let note = extreme("h", at, value, units.length.as_ref(), units.length.as_ref());
+        if value == 0.0 { panel } else { panel.with(note) }
     };
     let between: Vec<Place> = match &curves.contacts[..] {
         [first, .., last] => points.iter().copied().filter(|p| first[0] <= p[0] && p[0] <= last[1]).collect(),
