@@ -122,7 +122,7 @@ pub struct Price<'a> {
     pub ground: &'a str,
     /// `[digits, milliseconds]` of each solver. A solver has the same place in the lists of all panels, and no points where
     /// it has nothing to show.
-    pub solvers: Vec<Named<'a>>,
+    pub lines: Vec<Named<'a>>,
     /// `[digits, milliseconds]` of beam theory.
     pub exact: Place,
     /// A sentence in the panel; empty for none.
@@ -137,14 +137,14 @@ pub struct Price<'a> {
 ///
 /// A [`PlotError`] for numbers that are not finite, a time that is not positive, or no panel.
 pub fn price(title: &str, description: &str, digits: &str, grounds: &[Price<'_>]) -> Result<String, PlotError> {
-    let all = || grounds.iter().flat_map(|g| g.solvers.iter().flat_map(|s| &s.points).chain([&g.exact]));
+    let all = || grounds.iter().flat_map(|g| g.lines.iter().flat_map(|s| &s.points).chain([&g.exact]));
     let [digits_range, times]: [Vec<f64>; 2] = [0, 1].map(|k| all().map(|p| p[k]).collect());
     let least = times.iter().copied().fold(f64::INFINITY, f64::min);
     let panels = grounds.iter().map(|ground| {
         let x = Axis::new(digits).including(&digits_range).including(&[0.0]);
         let y = Axis::new(format!("{}: time", ground.ground)).unit(Some("ms".to_owned()));
         let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
-        for (i, solver) in ground.solvers.iter().enumerate().filter(|(_, solver)| !solver.points.is_empty()) {
+        for (i, solver) in ground.lines.iter().enumerate().filter(|(_, solver)| !solver.points.is_empty()) {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(i) };
             panel = panel.with(Layer::Series { points: solver.points.clone(), style, label: solver.label.to_owned() });
         }
@@ -236,7 +236,7 @@ mod tests {
     fn a_price_has_a_panel_for_each_ground() {
         let flat = Price {
             ground: "flat ground",
-            solvers: vec![
+            lines: vec![
                 named("active set", &[[1.7, 0.005], [3.8, 0.028], [5.0, 0.06], [7.7, 0.7], [11.0, 140.0]]),
                 named("clarabel", &[[1.7, 0.05], [3.8, 0.68], [5.6, 10.0], [8.4, 640.0]]),
                 named("four steps", &[[1.7, 0.003], [4.1, 0.5], [5.7, 5.5], [7.7, 500.0]]),
@@ -247,7 +247,7 @@ mod tests {
         };
         let uneven = Price {
             ground: "uneven ground",
-            solvers: vec![named("active set", &[[1.3, 0.004], [4.3, 1.2], [6.1, 80.0]]), named("clarabel", &[])],
+            lines: vec![named("active set", &[[1.3, 0.004], [4.3, 1.2], [6.1, 80.0]]), named("clarabel", &[])],
             exact: [14.0, 0.11],
             remark: "",
         };
@@ -257,8 +257,5 @@ mod tests {
         }
         assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");
         assert_eq!(svg.matches(">clarabel<").count(), 1, "no line without points");
-        if let Ok(path) = std::env::var("PALKKI_FIGURE") {
-            std::fs::write(path, svg).expect("written");
-        }
     }
 }

@@ -2,7 +2,8 @@
 
 use minijinja::value::Serde;
 use minijinja::{Value, context};
-use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
+use palkki::plot::PlotError;
+use palkki::plot::study::{self, Named};
 use serde::Serialize;
 
 use super::{SOLVERS, count, ended, milliseconds, number};
@@ -143,31 +144,19 @@ pub(super) fn slope(points: &[[f64; 2]]) -> Option<f64> {
 
 /// Two panels side by side: time over correct digits, a line for each solver, a star for the exact solution.
 fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<String, PlotError> {
-    let mut panels = Vec::new();
-    for ((fronts, exact), (_, ground)) in fronts.iter().zip(exact).zip(GROUNDS) {
-        let x = Axis::new(format!("correct digits, {ground}")).including(&[1.0, EXACT]);
-        let y = Axis::new("time of a solve").unit(Some("ms".to_owned())).log().including(&[1e-3, 1e3]);
-        let mut panel = Panel::new(x, y).tall(900.0);
-        for (i, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
-            let points = front.iter().map(|point| [point.digits, milliseconds(point.line)]).collect();
-            panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: solver.to_owned() });
-        }
-        if let Some(exact) = exact {
-            let style = Style::marks(Color::BLACK, Marker::Star);
-            panel = panel
-                .with(Layer::Series { points: vec![[EXACT, exact]], style, label: String::new() })
-                .with(Layer::Note { at: [EXACT, exact], text: "exact".to_owned(), dot: false });
-        }
-        panels.push(panel);
-    }
-    let figure = Figure::new(
+    let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
+        let points = |front: &[Point<'_>]| front.iter().map(|p| [p.digits, milliseconds(p.line)]).collect();
+        let lines = fronts.iter().zip(SOLVERS).map(|(front, label)| Named { label, points: points(front) });
+        study::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)], remark: "" }
+    });
+    study::price(
         "The active set buys a digit for little time, and the exact solution has them all",
         "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
          reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
          beats.",
-        panels,
-    );
-    Figure { columns: 2, ..figure }.svg()
+        "correct digits",
+        &panels.collect::<Vec<_>>(),
+    )
 }
 
 #[cfg(test)]
