@@ -135,8 +135,8 @@ impl Evidence {
             verdict: self.verdict(),
             reading: Some("read as *a* usable algorithm"),
             summary: format!(
-                "converges within its budget up to {finest} intervals by every method, not beyond; as *the* usable algorithm {the_only_one}: on \
-                 {counted} intervals it goes through {:.1} to {:.1} thousand times as many unknowns as the active set",
+                "converges up to {finest} intervals by every method; as *the* usable algorithm {the_only_one}: on {counted} intervals it \
+                 takes {:.1} to {:.1} thousand times the work of the active set",
                 1e-3 * cheapest,
                 1e-3 * dearest,
             ),

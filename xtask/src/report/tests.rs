@@ -40,12 +40,13 @@ fn table_rows(prose: &str) -> usize {
 #[test]
 fn the_report_can_be_read_in_ten_minutes() {
     let prose = prose("README.md");
-    // Rows of tables are looked up and not read.
-    let read = prose.lines().filter(|line| !line.starts_with('|') && !line.starts_with("!["));
-    let words = read.flat_map(str::split_whitespace).filter(|word| word.contains(char::is_alphanumeric)).count();
+    let words = prose.split_whitespace().filter(|word| word.contains(char::is_alphanumeric)).count();
     let figures = prose.lines().filter(|line| line.starts_with("![")).count();
     let rows = table_rows(&prose);
-    assert!(words <= 2400 && figures <= 13 && rows <= 110, "{words} words, {figures} figures, {rows} rows of tables");
+    assert!(
+        (2000..=2400).contains(&words) && figures <= 13 && rows <= 110,
+        "{words} words, {figures} figures, {rows} rows of tables"
+    );
 }
 
 #[test]

@@ -21,8 +21,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let count = |verdict| claims.iter().filter(|claim| claim.verdict == verdict).count();
     let by_grid = ledger.four_step.counts.iter().flat_map(|count| &count.by_grid).map(|(n, _)| *n);
     let summary = claims.iter().map(|claim| {
-        let link = format!("[{}](pages/claims.md#{})", verdict(claim), anchor(&heading(claim)));
-        [claim.statement.trim_end_matches('.').to_owned(), link, claim.summary.clone()]
+        let heading = heading(claim);
+        [format!("[{heading}](pages/claims.md#{})", anchor(&heading)), verdict(claim), claim.summary.clone()]
     });
     let values = context! {
         total => claims.len(),
@@ -31,7 +31,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         refuted => count(Verdict::Refuted),
         open => count(Verdict::Open),
         // For `README.md`.
-        summary => Table::new(["the paper says", "verdict", "evidence"]).rows(summary),
+        summary => Table::new(["claim", "verdict", "evidence"]).rows(summary),
         entries => claims.iter().map(entry).collect::<Vec<_>>(),
         four_step => context! { coarsest => by_grid.min().unwrap_or(0), finest => FINEST },
         nsor => context! { coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1] },
