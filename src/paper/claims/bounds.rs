@@ -92,8 +92,8 @@ impl Evidence {
             verdict: self.verdict(),
             reading: None,
             summary: format!(
-                "not by nodes alone: between them the beam goes up to {:.2} % of u₀ below the ground; `palkki certify` computes such \
-                 bounds",
+                "not by nodes alone: between them the beam goes up to {:.2} % of u₀ below the ground on coarse grids; `palkki certify` \
+                 computes such bounds",
                 100.0 * self.grids.iter().map(|g| g.penetration).fold(0.0, f64::max),
             ),
             evidence: format!(

@@ -149,7 +149,7 @@ impl Evidence {
             statement: "The first three steps lead to the edge of the feasible set, from where another algorithm can continue.",
             verdict: self.edge_verdict(),
             reading: None,
-            summary: format!("{} of {runs} runs end there", runs - infeasible),
+            summary: format!("{} of {runs} runs end with x ≥ 0", runs - infeasible),
             evidence: format!(
                 "Of {runs} runs, {} end with x ≥ 0 up to rounding. The solver `active-set` continues from there; it may also release \
                  variables that were set to zero.",

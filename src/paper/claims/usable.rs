@@ -153,7 +153,7 @@ impl Evidence {
             verdict: self.pressure_verdict(),
             reading: None,
             summary: format!(
-                "nodal forces are off by up to {:.0} % on {} intervals and {:.0} % on {}; their sum converges",
+                "nodal forces are off by up to {:.0} % of the load of one interval on {} intervals and {:.0} % on {}; their sum converges",
                 100.0 * paper.pressure,
                 paper.intervals,
                 100.0 * self.worst_pressure.1,

@@ -124,8 +124,8 @@ fn sentence(store: &Store) -> Option<String> {
     });
     let ([time, intervals], [crest_time, crest_intervals]) = (flat?, uneven?);
     Some(format!(
-        "**One more correct digit costs** {time} times the time and {intervals} times the intervals on flat ground, and \
-         {crest_time} and {crest_intervals} times on smooth crests; the exact solution has all digits."
+        "**With the active set one more correct digit costs** {time} times the time and {intervals} times the intervals on flat ground, and \
+         {crest_time} and {crest_intervals} times on smooth crests; the exact solution is accurate to rounding."
     ))
 }
 
@@ -150,7 +150,7 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
         study::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)], remark: "" }
     });
     study::price(
-        "The active set buys a digit for little time, and the exact solution has them all",
+        "The active set buys a digit for little time; the exact solution needs no grid",
         "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
          reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
          beats.",
