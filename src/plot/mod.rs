@@ -31,7 +31,7 @@ pub use error::PlotError;
 pub use figure::Figure;
 pub use layer::{Arrow, Arrows, Layer, LoadSketch, Place, Reference};
 pub use number::significant;
-pub use palette::{Color, Dash, Marker, Style, dark_rules};
+pub use palette::{Color, Dash, Marker, Style};
 pub use panel::Panel;
 pub use solution::{curves, sheet, solution};
 

@@ -25,7 +25,7 @@ const DARK: [(Color, &str); 12] = [
 
 /// Style rules that turn a figure dark, each selector behind `scope`: empty, or for example `html.dark ` where a page decides.
 #[must_use]
-pub fn dark_rules(scope: &str) -> String {
+pub(super) fn dark_rules(scope: &str) -> String {
     let rule = |(Color(red, green, blue), dark): (Color, &str)| {
         let color = format!("#{red:02X}{green:02X}{blue:02X}");
         format!("{scope}[fill=\"{color}\"]{{fill:{dark}}}{scope}[stroke=\"{color}\"]{{stroke:{dark}}}")

@@ -95,6 +95,16 @@ pub(super) fn thousands(value: i64) -> String {
     grouped(&value.to_string())
 }
 
+/// A count as text, in groups.
+pub(super) fn count(number: usize) -> String {
+    grouped(&number.to_string())
+}
+
+/// A count to calculate with.
+pub(super) fn as_number(count: usize) -> f64 {
+    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
 /// Digits in groups of three from five digits on.
 fn grouped(number: &str) -> String {
     let (sign, digits) = number.strip_prefix('-').map_or(("", number), |digits| ("-", digits));

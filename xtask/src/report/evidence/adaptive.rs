@@ -10,7 +10,7 @@ use palkki::theory::{self, Exact};
 use crate::report::csv::{csv, scientific};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::numbers::{cell, error_cell, power, thousands};
+use crate::report::numbers::{cell, count, error_cell, power};
 use crate::report::scenes;
 use crate::report::study::Study;
 use crate::report::table::Table;
@@ -207,8 +207,4 @@ fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
         panels.into(),
     );
     Ok((figure.svg()?, csv(&header, rows)))
-}
-
-fn count(number: usize) -> String {
-    thousands(i64::try_from(number).unwrap_or(i64::MAX))
 }

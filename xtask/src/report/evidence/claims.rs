@@ -5,7 +5,6 @@ mod studies;
 use minijinja::{Value, context};
 use palkki::paper::claims::four_step::FINEST;
 use palkki::paper::claims::nsor::GRIDS;
-use palkki::paper::claims::usable::Errors;
 use palkki::paper::claims::{Claim, Verdict};
 
 pub(super) use self::studies::thousands;
@@ -43,11 +42,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         successes,
         successes_table,
     ))
-}
-
-/// The worst of the errors that a designer looks at.
-pub(super) fn worst(errors: &Errors) -> f64 {
-    errors.worst()
 }
 
 fn entry(claim: &Claim) -> Value {

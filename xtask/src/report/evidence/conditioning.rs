@@ -11,7 +11,7 @@ use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use crate::report::csv::csv;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::numbers::{power, thousands};
+use crate::report::numbers::{count, power};
 use crate::report::study::Study;
 use crate::report::table::Table;
 
@@ -91,12 +91,7 @@ fn table(all: &[Measured], drawn: &[Grid]) -> Table {
     for (k, grid) in drawn.iter().enumerate() {
         let error = |run: Option<&Run>| run.map_or_else(|| "–".to_owned(), |run| power(run.contact_force));
         let promised = grid.run(ACTIVE_SET).map_or_else(|| "–".to_owned(), |run| power(run.promised(grid)));
-        let row = [
-            thousands(i64::try_from(grid.intervals).unwrap_or(i64::MAX)),
-            power(grid.condition),
-            promised,
-            error(grid.run(MATRIX)),
-        ];
+        let row = [count(grid.intervals), power(grid.condition), promised, error(grid.run(MATRIX))];
         let of_methods = all.iter().map(|(_, grids)| error(grids.get(k).and_then(|grid| grid.run(ACTIVE_SET))));
         table = table.row(row.into_iter().chain(of_methods));
     }

@@ -20,7 +20,7 @@ use crate::measure::plan::{EXAMPLE, LIMIT, OTHERS, Route, all};
 use crate::measure::store::{self, Line, Store};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
-use crate::report::numbers::{cell, thousands};
+use crate::report::numbers::{as_number, cell, count};
 use crate::report::study::Study;
 use crate::report::table::Table;
 
@@ -40,16 +40,6 @@ fn ended<'a>(store: &'a Store, scene: &str) -> Vec<&'a Line> {
 /// Milliseconds of the median run.
 fn milliseconds(line: &Line) -> f64 {
     1e3 * line.median_s.unwrap_or(f64::NAN)
-}
-
-/// A number of intervals.
-fn count(number: usize) -> String {
-    thousands(i64::try_from(number).unwrap_or(i64::MAX))
-}
-
-/// A count as a number to calculate with.
-fn number(count: usize) -> f64 {
-    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
@@ -144,7 +134,7 @@ fn work() -> Result<Table, SceneError> {
         let mut row = vec![method.word().to_owned()];
         for grid in GRIDS {
             let outcome = solve(&scene, &Settings::new(method, Solver::ActiveSet, grid))?;
-            row.push(cell(Some(number(outcome.work) / number(outcome.unknowns)), 2));
+            row.push(cell(Some(as_number(outcome.work) / as_number(outcome.unknowns)), 2));
         }
         table = table.row(row);
     }

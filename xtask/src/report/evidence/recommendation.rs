@@ -5,7 +5,7 @@ use palkki::paper::claims::four_step::{Count, SCENES};
 use palkki::paper::claims::usable::{Errors, errors};
 use palkki::scene::SceneError;
 
-use super::claims::{thousands, worst};
+use super::claims::thousands;
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::study::Study;
@@ -21,8 +21,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
     let [paper, coarse, _] = &ledger.usable.grids;
     let solved = |count: &Count| count.uneven.iter().sum::<usize>();
-    let grid =
-        |grid: &Errors| context! { intervals => grid.intervals, worst => worst(grid), first_force => grid.first_force };
+    let grid = |grid: &Errors| context! { intervals => grid.intervals, worst => grid.worst(), first_force => grid.first_force };
     let four_steps = || ledger.four_step.counts.iter().map(solved);
     let sweeps = || ledger.nsor.counts.iter().map(|count| thousands(count.on_the_paper_grid()));
     Ok(Evidence::new(context! {
@@ -44,7 +43,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 /// One more than the finest grid that is not usable.
 fn safe() -> Result<usize, SceneError> {
     for intervals in (COARSEST..=FINEST).rev() {
-        if USABLE < worst(&errors(intervals)?) {
+        if USABLE < errors(intervals)?.worst() {
             return Ok(intervals + 1);
         }
     }

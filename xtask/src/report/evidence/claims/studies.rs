@@ -4,6 +4,7 @@ use palkki::paper::claims::{four_step, nsor};
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 
 use crate::report::csv::{csv, fixed, scientific};
+use crate::report::numbers::as_number;
 
 /// A figure and its numbers.
 type Drawn = (String, String);
@@ -13,11 +14,11 @@ pub(super) fn sweeps(found: &nsor::Evidence) -> Result<Drawn, PlotError> {
     let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("sweeps of NSOR").log()).tall(700.0);
     let mut rows = Vec::new();
     for (i, count) in found.counts.iter().enumerate() {
-        let points = count.sweeps.iter().map(|&(n, s)| [number(n), number(s)]).collect();
+        let points = count.sweeps.iter().map(|&(n, s)| [as_number(n), as_number(s)]).collect();
         let label = count.method.to_string();
         panel = panel.with(Layer::Series { points, style: Style::of_series(i), label });
         // Three digits: the last sweeps before the stopping rule holds depend on rounding.
-        let row = |&(n, s): &(usize, usize)| vec![count.method.to_string(), n.to_string(), scientific(number(s), 2)];
+        let row = |&(n, s): &(usize, usize)| vec![count.method.to_string(), n.to_string(), scientific(as_number(s), 2)];
         rows.extend(count.sweeps.iter().map(row));
     }
     let of = |best: fn(f64, f64) -> f64| found.counts.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
@@ -44,7 +45,7 @@ pub(super) fn successes(found: &four_step::Evidence) -> Result<Drawn, PlotError>
             .enumerate()
             .map(|(k, &(n, is))| {
                 optimal += usize::from(is);
-                [number(n), 100.0 * number(optimal) / number(k + 1)]
+                [as_number(n), 100.0 * as_number(optimal) / as_number(k + 1)]
             })
             .collect();
         let row = |(&(n, is), share): (&(usize, bool), &[f64; 2])| {
@@ -73,9 +74,5 @@ pub(super) fn successes(found: &four_step::Evidence) -> Result<Drawn, PlotError>
 
 /// A count in thousands.
 pub(in crate::report::evidence) fn thousands(count: usize) -> f64 {
-    1e-3 * number(count)
-}
-
-fn number(count: usize) -> f64 {
-    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
+    1e-3 * as_number(count)
 }

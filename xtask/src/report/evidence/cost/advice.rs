@@ -5,10 +5,10 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::{count, milliseconds};
+use super::milliseconds;
 use crate::measure::store::{Line, Store};
 use crate::report::error::Cause;
-use crate::report::numbers::{cell, error_cell};
+use crate::report::numbers::{cell, count, error_cell};
 use crate::report::table::Table;
 
 /// Where it is, below the root.

@@ -2,10 +2,10 @@
 
 use minijinja::{Value, context};
 
-use super::{ASKED, METHODS, SOLVERS, count, ended, milliseconds};
+use super::{ASKED, METHODS, SOLVERS, ended, milliseconds};
 use crate::measure::plan::{EXAMPLE, OTHERS};
 use crate::measure::store::{Line, Store};
-use crate::report::numbers::{cell, error_cell};
+use crate::report::numbers::{cell, count, error_cell};
 use crate::report::table::Table;
 
 /// Grids of the tables.

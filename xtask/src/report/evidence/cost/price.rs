@@ -6,11 +6,11 @@ use palkki::plot::PlotError;
 use palkki::plot::study::{self, Named};
 use serde::Serialize;
 
-use super::{SOLVERS, count, ended, milliseconds, number};
+use super::{SOLVERS, ended, milliseconds};
 use crate::measure::plan::EXAMPLE;
 use crate::measure::store::{Line, Store};
 use crate::report::csv::{csv, fixed, scientific};
-use crate::report::numbers::cell;
+use crate::report::numbers::{as_number, cell, count};
 use crate::report::table::Table;
 
 /// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
@@ -112,7 +112,7 @@ fn one_digit(front: &[Point<'_>]) -> Option<OneDigit> {
         let points: Vec<[f64; 2]> = fitted.iter().map(|p| [p.digits, of(p.line).log10()]).collect();
         slope(&points).map(|slope| 10.0_f64.powf(slope))
     };
-    Some(OneDigit { time: factor(&milliseconds)?, intervals: factor(&|line| number(line.intervals))? })
+    Some(OneDigit { time: factor(&milliseconds)?, intervals: factor(&|line| as_number(line.intervals))? })
 }
 
 /// The rule of thumb in one sentence, for the front page of the repository.
@@ -134,7 +134,7 @@ pub(super) fn slope(points: &[[f64; 2]]) -> Option<f64> {
     if points.len() < 3 {
         return None;
     }
-    let n = number(points.len());
+    let n = as_number(points.len());
     let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / n;
     let (x, y) = (mean(0), mean(1));
     let covariance: f64 = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum();

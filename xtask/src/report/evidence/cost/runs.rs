@@ -5,11 +5,11 @@ use palkki::plot::PlotError;
 use palkki::plot::table::{Cell, Tone, verdict_map};
 
 use super::price::slope;
-use super::{ASKED, LIBRARIES, METHODS, SOLVERS, count, ended, milliseconds, number};
+use super::{ASKED, LIBRARIES, METHODS, SOLVERS, ended, milliseconds};
 use crate::measure::plan::EXAMPLE;
 use crate::measure::store::{Line, Store};
 use crate::report::csv::csv;
-use crate::report::numbers::{cell, power};
+use crate::report::numbers::{as_number, cell, count, power};
 use crate::report::table::Table;
 
 /// Values, and the map with its numbers.
@@ -156,11 +156,11 @@ fn growth(store: &Store) -> Table {
         let fitted: Vec<[f64; 2]> = runs
             .iter()
             .filter(|line| 100 <= line.intervals)
-            .map(|line| [number(line.intervals).log10(), milliseconds(line).log10()])
+            .map(|line| [as_number(line.intervals).log10(), milliseconds(line).log10()])
             .collect();
         let exponent =
             slope(&fitted).map_or_else(|| "too few certified runs".to_owned(), |slope| format!("n^{slope:.1}"));
-        let per_unknown = 1e6 * milliseconds(finest) / number(finest.intervals);
+        let per_unknown = 1e6 * milliseconds(finest) / as_number(finest.intervals);
         table = table.row([
             solver.to_owned(),
             method.to_owned(),

@@ -3,11 +3,11 @@
 use minijinja::{Value, context};
 use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
 
-use super::{ASKED, LIBRARIES, METHODS, count, ended, milliseconds, number};
+use super::{ASKED, LIBRARIES, METHODS, ended, milliseconds};
 use crate::measure::plan::EXAMPLE;
 use crate::measure::store::{Line, Store};
 use crate::report::csv::{csv, scientific};
-use crate::report::numbers::power;
+use crate::report::numbers::{as_number, count, power};
 use crate::report::table::Table;
 
 /// Grids of the table.
@@ -112,7 +112,7 @@ fn drawn(lines: &[&Line]) -> Result<(String, String), PlotError> {
         let mut found: Vec<(usize, f64)> = found.collect();
         found.sort_by_key(|(grid, _)| *grid);
         rows.extend(found.iter().map(|(grid, error)| vec![label.clone(), grid.to_string(), scientific(*error, 2)]));
-        let points = found.into_iter().map(|(grid, error)| [number(grid), error]).collect();
+        let points = found.into_iter().map(|(grid, error)| [as_number(grid), error]).collect();
         panel = std::mem::replace(&mut panel, Panel::new(Axis::new(""), Axis::new(""))).with(Layer::Series {
             points,
             style,

@@ -6,7 +6,7 @@ use palkki::theory::Exact;
 use palkki::{Settings, solve};
 
 use crate::report::error::Cause;
-use crate::report::numbers::thousands;
+use crate::report::numbers::count;
 
 /// Relative errors that are asked for: what an engineer needs, and what a reference needs.
 pub(super) const TARGETS: [f64; 2] = [1e-4, 1e-6];
@@ -60,17 +60,12 @@ pub(super) fn required(scene: &Scene, exact: &Exact) -> Result<Required, Cause> 
         let missing = first.contains(&None);
         (found.refused, found.capped) = (found.refused | (missing && refused), found.capped | (missing && !refused));
         found.cells.extend(first.map(|n| match n {
-            Some(n) => grouped(n),
+            Some(n) => count(n),
             None if refused => "none ²".to_owned(),
-            None => format!("more than {}", grouped(last)),
+            None => format!("more than {}", count(last)),
         }));
     }
     Ok(found)
-}
-
-/// A count in groups of three digits.
-fn grouped(n: usize) -> String {
-    thousands(i64::try_from(n).unwrap_or(i64::MAX))
 }
 
 /// Supports at which the foundation starts at their own level. They share their force with the ground beside them, in a
