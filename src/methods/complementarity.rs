@@ -16,7 +16,7 @@
 // The scheme is rebuilt from (5), (7), (8) with central differences, the only second-order scheme on five nodes.
 // It gives 1.191071 for the first contact force of the example with 30 intervals; the paper prints no number for this method.
 
-use super::{Discrete, held::Held, hencky, native};
+use super::{Discrete, Force, held::Held, hencky, native};
 use crate::problem::{Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
@@ -90,6 +90,11 @@ impl Programme for Complementarity<'_> {
         let moments = hencky::moments(&held)?;
         let gradient = held.contact_forces(&moments).iter().map(|p| p / self.0.spacing).collect();
         Ok(Stationary { x: held.clearances(&moments), gradient })
+    }
+
+    /// Method 3 for a chain of links.
+    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
+        Some(Box::new(Force { discrete: self.0, bending: Bending::AtNodes }))
     }
 
     /// A clearance that could be rounding is zero already.

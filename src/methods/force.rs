@@ -24,9 +24,15 @@ use super::{Discrete, continuous, native};
 use crate::problem::{Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
-/// The programme (32) of method 3: `x = p` as nodal forces, `g = h`.
+/// The programme (32) of method 3: `x = p` as nodal forces, `g = h`. With [`Bending::Between`] it is the paper's and dual to
+/// method 2, with [`Bending::AtNodes`] that of a chain of links, dual to method 1.
 #[derive(Debug, Clone, Copy)]
-pub struct Force<'a>(pub &'a Discrete);
+pub struct Force<'a> {
+    /// The scene on its grid.
+    pub discrete: &'a Discrete,
+    /// How the beam bends between the nodes.
+    pub bending: Bending,
+}
 
 /// Flexibility `c_ij`, (26): the deflection of node `i` under a unit force at node `j`, for `1 ≤ i, j ≤ n`.
 #[must_use]
@@ -40,19 +46,24 @@ pub fn flexibility(length: f64, stiffness: f64, n: usize, i: usize, j: usize) ->
 
 impl Programme for Force<'_> {
     fn dimension(&self) -> usize {
-        self.0.interior()
+        self.discrete.interior()
     }
 
-    /// `C` (26), shape (n, n).
+    /// `C` (26), shape (n, n); of a chain by statics, unit force by unit force.
     fn matrix(&self) -> Matrix {
-        let n = self.dimension();
+        let (n, Discrete { spacing, stiffness, .. }) = (self.dimension(), self.discrete);
+        if self.bending == Bending::AtNodes {
+            let unit = |j: usize| (0..n).map(|i| f64::from(u8::from(i == j))).collect::<Vec<_>>();
+            let columns: Vec<f64> = (0..n).flat_map(|j| self.discrete.deflection(&unit(j), self.bending)).collect();
+            return Matrix::Dense(DMatrix::from_vec(n, n, columns));
+        }
         #[expect(clippy::cast_precision_loss, reason = "dense matrices end long before 2⁵³ nodes")]
-        let length = self.0.spacing * (n + 1) as f64;
-        Matrix::Dense(DMatrix::from_fn(n, n, |i, j| flexibility(length, self.0.stiffness, n, i + 1, j + 1)))
+        let length = spacing * (n + 1) as f64;
+        Matrix::Dense(DMatrix::from_fn(n, n, |i, j| flexibility(length, *stiffness, n, i + 1, j + 1)))
     }
 
     fn native(&self) -> Option<Native> {
-        Some(native::complementary(self.0, self.sizes()))
+        Some(native::complementary(self.discrete, self.bending, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
@@ -60,19 +71,21 @@ impl Programme for Force<'_> {
     }
 
     fn gradient(&self, p: &[f64]) -> Vec<f64> {
-        let forces: Vec<f64> = self.0.interior_loads().iter().zip(p).map(|(q, p)| q - p).collect();
-        self.0.clearances(&self.0.deflection(&forces, Bending::Between))
+        let forces: Vec<f64> = self.discrete.interior_loads().iter().zip(p).map(|(q, p)| q - p).collect();
+        self.discrete.clearances(&self.discrete.deflection(&forces, self.bending))
     }
 
     /// A continuous beam on the free nodes: three-moment equations (`continuous.rs`), contact forces from the jumps of the
     /// shear force, clearances from the closed cubic of each interval.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        part(self.0, free, 0..self.dimension())
+        self.stationary_near(free, 0..self.dimension())
     }
 
     /// Part of that beam: what is fifty supports away is not felt.
-    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Option<Result<Stationary, NotPositiveDefinite>> {
-        Some(part(self.0, free, range))
+    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Result<Stationary, NotPositiveDefinite> {
+        // Variable i is node i + 1.
+        let part = continuous::part(self.discrete, self.bending, free, range.start + 1..range.end + 1)?;
+        Ok(Stationary { x: part.contact_force, gradient: part.clearance })
     }
 
     fn has_neighbourhoods(&self) -> bool {
@@ -90,13 +103,7 @@ impl Programme for Force<'_> {
     }
 
     fn sizes(&self) -> Sizes {
-        let Sizes { x, gradient } = self.0.sizes();
+        let Sizes { x, gradient } = self.discrete.sizes();
         Sizes { x: gradient, gradient: x }
     }
-}
-
-/// Variables `range` are the nodes one further on.
-fn part(discrete: &Discrete, free: &[bool], range: Range<usize>) -> Result<Stationary, NotPositiveDefinite> {
-    let part = continuous::part(discrete, free, range.start + 1..range.end + 1)?;
-    Ok(Stationary { x: part.contact_force, gradient: part.clearance })
 }
