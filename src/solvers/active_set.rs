@@ -192,6 +192,10 @@ impl Near<'_> {
     fn settle(&mut self, free: &mut [bool], windows: Vec<Range<usize>>, worth: usize) -> Result<bool, NotPositiveDefinite> {
         let price = |cost: Cost| cost.variables + SOLVE * cost.windows;
         let most = price(self.cost) + worth * free.len();
+        // One solve of each is the least.
+        if most < price(self.cost) + windows.iter().map(|range| range.len() + SOLVE).sum::<usize>() {
+            return Ok(false);
+        }
         let mut pending = windows;
         for round in 0..ROUNDS {
             let mut rested = Vec::new();
