@@ -8,7 +8,7 @@ mod instances;
 use palkki::methods::Discrete;
 use palkki::paper::scene_over;
 use palkki::paper::uneven::{self, Unevenness};
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::{Foundation, Scene};
 use palkki::verification::Random;
 
@@ -47,7 +47,7 @@ fn the_active_set_ends_there_at_the_optimum() {
 
 /// Ends at the optimum, certified, with at most so many solves, those of neighbourhoods counted.
 #[track_caller]
-fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) {
+fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> Outcome {
     let outcome = run(scene, method, Solver::ActiveSet, intervals);
     let told = format!("{method}, {intervals}: {} solves, residual {:.1e}", outcome.iterations, outcome.residual);
     assert_eq!(outcome.status, Status::Certified, "{told}");
@@ -74,8 +74,7 @@ fn the_active_set_ends_in_dense_contact() {
     const WORTH: usize = 100;
     for instance in dense::dense().expect("every line is an instance") {
         for method in Method::ALL {
-            ends(&instance.scene, method, instance.intervals, 500);
-            let outcome = run(&instance.scene, method, Solver::ActiveSet, instance.intervals);
+            let outcome = ends(&instance.scene, method, instance.intervals, 500);
             assert!(outcome.work <= WORTH * outcome.unknowns, "{method}, {}: {}", instance.line, outcome.work);
         }
     }
