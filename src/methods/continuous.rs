@@ -153,19 +153,20 @@ impl<'a> Continuous<'a> {
 
     /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
     ///
-    /// The jump comes first. In dense contact it is a small difference of numbers with the same exponent, and exact; a load
-    /// that is added to a shear force before would be rounded in the same way at each of a million nodes.
+    /// The jump comes first. In dense contact it is a small difference of numbers with the same exponent, and exact; a load, or
+    /// a share of the loads of a span, that is added to a shear force before would be rounded in the same way at each of a million nodes.
     fn contact_forces(&self, nodes: &Range<usize>, forces: &mut [f64]) {
-        // What the span before has left for its right end.
-        let mut before = 0.0;
+        // What the span before leaves at its right end: a share of its loads, and a shear force.
+        let mut before = [0.0, 0.0];
         for (pair, moments) in self.supports.windows(2).zip(self.moments.windows(2)) {
             let span = self.discrete.span(pair[0], pair[1]);
             let shear = moments[1] - moments[0];
             let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
             if nodes.contains(&pair[0]) {
-                forces[pair[0] - nodes.start] = (before + (span.shares[0] + shear)) + self.discrete.loads[pair[0]];
+                let share = before[0] + span.shares[0];
+                forces[pair[0] - nodes.start] = (shear - before[1]) + (share + self.discrete.loads[pair[0]]);
             }
-            before = span.shares[1] - shear;
+            before = [span.shares[1], shear];
         }
         // The last support of a part is an end of the beam or far outside.
     }

@@ -51,14 +51,15 @@ impl<'a> Held<'a> {
     /// dense contact it is exact.
     pub(super) fn contact_forces(&self, moments: &[f64]) -> Vec<f64> {
         let mut forces = vec![0.0; self.discrete.interior()];
-        // What the span before has left for its right end.
-        let mut before = 0.0;
+        // What the span before leaves at its right end: a share of its loads, and a shear force.
+        let mut before = [0.0, 0.0];
         for ((span, nodes), moments) in self.spans().zip(self.nodes.windows(2)).zip(moments.windows(2)) {
             let shear = (moments[1] - moments[0]) / span.steps;
             if 0 < nodes[0] {
-                forces[nodes[0] - 1] = (before + (span.shares[0] + shear)) + self.discrete.loads[nodes[0]];
+                let share = before[0] + span.shares[0];
+                forces[nodes[0] - 1] = (shear - before[1]) + (share + self.discrete.loads[nodes[0]]);
             }
-            before = span.shares[1] - shear;
+            before = [span.shares[1], shear];
         }
         forces
     }
