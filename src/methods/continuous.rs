@@ -152,21 +152,17 @@ impl<'a> Continuous<'a> {
     }
 
     /// Contact forces at the supports among `nodes`: the loads that go there, and the jump of the shear force.
-    ///
-    /// The jump comes first. In dense contact it is a small difference of numbers with the same exponent, and exact; a load, or
-    /// a share of the loads of a span, that is added to a shear force before would be rounded in the same way at each of a million nodes.
     fn contact_forces(&self, nodes: &Range<usize>, forces: &mut [f64]) {
-        // What the span before leaves at its right end: a share of its loads, and a shear force.
-        let mut before = [0.0, 0.0];
+        let mut before = Left::default();
         for (pair, moments) in self.supports.windows(2).zip(self.moments.windows(2)) {
             let span = self.discrete.span(pair[0], pair[1]);
             let shear = moments[1] - moments[0];
             let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
+            let left = Left { share: span.shares[1], shear, moments: [moments[0], moments[1]], steps: span.steps };
             if nodes.contains(&pair[0]) {
-                let share = before[0] + span.shares[0];
-                forces[pair[0] - nodes.start] = (shear - before[1]) + (share + self.discrete.loads[pair[0]]);
+                forces[pair[0] - nodes.start] = before.force(&left, span.shares[0] + self.discrete.loads[pair[0]]);
             }
-            before = [span.shares[1], shear];
+            before = left;
         }
         // The last support of a part is an end of the beam or far outside.
     }
@@ -206,6 +202,34 @@ impl<'a> Continuous<'a> {
                 *h = if doubtful { 0.0 } else { open };
             }
         }
+    }
+}
+
+/// What a span leaves at its right end.
+#[derive(Default)]
+pub(super) struct Left {
+    /// A share of its loads, and a shear force.
+    pub(super) share: f64,
+    pub(super) shear: f64,
+    /// Moments at its ends, and its length.
+    pub(super) moments: [f64; 2],
+    pub(super) steps: f64,
+}
+
+impl Left {
+    /// The contact force between this span and the next one, for the load on the node with the share of the next span; zero where
+    /// it is negative by less than the rounding of what it is a difference of.
+    ///
+    /// The jump of the shear force comes first. In dense contact it is a small difference of numbers with the same exponent, and
+    /// exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same way at each
+    /// of a million nodes.
+    #[inline]
+    pub(super) fn force(&self, next: &Self, load: f64) -> f64 {
+        let carried = self.share + load;
+        let force = (next.shear - self.shear) + carried;
+        let bent = |span: &Self| (span.moments[0].abs() + span.moments[1].abs()) / span.steps.max(1.0);
+        let doubtful = force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + bent(self) + bent(next));
+        if doubtful { 0.0 } else { force }
     }
 }
 

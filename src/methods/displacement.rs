@@ -118,14 +118,9 @@ impl Programme for Displacement<'_> {
         Some(Box::new(Force { discrete: self.0, bending: Bending::Between }))
     }
 
-    /// A clearance that could be rounding is zero already.
+    /// What could be rounding is zero already.
     fn rounding(&self) -> f64 {
         0.0
-    }
-
-    /// Contact forces come out of sums in blocks and a system of condition number 3: a few dozen units.
-    fn gradient_rounding(&self) -> f64 {
-        64.0 * f64::EPSILON
     }
 
     fn sizes(&self) -> Sizes {

@@ -92,13 +92,8 @@ impl Programme for Force<'_> {
         true
     }
 
-    /// Sums of moments are taken in blocks, and nothing is divided by a power of `n`: a few dozen units in the last place.
+    /// What could be rounding is zero already.
     fn rounding(&self) -> f64 {
-        64.0 * f64::EPSILON
-    }
-
-    /// A clearance that could be rounding is zero already.
-    fn gradient_rounding(&self) -> f64 {
         0.0
     }
 

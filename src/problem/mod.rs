@@ -81,16 +81,12 @@ pub trait Programme {
         None
     }
 
-    /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing.
+    /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing. Zero if signs
+    /// can be taken at their word.
     ///
     /// By default a few thousand units in the last place.
     fn rounding(&self) -> f64 {
         1e-12
-    }
-
-    /// The same for `g`, where it is known better; zero if the signs at a stationary point can be taken at their word.
-    fn gradient_rounding(&self) -> f64 {
-        self.rounding()
     }
 
     /// Sizes with which `x` and `g` become dimensionless numbers of order one.

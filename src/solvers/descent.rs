@@ -57,7 +57,7 @@ impl Signs {
             x = if x < value.abs() { value.abs() } else { x };
             gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
         }
-        Self { x: -programme.rounding() * x, gradient: -programme.gradient_rounding() * gradient }
+        Self { x: -programme.rounding() * x, gradient: -programme.rounding() * gradient }
     }
 }
 
