@@ -52,6 +52,7 @@ fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> Outco
     let told = format!("{method}, {intervals}: {} solves, residual {:.1e}", outcome.iterations, outcome.residual);
     assert_eq!(outcome.status, Status::Certified, "{told}");
     assert!(outcome.solver_claims_success && outcome.iterations <= solves, "{told}");
+    outcome
 }
 
 /// Where ground is touched at hundreds of points, exchanges of one variable of each run go round in a few circles at a time, the
