@@ -38,8 +38,14 @@ const REACH: usize = 32;
 /// Rounds of windows by themselves. Most settle in one or two; distant windows are felt like terms of a geometric series.
 const ROUNDS: usize = 10;
 
-/// Exchanges go on while the runs on the wrong side are fewer than this share of the fewest so far.
-const FEWER: f64 = 0.9;
+/// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
+const FEWER: usize = 10;
+
+/// A share of all variables in windows with which these are local.
+const LOCAL: usize = 2;
+
+/// Exchanges in all that may not help where windows would not be local.
+const PATIENCE: usize = 5;
 
 /// What windows may cost, in solves of the whole: those around the borders, which may all be right, and the first ones around
 /// places where exchanges do not end.
@@ -124,7 +130,7 @@ impl<'a> Run<'a> {
     /// The optimum of the whole by exchanges, by windows where these do not end, and by a descent where windows do not.
     fn exchanged(&mut self, free: &mut [bool]) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let n = free.len();
-        let (mut reach, mut fewest) = (REACH, f64::INFINITY);
+        let (mut fewest, mut idle, mut scale) = (usize::MAX, 0, 1);
         loop {
             self.cost.whole += 1;
             self.cost.variables += n;
@@ -135,17 +141,20 @@ impl<'a> Run<'a> {
             }
             let dual = self.dual.is_some();
             exchange(free, &violators.wrong, if dual { &point.x } else { &point.gradient }, dual);
-            #[expect(clippy::cast_precision_loss, reason = "far below 2⁵³")]
-            let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count() as f64;
-            if runs < FEWER * fewest {
+            let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count();
+            if runs < fewest - fewest / FEWER {
                 fewest = runs;
                 continue;
             }
-            if n <= reach || !self.has_neighbourhoods() {
+            let windows = around(&violators.wrong, scale * REACH, n);
+            if n < LOCAL * price(&windows) && idle < PATIENCE {
+                idle += 1;
+            } else if scale * REACH < n && self.has_neighbourhoods() {
+                self.settle(free, windows, scale * WORTH[1])?;
+                scale *= 2;
+            } else {
                 return Descent::new(self.programme, 0..n).run(free, &mut self.cost);
             }
-            self.settle(free, around(&violators.wrong, reach, n), WORTH[1] * (reach / REACH))?;
-            reach *= 2;
         }
     }
 
@@ -155,11 +164,11 @@ impl<'a> Run<'a> {
 
     /// Makes windows around the borders optimal, as far as that is cheap. Whether there were any, and they came to rest.
     fn settle_borders(&mut self, free: &mut [bool]) -> Result<bool, NotPositiveDefinite> {
-        let borders = borders(free);
-        if borders.is_empty() || !self.has_neighbourhoods() {
+        let windows = around(&borders(free), REACH, free.len());
+        if windows.is_empty() || !self.has_neighbourhoods() || free.len() < price(&windows) {
             return Ok(false);
         }
-        self.settle(free, around(&borders, REACH, free.len()), WORTH[0])
+        self.settle(free, windows, WORTH[0])
     }
 
     /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
@@ -190,12 +199,8 @@ struct Near<'a> {
 impl Near<'_> {
     /// See [`Run::settle`].
     fn settle(&mut self, free: &mut [bool], windows: Vec<Range<usize>>, worth: usize) -> Result<bool, NotPositiveDefinite> {
-        let price = |cost: Cost| cost.variables + SOLVE * cost.windows;
-        let most = price(self.cost) + worth * free.len();
-        // One solve of each is the least.
-        if most < price(self.cost) + windows.iter().map(|range| range.len() + SOLVE).sum::<usize>() {
-            return Ok(false);
-        }
+        let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
+        let most = spent(self.cost) + worth * free.len();
         let mut pending = windows;
         for round in 0..ROUNDS {
             let mut rested = Vec::new();
@@ -203,7 +208,7 @@ impl Near<'_> {
                 // What is far off on one side may be so because of a window that waits for its turn.
                 let longest = (4 * REACH).max(range.len()) << round;
                 rested.push(self.rest(free, range, longest)?);
-                if most < price(self.cost) {
+                if most < spent(self.cost) {
                     return Ok(false);
                 }
             }
@@ -252,6 +257,11 @@ impl Near<'_> {
         let violators = Violators::of(self.programme, &point, free[range.clone()].iter().copied());
         Ok((point, violators.wrong))
     }
+}
+
+/// What one solve of each window costs, in variables.
+fn price(windows: &[Range<usize>]) -> usize {
+    windows.iter().map(|range| range.len() + SOLVE).sum()
 }
 
 /// Drops the free ones of some variables on the wrong side, and releases of each run of the others the one with the smallest
