@@ -1,9 +1,9 @@
 //! Nested grids: the active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
 //! has to change.
 //!
-//! Where a programme can be [settled](guess_from) in neighbourhoods, coarser grids only have to give a good guess, and the
-//! whole beam is solved on small grids and on the finest alone. Each of the others makes the error of the lift-off points
-//! smaller at a price that does not grow with the grid. Only where neighbourhoods grow too large a grid is solved.
+//! Coarser grids only have to give a good guess. They are solved by the programme in contact forces, for beam or chain of links as
+//! the method has it, near lift-off points where that is enough ([`guess_from`]); the method itself has the last word, on the
+//! finest grid.
 
 mod refined;
 

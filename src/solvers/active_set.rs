@@ -1,21 +1,21 @@
 //! An active set that goes on where the paper's four steps stop, and always ends.
 //!
-//! The four steps drop variables one by one and never release one. Here one of each run of negative neighbours is dropped,
-//! others are released where the gradient is negative, and the objective falls strictly from one feasible face minimum to the next: see
-//! [`descent`](super::descent) for the steps and why they end.
+//! The four steps drop variables one by one and never release one. Here variables are also released where the gradient is
+//! negative, and many change at a time.
 //!
-//! **Exchanges.** A guess of the face is improved by exchanges of all variables on the wrong side, one of each run of neighbours
-//! that are to be dropped, as long as there are fewer and fewer of such runs. In the end only those are left that go round in circles, at a
-//! few places.
+//! **Exchanges.** From one face to the next all free variables that came out negative are dropped, and of each run of
+//! neighbours with a negative gradient the steepest one is released, as long as runs on the wrong side become fewer. In dense
+//! contact ten exchanges settle most of a face. What is left goes round in circles, at a few places.
 //!
 //! **Windows.** Programmes that allow it are solved in windows around such places, and before all exchanges around the borders
-//! between free variables and others, at a small part of the price of a solve of the whole. Each window is made optimal by
-//! itself, widened as long as variables beside it are on the wrong side, but in the first rounds not far, as one window may
-//! disturb another. Where a programme has a [dual](Programme::dual), windows are solved in that, and exchanges are its exchanges.
+//! between free variables and others, where a guess from a coarser grid is wrong as a rule. That takes a small part of the price of
+//! a solve of the whole. Each window is made optimal by itself, by a [`descent`](super::descent), and widened as long as variables
+//! beside it are on the wrong side, but in the first rounds not far, as one window may disturb another. Where a programme has
+//! a [dual](Programme::dual) with windows, these and the exchanges are those of the dual.
 //!
-//! *It ends.* A window is a programme of its own, and the descent ends at its optimum. Exchanges without windows go on only where there are
-//! fewer runs on the wrong side than ever before, and windows reach twice as far each time, until only the window that
-//! holds all variables is left, whose optimum is that of (32). Whether exchanges and windows help is a matter of speed:
+//! *It ends.* A window is a programme of its own, and the descent ends at its optimum. Exchanges go on where there are fewer runs
+//! on the wrong side than ever before, or else a few times in all; windows reach twice as far each time, until only the one
+//! that holds all variables is left, whose optimum is that of (32). Whether exchanges and windows help is a matter of speed:
 //! what is called optimal has passed a solve of the whole, which looks at every variable.
 
 // Discrepancy: beyond-four-steps
@@ -41,10 +41,11 @@ const ROUNDS: usize = 10;
 /// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
 const FEWER: usize = 10;
 
-/// A share of all variables in windows with which these are local.
+/// Windows are local where one solve of each costs less than this part of one of the whole.
 const LOCAL: usize = 2;
 
-/// Exchanges in all that may not help where windows would not be local.
+/// Exchanges in all that need not help where windows would not be local: in dense contact between the nodes of a coarser grid
+/// the second one undoes part of the first.
 const PATIENCE: usize = 5;
 
 /// What windows may cost, in solves of the whole: those around the borders, which may all be right, and the first ones around
@@ -173,18 +174,21 @@ impl<'a> Run<'a> {
 
     /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
     /// Whether all came to rest.
-    fn settle(&mut self, free: &mut [bool], windows: Vec<Range<usize>>, worth: usize) -> Result<bool, NotPositiveDefinite> {
+    fn settle(
+        &mut self,
+        free: &mut [bool],
+        windows: Vec<Range<usize>>,
+        worth: usize,
+    ) -> Result<bool, NotPositiveDefinite> {
         let turn = |free: &mut [bool]| free.iter_mut().for_each(|free| *free = !*free);
-        if let Some(dual) = self.dual.as_deref() {
+        let mut near = Near { programme: self.dual.as_deref().unwrap_or(self.programme), cost: self.cost };
+        if self.dual.is_some() {
             turn(free);
-            let mut near = Near { programme: dual, cost: self.cost };
-            let rested = near.settle(free, windows, worth);
-            self.cost = near.cost;
-            turn(free);
-            return rested;
         }
-        let mut near = Near { programme: self.programme, cost: self.cost };
         let rested = near.settle(free, windows, worth);
+        if self.dual.is_some() {
+            turn(free);
+        }
         self.cost = near.cost;
         rested
     }
@@ -198,7 +202,12 @@ struct Near<'a> {
 
 impl Near<'_> {
     /// See [`Run::settle`].
-    fn settle(&mut self, free: &mut [bool], windows: Vec<Range<usize>>, worth: usize) -> Result<bool, NotPositiveDefinite> {
+    fn settle(
+        &mut self,
+        free: &mut [bool],
+        windows: Vec<Range<usize>>,
+        worth: usize,
+    ) -> Result<bool, NotPositiveDefinite> {
         let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
         let most = spent(self.cost) + worth * free.len();
         let mut pending = windows;

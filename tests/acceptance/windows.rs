@@ -58,7 +58,9 @@ fn a_step_between_the_nodes_does_not_lead_a_window_astray() {
 fn dense_contact_costs_some_dozen_solves_of_the_whole() {
     /// Measured: 3 to 30.
     const WORTH: usize = 50;
-    for (intervals, segments, load) in [(100_000, 1000, 1e2), (100_000, 1000, 1e4), (100_000, 30_000, 1e4), (999_983, 1000, 1e4)] {
+    for (intervals, segments, load) in
+        [(100_000, 1000, 1e2), (100_000, 1000, 1e4), (100_000, 30_000, 1e4), (999_983, 1000, 1e4)]
+    {
         let scene = random::smooth(segments, load, 1);
         for method in Method::ALL {
             let outcome = run(&scene, method, Solver::ActiveSet, intervals);

@@ -99,9 +99,8 @@ pub(crate) fn smooth(segments: u32, load: f64, seed: u64) -> Scene {
     const HEIGHT: f64 = 3e-4;
     const TURN: f64 = std::f64::consts::TAU;
     let mut random = Random::new(seed);
-    let waves: Vec<[f64; 3]> = (1..40)
-        .map(|k| [HEIGHT * random.between(-1.0, 1.0), TURN * f64::from(k), random.between(0.0, TURN)])
-        .collect();
+    let waves: Vec<[f64; 3]> =
+        (1..40).map(|k| [HEIGHT * random.between(-1.0, 1.0), TURN * f64::from(k), random.between(0.0, TURN)]).collect();
     let rise = |s: f64| waves.iter().map(|[a, rate, phase]| a * libm::sin(rate * s + phase)).sum::<f64>();
     let base = 0.02 - rise(0.0).min(rise(1.0));
     let shares = (0..=segments).map(|i| f64::from(i) / f64::from(segments));
