@@ -217,12 +217,12 @@ pub(super) struct Left {
 }
 
 impl Left {
-    /// The contact force between this span and the next one, for the load on the node with the share of the next span; zero where
-    /// it is negative by less than the rounding of what it is a difference of.
+    /// The contact force between this span and the next one, for the load on the node with the share of the next span; zero
+    /// where it is negative by less than the rounding of what it is a difference of.
     ///
-    /// The jump of the shear force comes first. In dense contact it is a small difference of numbers with the same exponent, and
-    /// exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same way at each
-    /// of a million nodes.
+    /// The jump of the shear force comes first. In dense contact it is a small difference of numbers with the same exponent,
+    /// and exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same
+    /// way at each of a million nodes.
     #[inline]
     pub(super) fn force(&self, next: &Self, load: f64) -> f64 {
         let carried = self.share + load;
