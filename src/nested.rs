@@ -1,25 +1,25 @@
 //! Nested grids: the active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
 //! has to change.
 //!
-//! Where a programme can be [settled](guess_from) in neighbourhoods, coarser grids only have to give a good guess, and the
-//! whole beam is solved on small grids and on the finest alone. Each of the others makes the error of the lift-off points
-//! smaller at a price that does not grow with the grid. Only where neighbourhoods grow too large a grid is solved.
+//! Coarser grids only have to give a good guess. They are solved by the programme in contact forces, for beam or chain of links as
+//! the method has it, near lift-off points where that is enough ([`guess_from`]); the method itself has the last word, on the
+//! finest grid.
 
 mod refined;
 
-use crate::methods::{Discrete, Method};
-use crate::route::Solver;
+use crate::methods::{Discrete, Force, Method};
 use crate::scene::{Scene, SceneError};
-use crate::solvers::{Answer, active_set_counted, active_set_from, guess_from};
+use crate::solvers::{Answer, active_set_counted, guess_from};
+use crate::state::Bending;
 use refined::refined;
 
-/// Up to here the paper's start, all variables free, takes a handful of solves.
+/// Up to here the start with contact everywhere takes a handful of solves.
 const COARSEST: usize = 30;
 
-/// From here on a grid is guessed from, and the next one may be finer by more.
-const GUESSED: usize = 1000;
+/// From here on the next grid may be finer by more: contact is wrong near lift-off points only.
+const FINE: usize = 1000;
 
-/// Refinement of grids that are solved, and of those that are guessed from.
+/// Refinement up to such grids, and of them.
 const REFINEMENT: [usize; 2] = [2, 8];
 
 /// Solves on nested grids. Solves on all grids count.
@@ -30,12 +30,8 @@ pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Resul
 /// The answer, and the number of solves of the whole on the finest grid.
 fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer, usize), SceneError> {
     let programme = method.programme(discrete);
-    let Some((free, spent)) = start(scene, method, discrete.intervals)? else {
-        let answer = Solver::ActiveSet.run(programme.as_ref(), 0.0);
-        let whole = answer.iterations;
-        return Ok((answer, whole));
-    };
-    let (answer, whole) = active_set_counted(programme.as_ref(), free);
+    let (touching, spent) = start(scene, method.bending(), discrete.intervals)?;
+    let (answer, whole) = active_set_counted(programme.as_ref(), method.face(touching));
     let Spent { solves, work } = spent.and(answer.iterations, answer.work);
     Ok((Answer { iterations: solves, work, ..answer }, whole))
 }
@@ -53,47 +49,29 @@ impl Spent {
     }
 }
 
-/// The face to start from on a grid, by a coarser one, and what it cost; [`None`] on the coarsest.
-fn start(scene: &Scene, method: Method, intervals: usize) -> Result<Option<(Vec<bool>, Spent)>, SceneError> {
-    let coarse = intervals / REFINEMENT[usize::from(method.is_guessed(intervals))];
+/// Contact to start from on a grid, by a coarser one, and what it cost; everywhere on the coarsest.
+fn start(scene: &Scene, bending: Bending, intervals: usize) -> Result<(Vec<bool>, Spent), SceneError> {
+    let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
     if coarse < COARSEST {
-        return Ok(None);
+        return Ok((vec![true; intervals - 1], Spent::default()));
     }
-    let (touching, spent) = contact(scene, method, coarse)?;
-    Ok(Some((method.face(refined(&touching, intervals)), spent)))
+    let (touching, spent) = contact(scene, bending, coarse)?;
+    Ok((refined(&touching, intervals), spent))
 }
 
-/// Contact at the interior nodes of a coarse grid, and what it cost.
-fn contact(scene: &Scene, method: Method, intervals: usize) -> Result<(Vec<bool>, Spent), SceneError> {
+/// A guess of contact at the interior nodes of a coarse grid, and what it cost.
+fn contact(scene: &Scene, bending: Bending, intervals: usize) -> Result<(Vec<bool>, Spent), SceneError> {
+    let (touching, before) = start(scene, bending, intervals)?;
     let discrete = Discrete::new(scene, intervals)?;
-    let programme = method.programme(&discrete);
-    let (answer, before) = match start(scene, method, intervals)? {
-        None => (Solver::ActiveSet.run(programme.as_ref(), 0.0), Spent::default()),
-        Some((free, before)) if method.is_guessed(intervals) => {
-            let guess = guess_from(programme.as_ref(), free);
-            let spent = before.and(guess.solves, guess.work);
-            if guess.settled {
-                return Ok((method.face(guess.free), spent));
-            }
-            (active_set_from(programme.as_ref(), guess.free), spent)
-        }
-        Some((free, before)) => (active_set_from(programme.as_ref(), free), before),
-    };
-    let spent = before.and(answer.iterations, answer.work);
-    let nodal = method.nodal(&discrete, answer.x, answer.gradient);
-    Ok((nodal.contact_force.iter().map(|p| 0.0 < *p).collect(), spent))
+    // Forces are free where there is contact.
+    let guess = guess_from(&Force { discrete: &discrete, bending }, touching);
+    Ok((guess.free, before.and(guess.solves, guess.work)))
 }
 
 impl Method {
-    /// The free variables of a contact set, or the contact set of free variables: forces are free where there is contact,
-    /// clearances where there is none.
-    fn face(self, flags: Vec<bool>) -> Vec<bool> {
-        if self == Self::Force { flags } else { flags.into_iter().map(|flag| !flag).collect() }
-    }
-
-    /// Whether a grid is fine enough to be guessed from: by programmes that can be solved near some variables only.
-    fn is_guessed(self, intervals: usize) -> bool {
-        self != Self::Complementarity && GUESSED <= intervals
+    /// The free variables of a contact set: forces are free where there is contact, clearances where there is none.
+    fn face(self, touching: Vec<bool>) -> Vec<bool> {
+        if self == Self::Force { touching } else { touching.into_iter().map(|touches| !touches).collect() }
     }
 }
 

@@ -16,7 +16,7 @@
 // The scheme is rebuilt from (5), (7), (8) with central differences, the only second-order scheme on five nodes.
 // It gives 1.191071 for the first contact force of the example with 30 intervals; the paper prints no number for this method.
 
-use super::{Discrete, held::Held, hencky, native};
+use super::{Discrete, Force, held::Held, hencky, native};
 use crate::problem::{Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
@@ -92,14 +92,14 @@ impl Programme for Complementarity<'_> {
         Ok(Stationary { x: held.clearances(&moments), gradient })
     }
 
-    /// A clearance that could be rounding is zero already.
-    fn rounding(&self) -> f64 {
-        0.0
+    /// Method 3 for a chain of links.
+    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
+        Some(Box::new(Force { discrete: self.0, bending: Bending::AtNodes }))
     }
 
-    /// Contact forces come out of sums in blocks and a system of condition number 3: a few dozen units.
-    fn gradient_rounding(&self) -> f64 {
-        64.0 * f64::EPSILON
+    /// What could be rounding is zero already.
+    fn rounding(&self) -> f64 {
+        0.0
     }
 
     fn sizes(&self) -> Sizes {

@@ -20,11 +20,9 @@
 // cubic elements with the rotations condensed, and the loads are nodal forces `q₀Δ`, not work-equivalent forces and moments.
 // The inverse of this `K` is the `C` of (26), which survives.
 
-use std::ops::Range;
-
 use nalgebra::DMatrix;
 
-use super::{Discrete, continuous, held::Held, native, rotations};
+use super::{Discrete, Force, held::Held, native, rotations};
 use crate::problem::{Band, Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
 use crate::state::Bending;
 
@@ -115,25 +113,14 @@ impl Programme for Displacement<'_> {
         Ok(Stationary { x: held.clearances(&moments), gradient: held.contact_forces(&moments) })
     }
 
-    /// Part of a continuous beam, as in method 3: what is looked at here is only where to exchange next.
-    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Option<Result<Stationary, NotPositiveDefinite>> {
-        let touches: Vec<bool> = free.iter().map(|free| !free).collect();
-        let part = continuous::part(self.0, &touches, range.start + 1..range.end + 1);
-        Some(part.map(|part| Stationary { x: part.clearance, gradient: part.contact_force }))
+    /// `K⁻¹ = C`: method 3.
+    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
+        Some(Box::new(Force { discrete: self.0, bending: Bending::Between }))
     }
 
-    fn has_neighbourhoods(&self) -> bool {
-        true
-    }
-
-    /// A clearance that could be rounding is zero already.
+    /// What could be rounding is zero already.
     fn rounding(&self) -> f64 {
         0.0
-    }
-
-    /// Contact forces come out of sums in blocks and a system of condition number 3: a few dozen units.
-    fn gradient_rounding(&self) -> f64 {
-        64.0 * f64::EPSILON
     }
 
     fn sizes(&self) -> Sizes {

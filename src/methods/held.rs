@@ -47,18 +47,18 @@ impl<'a> Held<'a> {
         bends
     }
 
-    /// Contact forces at all interior nodes, for moments at the held ones. The jump of the shear force comes before the load: in
-    /// dense contact it is exact.
+    /// Contact forces at all interior nodes, for moments at the held ones.
     pub(super) fn contact_forces(&self, moments: &[f64]) -> Vec<f64> {
         let mut forces = vec![0.0; self.discrete.interior()];
-        // What the span before has left for its right end.
-        let mut before = 0.0;
-        for ((span, nodes), moments) in self.spans().zip(self.nodes.windows(2)).zip(moments.windows(2)) {
+        let mut before = continuous::Left::default();
+        for ((span, nodes), ends) in self.spans().zip(self.nodes.windows(2)).zip(moments.windows(2)) {
+            let moments = [ends[0], ends[1]];
             let shear = (moments[1] - moments[0]) / span.steps;
+            let left = continuous::Left { share: span.shares[1], shear, moments, steps: span.steps };
             if 0 < nodes[0] {
-                forces[nodes[0] - 1] = (before + (span.shares[0] + shear)) + self.discrete.loads[nodes[0]];
+                forces[nodes[0] - 1] = before.force(&left, span.shares[0] + self.discrete.loads[nodes[0]]);
             }
-            before = span.shares[1] - shear;
+            before = left;
         }
         forces
     }

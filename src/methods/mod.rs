@@ -45,7 +45,7 @@ impl Method {
         match self {
             Self::Complementarity => Box::new(Complementarity(discrete)),
             Self::Displacement => Box::new(Displacement(discrete)),
-            Self::Force => Box::new(Force(discrete)),
+            Self::Force => Box::new(Force { discrete, bending: self.bending() }),
         }
     }
 

@@ -46,7 +46,7 @@ pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> 
 }
 
 /// Method 3: moments, then contact forces.
-pub(super) fn complementary(discrete: &Discrete, sizes: Sizes) -> Native {
+pub(super) fn complementary(discrete: &Discrete, bending: Bending, sizes: Sizes) -> Native {
     let n = discrete.interior();
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let mut equations: Vec<_> = (0..n).map(|j| around(j, n, -2.0, 1.0)).collect();
@@ -54,7 +54,7 @@ pub(super) fn complementary(discrete: &Discrete, sizes: Sizes) -> Native {
     let mut linear = vec![0.0; n];
     linear.extend(discrete.depths.iter().map(|u| u / depth));
     let right = discrete.interior_loads().iter().map(|q| -q / force).collect();
-    let quadratic = quadratic(n, Bending::Between, stiffness_number(discrete));
+    let quadratic = quadratic(n, bending, stiffness_number(discrete));
     Native { quadratic, linear, equations, right, signed: n, sizes }
 }
 

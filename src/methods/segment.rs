@@ -12,6 +12,8 @@
 //! digits are lost, however many spans are joined. Lengths are counted in intervals, so moments have the unit `force · Δ`
 //! and `ϑ = 6 EI θ / Δ²` has that of a force times an interval squared.
 
+use crate::state::Bending;
+
 /// Loads of a stretch of the beam, as its two ends feel them when it is a simple beam. Positive rotations sag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Segment {
@@ -61,14 +63,25 @@ impl Segment {
 
     /// Moment and deflection (in `6 EI / Δ³`, below the chord) between this part of a span and the next one, for given moments
     /// at the ends of both together.
-    pub(super) fn between(self, next: Self, load: f64, ends: [f64; 2]) -> [f64; 2] {
+    pub(super) fn between(self, next: Self, load: f64, ends: [f64; 2], bending: Bending) -> [f64; 2] {
         let (a, b) = (self.steps, next.steps);
         let (before, behind) = (a / (a + b), b / (a + b));
         let moment = (self.shares[1] + next.shares[0] + load) * a * behind + (ends[0] * behind + ends[1] * before);
-        let kink =
-            (self.rotations[1] + a * (ends[0] + 2.0 * moment)) + (next.rotations[0] + b * (ends[1] + 2.0 * moment));
+        let kink = (self.rotations[1] + (a * (ends[0] + 2.0 * moment) + links(bending, a) * (moment - ends[0])))
+            + (next.rotations[0] + (b * (ends[1] + 2.0 * moment) + links(bending, b) * (moment - ends[1])));
         [moment, kink * a * behind]
     }
+}
+
+/// `1/L` for a chain of links, zero for a beam: how sums over the nodes of a span of `L` intervals differ from integrals,
+///
+/// ```text
+/// 6 Σ φ² + 3 = 2L + 1/L,   6 Σ φ (1 − φ) = L − 1/L        (beam: 2L and L)
+/// ```
+///
+/// with the linear `φ` that falls from 1 to 0, over inner nodes; the held node at the end adds 3 on both sides.
+pub(super) fn links(bending: Bending, steps: f64) -> f64 {
+    if bending == Bending::AtNodes { 1.0 / steps } else { 0.0 }
 }
 
 /// Intervals of the shortest stored segment: a query adds at most twice as many loads one by one.

@@ -52,14 +52,17 @@ pub trait Programme {
     /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
     fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite>;
 
-    /// The same point, but only at the variables of `range`, which come first and alone in the result; [`None`] if that is not
-    /// cheaper than the whole.
+    /// The same point, but only at the variables of `range`, which are alone in the result.
     ///
     /// For problems in which a change of the face is felt in its neighbourhood only. What comes back is the whole point up to
     /// rounding.
-    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Option<Result<Stationary, NotPositiveDefinite>> {
-        let _ = (free, range);
-        None
+    ///
+    /// # Errors
+    ///
+    /// [`NotPositiveDefinite`] as above.
+    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Result<Stationary, NotPositiveDefinite> {
+        let Stationary { x, gradient } = self.stationary(free)?;
+        Ok(Stationary { x: x[range.clone()].to_vec(), gradient: gradient[range].to_vec() })
     }
 
     /// Whether [`stationary_near`](Self::stationary_near) is cheaper than the whole.
@@ -67,16 +70,23 @@ pub trait Programme {
         false
     }
 
-    /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing.
+    /// The programme in the gradient, up to units, if there is one that [has neighbourhoods](Self::has_neighbourhoods):
+    ///
+    /// ```text
+    /// minimise ½ gᵀ A⁻¹ g + bᵀ A⁻¹ g   subject to   g ≥ 0,      with the gradient A⁻¹ (g + b) = x
+    /// ```
+    ///
+    /// Free is there what is not free here, and the optimum is the same.
+    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
+        None
+    }
+
+    /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing. Zero if signs
+    /// can be taken at their word.
     ///
     /// By default a few thousand units in the last place.
     fn rounding(&self) -> f64 {
         1e-12
-    }
-
-    /// The same for `g`, where it is known better; zero if the signs at a stationary point can be taken at their word.
-    fn gradient_rounding(&self) -> f64 {
-        self.rounding()
     }
 
     /// Sizes with which `x` and `g` become dimensionless numbers of order one.

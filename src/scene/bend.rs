@@ -74,10 +74,10 @@ fn lack(t: f64) -> f64 {
 fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<f64> {
     // An end of the beam may have been rounded past the end of the polyline.
     let (from, to) = (ends[0].max(points.first()?[0]), ends[1].min(points.last()?[0]));
-    let before = points.partition_point(|p| p[0] < from);
-    let first = points.partition_point(|p| p[0] <= from);
-    let last = points.partition_point(|p| p[0] < to);
-    let behind = points.partition_point(|p| p[0] <= to);
+    let before = parted(points, equally_spaced(points, from), |p| p[0] < from);
+    let first = parted(points, before, |p| p[0] <= from);
+    let last = parted(points, first, |p| p[0] < to);
+    let behind = parted(points, last, |p| p[0] <= to);
     if before + 1 < first || last + 1 < behind {
         return None;
     }
@@ -93,6 +93,36 @@ fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<
         bend += kink * hat;
     }
     Some(bend)
+}
+
+/// The number of the point at a place, if points were equally spaced: about that of surveys.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "the share is limited to the points"
+)]
+fn equally_spaced(points: &[[f64; 2]], x: f64) -> usize {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return 0 };
+    let share = ((x - first[0]) / (last[0] - first[0])).clamp(0.0, 1.0);
+    (share * (points.len() - 1) as f64) as usize
+}
+
+/// How many points come before a place, as `partition_point` has it, found from a guess in steps that double: O(log d) for
+/// one that is off by d.
+fn parted(points: &[[f64; 2]], guess: usize, is_before: impl Fn(&[f64; 2]) -> bool) -> usize {
+    let (mut low, mut high, mut step) = (guess, guess, 1);
+    while 0 < low && !is_before(&points[low - 1]) {
+        high = low - 1;
+        low = low.saturating_sub(step);
+        step *= 2;
+    }
+    while high < points.len() && is_before(&points[high]) {
+        low = high + 1;
+        high = points.len().min(high + step);
+        step *= 2;
+    }
+    low + points[low..high].partition_point(is_before)
 }
 
 #[cfg(test)]
@@ -121,6 +151,19 @@ mod tests {
                     (found - expected).abs() < 1e-12,
                     "{profile:?} at {x}, {a}, {b}: {found} instead of {expected}"
                 );
+            }
+        }
+    }
+
+    /// From every guess, with points at one place and places beyond all points.
+    #[test]
+    fn points_are_parted_from_any_guess() {
+        let points: Vec<[f64; 2]> = [0, 1, 2, 2, 3, 5, 8, 8, 8, 9].map(|x| [f64::from(x), 0.0]).to_vec();
+        for guess in 0..=points.len() {
+            for x in [-1.0, 0.0, 0.5, 2.0, 4.0, 8.0, 8.5, 9.0, 10.0] {
+                assert_eq!(parted(&points, guess, |p| p[0] < x), points.partition_point(|p| p[0] < x), "{x}");
+                assert_eq!(parted(&points, guess, |p| p[0] <= x), points.partition_point(|p| p[0] <= x), "{x}");
+                assert!(equally_spaced(&points, x) < points.len());
             }
         }
     }

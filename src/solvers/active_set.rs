@@ -1,20 +1,21 @@
 //! An active set that goes on where the paper's four steps stop, and always ends.
 //!
-//! The four steps drop variables one by one and never release one. Here one of each run of negative neighbours is dropped,
-//! others are released where the gradient is negative, and the objective falls strictly from one feasible face minimum to the next: see
-//! [`descent`](super::descent) for the steps and why they end.
+//! The four steps drop variables one by one and never release one. Here variables are also released where the gradient is
+//! negative, and many change at a time.
 //!
-//! **Windows.** A guess of the face is wrong near the borders between free variables and others only. Programmes that allow
-//! it are solved in windows around these, at a small part of the price of a solve of the whole:
+//! **Exchanges.** From one face to the next all free variables that came out negative are dropped, and of each run of
+//! neighbours with a negative gradient the steepest one is released, as long as runs on the wrong side become fewer. In dense
+//! contact ten exchanges settle most of a face. What is left goes round in circles, at a few places.
 //!
-//! 1. Each window by itself, widened as long as variables beside it are on the wrong side, but in the first rounds not far;
-//!    [`ROUNDS`] times, as one window may disturb another, and then all of them as one.
-//! 2. A solve of the whole. If no variable is on the wrong side, this is the optimum. Otherwise the windows grow around those
-//!    that are.
+//! **Windows.** Programmes that allow it are solved in windows around such places, and before all exchanges around the borders
+//! between free variables and others, where a guess from a coarser grid is wrong as a rule. That takes a small part of the price of
+//! a solve of the whole. Each window is made optimal by itself, by a [`descent`](super::descent), and widened as long as variables
+//! beside it are on the wrong side, but in the first rounds not far, as one window may disturb another. Where a programme has
+//! a [dual](Programme::dual) with windows, these and the exchanges are those of the dual.
 //!
-//! *It ends.* A window is a programme of its own, and the descent ends at its optimum. Windows only ever grow: those of 1
-//! within their rounds, and all of them in 2, or else they are given up for the window that holds all variables. There are n
-//! variables to grow by, and what ends in that window is the optimum of (32). Whether windows help is a matter of speed:
+//! *It ends.* A window is a programme of its own, and the descent ends at its optimum. Exchanges go on where there are fewer runs
+//! on the wrong side than ever before, or else a few times in all; windows reach twice as far each time, until only the one
+//! that holds all variables is left, whose optimum is that of (32). Whether exchanges and windows help is a matter of speed:
 //! what is called optimal has passed a solve of the whole, which looks at every variable.
 
 // Discrepancy: beyond-four-steps
@@ -27,7 +28,7 @@ use std::ops::Range;
 
 use super::Answer;
 use super::descent::{Cost, Descent, Violators, steepest};
-use super::neighbourhood::{Window, borders, widened};
+use super::neighbourhood::{around, borders, merged, widened};
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
 
 /// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
@@ -36,6 +37,23 @@ const REACH: usize = 32;
 
 /// Rounds of windows by themselves. Most settle in one or two; distant windows are felt like terms of a geometric series.
 const ROUNDS: usize = 10;
+
+/// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
+const FEWER: usize = 10;
+
+/// Windows are local where one solve of each costs less than this part of one of the whole.
+const LOCAL: usize = 2;
+
+/// Exchanges in all that need not help where windows would not be local: in dense contact between the nodes of a coarser grid
+/// the second one undoes part of the first.
+const PATIENCE: usize = 5;
+
+/// What windows may cost, in solves of the whole: those around the borders, which may all be right, and the first ones around
+/// places where exchanges do not end.
+const WORTH: [usize; 2] = [1, 8];
+
+/// What a solve of a window costs beside its variables, in variables.
+const SOLVE: usize = 200;
 
 /// What it is set to.
 pub(super) fn words() -> String {
@@ -48,30 +66,28 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
     solve_from(programme, vec![true; programme.dimension()]).0
 }
 
-/// What windows around the borders of one face make of it.
+/// What becomes of one face.
 pub(crate) struct Guess {
     /// Another face.
     pub(crate) free: Vec<bool>,
-    /// Whether the windows came to rest, small beside the whole. What is outside of them was not looked at.
-    pub(crate) settled: bool,
     /// Number of solves, and of variables in all of them.
     pub(crate) solves: usize,
     pub(crate) work: usize,
 }
 
-/// A guess of the optimal face from another one.
+/// A guess of the optimal face from another one: optimal near its borders, or else everywhere.
 pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> Guess {
-    let mut run = Run { programme, cost: Cost::default() };
-    let window = Window::around(&borders(&free), REACH, free.len());
+    let mut run = Run::of(programme);
     // A solve that fails here fails again where it is reported.
-    let rested = run.settle(&mut free, window);
-    let settled = rested.is_ok_and(|window| run.is_worth_it(&window, free.len()));
-    Guess { free, settled, solves: run.cost.windows, work: run.cost.variables }
+    if !run.settle_borders(&mut free).is_ok_and(|rested| rested) {
+        let _ = run.exchanged(&mut free);
+    }
+    Guess { free, solves: run.cost.whole + run.cost.windows, work: run.cost.variables }
 }
 
 /// Solves from a given face: `free[i]` is false where `x_i = 0` at first.
 pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer, Cost) {
-    let mut run = Run { programme, cost: Cost::default() };
+    let mut run = Run::of(programme);
     let n = programme.dimension();
     let end = run.optimum(free);
     let iterations = run.cost.whole + run.cost.windows;
@@ -96,69 +112,130 @@ pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer,
 
 struct Run<'a> {
     programme: &'a dyn Programme,
+    /// Where windows are solved, if that is not the programme itself.
+    dual: Option<Box<dyn Programme + 'a>>,
     cost: Cost,
 }
 
-impl Run<'_> {
-    /// Whether windows of a programme with n variables can be solved for less than the whole.
-    fn is_worth_it(&self, window: &Window, n: usize) -> bool {
-        self.programme.has_neighbourhoods() && window.is_worth_it(n)
+impl<'a> Run<'a> {
+    fn of(programme: &'a dyn Programme) -> Self {
+        Self { programme, dual: programme.dual(), cost: Cost::default() }
     }
 
-    /// The optimum of the whole, by windows that grow until none outside is on the wrong side.
+    /// The optimum of the whole.
     fn optimum(&mut self, mut free: Vec<bool>) -> Result<(Stationary, bool), NotPositiveDefinite> {
+        self.settle_borders(&mut free)?;
+        self.exchanged(&mut free)
+    }
+
+    /// The optimum of the whole by exchanges, by windows where these do not end, and by a descent where windows do not.
+    fn exchanged(&mut self, free: &mut [bool]) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let n = free.len();
-        let mut reach = REACH;
-        let mut window = Window::around(&borders(&free), reach, n);
-        while self.is_worth_it(&window, n) {
-            window = self.settle(&mut free, window)?;
+        let (mut fewest, mut idle, mut scale) = (usize::MAX, 0, 1);
+        loop {
             self.cost.whole += 1;
             self.cost.variables += n;
-            let point = self.programme.stationary(&free)?;
+            let point = self.programme.stationary(free)?;
             let violators = Violators::of(self.programme, &point, free.iter().copied());
             if violators.wrong.is_empty() {
                 return Ok((violators.clipped(point), true));
             }
-            exchange(&mut free, &violators.wrong, &point.gradient);
-            reach *= 2;
-            let wider = window.with(&Window::around(&violators.wrong, reach, n));
-            if wider == window {
-                break;
+            let dual = self.dual.is_some();
+            exchange(free, &violators.wrong, if dual { &point.x } else { &point.gradient }, dual);
+            let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count();
+            if runs < fewest - fewest / FEWER {
+                fewest = runs;
+                continue;
             }
-            window = wider;
+            let windows = around(&violators.wrong, scale * REACH, n);
+            if n < LOCAL * price(&windows) && idle < PATIENCE {
+                idle += 1;
+            } else if scale * REACH < n && self.has_neighbourhoods() {
+                self.settle(free, windows, scale * WORTH[1])?;
+                scale *= 2;
+            } else {
+                return Descent::new(self.programme, 0..n).run(free, &mut self.cost);
+            }
         }
-        Descent::new(self.programme, &Window::whole(n)).run(&mut free, &mut self.cost)
     }
 
-    /// Makes a window optimal, and as much around it as changes with it: the window that is optimal in the end.
-    fn settle(&mut self, free: &mut [bool], mut window: Window) -> Result<Window, NotPositiveDefinite> {
-        let n = free.len();
-        let mut pending = window.ranges.clone();
+    fn has_neighbourhoods(&self) -> bool {
+        self.dual.as_deref().unwrap_or(self.programme).has_neighbourhoods()
+    }
+
+    /// Makes windows around the borders optimal, as far as that is cheap. Whether there were any, and they came to rest.
+    fn settle_borders(&mut self, free: &mut [bool]) -> Result<bool, NotPositiveDefinite> {
+        let windows = around(&borders(free), REACH, free.len());
+        if windows.is_empty() || !self.has_neighbourhoods() || free.len() < price(&windows) {
+            return Ok(false);
+        }
+        self.settle(free, windows, WORTH[0])
+    }
+
+    /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
+    /// Whether all came to rest.
+    fn settle(
+        &mut self,
+        free: &mut [bool],
+        windows: Vec<Range<usize>>,
+        worth: usize,
+    ) -> Result<bool, NotPositiveDefinite> {
+        let turn = |free: &mut [bool]| free.iter_mut().for_each(|free| *free = !*free);
+        let mut near = Near { programme: self.dual.as_deref().unwrap_or(self.programme), cost: self.cost };
+        if self.dual.is_some() {
+            turn(free);
+        }
+        let rested = near.settle(free, windows, worth);
+        if self.dual.is_some() {
+            turn(free);
+        }
+        self.cost = near.cost;
+        rested
+    }
+}
+
+/// Windows of a programme with neighbourhoods.
+struct Near<'a> {
+    programme: &'a dyn Programme,
+    cost: Cost,
+}
+
+impl Near<'_> {
+    /// See [`Run::settle`].
+    fn settle(
+        &mut self,
+        free: &mut [bool],
+        windows: Vec<Range<usize>>,
+        worth: usize,
+    ) -> Result<bool, NotPositiveDefinite> {
+        let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
+        let most = spent(self.cost) + worth * free.len();
+        let mut pending = windows;
         for round in 0..ROUNDS {
+            let mut rested = Vec::new();
             for range in pending {
                 // What is far off on one side may be so because of a window that waits for its turn.
-                let most = (4 * REACH).max(range.len()) << round;
-                let rested = self.rest(free, range, most)?;
-                window = window.with(&Window::of(rested));
-                if !self.is_worth_it(&window, n) {
-                    return Ok(window);
+                let longest = (4 * REACH).max(range.len()) << round;
+                rested.push(self.rest(free, range, longest)?);
+                if most < spent(self.cost) {
+                    return Ok(false);
                 }
             }
+            rested.sort_by_key(|range| range.start);
             pending = Vec::new();
-            for range in &window.ranges {
-                if !self.look(free, range)?.1.is_empty() {
-                    pending.push(range.clone());
+            for range in merged(rested.into_iter()) {
+                if !self.look(free, &range)?.1.is_empty() {
+                    pending.push(range);
                 }
             }
             if pending.is_empty() {
-                return Ok(window);
+                return Ok(true);
             }
         }
-        Descent::new(self.programme, &window).run(free, &mut self.cost)?;
-        Ok(window)
+        Ok(false)
     }
 
-    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or up to `most` variables.
+    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or beyond a length.
     ///
     /// The look beside it reaches `√n` variables: behind a place where contact ends, the discrete optimum has a hole of that
     /// length.
@@ -166,36 +243,39 @@ impl Run<'_> {
         &mut self,
         free: &mut [bool],
         mut range: Range<usize>,
-        most: usize,
+        longest: usize,
     ) -> Result<Range<usize>, NotPositiveDefinite> {
         let n = free.len();
-        loop {
-            let window = Window::of(range.clone());
-            if !self.is_worth_it(&window, n) || most < range.len() {
-                return Ok(range);
-            }
-            Descent::new(self.programme, &window).run(free, &mut self.cost)?;
+        while range.len() <= longest {
+            Descent::new(self.programme, range.clone()).run(free, &mut self.cost)?;
             let wider = widened(range.clone(), range.len().max(n.isqrt()), n);
             let (point, wrong) = self.look(free, &wider)?;
-            let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { return Ok(range) };
-            exchange(&mut free[wider.clone()], &wrong, &point.gradient);
+            let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { break };
+            exchange(&mut free[wider.clone()], &wrong, &point.gradient, false);
             let seen = widened(wider.start + first..wider.start + last + 1, REACH, n);
             range = range.start.min(seen.start)..range.end.max(seen.end);
         }
+        Ok(range)
     }
 
     /// A range as it is: the point, and its variables on the wrong side.
     fn look(&mut self, free: &[bool], range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
         self.cost.windows += 1;
         self.cost.variables += range.len();
-        let point = Window::of(range.clone()).minimum_on(self.programme, free)?;
+        let point = self.programme.stationary_near(free, range.clone())?;
         let violators = Violators::of(self.programme, &point, free[range.clone()].iter().copied());
         Ok((point, violators.wrong))
     }
 }
 
-/// Drops the free ones of some variables on the wrong side, and releases the steepest of each run of the others.
-fn exchange(free: &mut [bool], wrong: &[usize], gradient: &[f64]) {
-    wrong.iter().for_each(|&k| free[k] = false);
-    steepest(wrong, gradient).into_iter().for_each(|k| free[k] = true);
+/// What one solve of each window costs, in variables.
+fn price(windows: &[Range<usize>]) -> usize {
+    windows.iter().map(|range| range.len() + SOLVE).sum()
+}
+
+/// Drops the free ones of some variables on the wrong side, and releases of each run of the others the one with the smallest
+/// slope. Where flags are those of the dual programme, they say who is not free.
+fn exchange(flags: &mut [bool], wrong: &[usize], slopes: &[f64], dual: bool) {
+    wrong.iter().for_each(|&k| flags[k] = dual);
+    steepest(wrong, slopes).into_iter().for_each(|k| flags[k] = !dual);
 }

@@ -1,4 +1,4 @@
-//! The optimum of a [`Window`], from face minimum to face minimum.
+//! The optimum of a window, from face minimum to face minimum.
 //!
 //! 1. *Feasible*: solve step 1° on the face, drop of each run of neighbours that came out negative the most negative one,
 //!    and again, until none does.
@@ -23,7 +23,8 @@
 //!
 //! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Programme::rounding) of the solves, stay on the side where they are.
 
-use super::neighbourhood::Window;
+use std::ops::Range;
+
 use crate::problem::{NotPositiveDefinite, Programme, Stationary};
 
 /// Solves of a window that only rounding can need: so many, and as many for each of its variables. Of the slowest known
@@ -56,7 +57,7 @@ impl Signs {
             x = if x < value.abs() { value.abs() } else { x };
             gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
         }
-        Self { x: -programme.rounding() * x, gradient: -programme.gradient_rounding() * gradient }
+        Self { x: -programme.rounding() * x, gradient: -programme.rounding() * gradient }
     }
 }
 
@@ -107,44 +108,43 @@ pub(super) fn steepest(variables: &[usize], values: &[f64]) -> Vec<usize> {
 /// A window whose optimum is looked for.
 pub(super) struct Descent<'a> {
     programme: &'a dyn Programme,
-    window: &'a Window,
     /// The variables of the window.
-    places: Vec<usize>,
+    range: Range<usize>,
     solves: usize,
 }
 
 impl<'a> Descent<'a> {
-    pub(super) fn new(programme: &'a dyn Programme, window: &'a Window) -> Self {
-        Self { programme, window, places: window.places().collect(), solves: 0 }
+    pub(super) fn new(programme: &'a dyn Programme, range: Range<usize>) -> Self {
+        Self { programme, range, solves: 0 }
     }
 
     /// Changes `free`, the flags of all variables, in the window until it is optimal there. Returns the point, and whether
     /// nothing is on the wrong side.
     pub(super) fn run(mut self, free: &mut [bool], cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let end = self.optimum(free);
-        *(if self.places.len() == free.len() { &mut cost.whole } else { &mut cost.windows }) += self.solves;
-        cost.variables += self.solves * self.places.len();
+        *(if self.range.len() == free.len() { &mut cost.whole } else { &mut cost.windows }) += self.solves;
+        cost.variables += self.solves * self.range.len();
         end
     }
 
     fn optimum(&mut self, free: &mut [bool]) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let mut point = self.feasible(free)?;
         loop {
-            let violators = Violators::of(self.programme, &point, self.places.iter().map(|&i| free[i]));
+            let violators = Violators::of(self.programme, &point, free[self.range.clone()].iter().copied());
             if violators.wrong.is_empty() {
                 return Ok((violators.clipped(point), true));
             }
-            if EXHAUSTED[0] + EXHAUSTED[1] * self.places.len() < self.solves {
+            if EXHAUSTED[0] + EXHAUSTED[1] * self.range.len() < self.solves {
                 return Ok((point, false));
             }
             let released = steepest(&violators.wrong, &point.gradient);
-            let before: Vec<bool> = self.places.iter().map(|&i| free[i]).collect();
+            let before = free[self.range.clone()].to_vec();
             self.release(free, &released);
             let next = self.feasible(free)?;
             if change(&point, &next) < 0.0 {
                 point = next;
             } else {
-                self.places.iter().zip(before).for_each(|(&i, was)| free[i] = was);
+                free[self.range.clone()].copy_from_slice(&before);
                 self.release(free, &released);
                 point = self.walk(point, free)?;
             }
@@ -154,11 +154,15 @@ impl<'a> Descent<'a> {
     /// Step 1° on a face.
     fn minimum_on(&mut self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
         self.solves += 1;
-        self.window.minimum_on(self.programme, free)
+        if self.range.len() == free.len() {
+            self.programme.stationary(free)
+        } else {
+            self.programme.stationary_near(free, self.range.clone())
+        }
     }
 
     fn release(&self, free: &mut [bool], released: &[usize]) {
-        released.iter().for_each(|&k| free[self.places[k]] = true);
+        released.iter().for_each(|&k| free[self.range.start + k] = true);
     }
 
     /// Drops the most negative of each run until nothing comes out negative.
@@ -167,11 +171,11 @@ impl<'a> Descent<'a> {
             let point = self.minimum_on(free)?;
             let signs = Signs::at(self.programme, &point);
             let negative: Vec<usize> =
-                (0..point.x.len()).filter(|&k| free[self.places[k]] && point.x[k] < signs.x).collect();
+                (0..point.x.len()).filter(|&k| free[self.range.start + k] && point.x[k] < signs.x).collect();
             if negative.is_empty() {
                 return Ok(point);
             }
-            steepest(&negative, &point.x).into_iter().for_each(|k| free[self.places[k]] = false);
+            steepest(&negative, &point.x).into_iter().for_each(|k| free[self.range.start + k] = false);
         }
     }
 
@@ -181,7 +185,7 @@ impl<'a> Descent<'a> {
         loop {
             let target = self.minimum_on(free)?;
             let least = Signs::at(self.programme, &target).x;
-            let blocked = |k: usize, x: &[f64]| free[self.places[k]] && target.x[k] < least && target.x[k] < x[k];
+            let blocked = |k: usize, x: &[f64]| free[self.range.start + k] && target.x[k] < least && target.x[k] < x[k];
             let way = |k: usize, x: &[f64]| x[k] / (x[k] - target.x[k]);
             let step = (0..x.len()).filter(|&k| blocked(k, &x)).map(|k| way(k, &x)).fold(1.0, f64::min);
             let blocking: Vec<usize> = (0..x.len()).filter(|&k| blocked(k, &x) && way(k, &x) <= step).collect();
@@ -193,7 +197,7 @@ impl<'a> Descent<'a> {
             }
             for k in blocking {
                 x[k] = 0.0;
-                free[self.places[k]] = false;
+                free[self.range.start + k] = false;
             }
         }
     }

@@ -1,12 +1,14 @@
 //! What each algorithm does where full exchanges without a fallback go round in circles, and where contact is hard to find.
 
+#[path = "../corpus/dense.rs"]
+mod dense;
 #[path = "../corpus/instances.rs"]
 mod instances;
 
 use palkki::methods::Discrete;
 use palkki::paper::scene_over;
 use palkki::paper::uneven::{self, Unevenness};
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::{Foundation, Scene};
 use palkki::verification::Random;
 
@@ -45,11 +47,38 @@ fn the_active_set_ends_there_at_the_optimum() {
 
 /// Ends at the optimum, certified, with at most so many solves, those of neighbourhoods counted.
 #[track_caller]
-fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) {
+fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> Outcome {
     let outcome = run(scene, method, Solver::ActiveSet, intervals);
     let told = format!("{method}, {intervals}: {} solves, residual {:.1e}", outcome.iterations, outcome.residual);
     assert_eq!(outcome.status, Status::Certified, "{told}");
     assert!(outcome.solver_claims_success && outcome.iterations <= solves, "{told}");
+    outcome
+}
+
+/// Where ground is touched at hundreds of points, exchanges of one variable of each run go round in a few circles at a time, the
+/// common period of which is long, or find the optimum late.
+#[test]
+fn exchanges_go_round_in_circles_or_wander_in_dense_contact() {
+    for instance in dense::dense().expect("every line is an instance") {
+        let scaled = instance.scene.scaled().expect("in range");
+        let discrete = Discrete::new(&scaled.scene, instance.intervals).expect("enough intervals");
+        let programme = Method::Force.programme(&discrete);
+        let end = dense::exchange_of_runs(programme.as_ref()).expect("definite");
+        assert_eq!(end, instance.end, "{}", instance.line);
+    }
+}
+
+/// By every method, for the price of some dozen solves of the whole on whatever grid.
+#[test]
+fn the_active_set_ends_in_dense_contact() {
+    /// Solves of the whole, those on coarser grids and in windows counted by their variables; half as many are needed.
+    const WORTH: usize = 100;
+    for instance in dense::dense().expect("every line is an instance") {
+        for method in Method::ALL {
+            let outcome = ends(&instance.scene, method, instance.intervals, 500);
+            assert!(outcome.work <= WORTH * outcome.unknowns, "{method}, {}: {}", instance.line, outcome.work);
+        }
+    }
 }
 
 /// A hump of three straight lines: thousands of exchanges, since its flanks are lost and won again.

@@ -1,4 +1,4 @@
-//! The force method on fine grids: what it costs where contact is hard to find, and which digits are left.
+//! The force method, and dense contact by every method, on fine grids: what it costs where contact is hard to find, and which digits are left.
 
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::{Foundation, Scene};
@@ -50,6 +50,25 @@ fn a_step_between_the_nodes_does_not_lead_a_window_astray() {
     let outcome = run(&scene("step"), Method::Displacement, Solver::ActiveSet, 200_004);
     assert_eq!(outcome.status, Status::Certified);
     assert!(outcome.work <= 10 * outcome.unknowns, "{} for {} unknowns", outcome.work, outcome.unknowns);
+}
+
+/// Thousands of points of a survey carry: windows around all of them are more than the beam. Exchanges of the whole settle most,
+/// windows the rest.
+#[test]
+fn dense_contact_costs_some_dozen_solves_of_the_whole() {
+    /// Measured: 3 to 30.
+    const WORTH: usize = 50;
+    for (intervals, segments, load) in
+        [(100_000, 1000, 1e2), (100_000, 1000, 1e4), (100_000, 30_000, 1e4), (999_983, 1000, 1e4)]
+    {
+        let scene = random::smooth(segments, load, 1);
+        for method in Method::ALL {
+            let outcome = run(&scene, method, Solver::ActiveSet, intervals);
+            let told = format!("{method}, {intervals}, {segments}: {} for {}", outcome.work, outcome.unknowns);
+            assert_eq!(outcome.status, Status::Certified, "{told}");
+            assert!(outcome.work <= WORTH * outcome.unknowns, "{told}");
+        }
+    }
 }
 
 /// The number of solves grows with the number of grids, not with that of nodes.

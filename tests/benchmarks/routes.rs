@@ -1,5 +1,5 @@
-//! Benchmarks: every method with every solver on the example with 30, 100 and 300 intervals, and beam theory on the example
-//! and on random scenes, with its unknowns and Newton steps beside the time.
+//! Benchmarks: every method with every solver on the example with 30, 100 and 300 intervals, the active set on a million, and
+//! beam theory on the example and on random scenes, with its unknowns and Newton steps beside the time.
 
 #[path = "../acceptance/theory/random.rs"]
 #[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
@@ -55,6 +55,14 @@ fn direct<const N: usize>(bencher: Bencher<'_, '_>, route: Route) {
 #[divan::bench(args = routes(slow), consts = INTERIOR, sample_count = 2, sample_size = 1)]
 fn iterative<const N: usize>(bencher: Bencher<'_, '_>, route: Route) {
     measure::<N>(bencher, route);
+}
+
+/// The paper's example, and dense contact: surveys of so many segments under so much load.
+#[divan::bench(args = Method::ALL, consts = [0, 1000, 30_000, 100_000], sample_count = 3, sample_size = 1)]
+fn a_million_intervals<const SEGMENTS: u32>(bencher: Bencher<'_, '_>, method: Method) {
+    let example = example().expect("the example is well posed");
+    let scene = if SEGMENTS == 0 { example } else { random::smooth(SEGMENTS, 1e4, 1) };
+    bencher.bench(|| solve(divan::black_box(&scene), &Settings::new(method, Solver::ActiveSet, 1_000_000)));
 }
 
 #[divan::bench]

@@ -50,7 +50,7 @@ fn instance(line: &'static str) -> Option<Instance> {
     })
 }
 
-/// How plain full exchanges end.
+/// How exchanges end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum End {
     /// At the optimum, after so many solves.
@@ -61,8 +61,17 @@ pub(crate) enum End {
 
 /// Full exchanges from the face on which all variables are free, without a fallback: every free variable that came out
 /// negative is set to zero and every one at zero with a negative gradient is released, all at once, until there are none.
-/// There are finitely many faces, so it ends at the optimum or comes back to a face.
 pub(crate) fn full_exchange(programme: &dyn Programme) -> Result<End, NotPositiveDefinite> {
+    exchanges(programme, |negative, _| negative)
+}
+
+/// Exchanges from the face on which all variables are free: of the free variables that came out negative all change, of those
+/// at zero with a negative gradient the ones that are chosen. There are finitely many faces, so it ends at the optimum or comes
+/// back to a face.
+pub(crate) fn exchanges(
+    programme: &dyn Programme,
+    chosen: impl Fn(Vec<usize>, &[f64]) -> Vec<usize>,
+) -> Result<End, NotPositiveDefinite> {
     /// Of the size: far above the rounding of these small solves, far below their violations.
     const SIGN: f64 = 1e-12;
     let sizes = programme.sizes();
@@ -74,10 +83,10 @@ pub(crate) fn full_exchange(programme: &dyn Programme) -> Result<End, NotPositiv
             return Ok(End::Circle { solves, period: solves - before });
         }
         let point = programme.stationary(&free)?;
-        let wrong = |i: &usize| {
-            if free[*i] { point.x[*i] < -SIGN * sizes.x } else { point.gradient[*i] < -SIGN * sizes.gradient }
-        };
-        let violators: Vec<usize> = (0..free.len()).filter(wrong).collect();
+        let dropped = (0..free.len()).filter(|&i| free[i] && point.x[i] < -SIGN * sizes.x);
+        let negative = (0..free.len()).filter(|&i| !free[i] && point.gradient[i] < -SIGN * sizes.gradient);
+        let mut violators: Vec<usize> = dropped.collect();
+        violators.extend(chosen(negative.collect(), &point.gradient));
         if violators.is_empty() {
             return Ok(End::Optimum { solves: solves + 1 });
         }

@@ -89,6 +89,29 @@ fn polyline(random: &mut Random, l: f64, depth: f64, steps: bool) -> Foundation 
     Foundation::Polyline { points }
 }
 
+/// Dense contact: 39 waves of random heights and phases, surveyed at equal distances as a polyline of so many segments, under a
+/// uniform load that presses the beam onto many of its points.
+///
+/// ```text
+/// u = d + h Σ a_k sin(2πk x/l + φ_k),   k = 1 … 39,   |a_k| ≤ 1,   h = 3e-4,   d such that the lower end lies 0.02 deep
+/// ```
+pub(crate) fn smooth(segments: u32, load: f64, seed: u64) -> Scene {
+    const HEIGHT: f64 = 3e-4;
+    const TURN: f64 = std::f64::consts::TAU;
+    let mut random = Random::new(seed);
+    let waves: Vec<[f64; 3]> =
+        (1..40).map(|k| [HEIGHT * random.between(-1.0, 1.0), TURN * f64::from(k), random.between(0.0, TURN)]).collect();
+    let rise = |s: f64| waves.iter().map(|[a, rate, phase]| a * libm::sin(rate * s + phase)).sum::<f64>();
+    let base = 0.02 - rise(0.0).min(rise(1.0));
+    let shares = (0..=segments).map(|i| f64::from(i) / f64::from(segments));
+    let points = shares.map(|s| [10.0 * s, base + rise(s)]).collect();
+    let beam = Beam::new(10.0, 1.3).expect("a beam");
+    let load = Load::uniform_on(&beam, load).expect("a load");
+    Scene::new(beam, load, Some(Foundation::Polyline { points }))
+        .expect("a well-posed scene")
+        .labelled(format!("smooth {segments} {seed}"), Default::default())
+}
+
 /// Scene number `i` of a series on a lattice: few places, depths and loads to choose from, so that ties, symmetry, depth 0
 /// at the supports, straight stretches without load and loads on edges are the rule.
 pub(crate) fn on_lattice(i: u64) -> Scene {
