@@ -131,6 +131,12 @@ impl Interval {
         [around(libm::cos(middle)), around(libm::sin(middle))]
     }
 
+    /// What lies in both: of two enclosures of one number a better one.
+    #[must_use]
+    pub fn meet(self, other: Self) -> Self {
+        Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
+    }
+
     /// What of it lies between two numbers.
     fn within(self, lo: f64, hi: f64) -> Self {
         Self { lo: self.lo.max(lo), hi: self.hi.min(hi) }

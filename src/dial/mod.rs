@@ -28,6 +28,7 @@ use crate::route::Outcome;
 use crate::scene::{Scene, SceneError};
 use crate::solve::{Settings, solve};
 use crate::verdict::{Refusal, Verdict};
+use crate::witness::Witness;
 
 use self::plan::{Next, Plan};
 
@@ -121,7 +122,7 @@ pub fn dial(scene: &Scene, request: &Request) -> Result<Dialled, SceneError> {
 /// The search step by step, for a caller who looks at a clock in between.
 #[derive(Debug)]
 pub struct Dial<'a> {
-    scene: &'a Scene,
+    witness: Witness<'a>,
     request: Request,
     plan: Plan,
     next: (usize, f64),
@@ -134,7 +135,7 @@ impl<'a> Dial<'a> {
     #[must_use]
     pub fn new(scene: &'a Scene, request: &Request) -> Self {
         let plan = Plan::new(scene, request);
-        Self { scene, request: *request, next: plan.start(), plan, tries: Vec::new(), best: None }
+        Self { witness: Witness::of(scene), request: *request, next: plan.start(), plan, tries: Vec::new(), best: None }
     }
 
     /// What to solve next.
@@ -146,7 +147,7 @@ impl<'a> Dial<'a> {
 
     /// Takes the answer for [`Dial::settings`]; hands back the best one when the search has ended.
     pub fn learn(&mut self, settings: Settings, outcome: Outcome) -> Option<Dialled> {
-        let verdict = Verdict::of_outcome(self.scene, &outcome, &self.request.demand());
+        let verdict = Verdict::of_outcome(&outcome, &self.witness, &self.request.demand());
         self.tries.push(Try {
             intervals: settings.intervals,
             tolerance: settings.tolerance,

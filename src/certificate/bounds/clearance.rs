@@ -27,34 +27,56 @@ pub(super) fn power(joint: &Joint) -> usize {
 
 /// `α`, not negative; [`None`] if no lift of this shape is enough.
 pub(super) fn lift(setting: &Setting<'_>, span: &Span, left: &Joint, right: &Joint) -> Option<f64> {
-    let smooth = |j: &Joint| j.kind.is_hinge() || setting.ground.is_smooth_at(j.x);
-    if !smooth(left) || !smooth(right) {
-        return None;
-    }
+    let middle = 0.5 * (span.from + span.to);
     let mut breaks = setting.ground.breaks(span.from, span.to);
-    breaks.push(0.5 * (span.from + span.to));
+    breaks.push(middle);
     let curve = span.curve(breaks, setting.load, setting.stiffness);
-    let last = curve.len() - 1;
+    let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
+    // From each joint to the middle: the clearance about that end of a cell that is nearer to the joint.
+    let from_the_left = curve.iter().take_while(|(cell, _)| cell[0] < middle).map(|(cell, v)| {
+        let [from, to] = *cell;
+        (from, width(*cell), setting.ground.cell(from, to).minus(v))
+    });
+    let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
+        let [from, to] = *cell;
+        let v = if span.to <= to {
+            span.mirrored(from, setting.load, setting.stiffness)
+        } else {
+            v.shifted(width(*cell)).mirrored()
+        };
+        (to, width(*cell), setting.ground.mirrored_cell(from, to).minus(&v))
+    });
+    let most = beside(setting, span, left, right, from_the_left)?;
+    let most = most.max(beside(setting, span, right, left, from_the_right)?);
+    most.is_finite().then_some(most)
+}
+
+/// `α` for cells from a joint to the middle of its span.
+fn beside(
+    setting: &Setting<'_>,
+    span: &Span,
+    joint: &Joint,
+    other: &Joint,
+    cells: impl Iterator<Item = (f64, Interval, Polynomial)>,
+) -> Option<f64> {
     let length = Interval::exact(span.to) - Interval::exact(span.from);
     let mut most = 0.0_f64;
-    for (k, ([from, to], v)) in curve.iter().enumerate() {
-        let (from, to) = (*from, *to);
-        let width = Interval::exact(to) - Interval::exact(from);
-        let (clearance, shape, distance) = if k == last {
-            let v = span.mirrored(from, setting.load, setting.stiffness);
-            let order = order(setting, right, true);
-            let h = setting.ground.mirrored_cell(from, to).minus(&v).divided(order);
-            (h, Shape { length, order, own: power(right), other: power(left) }, Interval::ZERO)
-        } else {
-            let order = if k == 0 { order(setting, left, false) } else { 0 };
-            let h = setting.ground.cell(from, to).minus(v).divided(order);
-            let shape = Shape { length, order, own: power(left), other: power(right) };
-            (h, shape, Interval::exact(from) - Interval::exact(span.from))
+    let mut before: Option<(Interval, Polynomial)> = None;
+    for (near, width, clearance) in cells {
+        let order = if before.is_none() { order(setting, joint, span.to <= joint.x) } else { 0 };
+        let clearance = match before {
+            // What vanishes at the joint is small beside it, also behind the end of a short cell.
+            Some((width, before)) if setting.ground.is_smooth_at(near) => clearance.continuing(&before, width),
+            Some(_) => clearance,
+            None => clearance.vanishing(order),
         };
-        let part = Part { clearance, width, distance, whole: width.hi() };
+        let shape = Shape { length, order, own: power(joint), other: power(other) };
+        let distance = Interval::exact(near.max(joint.x)) - Interval::exact(near.min(joint.x));
+        let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi() };
         most = most.max(part.lift(&shape, &mut MOST_PARTS.clone())?);
+        before = Some((width, clearance));
     }
-    most.is_finite().then_some(most)
+    Some(most)
 }
 
 /// `φ` about the left end of the span.
@@ -73,14 +95,16 @@ pub(super) fn shape(span: &Span, left: &Joint, right: &Joint) -> Polynomial {
     Polynomial::new(&coefficients)
 }
 
-/// Which power of the distance from a joint is a factor of the clearance beside it.
+/// Which power of the distance from a joint is a factor of the clearance beside it. At a point of a polyline the foundation
+/// may fall away from the beam with another slope, or in a step.
 fn order(setting: &Setting<'_>, joint: &Joint, from_the_left: bool) -> usize {
     let touches =
         setting.ground.side(joint.x, from_the_left).is_none_or(|u| (u - setting.end(joint)[0].middle()).abs() <= 0.0);
     match joint.kind {
         Kind::Support => usize::from(setting.ground.depth(joint.x).magnitude() <= 0.0),
-        Kind::Corner => usize::from(touches),
-        Kind::Clamp | Kind::Touch | Kind::Start | Kind::End => 2,
+        Kind::Clamp => 2,
+        Kind::Touch | Kind::Start | Kind::End if setting.ground.is_smooth_at(joint.x) => 2,
+        Kind::Corner | Kind::Touch | Kind::Start | Kind::End => usize::from(touches),
     }
 }
 
@@ -129,7 +153,9 @@ impl Part {
         let least = shape.least(self.distance, self.distance + self.width);
         let enough = (Interval::exact(-lowest) / Interval::exact(least)).hi();
         *parts = parts.saturating_sub(1);
-        let is_rounding = -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
+        // Close to a joint, and not at it, `φ` may be far smaller at one end of a part than at the other.
+        let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
+        let is_rounding = is_even && -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
         let inside = self.clearance.at(Interval::ZERO).hi() < 0.0 || self.clearance.at(self.width).hi() < 0.0;
         let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
         if enough.is_finite() && (is_rounding || (inside && is_small) || *parts == 0) {

@@ -1,9 +1,7 @@
 //! Deflections by pieces, and the integrals over them.
 
-use super::ground::Ground;
 use super::load::{Pieces, cells};
 use super::polynomial::Polynomial;
-use super::statics::Forces;
 use crate::certificate::interval::Interval;
 
 /// A deflection on a part of the beam.
@@ -39,24 +37,6 @@ impl Curve {
                     sum = sum - force * v.at(Interval::ZERO);
                 }
             }
-        }
-        sum
-    }
-
-    /// `Σ f (u − v)`, each term known not to be negative.
-    pub(super) fn idle_work(&self, forces: &Forces, ground: Option<&Ground<'_>>) -> Interval {
-        let mut sum = Interval::ZERO;
-        let mut pieces = self.pieces.iter().peekable();
-        for &(x, force) in forces {
-            while pieces.next_if(|piece| piece.to < x).is_some() {}
-            let Some(piece) = pieces.peek() else { break };
-            if piece.follows {
-                continue;
-            }
-            let Some(ground) = ground else { return Interval::WHOLE };
-            let clearance = ground.depth(x) - piece.v.at(Interval::exact(x) - Interval::exact(piece.from));
-            let work = clearance * Interval::exact(force);
-            sum = sum + Interval::between(work.lo().max(0.0), work.hi().max(0.0));
         }
         sum
     }

@@ -57,7 +57,7 @@ impl<'a> Ground<'a> {
         let mut levelled = taylor.minus(&Polynomial::new(&[a + slope * Interval::exact(x), slope]));
         // What is taken off at a support is its own depth.
         if (left.is_some() && x <= 0.0) || (right.is_some() && self.length <= x) {
-            levelled = levelled.vanishing();
+            levelled = levelled.vanishing(1);
         }
         levelled
     }
@@ -128,13 +128,18 @@ impl<'a> Ground<'a> {
                 left.shifted(Interval::exact(to) - Interval::exact(from))
             }
         };
-        let signs = taylor.coefficients().iter().enumerate().map(|(j, &c)| if j % 2 == 1 { -c } else { c });
-        Polynomial::new(&signs.collect::<Vec<_>>())
+        taylor.mirrored()
     }
 
-    /// `u, u', u'', u'''` at a place where the foundation is smooth.
-    pub(super) fn jet(&self, x: f64) -> [Interval; 4] {
-        let cell = self.cell(x, x);
+    /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
+    pub(super) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
+        let cell = match self.foundation {
+            Foundation::Polyline { points } if from_the_left => {
+                let left = points[points.partition_point(|p| p[0] < x).clamp(1, points.len() - 1) - 1][0];
+                self.cell(left, x).shifted(Interval::exact(x) - Interval::exact(left))
+            }
+            _ => self.cell(x, x),
+        };
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
         [c(0), c(1), c(2) * number(2), c(3) * number(6)]
     }
@@ -147,7 +152,7 @@ impl<'a> Ground<'a> {
                 return Interval::exact(depth);
             }
         }
-        self.jet(x)[0]
+        self.jet(x, false)[0]
     }
 
     /// False at the points of a polyline.
@@ -167,13 +172,6 @@ impl<'a> Ground<'a> {
         // A search that went astray may ask for places that are not in order.
         let Some(part) = points.get(first..beyond) else { return false };
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
-    }
-
-    /// The points of a polyline on both sides of a place; [`None`] for other foundations.
-    pub(super) fn segment(&self, x: f64) -> Option<[f64; 2]> {
-        let Foundation::Polyline { points } = self.foundation else { return None };
-        let after = points.partition_point(|p| p[0] <= x).clamp(1, points.len() - 1);
-        Some([points[after - 1][0], points[after][0]])
     }
 
     /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.

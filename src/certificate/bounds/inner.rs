@@ -1,13 +1,14 @@
 //! What the bounds know of a scene.
 
-use super::curve::{Curve, overlay};
+use super::curve::Curve;
 use super::ground::Ground;
-use super::joints::{Joint, Setting};
+use super::joints::Setting;
 use super::load::Pieces;
-use super::polynomial::Polynomial;
 use super::proof::{self, Pair};
+use super::{error, witness};
 use crate::certificate::interval::Interval;
-use crate::scene::{Foundation, Scene};
+use crate::scene::{Foundation, Scale, Scene};
+use crate::state::Contact;
 
 /// A dimensionless scene, taken apart.
 pub(super) struct Inner<'a> {
@@ -31,24 +32,34 @@ impl<'a> Inner<'a> {
         Some(Setting { ground: self.ground?, load: &self.load, stiffness: self.stiffness, length: self.length })
     }
 
-    /// The pair of some joints.
-    pub(super) fn pair(&self, joints: &[Joint]) -> Option<Pair> {
+    /// The pair that a list of contacts proves. With another list that proves less than nothing, the beam that touches nowhere
+    /// is better: whatever the list, there is a bound.
+    pub(super) fn pair(&self, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
+        let Some(setting) = self.setting() else { return Some(proof::free(&self.load, self.stiffness, self.length)) };
+        let of = |contacts: &[Contact]| proof::pair(&setting, &witness::joints(&setting, contacts, scale));
+        let pair = of(contacts);
+        if contacts.is_empty() || pair.as_ref().is_some_and(|pair| self.is_sharp(pair)) {
+            return pair;
+        }
+        pair.into_iter().chain(of(&[])).min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()))
+    }
+
+    /// The deflection that a list of contacts makes, proven or not.
+    pub(super) fn drawn(&self, contacts: &[Contact], scale: &Scale) -> Option<Curve> {
         match self.setting() {
-            Some(setting) => proof::pair(&setting, joints),
-            None => Some(proof::free(&self.load, self.stiffness, self.length)),
+            Some(setting) => proof::drawn(&setting, &witness::joints(&setting, contacts, scale)),
+            None => Some(proof::free(&self.load, self.stiffness, self.length).curve),
         }
     }
 
-    /// `½ ∫ (EI v̂'' + M)²/EI dx` with the moments of the deflection that the forces cause.
-    pub(super) fn mismatch(&self, curve: &Curve, own: impl Iterator<Item = ([f64; 2], Polynomial)>) -> Interval {
-        let half = Interval::exact(0.5 * self.stiffness);
-        let mut sum = Interval::ZERO;
-        let second = |v: &Polynomial| v.derivative().derivative();
-        let curve = curve.pieces.iter().map(|p| ([p.from, p.to], second(&p.v)));
-        overlay(curve, own.map(|(cell, v)| (cell, second(&v))), |a, b, f, g| {
-            let width = Interval::exact(b) - Interval::exact(a);
-            sum = sum + half * f.minus(g).integral_of_square(width);
+    /// Whether what a pair leaves open is no more than what rounding explains.
+    pub(super) fn is_sharp(&self, pair: &Pair) -> bool {
+        /// Of the largest deflection.
+        const SHARP: f64 = 1e-6;
+        let size = pair.curve.pieces.iter().fold(0.0, |most: f64, p| {
+            let [from, to] = [p.v.at(Interval::ZERO), p.v.at(Interval::exact(p.to) - Interval::exact(p.from))];
+            most.max(from.magnitude()).max(to.magnitude())
         });
-        sum
+        error::of_gap(pair.gap.hi(), self.stiffness, self.length) <= SHARP * size
     }
 }

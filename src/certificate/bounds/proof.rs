@@ -24,7 +24,6 @@
 
 use super::clearance;
 use super::curve::{Curve, Piece};
-use super::hold;
 use super::joints::{Joint, Kind, Setting};
 use super::load::{Pieces, cells};
 use super::polynomial::number;
@@ -51,9 +50,6 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
     if !is_complete(setting, joints) {
         return None;
     }
-    let mut joints = joints.to_vec();
-    hold::at_corners(setting, &mut joints);
-    let joints = &joints[..];
     let stiffness = Interval::exact(setting.stiffness);
     let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
     let moment = |i: usize| moment_at(setting, joints, &spans, i);
@@ -66,15 +62,16 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
         let (left, right) = (&joints[i], &joints[i + 1]);
         let Some(span) = span else {
             pressing::zone(setting, left.x, right.x, &mut cut)?;
-            let third = |x: f64| -(stiffness * setting.ground.jet(x)[3]);
-            shears.push([third(left.x), third(right.x)]);
+            let third = |joint: &Joint| -(stiffness * setting.jet(joint)[3]);
+            shears.push([third(left), third(right)]);
             pieces.extend(lying(setting, left.x, right.x));
             continue;
         };
         let length = Interval::exact(span.to) - Interval::exact(span.from);
         let r = [stiffness * span.start[2] + moment(i), stiffness * span.end[2] + moment(i + 1)];
-        let turn = (r[1] - r[0]) / length;
-        shears.push([turn - stiffness * span.start[3], turn - stiffness * span.end[3]]);
+        // Not from the third derivative, of which rounding is larger by the square of a short span.
+        let shear = (moment(i + 1) - moment(i) + span.loaded[0]) / length;
+        shears.push([shear, shear - span.loaded[1]]);
         gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
         let mut curve = span.curve(Vec::new(), setting.load, setting.stiffness);
         let alpha = clearance::lift(setting, span, left, right)?;
@@ -142,7 +139,7 @@ fn moment_at(setting: &Setting<'_>, joints: &[Joint], spans: &[Option<Span>], i:
                 if i == 0 { spans[0].as_ref().map(|s| s.start[2]) } else { spans[i - 1].as_ref().map(|s| s.end[2]) };
             -(Interval::exact(setting.stiffness) * span.unwrap_or(Interval::ZERO))
         }
-        Kind::Start | Kind::End => -(Interval::exact(setting.stiffness) * setting.ground.jet(joints[i].x)[2]),
+        Kind::Start | Kind::End => -(Interval::exact(setting.stiffness) * setting.jet(&joints[i])[2]),
         Kind::Corner | Kind::Touch => {
             let left = i.checked_sub(1).and_then(|k| spans[k].as_ref()).map_or(0.0, |s| s.end[2].middle());
             let right = spans.get(i).and_then(Option::as_ref).map_or(0.0, |s| s.start[2].middle());

@@ -35,22 +35,19 @@ pub struct Certificate {
 
 /// The parts of a certificate, dimensionless.
 pub(super) struct Proven<'a> {
-    /// `J` of the admissible deflection.
-    pub(super) energy: Interval,
-    /// That of the deflection that is judged, and the smallest of all that were found.
-    pub(super) gap: Interval,
-    pub(super) sharpest: f64,
+    /// That of the witness, if there is any.
+    pub(super) pair: Option<&'a Pair>,
     /// Of the deflection that is judged.
     pub(super) error: Error,
-    /// The pattern of contact, if it led to a pair.
-    pub(super) pair: Option<&'a Pair>,
 }
 
 impl Proven<'_> {
     /// All factors are powers of two: only exponents change.
     pub(super) fn certificate(&self, inner: &Inner<'_>, scene: &Scene, scale: &Scale) -> Certificate {
-        let Self { energy, gap, sharpest, ref error, pair } = *self;
-        let lower = (Interval::exact(energy.lo()) - Interval::exact(gap.hi())).lo();
+        let Self { pair, ref error } = *self;
+        let energy = pair.map_or(Interval::WHOLE, |pair| pair.curve.energy(&inner.load, inner.stiffness));
+        let gap = pair.map_or(f64::INFINITY, |pair| pair.gap.hi());
+        let lower = (Interval::exact(energy.lo()) - Interval::exact(gap)).lo();
         let energies = [lower, energy.hi()];
         let reactions = error::reactions(pair, inner.ground.as_ref(), inner.stiffness, inner.length);
         let reactions = reactions.map(|r| r.map(|r| [r.lo() * scale.force, r.hi() * scale.force]));
@@ -58,10 +55,10 @@ impl Proven<'_> {
         Certificate {
             energy_lower: energies[0] * scale.energy(),
             energy_upper: energies[1] * scale.energy(),
-            gap: gap.hi() * scale.energy(),
+            gap: gap * scale.energy(),
             deflection_error: error.most * scale.depth,
             deflection_error_at: error.at * scale.length,
-            best_deflection_error: error::of_gap(sharpest, inner.stiffness, inner.length) * scale.depth,
+            best_deflection_error: error::of_gap(gap, inner.stiffness, inner.length) * scale.depth,
             deflection: error.size * scale.depth,
             reactions,
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),

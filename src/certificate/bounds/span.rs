@@ -22,6 +22,8 @@ pub(super) struct Span {
     pub(super) start: Jet,
     /// At its right end.
     pub(super) end: Jet,
+    /// `∫ (L − s) q ds` and `∫ q ds`: the moment of its load about its right end, and its load.
+    pub(super) loaded: [Interval; 2],
 }
 
 /// The deflection on a cell, and `v, …, v'''` at its end.
@@ -75,6 +77,7 @@ impl Span {
             to,
             start: [left[0], left[1], curvature, third],
             end: [right[0], right[1], curvature + third * length + own[2], third + own[3]],
+            loaded: [own[2], own[3]].map(|v| v * Interval::exact(stiffness)),
         }
     }
 

@@ -1,0 +1,105 @@
+//! The slopes of the beam at the supports and at the corners of a list of contact nodes: the one thing that places leave open.
+//!
+//! With the places given, the slopes `θ` minimise the energy of the spans. They solve
+//!
+//! ```text
+//! EI v''(x−) = EI v''(x+),     EI v'' = 0 at a support
+//! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a span from a to b
+//! ```
+//!
+//! a linear system with three diagonals. Nothing that is proven rests on its solution: a slope that is off costs sharpness.
+
+use super::joints::{Joint, Kind, Setting};
+
+/// A slope that is off by less, as a share, is off by rounding.
+const ROUNDING: f64 = 1e-12;
+/// How far slopes at corners stay inside what is allowed, as a share: just enough for rounding.
+const INSIDE: f64 = 1e-14;
+
+/// The slopes for given places, within what the foundation allows.
+pub(super) fn find(setting: &Setting<'_>, joints: &mut [Joint]) {
+    if joints.windows(2).any(|w| !(w[0].x < w[1].x)) {
+        return;
+    }
+    balance(setting, joints);
+    if at_supports(setting, joints) {
+        balance(setting, joints);
+    }
+    at_corners(setting, joints);
+}
+
+fn balance(setting: &Setting<'_>, joints: &mut [Joint]) {
+    // The second step is for rounding.
+    for _ in 0..2 {
+        let Some(changes) = changes(setting, joints) else { return };
+        joints.iter_mut().zip(changes).for_each(|(joint, change)| joint.slope += change);
+    }
+}
+
+/// By how much the slopes have to change for the moments to be balanced, zero where the foundation gives the slope.
+fn changes(setting: &Setting<'_>, joints: &[Joint]) -> Option<Vec<f64>> {
+    // Rows `[below, diagonal, above, right side]`.
+    let mut rows: Vec<[f64; 4]> = joints.iter().map(|j| [0.0, f64::from(u8::from(!j.kind.is_hinge())), 0.0, 0.0]).collect();
+    for (i, pair) in joints.windows(2).enumerate() {
+        let Some(span) = setting.span(&pair[0], &pair[1]) else { continue };
+        let length = span.length();
+        if pair[0].kind.is_hinge() {
+            rows[i][1] += 4.0 / length;
+            rows[i][2] += 2.0 / length;
+            rows[i][3] += span.start[2].middle();
+        }
+        if pair[1].kind.is_hinge() {
+            rows[i + 1][0] += 2.0 / length;
+            rows[i + 1][1] += 4.0 / length;
+            rows[i + 1][3] -= span.end[2].middle();
+        }
+    }
+    tridiagonal(rows)
+}
+
+/// Solves rows `[below, diagonal, above, right side]`.
+fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
+    for i in 1..rows.len() {
+        let [_, pivot, above, right] = rows[i - 1];
+        let factor = rows[i][0] / pivot;
+        rows[i][1] -= factor * above;
+        rows[i][3] -= factor * right;
+    }
+    let mut x = vec![0.0; rows.len() + 1];
+    for (i, row) in rows.iter().enumerate().rev() {
+        x[i] = (row[3] - row[2] * x[i + 1]) / row[1];
+    }
+    x.pop();
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}
+
+/// Turns slopes at corners into the range that the foundation allows.
+fn at_corners(setting: &Setting<'_>, joints: &mut [Joint]) {
+    for joint in joints.iter_mut().filter(|j| j.kind == Kind::Corner) {
+        let [before, after] = setting.ground.slopes(joint.x);
+        let margin = |bound: f64| INSIDE * (bound.abs() + joint.slope.abs());
+        let least = before.map_or(f64::NEG_INFINITY, |b| b + margin(b));
+        let most = after.map_or(f64::INFINITY, |a| a - margin(a));
+        joint.slope = if least <= most { joint.slope.max(least).min(most) } else { 0.5 * (least + most) };
+    }
+}
+
+/// A support that the foundation is level with holds a beam that would be steeper than the foundation. True if one does.
+fn at_supports(setting: &Setting<'_>, joints: &mut [Joint]) -> bool {
+    let mut changed = false;
+    let last = joints.len() - 1;
+    for (i, sign) in [(0, 1.0), (last, -1.0)] {
+        let Joint { kind, x, slope } = joints[i];
+        let level = setting.ground.depth(x).magnitude() <= 0.0
+            && setting.ground.side(x, i == last).is_none_or(|u| u.abs() <= 0.0);
+        let ground = setting.ground.jet(x, i == last)[1].middle();
+        if kind == Kind::Support && level && ROUNDING * (slope.abs() + ground.abs()) < sign * (slope - ground) {
+            joints[i].kind = Kind::Clamp;
+            changed = true;
+        }
+    }
+    changed
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,76 @@
+//! The witness of a scene: the contacts from which its certificates are proven, found once for all answers.
+//!
+//! A certificate is as true with any witness and as sharp as its witness is right ([`crate::certificate`]). The exact contacts
+//! come from beam theory. Looking for them may cost no more than in proportion to the solve that is certified; where it would,
+//! or where beam theory has no answer, the answer's own contacts serve, which are at nodes of its grid, and the bounds are
+//! coarse: [`Certificate::pattern_proven`](crate::certificate::Certificate::pattern_proven) is false then.
+
+use std::sync::OnceLock;
+
+use crate::route::Status;
+use crate::scene::{Foundation, Scene};
+use crate::state::Contact;
+use crate::theory::{self, Exact};
+
+/// Points of a polyline with which beam theory is asked whatever the grid: it needs less than a second.
+const ALWAYS: usize = 5_000;
+
+/// Points more for each node of the grid that is certified: beam theory looks at a point about as long as a solver at a few
+/// nodes.
+const PER_NODE: usize = 20;
+
+/// Contacts that certificates of one scene are proven from.
+#[derive(Debug)]
+pub struct Witness<'a> {
+    scene: &'a Scene,
+    theory: OnceLock<Option<Vec<Contact>>>,
+}
+
+impl<'a> Witness<'a> {
+    /// Of a scene that has not been looked at yet: beam theory is asked when the first certificate needs it.
+    #[must_use]
+    pub fn of(scene: &'a Scene) -> Self {
+        Self { scene, theory: OnceLock::new() }
+    }
+
+    /// The contacts of a solution that is already there, if that is certified.
+    #[must_use]
+    pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
+        let witness = Self::of(scene);
+        // Nothing was found before.
+        let _ = witness.theory.set(certified(exact));
+        witness
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
+    /// The contacts for the certificate of an answer on so many nodes: those of beam theory, if they are worth the search, and
+    /// otherwise the answer's own.
+    #[must_use]
+    pub fn contacts<'s>(&'s self, nodes: usize, own: &'s [Contact]) -> &'s [Contact] {
+        let found = match self.theory.get() {
+            None if points(self.scene) <= ALWAYS + PER_NODE * nodes => {
+                self.theory.get_or_init(|| theory::solve(self.scene).ok().as_ref().and_then(certified))
+            }
+            found => found.unwrap_or(&None),
+        };
+        found.as_deref().unwrap_or(own)
+    }
+}
+
+/// The contacts of a certified solution.
+fn certified(exact: &Exact) -> Option<Vec<Contact>> {
+    (exact.status == Status::Certified).then(|| exact.state.contacts.clone())
+}
+
+/// What beam theory has to look at.
+fn points(scene: &Scene) -> usize {
+    match scene.foundation() {
+        Some(Foundation::Polyline { points }) => points.len(),
+        _ => 0,
+    }
+}
