@@ -16,7 +16,7 @@ use super::span::Span;
 use crate::certificate::interval::Interval;
 
 /// Parts into which a cell is cut before it is given up.
-const MOST_PARTS: usize = 100;
+const MOST_PARTS: usize = 200;
 /// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
 const SMALLEST_PART: f64 = 1.0 / 8.0;
 
@@ -66,12 +66,13 @@ fn beside(
         let order = if before.is_none() { order(setting, joint, span.to <= joint.x) } else { 0 };
         let clearance = match before {
             // What vanishes at the joint is small beside it, also behind the end of a short cell.
-            Some((width, before)) if setting.ground.is_smooth_at(near) => clearance.continuing(&before, width),
+            Some((width, ref before)) if setting.ground.is_smooth_at(near) => clearance.continuing(before, width),
             Some(_) => clearance,
             None => clearance.vanishing(order),
         };
         let shape = Shape { length, order, own: power(joint), other: power(other) };
-        let distance = Interval::exact(near.max(joint.x)) - Interval::exact(near.min(joint.x));
+        let [less, more] = [near.min(joint.x), near.max(joint.x)].map(Interval::exact);
+        let distance = if before.is_none() { Interval::ZERO } else { more - less };
         let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi() };
         most = most.max(part.lift(&shape, &mut MOST_PARTS.clone())?);
         before = Some((width, clearance));
@@ -155,10 +156,11 @@ impl Part {
         *parts = parts.saturating_sub(1);
         // Close to a joint, and not at it, `φ` may be far smaller at one end of a part than at the other.
         let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
-        let is_rounding = is_even && -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
+        let is_rounding = -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
         let inside = self.clearance.at(Interval::ZERO).hi() < 0.0 || self.clearance.at(self.width).hi() < 0.0;
         let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
-        if enough.is_finite() && (is_rounding || (inside && is_small) || *parts == 0) {
+        let is_known = is_even && is_small && (is_rounding || inside);
+        if enough.is_finite() && (is_known || *parts == 0) {
             return Some(enough);
         }
         if *parts == 0 {

@@ -10,6 +10,7 @@
 //! a linear system with three diagonals. Nothing that is proven rests on its solution: a slope that is off costs sharpness.
 
 use super::joints::{Joint, Kind, Setting};
+use super::span::Span;
 
 /// A slope that is off by less, as a share, is off by rounding.
 const ROUNDING: f64 = 1e-12;
@@ -22,7 +23,11 @@ pub(super) fn find(setting: &Setting<'_>, joints: &mut [Joint]) {
         return;
     }
     balance(setting, joints);
-    if at_supports(setting, joints) {
+    // Each of the two may hold, let go because of the other, and hold again.
+    for _ in 0..3 {
+        if !at_supports(setting, joints) {
+            break;
+        }
         balance(setting, joints);
     }
     at_corners(setting, joints);
@@ -84,7 +89,8 @@ fn at_corners(setting: &Setting<'_>, joints: &mut [Joint]) {
     }
 }
 
-/// A support that the foundation is level with holds a beam that would be steeper than the foundation. True if one does.
+/// A support that the foundation is level with holds a beam that would be steeper than the foundation, and lets go of one
+/// that it would have to pull. True if one of them does.
 fn at_supports(setting: &Setting<'_>, joints: &mut [Joint]) -> bool {
     let mut changed = false;
     let last = joints.len() - 1;
@@ -93,12 +99,26 @@ fn at_supports(setting: &Setting<'_>, joints: &mut [Joint]) -> bool {
         let level = setting.ground.depth(x).magnitude() <= 0.0
             && setting.ground.side(x, i == last).is_none_or(|u| u.abs() <= 0.0);
         let ground = setting.ground.jet(x, i == last)[1].middle();
-        if kind == Kind::Support && level && ROUNDING * (slope.abs() + ground.abs()) < sign * (slope - ground) {
-            joints[i].kind = Kind::Clamp;
-            changed = true;
+        match kind {
+            Kind::Support if level && ROUNDING * (slope.abs() + ground.abs()) < sign * (slope - ground) => {
+                joints[i].kind = Kind::Clamp;
+                changed = true;
+            }
+            Kind::Clamp if curvature(setting, joints, i) < 0.0 => {
+                joints[i] = Joint::new(Kind::Support, x);
+                changed = true;
+            }
+            _ => {}
         }
     }
     changed
+}
+
+/// `v''` of the beam at one of its ends.
+fn curvature(setting: &Setting<'_>, joints: &[Joint], end: usize) -> f64 {
+    let span = |a: usize| setting.span(&joints[a], &joints[a + 1]);
+    let of = |span: Option<Span>, jet: fn(&Span) -> f64| span.as_ref().map_or(0.0, jet);
+    if end == 0 { of(span(0), |s| s.start[2].middle()) } else { of(span(end - 1), |s| s.end[2].middle()) }
 }
 
 #[cfg(test)]
