@@ -1,7 +1,7 @@
 //! `certify`: how good are contact forces that some program computed?
 
-use palkki::certificate::bounds::{Lumped, Violation, violations, violations_at_nodes};
 use palkki::Witness;
+use palkki::certificate::bounds::{Lumped, Violation, violations, violations_at_nodes};
 use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
@@ -35,7 +35,8 @@ impl Finding {
         let rows = input.forces(forces)?;
         let scene = &input.scene;
         let lumped = Lumped::new(scene, rows.iter().copied());
-        let own: Vec<Contact> = rows.iter().filter(|row| 0.0 < row.1).map(|&(x, force)| Contact::at(x, force)).collect();
+        let own: Vec<Contact> =
+            rows.iter().filter(|row| 0.0 < row.1).map(|&(x, force)| Contact::at(x, force)).collect();
         let witness = Witness::of(scene);
         let contacts = witness.contacts(rows.len(), &own);
         if arguments.load == LoadArgument::Nodal {

@@ -34,13 +34,6 @@ pub(super) fn of_gap(gap: f64, stiffness: f64, length: f64) -> f64 {
     (factor(gap, stiffness, length) * (l * l / number(4))).hi()
 }
 
-/// How far a deflection can be off at most whose moments are off by `√(∫ m²/EI dx)`.
-pub(super) fn of_moments(norm: f64, stiffness: f64, length: f64) -> f64 {
-    let l = Interval::exact(length);
-    let lever = l * l / number(4) / (number(3) * Interval::exact(stiffness) * l).sqrt();
-    (Interval::exact(norm) * lever).hi()
-}
-
 /// A bound on the error of a deflection.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Error {

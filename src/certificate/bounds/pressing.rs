@@ -58,9 +58,7 @@ impl Cut {
 
 /// A zone: whether the beam can lie on the foundation all the way between two places, and what pulls there.
 pub(super) fn zone(setting: &Setting<'_>, from: f64, to: f64, cut: &mut Cut) -> Option<()> {
-    let level = |x: f64| setting.ground.depth(x).magnitude() <= 0.0;
-    let held = (0.0 < from || level(from)) && (to < setting.length || level(to));
-    if !held || !setting.ground.is_smooth_between(from, to) {
+    if !setting.ground.is_smooth_between(from, to) {
         return None;
     }
     for x in setting.load.breaks(from, to) {

@@ -41,8 +41,6 @@ pub(super) struct Pair {
     pub(super) gap: Interval,
     /// `M'` at the two ends: the reactions that belong to `M`, without loads on the supports themselves.
     pub(super) reactions: [Interval; 2],
-    /// At least `‖EI α φ''‖ + ‖M⁻‖`, by which the pair was amended.
-    pub(super) amends: f64,
 }
 
 /// The pair of some joints, if there is one.
@@ -100,19 +98,19 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
         // Without amends the square would only add rounding.
         gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { root.square().half().hi() }),
         reactions: [first[0] + amended, -last[1] + amended],
-        amends: amends.hi(),
     })
 }
 
-/// Whether joints are in order, reach from support to support and end every zone that they start. A search for a pattern may
-/// come to something else, of which nothing follows.
+/// Whether joints are in order, reach from support to support and end every zone that they start. Of anything else nothing
+/// follows.
 fn is_complete(setting: &Setting<'_>, joints: &[Joint]) -> bool {
     let [first, .., last] = joints else { return false };
     let in_order = joints.windows(2).all(|w| w[0].x < w[1].x);
     let zones_end = joints.windows(2).all(|w| (w[0].kind == Kind::Start) <= (w[1].kind == Kind::End));
     let from_the_left = first.x.abs() <= 0.0 && matches!(first.kind, Kind::Support | Kind::Clamp | Kind::Start);
     let to_the_right = setting.length <= last.x && matches!(last.kind, Kind::Support | Kind::Clamp | Kind::End);
-    let held = [first, last].iter().all(|j| j.kind == Kind::Support || setting.ground.depth(j.x).magnitude() <= 0.0);
+    // A beam that follows the foundation to a support is held there only if the foundation is, on that side of a step.
+    let held = [first, last].iter().all(|j| j.kind == Kind::Support || setting.jet(j)[0].magnitude() <= 0.0);
     let inside = joints[1..joints.len() - 1].iter().all(|j| !matches!(j.kind, Kind::Support | Kind::Clamp));
     in_order && zones_end && from_the_left && to_the_right && last.x <= setting.length && inside && held
 }
@@ -155,7 +153,7 @@ pub(super) fn free(load: &Pieces, stiffness: f64, length: f64) -> Pair {
         let [from, to] = cell.0;
         Piece { from, to, v: deflection(cell, load, stiffness), follows: false }
     });
-    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions, amends: 0.0 }
+    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions }
 }
 
 /// The deflection of joints that are not proven.

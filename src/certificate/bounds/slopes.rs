@@ -44,7 +44,8 @@ fn balance(setting: &Setting<'_>, joints: &mut [Joint]) {
 /// By how much the slopes have to change for the moments to be balanced, zero where the foundation gives the slope.
 fn changes(setting: &Setting<'_>, joints: &[Joint]) -> Option<Vec<f64>> {
     // Rows `[below, diagonal, above, right side]`.
-    let mut rows: Vec<[f64; 4]> = joints.iter().map(|j| [0.0, f64::from(u8::from(!j.kind.is_hinge())), 0.0, 0.0]).collect();
+    let mut rows: Vec<[f64; 4]> =
+        joints.iter().map(|j| [0.0, f64::from(u8::from(!j.kind.is_hinge())), 0.0, 0.0]).collect();
     for (i, pair) in joints.windows(2).enumerate() {
         let Some(span) = setting.span(&pair[0], &pair[1]) else { continue };
         let length = span.length();

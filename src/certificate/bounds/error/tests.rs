@@ -26,7 +26,6 @@ fn a_force_at_mid_span_reaches_the_bound() {
     let force = 3.0;
     let (deflection, gap) = (force * cube / (48.0 * STIFFNESS), force * force * cube / (96.0 * STIFFNESS));
     sharp(of_gap(gap, STIFFNESS, LENGTH), deflection);
-    sharp(of_moments((2.0 * gap).sqrt(), STIFFNESS, LENGTH), deflection);
     sharp(factor(gap, STIFFNESS, LENGTH).hi() * 0.25 * LENGTH * LENGTH, deflection);
 }
 
@@ -83,7 +82,6 @@ fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
         curve: Curve { pieces: slopes.to_vec() },
         gap: Interval::exact(gap),
         reactions: [3.0, 4.0].map(Interval::exact),
-        amends: 0.0,
     };
     let check = |pair: &Pair, ground: Option<&Ground<'_>>, clear: [f64; 2]| {
         for ((bracket, middle), c) in reactions(Some(pair), ground, STIFFNESS, LENGTH).iter().zip([3.0, 4.0]).zip(clear)

@@ -94,12 +94,4 @@ fn a_zone_pulls_where_its_curve_is_too_sharp() {
     assert!(zone(&FLAT, 1.0, [7.0, 3.0]).is_some_and(|shear| shear <= 0.0), "the point load presses");
     let kink = Foundation::Polyline { points: vec![[0.0, 1.0], [8.0, 2.0], [LENGTH, 1.0]] };
     assert!(zone(&kink, 1.0, NOWHERE).is_none(), "no beam lies in a corner");
-    // A zone may reach a support only where the ground does.
-    for (from, to) in [(0.0, 12.0), (4.0, LENGTH)] {
-        let mut held = Some(());
-        cut(&FLAT, 1.0, NOWHERE, |setting, cut| held = super::zone(setting, from, to, cut));
-        assert!(held.is_none(), "ground at depth one is not at the support: {from} to {to}");
-        cut(&Foundation::Flat { depth: 0.0 }, 1.0, NOWHERE, |setting, cut| held = super::zone(setting, from, to, cut));
-        assert!(held.is_some(), "ground at depth zero is: {from} to {to}");
-    }
 }
