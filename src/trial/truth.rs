@@ -66,9 +66,12 @@ impl<'a> Truth<'a> {
         self.nodes_from(nodes, &self.exact.state.contacts)
     }
 
-    /// The same, proven from another witness.
+    /// The same, proven from any witness.
     #[must_use]
     pub fn nodes_from(&self, nodes: &Nodes, witness: &[Contact]) -> Option<Certified> {
+        if nodes.contact_force.iter().any(|force| !force.is_finite()) {
+            return None;
+        }
         let certificate = certify(self.scene, Judged::Nodes(nodes), witness).ok()?;
         let error = self.error(nodes, certificate.deflection_error_at);
         Some(self.beside(certificate, error))

@@ -1,0 +1,1 @@
+//! A witness that is wrong stays wrong: it costs sharpness and never truth.
