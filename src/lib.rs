@@ -38,7 +38,7 @@
 //! ```
 //!
 //! A scene file is read by [`scene::file::parse`]; [`dial::dial`] chooses the grid for an error that is demanded;
-//! [`certificate::certify`] judges contact forces from anywhere.
+//! [`certificate::certify`] bounds the error of any deflection, from any list of contacts.
 //!
 //! # Notation
 //!
@@ -62,8 +62,8 @@
 //!
 //! ```text
 //! scene ──► methods ──► problem (32) ──► solvers ──► methods ──► state ──► certificate ──► verdict
-//!   │                                                              ▲
-//!   └──────────────────────────► theory ───────────────────────────┘
+//!   │                                                              ▲             ▲
+//!   └──────────────────────────► theory ───────────────────────────┴─► witness ──┘
 //! ```
 //!
 //! [`solve()`] is the upper way, [`theory::solve`] the lower one. Around them stand the paper's figures and claims

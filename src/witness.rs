@@ -3,7 +3,7 @@
 //! A certificate is as true with any witness and as sharp as its witness is right ([`crate::certificate`]). The exact contacts
 //! come from beam theory. Looking for them may cost no more than in proportion to the solve that is certified; where it would,
 //! or where beam theory has no answer, the answer's own contacts serve, which are at nodes of its grid, and the bounds are
-//! coarse: [`Certificate::pattern_proven`](crate::certificate::Certificate::pattern_proven) is false then.
+//! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then.
 
 use std::sync::OnceLock;
 

@@ -14,8 +14,8 @@
 //! tolerance asked       EPS/100, at least DEFAULT_TOLERANCE     of an iterative solver
 //! ```
 //!
-//! If the answer to such a loose question fails the judge, or leaves a pattern of contact that cannot be proven, the
-//! solver is asked more strictly on the same grid before a finer one is tried.
+//! If the answer to such a loose question fails the judge, or if its own contacts have to serve as a witness and cannot be
+//! proven, the solver is asked more strictly on the same grid before a finer one is tried.
 //!
 //! Grids are of equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but neither the
 //! methods nor the judge know them.
@@ -51,8 +51,8 @@ pub struct Try {
     pub residual: f64,
     /// Guaranteed error of the deflection, over the largest deflection.
     pub error: f64,
-    /// Whether the pattern of contact was proven.
-    pub pattern_proven: bool,
+    /// Whether the contacts of the beam were proven.
+    pub contacts_proven: bool,
     /// Whether the solver says that it succeeded.
     pub claims_success: bool,
     /// Why it is not enough; none if it is.
@@ -122,6 +122,7 @@ pub fn dial(scene: &Scene, request: &Request) -> Result<Dialled, SceneError> {
 /// The search step by step, for a caller who looks at a clock in between.
 #[derive(Debug)]
 pub struct Dial<'a> {
+    /// One for all grids.
     witness: Witness<'a>,
     request: Request,
     plan: Plan,
@@ -156,7 +157,7 @@ impl<'a> Dial<'a> {
             work: outcome.work,
             residual: outcome.residual,
             error: verdict.error,
-            pattern_proven: verdict.certificate.as_ref().is_some_and(|c| c.pattern_proven),
+            contacts_proven: verdict.certificate.as_ref().is_some_and(|c| c.contacts_proven),
             claims_success: outcome.solver_claims_success,
             refusal: verdict.refusal,
         });

@@ -95,21 +95,7 @@ impl<'a> Ground<'a> {
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
                 self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], from), from)
             }
-            Foundation::Polyline { points } => {
-                let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
-                let (left, right) = (points[after - 1], points[after]);
-                let slope = (Interval::exact(right[1]) - Interval::exact(left[1]))
-                    / (Interval::exact(right[0]) - Interval::exact(left[0]));
-                let value = Interval::exact(left[1]);
-                let value = if left[0] < from {
-                    value + slope * (Interval::exact(from) - Interval::exact(left[0]))
-                } else {
-                    value
-                };
-                // A level stretch is level without rounding.
-                let level = (right[1] - left[1]).abs() <= 0.0;
-                if level { Polynomial::new(&[Interval::exact(left[1])]) } else { Polynomial::new(&[value, slope]) }
-            }
+            Foundation::Polyline { points } => segment(points, from, from),
         }
     }
 
@@ -123,10 +109,7 @@ impl<'a> Ground<'a> {
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
                 self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], to), to)
             }
-            Foundation::Polyline { .. } => {
-                let left = self.cell(from, to);
-                left.shifted(Interval::exact(to) - Interval::exact(from))
-            }
+            Foundation::Polyline { points } => segment(points, from, to),
         };
         taylor.mirrored()
     }
@@ -134,10 +117,7 @@ impl<'a> Ground<'a> {
     /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
     pub(super) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
         let cell = match self.foundation {
-            Foundation::Polyline { points } if from_the_left => {
-                let left = points[points.partition_point(|p| p[0] < x).clamp(1, points.len() - 1) - 1][0];
-                self.cell(left, x).shifted(Interval::exact(x) - Interval::exact(left))
-            }
+            Foundation::Polyline { points } if from_the_left => segment(points, x.next_down(), x),
             _ => self.cell(x, x),
         };
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
@@ -212,6 +192,27 @@ impl<'a> Ground<'a> {
         corners.dedup();
         corners
     }
+}
+
+/// The segment of a polyline that begins at a place or goes through it, about an origin on it.
+#[expect(clippy::float_cmp, reason = "the depth of a given point is known without rounding, and at no other place")]
+fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
+    let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
+    let [left, right] = [points[after - 1], points[after]];
+    let [[x, u], [end, depth]] = [left, right].map(|p| p.map(Interval::exact));
+    let slope = (depth - u) / (end - x);
+    // What is given is known without rounding: the points, and a level stretch.
+    if (right[1] - left[1]).abs() <= 0.0 {
+        return Polynomial::new(&[u]);
+    }
+    let value = if origin == left[0] {
+        u
+    } else if origin == right[0] {
+        depth
+    } else {
+        u + slope * (Interval::exact(origin) - x)
+    };
+    Polynomial::new(&[value, slope])
 }
 
 #[cfg(test)]

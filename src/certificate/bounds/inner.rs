@@ -1,6 +1,6 @@
 //! What the bounds know of a scene.
 
-use super::curve::Curve;
+use super::curve::{Curve, Piece};
 use super::ground::Ground;
 use super::joints::Setting;
 use super::load::Pieces;
@@ -56,10 +56,8 @@ impl<'a> Inner<'a> {
     pub(super) fn is_sharp(&self, pair: &Pair) -> bool {
         /// Of the largest deflection.
         const SHARP: f64 = 1e-6;
-        let size = pair.curve.pieces.iter().fold(0.0, |most: f64, p| {
-            let [from, to] = [p.v.at(Interval::ZERO), p.v.at(Interval::exact(p.to) - Interval::exact(p.from))];
-            most.max(from.magnitude()).max(to.magnitude())
-        });
+        let width = |p: &Piece| Interval::exact(p.to) - Interval::exact(p.from);
+        let size = pair.curve.pieces.iter().fold(0.0, |most: f64, p| most.max(p.v.range(width(p)).magnitude()));
         error::of_gap(pair.gap.hi(), self.stiffness, self.length) <= SHARP * size
     }
 }

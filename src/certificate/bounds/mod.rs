@@ -1,4 +1,4 @@
-//! Two-sided bounds for the continuous beam, guaranteed, from contact forces and the scene alone.
+//! Two-sided bounds for the continuous beam, guaranteed, proven from a witness.
 //!
 //! For any deflection `v̂ ≤ u` with `v̂(0) = v̂(l) = 0`, and any contact load `p ≥ 0` with its moment field `M`
 //! (`M'' = p − q`, `M(0) = M(l) = 0`), with `J` of (17) (Prager and Synge 1947, Repin 2000):
@@ -7,18 +7,17 @@
 //! D(p) ≤ J* ≤ J(v̂),     D(p) = −½ ∫ M²/EI dx − ∫ u dp
 //! J(v̂) − D(p) = ½ ∫ (EI v̂'' + M)²/EI dx + ∫ (u − v̂) dp = gap           both terms ≥ 0: nothing cancels
 //! ½ ∫ EI (v̂'' − v*'')² dx ≤ gap,     |v̂ − v*|(x) ≤ √( 2 gap x² (l − x)² / (3 EI l) )
+//! |v − v*| ≤ |v − v̂| + |v̂ − v*|                                          for the deflection v that is judged
 //! ```
 //!
 //! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
-//! penetration between the nodes, carried out: the forces given are made a load without tension, and a deflection without
-//! penetration anywhere is built.
+//! penetration between the nodes, carried out.
 //!
-//! How it is built decides how sharp the bounds are. The forces show a *pattern* of contact (module `pattern`): zones, points
-//! and corners. Their places are refined (modules `refine`, `adjust`, `fill`), and from them alone follow a deflection and a moment field for which the gap is
-//! of second order in whatever is left (modules `joints`, `proof`). The refinement may go wrong; admissibility is proven
-//! afterwards in interval arithmetic, between all nodes and for every kind of profile, and what cannot be proven is amended
-//! (modules `clearance`, `pressing`, `hold`). Where the amends are more than rounding, the deflection that the given forces
-//! cause is lifted off the foundation as well (module `admissible`), which always works and is coarse; the better one counts.
+//! The pair `(v̂, M)` follows from a **witness**, a list of contacts from anybody: `v̂` is the foundation in its zones and the
+//! exact beam between them, with slopes that one linear system gives (modules `witness`, `slopes`). For the true list the gap
+//! is zero, and it grows with the square of what a place is off by. Nothing is looked for here. That `v̂` and `p` are admissible
+//! is proven in interval arithmetic, everywhere and for every kind of profile, and what cannot be proven is amended at its price
+//! (modules `proof`, `clearance`, `pressing`). So a witness may be wrong: that makes the bounds wide, and never untrue.
 //!
 //! What is taken for given: a foundation is known to a few units in the last place of its terms. If its depth at a support is
 //! zero but for that, it is level with it (module `ground`); points of a polyline that are on one line but for that, are on

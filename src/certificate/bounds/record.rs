@@ -29,8 +29,9 @@ pub struct Certificate {
     pub reactions: [Option<[f64; 2]>; 2],
     /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
     pub stiffness: Option<[f64; 2]>,
-    /// True if the pattern of contact was proven; otherwise the bounds are coarse.
-    pub pattern_proven: bool,
+    /// True if the contacts of the witness are those of the beam: the true deflection is then known to a millionth of itself.
+    /// Otherwise the bounds are coarse.
+    pub contacts_proven: bool,
 }
 
 /// The parts of a certificate, dimensionless.
@@ -62,7 +63,7 @@ impl Proven<'_> {
             deflection: error.size * scale.depth,
             reactions,
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
-            pattern_proven: pair.is_some_and(|pair| inner.is_sharp(pair)),
+            contacts_proven: pair.is_some_and(|pair| inner.is_sharp(pair)),
         }
     }
 }

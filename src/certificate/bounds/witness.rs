@@ -6,40 +6,77 @@ use super::slopes;
 use crate::scene::Scale;
 use crate::state::Contact;
 
-/// A share of the beam's length: a zone that begins so near to a support, where the foundation is level with it, begins there
-/// but for rounding.
-const AT_A_SUPPORT: f64 = 1e-12;
-
-/// The contact nodes of a list of contacts in the units of the scene, from left to right, with the slopes that follow from
-/// their places. A single place is a corner of the foundation if there is one, and otherwise a point of tangency.
+/// The contact nodes of a list of contacts in the units of the scene, in its order, with the slopes that follow from their
+/// places. A contact at a single place is a corner of the foundation if there is one, and otherwise a point of tangency.
+#[expect(clippy::float_cmp, reason = "a contact from a place to the same place is a point")]
 pub(super) fn joints(setting: &Setting<'_>, contacts: &[Contact], scale: &Scale) -> Vec<Joint> {
     let length = setting.length;
-    let places = contacts.iter().map(|c| [c.from / scale.length, c.to / scale.length]);
-    // A single contact at a support says nothing that the support does not say.
-    let inside = places.filter(|c| c[0] != c[1] || !(c[0] == 0.0 || c[0] == length));
     let mut joints: Vec<Joint> = Vec::with_capacity(2 * contacts.len() + 2);
-    joints.push(Joint::new(Kind::Support, 0.0));
-    for [from, to] in inside {
+    for contact in contacts {
+        let [from, to] = [contact.from / scale.length, contact.to / scale.length];
         if from != to {
             joints.extend([Joint::new(Kind::Start, from), Joint::new(Kind::End, to)]);
+        } else if from == 0.0 || from == length {
+            // A point at a support says nothing that the support does not say.
         } else if setting.ground.corners(from.next_down(), from.next_up()).is_empty() {
             joints.push(Joint::new(Kind::Touch, from));
         } else {
             joints.push(Joint::new(Kind::Corner, from));
         }
     }
-    joints.push(Joint::new(Kind::Support, length));
-    let near = AT_A_SUPPORT * length;
-    let level = |x: f64| setting.ground.depth(x).magnitude() <= 0.0;
-    if joints[1].kind == Kind::Start && joints[1].x <= near && level(0.0) {
-        joints[1].x = 0.0;
-        joints.remove(0);
+    // A zone that begins or ends at a support takes its place.
+    if joints.first().is_none_or(|joint| joint.x != 0.0) {
+        joints.insert(0, Joint::new(Kind::Support, 0.0));
     }
-    let last = joints.len() - 1;
-    if joints[last - 1].kind == Kind::End && length - joints[last - 1].x <= near && level(length) {
-        joints[last - 1].x = length;
-        joints.pop();
+    if joints.last().is_none_or(|joint| joint.x != length) {
+        joints.push(Joint::new(Kind::Support, length));
     }
     slopes::find(setting, &mut joints);
     joints
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::bounds::ground::Ground;
+    use crate::certificate::bounds::load::Pieces;
+    use crate::scene::{Beam, Foundation, Load, Scene};
+
+    /// Right or wrong, in order or not, contacts stay where they are, and become no others.
+    #[test]
+    fn a_list_stays_as_it_is_given() {
+        const LENGTH: f64 = 8.0;
+        let beam = Beam::new(LENGTH, 70.0).expect("positive");
+        let load = Load::uniform_on(&beam, 3.0).expect("finite");
+        let ground = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 2.0], [5.0, 1.0], [8.0, 2.0]] };
+        let scaled = Scene::new(beam, load, Some(ground)).expect("well posed").scaled().expect("in range");
+        let (scene, scale, unit) = (&scaled.scene, scaled.scale, scaled.scale.length);
+        let pieces = Pieces::of(scene);
+        let ground = Ground::of(scene).expect("there is a foundation");
+        let stiffness = scene.beam().bending_stiffness();
+        let setting = Setting { ground, load: &pieces, stiffness, length: scene.beam().length() };
+        use Kind::{Corner, End, Start, Support, Touch};
+        for (given, kinds) in [
+            (&[][..], &[Support, Support][..]),
+            (&[[5.0, 5.0], [5.5, 5.5]], &[Support, Corner, Touch, Support]),
+            (&[[3.0, 3.0], [4.0, 7.0]], &[Support, Touch, Start, End, Support]),
+            (&[[0.0, 1.0], [7.5, 8.0]], &[Start, End, Start, End]),
+            (&[[1e-12, 1.0]], &[Support, Start, End, Support]),
+            (&[[0.0, 0.0], [8.0, 8.0]], &[Support, Support]),
+            (&[[6.0, 2.0], [1.0, 1.0], [1.0, 1.0], [9.0, 9.0]], &[Support, Start, End, Touch, Touch, Touch, Support]),
+            (&[[f64::NAN, f64::NAN], [2.0, f64::INFINITY]], &[Support, Start, End, Start, End, Support]),
+        ] {
+            let contacts: Vec<Contact> =
+                given.iter().map(|&[from, to]| Contact { from, to, force: 1.0, end_forces: None }).collect();
+            let found = joints(&setting, &contacts, &scale);
+            assert!(found.iter().map(|j| j.kind).eq(kinds.iter().copied()), "{given:?}: {found:?}");
+            let inside = found.iter().filter(|j| j.kind != Support).map(|j| (j.x * unit).to_bits());
+            let all = given.iter().flat_map(|&[from, to]| {
+                if from.total_cmp(&to).is_eq() && !from.is_nan() { vec![from] } else { vec![from, to] }
+            });
+            let expected: Vec<u64> = all.map(f64::to_bits).collect();
+            let found: Vec<u64> = inside.collect();
+            assert!(found == expected || given == [[0.0, 0.0], [8.0, 8.0]], "{given:?}: {found:?}");
+        }
+    }
 }

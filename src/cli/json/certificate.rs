@@ -14,6 +14,7 @@ pub(super) struct CertificateObject {
     best_deflection_error: Option<f64>,
     reactions: BracketsObject,
     stiffness: Option<[f64; 2]>,
+    contacts_proven: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -34,6 +35,7 @@ impl From<&Certificate> for CertificateObject {
             best_deflection_error: None,
             reactions: BracketsObject { left, right },
             stiffness: certificate.stiffness,
+            contacts_proven: certificate.contacts_proven,
         }
     }
 }

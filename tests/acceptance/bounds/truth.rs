@@ -100,7 +100,7 @@ fn check(name: &str, i: u64, scene: &Scene) -> bool {
     let exact_contacts = &exact.state.contacts;
     let contacts = certify(scene, Judged::Contacts(exact_contacts), exact_contacts).expect("the scene can be scaled");
     assert!(contacts.deflection_error.is_finite(), "{what}: an exact answer has a bound");
-    if contacts.pattern_proven {
+    if contacts.contacts_proven {
         holds(&format!("{what}, exact"), &contacts, scene, &exact, |x| exact.deflection(x));
     }
     true

@@ -123,5 +123,5 @@ fn where_no_admissible_deflection_is_found_nothing_is_bounded() {
     let bounds = [certificate.gap, certificate.deflection_error, certificate.best_deflection_error];
     assert!(bounds.iter().all(|bound| bound.is_infinite()), "{certificate:?}");
     assert!(certificate.energy_upper.is_infinite() && certificate.energy_lower.is_infinite(), "{certificate:?}");
-    assert!(!certificate.pattern_proven && certificate.reactions == [None, None], "{certificate:?}");
+    assert!(!certificate.contacts_proven && certificate.reactions == [None, None], "{certificate:?}");
 }

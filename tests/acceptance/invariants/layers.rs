@@ -68,6 +68,26 @@ fn the_certificate_uses_neither_methods_nor_solvers() {
     none(&found, "the judge is no contestant");
 }
 
+/// What the place of a contact node is written with, and the list that it stands in. `slopes` writes slopes, and whether a
+/// support holds the slope; `witness` makes the list.
+const MOVES: [&str; 9] = [".x =", ".x +=", ".x -=", "from =", "to =", "splice(", "retain(", ".remove(", ".insert("];
+
+#[test]
+fn the_certificate_moves_no_place() {
+    let mut bounds = room("src/certificate/bounds");
+    bounds.retain(|path, text| !path.ends_with("tests.rs") && text.contains("Joint"));
+    assert!(bounds.keys().any(|path| path.ends_with("proof.rs")), "contact nodes have moved: {:?}", bounds.keys());
+    let found = offenders(&bounds, |line| {
+        let code = code(line).trim_start();
+        let support = code.contains("Joint::new(Kind::Support");
+        MOVES
+            .iter()
+            .find(|moves| code.contains(**moves) && !support && !code.starts_with("let "))
+            .map(|m| format!("`{m}`"))
+    });
+    none(&found, "a witness stays as it is given");
+}
+
 #[test]
 fn theory_uses_no_grid() {
     let found = offenders(&room("src/theory"), |line| {
