@@ -70,7 +70,8 @@ fn the_certificate_uses_neither_methods_nor_solvers() {
 
 /// What the place of a contact node is written with, and the list that it stands in. `slopes` writes slopes, and whether a
 /// support holds the slope; `witness` makes the list.
-const MOVES: [&str; 9] = [".x =", ".x +=", ".x -=", "from =", "to =", "splice(", "retain(", ".remove(", ".insert("];
+const MOVES: [&str; 9] =
+    [".x = ", ".x += ", ".x -= ", "from = ", "to = ", "splice(", "retain(", ".remove(", ".insert("];
 
 #[test]
 fn the_certificate_moves_no_place() {
