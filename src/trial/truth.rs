@@ -81,7 +81,7 @@ impl<'a> Truth<'a> {
     /// energy and reactions are compared.
     #[must_use]
     pub fn contacts(&self, contacts: &[Contact]) -> Option<Certified> {
-        let certificate = certify(self.scene, Judged::Contacts(contacts), contacts).ok()?;
+        let certificate = certify(self.scene, Judged::Witness, contacts).ok()?;
         Some(self.beside(certificate, 0.0))
     }
 

@@ -88,7 +88,7 @@ impl Verdict {
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let contacts = &exact.state.contacts;
-        let certificate = certify(scene, Judged::Contacts(contacts), contacts).ok();
+        let certificate = certify(scene, Judged::Witness, contacts).ok();
         let own = match exact.status {
             Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state)),
             Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
@@ -114,16 +114,16 @@ impl Verdict {
 }
 
 /// Bounds for an answer, in the units of the scene; none if its contact forces are no numbers. Of a grid the deflection at its
-/// nodes is judged, of beam theory the one that its contacts make.
+/// nodes is judged, of beam theory the one that its contacts make, which are their own witness.
 #[must_use]
 pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certificate> {
-    let judged = match &state.nodes {
-        Some(nodes) if nodes.contact_force.iter().any(|force| !force.is_finite()) => return None,
-        Some(nodes) => Judged::Nodes(nodes),
-        None => Judged::Contacts(&state.contacts),
+    let Some(nodes) = &state.nodes else {
+        return certify(witness.scene(), Judged::Witness, &state.contacts).ok();
     };
-    let nodes = state.nodes.as_ref().map_or(0, |nodes| nodes.x.len());
-    certify(witness.scene(), judged, witness.contacts(nodes, &state.contacts)).ok()
+    if nodes.contact_force.iter().any(|force| !force.is_finite()) {
+        return None;
+    }
+    certify(witness.scene(), Judged::Nodes(nodes), witness.contacts(nodes.x.len(), &state.contacts)).ok()
 }
 
 /// Whether forces from somebody who says nothing of a grid are accepted: their certificate is one, and the deflection that they

@@ -1,8 +1,7 @@
-//! From a gap to deflections and reactions.
+//! From a gap to deflections.
 
 use super::cells;
 use super::curve::{Curve, Piece, overlay};
-use super::ground::Ground;
 use super::largest::largest;
 use super::polynomial::{Polynomial, number};
 use super::proof::Pair;
@@ -12,7 +11,7 @@ use crate::state::Nodes;
 
 // Report: certificate
 /// `√(2 gap / (3 EI l))`, by which `x (l − x)` is to be multiplied.
-fn factor(gap: f64, stiffness: f64, length: f64) -> Interval {
+pub(super) fn factor(gap: f64, stiffness: f64, length: f64) -> Interval {
     let below = number(3) * Interval::exact(stiffness) * Interval::exact(length);
     (number(2) * Interval::exact(gap) / below).sqrt()
 }
@@ -121,6 +120,14 @@ pub(super) fn deflection(
     if length <= reached { error } else { Error::UNKNOWN }
 }
 
+/// The same for the deflection that the places of a witness make, off which `v̂` was lifted.
+pub(super) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> Error {
+    let size = largest(pair.curve.pieces.iter().map(|p| ([p.from, p.to], p.v)));
+    let [gap, lifted] = [of_gap(pair.gap.hi(), stiffness, length), pair.lifted].map(Interval::exact);
+    let most = (gap + lifted).hi();
+    if most.is_finite() { Error { most, at: 0.5 * length, size } } else { Error::UNKNOWN }
+}
+
 /// The same for the cubics between the nodes of a grid: cell by cell in plain numbers where cells are narrow.
 pub(super) fn of_nodes(
     admissible: &Curve,
@@ -137,72 +144,6 @@ pub(super) fn of_nodes(
         return error;
     }
     deflection(admissible, nodes.windows(2).map(|pair| cells::cubic(pair, stiffness)), gap, stiffness, length)
-}
-
-/// What the two reactions lie between.
-///
-/// Where the clearance of `v̂` is larger than the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up
-/// to the distance `c` from a support, both moment fields have `M'' = −q` there, so that they differ by `κ x`, and
-///
-/// ```text
-/// ½ ∫₀^c (κ x)²/EI dx ≤ gap:     |M'(0) − M*'(0)| = |κ| ≤ √( 6 EI gap / c³ )
-/// ```
-pub(super) fn reactions(
-    pair: Option<&Pair>,
-    ground: Option<&Ground<'_>>,
-    stiffness: f64,
-    length: f64,
-) -> [Option<Interval>; 2] {
-    let Some(pair) = pair else { return [None, None] };
-    let gap = pair.gap.hi();
-    let share = factor(gap, stiffness, length).hi();
-    [true, false].map(|left| {
-        let clear = match ground {
-            None => length,
-            Some(ground) => clear_from(&pair.curve, ground, share, length, left),
-        };
-        if clear <= 0.0 {
-            return None;
-        }
-        let c = Interval::exact(clear);
-        let turn = (number(6) * Interval::exact(stiffness) * Interval::exact(gap) / (c * c * c)).sqrt();
-        Some(pair.reactions[usize::from(!left)] + Interval::around_zero(turn.hi()))
-    })
-}
-
-/// How far from a support the clearance is proven to be larger than `share · x (l − x)`.
-fn clear_from(curve: &Curve, ground: &Ground<'_>, share: f64, length: f64, left: bool) -> f64 {
-    /// Parts of a piece; only how far the proof reaches depends on it.
-    const PARTS: u32 = 16;
-    let mut reached = 0.0;
-    let mut pieces: Vec<_> = curve.pieces.iter().collect();
-    if !left {
-        pieces.reverse();
-    }
-    for piece in pieces {
-        if piece.follows {
-            return reached;
-        }
-        let mut ends: Vec<f64> =
-            (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
-        ends.extend(ground.breaks(piece.from, piece.to));
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        let mut parts: Vec<[f64; 2]> = ends.windows(2).map(|w| [w[0], w[1]]).collect();
-        if !left {
-            parts.reverse();
-        }
-        for [a, b] in parts {
-            let v = piece.v.shifted(Interval::exact(a) - Interval::exact(piece.from));
-            let h = ground.cell(a, b).minus(&v).range(Interval::exact(b) - Interval::exact(a));
-            let far = if left { b } else { length - a };
-            if h.lo() <= (Interval::exact(share) * Interval::exact(far) * Interval::exact(length)).hi() {
-                return reached;
-            }
-            reached = if left { b } else { (Interval::exact(length) - Interval::exact(a)).lo() };
-        }
-    }
-    reached
 }
 
 #[cfg(test)]

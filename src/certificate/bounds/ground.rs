@@ -154,22 +154,6 @@ impl<'a> Ground<'a> {
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
     }
 
-    /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
-    pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
-        let Foundation::Polyline { points } = self.foundation else { return [None, None] };
-        let first = points.partition_point(|p| p[0] < x);
-        let beyond = points.partition_point(|p| p[0] <= x);
-        let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-        let slope = |at: usize, beside: Option<&[f64; 2]>| {
-            let (at, beside) = (points.get(at)?, beside?);
-            (at[1] <= here).then(|| (beside[1] - at[1]) / (beside[0] - at[0]))
-        };
-        [
-            first.checked_sub(1).and_then(|before| slope(first, points.get(before))),
-            beyond.checked_sub(1).and_then(|last| slope(last, points.get(beyond))),
-        ]
-    }
-
     /// The depth just beside a point of a polyline; [`None`] where nothing happens.
     pub(super) fn side(&self, x: f64, from_the_left: bool) -> Option<f64> {
         let Foundation::Polyline { points } = self.foundation else { return None };
@@ -179,18 +163,9 @@ impl<'a> Ground<'a> {
         point.map(|p| p[1])
     }
 
-    /// Places strictly between two others at which the foundation can carry a concentrated force because it has a corner
-    /// there that points upwards: the upper edges of steps, and kinks after which it falls more than before.
-    pub(super) fn corners(&self, from: f64, to: f64) -> Vec<f64> {
-        let Foundation::Polyline { points } = self.foundation else { return Vec::new() };
-        let first = points.partition_point(|p| p[0] <= from).max(1);
-        let beyond = points.partition_point(|p| p[0] < to).min(points.len() - 1);
-        // Of a step infinite, in the direction in which it goes.
-        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-        let corner = |i: usize| slope(points[i - 1], points[i]) < slope(points[i], points[i + 1]);
-        let mut corners: Vec<f64> = (first..beyond.max(first)).filter(|&i| corner(i)).map(|i| points[i][0]).collect();
-        corners.dedup();
-        corners
+    /// The points of a polyline.
+    pub(super) fn points(&self) -> Option<&'a [[f64; 2]]> {
+        if let Foundation::Polyline { points } = self.foundation { Some(points) } else { None }
     }
 }
 

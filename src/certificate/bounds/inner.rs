@@ -1,6 +1,6 @@
 //! What the bounds know of a scene.
 
-use super::curve::{Curve, Piece};
+use super::curve::Piece;
 use super::ground::Ground;
 use super::joints::Setting;
 use super::load::Pieces;
@@ -41,15 +41,8 @@ impl<'a> Inner<'a> {
         if contacts.is_empty() || pair.as_ref().is_some_and(|pair| self.is_sharp(pair)) {
             return pair;
         }
-        pair.into_iter().chain(of(&[])).min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()))
-    }
-
-    /// The deflection that a list of contacts makes, proven or not.
-    pub(super) fn drawn(&self, contacts: &[Contact], scale: &Scale) -> Option<Curve> {
-        match self.setting() {
-            Some(setting) => proof::drawn(&setting, &witness::joints(&setting, contacts, scale)),
-            None => Some(proof::free(&self.load, self.stiffness, self.length).curve),
-        }
+        let none = of(&[]).map(|none| Pair { lifted: f64::INFINITY, ..none });
+        pair.into_iter().chain(none).min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()))
     }
 
     /// Whether what a pair leaves open is no more than what rounding explains.

@@ -39,6 +39,7 @@ mod lumped;
 mod polynomial;
 mod pressing;
 mod proof;
+mod reactions;
 mod record;
 mod slopes;
 mod span;
@@ -72,8 +73,8 @@ pub enum Judged<'a> {
     Nodes(&'a Nodes),
     /// The one that contact forces cause, by statics and integration under the true load.
     Forces(&'a ContactLoad),
-    /// The one that the places of contacts make.
-    Contacts(&'a [Contact]),
+    /// The one that the places of the witness make.
+    Witness,
 }
 
 /// Bounds for a deflection, proven from a witness: the contacts of the beam, from anybody. Only their places count, and where
@@ -98,10 +99,7 @@ pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result
                 let caused = carried.cells.iter().map(|c| (c.0, deflection(c, &inner.load, stiffness)));
                 error::deflection(curve, caused, gap, stiffness, length)
             }
-            Judged::Contacts(contacts) => {
-                let drawn = inner.drawn(contacts, scale).unwrap_or_default();
-                error::deflection(curve, drawn.pieces.iter().map(|p| ([p.from, p.to], p.v)), gap, stiffness, length)
-            }
+            Judged::Witness => error::of_witness(pair, stiffness, length),
         }
     });
     let error = error.unwrap_or(error::Error::UNKNOWN);

@@ -41,6 +41,8 @@ pub(super) struct Pair {
     pub(super) gap: Interval,
     /// `M'` at the two ends: the reactions that belong to `M`, without loads on the supports themselves.
     pub(super) reactions: [Interval; 2],
+    /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
+    pub(super) lifted: f64,
 }
 
 /// The pair of some joints, if there is one.
@@ -52,7 +54,7 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
     let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
     let moment = |i: usize| moment_at(setting, joints, &spans, i);
     let mut gap = Interval::ZERO;
-    let mut lifts = Interval::ZERO;
+    let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
     let mut cut = Cut::new(setting);
     let mut shears = Vec::new();
     let mut pieces = Vec::new();
@@ -76,6 +78,7 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
         if 0.0 < alpha {
             let lift = clearance::shape(span, left, right).times(Interval::exact(alpha));
             lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
+            lifted = lifted.max(lift.range(length).magnitude());
             for ([from, _], v) in &mut curve {
                 *v = v.minus(&lift.shifted(Interval::exact(*from) - Interval::exact(span.from)));
             }
@@ -98,6 +101,7 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
         // Without amends the square would only add rounding.
         gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { root.square().half().hi() }),
         reactions: [first[0] + amended, -last[1] + amended],
+        lifted,
     })
 }
 
@@ -153,27 +157,7 @@ pub(super) fn free(load: &Pieces, stiffness: f64, length: f64) -> Pair {
         let [from, to] = cell.0;
         Piece { from, to, v: deflection(cell, load, stiffness), follows: false }
     });
-    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions }
-}
-
-/// The deflection of joints that are not proven.
-pub(super) fn drawn(setting: &Setting<'_>, joints: &[Joint]) -> Option<Curve> {
-    if !is_complete(setting, joints) {
-        return None;
-    }
-    let mut pieces = Vec::new();
-    for pair in joints.windows(2) {
-        let Some(span) = setting.span(&pair[0], &pair[1]) else {
-            if !setting.ground.is_smooth_between(pair[0].x, pair[1].x) {
-                return None;
-            }
-            pieces.extend(lying(setting, pair[0].x, pair[1].x));
-            continue;
-        };
-        let curve = span.curve(Vec::new(), setting.load, setting.stiffness);
-        pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
-    }
-    Some(Curve { pieces })
+    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions, lifted: 0.0 }
 }
 
 #[cfg(test)]

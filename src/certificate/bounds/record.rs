@@ -3,6 +3,7 @@
 use super::error::{self, Error};
 use super::inner::Inner;
 use super::proof::Pair;
+use super::reactions::reactions;
 use super::stiffness::stiffness;
 use crate::certificate::interval::Interval;
 use crate::scene::{Scale, Scene};
@@ -50,7 +51,7 @@ impl Proven<'_> {
         let gap = pair.map_or(f64::INFINITY, |pair| pair.gap.hi());
         let lower = (Interval::exact(energy.lo()) - Interval::exact(gap)).lo();
         let energies = [lower, energy.hi()];
-        let reactions = error::reactions(pair, inner.ground.as_ref(), inner.stiffness, inner.length);
+        let reactions = reactions(pair, inner.ground.as_ref(), inner.stiffness, inner.length);
         let reactions = reactions.map(|r| r.map(|r| [r.lo() * scale.force, r.hi() * scale.force]));
         let stiffness = stiffness(energies, scene.load(), inner.length);
         Certificate {

@@ -9,6 +9,7 @@
 //!
 //! a linear system with three diagonals. Nothing that is proven rests on its solution: a slope that is off costs sharpness.
 
+use super::ground::Ground;
 use super::joints::{Joint, Kind, Setting};
 use super::span::Span;
 
@@ -121,6 +122,24 @@ fn curvature(setting: &Setting<'_>, joints: &[Joint], end: usize) -> f64 {
     let span = |a: usize| setting.span(&joints[a], &joints[a + 1]);
     let of = |span: Option<Span>, jet: fn(&Span) -> f64| span.as_ref().map_or(0.0, jet);
     if end == 0 { of(span(0), |s| s.start[2].middle()) } else { of(span(end - 1), |s| s.end[2].middle()) }
+}
+
+impl Ground<'_> {
+    /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
+    pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
+        let Some(points) = self.points() else { return [None, None] };
+        let first = points.partition_point(|p| p[0] < x);
+        let beyond = points.partition_point(|p| p[0] <= x);
+        let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
+        let slope = |at: usize, beside: Option<&[f64; 2]>| {
+            let (at, beside) = (points.get(at)?, beside?);
+            (at[1] <= here).then(|| (beside[1] - at[1]) / (beside[0] - at[0]))
+        };
+        [
+            first.checked_sub(1).and_then(|before| slope(first, points.get(before))),
+            beyond.checked_sub(1).and_then(|last| slope(last, points.get(beyond))),
+        ]
+    }
 }
 
 #[cfg(test)]

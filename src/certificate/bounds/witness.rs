@@ -1,6 +1,7 @@
 //! What a witness says, as contact nodes. Nothing is added to its contacts but the supports, and no place is moved: what is
 //! wrong stays wrong, and is paid for in [`super::proof`].
 
+use super::ground::Ground;
 use super::joints::{Joint, Kind, Setting};
 use super::slopes;
 use crate::scene::Scale;
@@ -35,10 +36,25 @@ pub(super) fn joints(setting: &Setting<'_>, contacts: &[Contact], scale: &Scale)
     joints
 }
 
+impl Ground<'_> {
+    /// Places strictly between two others at which the foundation can carry a concentrated force because it has a corner
+    /// there that points upwards: the upper edges of steps, and kinks after which it falls more than before.
+    pub(super) fn corners(&self, from: f64, to: f64) -> Vec<f64> {
+        let Some(points) = self.points() else { return Vec::new() };
+        let first = points.partition_point(|p| p[0] <= from).max(1);
+        let beyond = points.partition_point(|p| p[0] < to).min(points.len() - 1);
+        // Of a step infinite, in the direction in which it goes.
+        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
+        let corner = |i: usize| slope(points[i - 1], points[i]) < slope(points[i], points[i + 1]);
+        let mut corners: Vec<f64> = (first..beyond.max(first)).filter(|&i| corner(i)).map(|i| points[i][0]).collect();
+        corners.dedup();
+        corners
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certificate::bounds::ground::Ground;
     use crate::certificate::bounds::load::Pieces;
     use crate::scene::{Beam, Foundation, Load, Scene};
 

@@ -1,7 +1,6 @@
 //! Slopes at corners and at supports against what the foundation allows there.
 
 use super::*;
-use crate::certificate::bounds::ground::Ground;
 use crate::certificate::bounds::load::Pieces;
 use crate::scene::{Beam, Foundation, Load, Scene};
 

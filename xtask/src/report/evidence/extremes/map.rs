@@ -110,7 +110,7 @@ fn of_waves() -> Result<(Strip, Value), Cause> {
                     shallowest = shallowest.min(power);
                 }
                 let contacts = &exact.state.contacts;
-                let error = certify(&scene, Judged::Contacts(contacts), contacts)?.deflection_error;
+                let error = certify(&scene, Judged::Witness, contacts)?.deflection_error;
                 // Squares of numbers near the ends of the range of `f64` leave it, and then there is no bound.
                 let share = error / exact.state.deflection.max;
                 if share <= TIGHT {
