@@ -30,8 +30,8 @@ pub struct Certificate {
     pub reactions: [Option<[f64; 2]>; 2],
     /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
     pub stiffness: Option<[f64; 2]>,
-    /// True if the contacts of the witness are those of the beam: the true deflection is then known to a millionth of itself.
-    /// Otherwise the bounds are coarse.
+    /// True if the true deflection is known to a millionth of its largest value: the contacts of the witness are those of the
+    /// beam, but for what cannot be felt. Otherwise the bounds are coarse.
     pub contacts_proven: bool,
 }
 

@@ -7,6 +7,7 @@ mod flat;
 mod given;
 mod interval;
 mod lumped;
+mod scale;
 mod sharpness;
 mod truth;
 mod uneven;
