@@ -1,7 +1,7 @@
 //! From a gap to deflections.
 
 use super::cells;
-use super::curve::{Curve, Piece, overlay};
+use super::curve::{Piece, overlay};
 use super::largest::largest;
 use super::polynomial::{Polynomial, number};
 use super::proof::Pair;
@@ -102,19 +102,16 @@ fn closer(polynomial: &Polynomial, width: Interval) -> f64 {
     (0..PARTS).fold(0.0, |most: f64, k| most.max(polynomial.shifted(number(k) * part).range(part).magnitude()))
 }
 
-/// The largest value of `√(2 gap x² (l − x)²/(3 EI l)) + |v̂ − v|`, and where it is.
-pub(super) fn deflection(
-    admissible: &Curve,
+/// The largest value of `√(2 gap x² (l − x)²/(3 EI l)) + |v̂ − v|`, and where it is, for a deflection by pieces.
+pub(super) fn of_pieces(
+    pair: &Pair,
     judged: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone,
-    gap: f64,
     stiffness: f64,
     length: f64,
 ) -> Error {
-    if !gap.is_finite() {
-        return Error::UNKNOWN;
-    }
     let mut error = Error::NONE;
-    let reached = error.compare(&admissible.pieces, judged.clone(), factor(gap, stiffness, length), length);
+    let factor = factor(pair.gap.hi(), stiffness, length);
+    let reached = error.compare(&pair.curve.pieces, judged.clone(), factor, length);
     error.size = largest(judged);
     // A deflection that is not there all the way cannot be judged.
     if length <= reached { error } else { Error::UNKNOWN }
@@ -129,21 +126,14 @@ pub(super) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> Error {
 }
 
 /// The same for the cubics between the nodes of a grid: cell by cell in plain numbers where cells are narrow.
-pub(super) fn of_nodes(
-    admissible: &Curve,
-    given: &Nodes,
-    scale: &Scale,
-    gap: f64,
-    stiffness: f64,
-    length: f64,
-) -> Error {
+pub(super) fn of_nodes(pair: &Pair, given: &Nodes, scale: &Scale, stiffness: f64, length: f64) -> Error {
     let Some(nodes) = cells::nodes(given, scale, length) else { return Error::UNKNOWN };
-    if gap.is_finite() && nodes.windows(2).all(|pair| pair[1].x - pair[0].x <= WIDE * length) {
-        let mut error = Error::NONE;
-        cells::compare(&mut error, &admissible.pieces, &nodes, factor(gap, stiffness, length), stiffness);
-        return error;
+    if WIDE * length < nodes.windows(2).map(|w| w[1].x - w[0].x).fold(0.0, f64::max) {
+        return of_pieces(pair, nodes.windows(2).map(|w| cells::cubic(w, stiffness)), stiffness, length);
     }
-    deflection(admissible, nodes.windows(2).map(|pair| cells::cubic(pair, stiffness)), gap, stiffness, length)
+    let mut error = Error::NONE;
+    cells::compare(&mut error, &pair.curve.pieces, &nodes, factor(pair.gap.hi(), stiffness, length), stiffness);
+    error
 }
 
 #[cfg(test)]

@@ -28,11 +28,10 @@
 mod cells;
 mod clearance;
 mod contact_load;
+mod contact_node;
 mod curve;
 mod error;
 mod ground;
-mod inner;
-mod joints;
 mod largest;
 mod load;
 mod lumped;
@@ -56,10 +55,12 @@ pub use record::Certificate;
 pub use stiffness::stiffness;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
-use self::inner::Inner;
-use self::record::Proven;
+use self::contact_node::EnclosedScene;
+use self::ground::Ground;
+use self::load::Pieces;
+use self::proof::Pair;
 use self::statics::{Carried, deflection};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Foundation, Scale, Scene, SceneError};
 use crate::state::{Contact, Nodes};
 
 /// Share of its largest value to which a deflection has to be certain to be accepted from somebody who says nothing of a
@@ -84,24 +85,36 @@ pub enum Judged<'a> {
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
+    /// Where there is no foundation it is out of reach.
+    const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
     let scaled = scene.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let tidied = scene.foundation().and_then(tidied::tidied);
-    let inner = Inner::of(scene, tidied.as_ref().or(scene.foundation()));
-    let (stiffness, length) = (inner.stiffness, inner.length);
-    let pair = inner.pair(witness, scale);
-    let error = pair.as_ref().map(|pair| {
-        let (curve, gap) = (&pair.curve, pair.gap.hi());
-        match judged {
-            Judged::Nodes(nodes) => error::of_nodes(curve, nodes, scale, gap, stiffness, length),
-            Judged::Forces(forces) => {
-                let carried = Carried::of(&forces.scaled(scale).pressing, &inner.load, stiffness, length);
-                let caused = carried.cells.iter().map(|c| (c.0, deflection(c, &inner.load, stiffness)));
-                error::deflection(curve, caused, gap, stiffness, length)
-            }
-            Judged::Witness => error::of_witness(pair, stiffness, length),
+    let foundation = tidied.as_ref().or(scene.foundation()).unwrap_or(&NONE);
+    let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
+    let load = Pieces::of(scene);
+    let enclosed = EnclosedScene { ground: Ground::on(foundation, length), load: &load, stiffness, length };
+    let Some(pair) = pair(&enclosed, witness, scale) else { return Ok(Certificate::UNKNOWN) };
+    let error = match judged {
+        Judged::Nodes(nodes) => error::of_nodes(&pair, nodes, scale, stiffness, length),
+        Judged::Forces(forces) => {
+            let carried = Carried::of(&forces.scaled(scale).pressing, &load, stiffness, length);
+            let caused = carried.cells.iter().map(|c| (c.0, deflection(c, &load, stiffness)));
+            error::of_pieces(&pair, caused, stiffness, length)
         }
-    });
-    let error = error.unwrap_or(error::Error::UNKNOWN);
-    Ok(Proven { pair: pair.as_ref(), error }.certificate(&inner, scene, scale))
+        Judged::Witness => error::of_witness(&pair, stiffness, length),
+    };
+    Ok(Certificate::new(&enclosed, scene.load(), scale, &pair, error))
+}
+
+/// The pair that a list of contacts proves, or that of a beam that touches nowhere if that is better: whatever the list, there
+/// is a bound.
+fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
+    let of = |contacts: &[Contact]| proof::pair(enclosed, &witness::nodes(enclosed, contacts, scale));
+    let pair = of(contacts);
+    if pair.as_ref().is_some_and(|pair| record::is_sharp(enclosed, pair)) {
+        return pair;
+    }
+    let none = of(&[]).map(|none| Pair { lifted: f64::INFINITY, ..none });
+    pair.into_iter().chain(none).min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()))
 }

@@ -1,8 +1,8 @@
 //! From a gap to reactions.
 
+use super::contact_node::EnclosedScene;
 use super::curve::Curve;
 use super::error::factor;
-use super::ground::Ground;
 use super::polynomial::number;
 use super::proof::Pair;
 use crate::certificate::interval::Interval;
@@ -15,33 +15,25 @@ use crate::certificate::interval::Interval;
 /// ```text
 /// ½ ∫₀^c (κ x)²/EI dx ≤ gap:     |M'(0) − M*'(0)| = |κ| ≤ √( 6 EI gap / c³ )
 /// ```
-pub(super) fn reactions(
-    pair: Option<&Pair>,
-    ground: Option<&Ground<'_>>,
-    stiffness: f64,
-    length: f64,
-) -> [Option<Interval>; 2] {
-    let Some(pair) = pair else { return [None, None] };
+pub(super) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
     let gap = pair.gap.hi();
-    let share = factor(gap, stiffness, length).hi();
+    let share = factor(gap, enclosed.stiffness, enclosed.length).hi();
     [true, false].map(|left| {
-        let clear = match ground {
-            None => length,
-            Some(ground) => clear_from(&pair.curve, ground, share, length, left),
-        };
+        let clear = clear_from(enclosed, &pair.curve, share, left);
         if clear <= 0.0 {
             return None;
         }
         let c = Interval::exact(clear);
-        let turn = (number(6) * Interval::exact(stiffness) * Interval::exact(gap) / (c * c * c)).sqrt();
+        let turn = (number(6) * Interval::exact(enclosed.stiffness) * Interval::exact(gap) / (c * c * c)).sqrt();
         Some(pair.reactions[usize::from(!left)] + Interval::around_zero(turn.hi()))
     })
 }
 
 /// How far from a support the clearance is proven to be larger than `share · x (l − x)`.
-fn clear_from(curve: &Curve, ground: &Ground<'_>, share: f64, length: f64, left: bool) -> f64 {
+fn clear_from(enclosed: &EnclosedScene<'_>, curve: &Curve, share: f64, left: bool) -> f64 {
     /// Parts of a piece; only how far the proof reaches depends on it.
     const PARTS: u32 = 16;
+    let &EnclosedScene { ground, length, .. } = enclosed;
     let mut reached = 0.0;
     let mut pieces: Vec<_> = curve.pieces.iter().collect();
     if !left {
@@ -77,8 +69,10 @@ fn clear_from(curve: &Curve, ground: &Ground<'_>, share: f64, length: f64, left:
 mod tests {
     use super::*;
     use crate::certificate::bounds::curve::Piece;
+    use crate::certificate::bounds::ground::Ground;
+    use crate::certificate::bounds::load::Pieces;
     use crate::certificate::bounds::polynomial::Polynomial;
-    use crate::scene::Foundation;
+    use crate::scene::{Beam, Foundation, Load, Scene};
 
     const LENGTH: f64 = 20.0;
     const STIFFNESS: f64 = 70.0;
@@ -109,29 +103,32 @@ mod tests {
             reactions: [3.0, 4.0].map(Interval::exact),
             lifted: 0.0,
         };
-        let check = |pair: &Pair, ground: Option<&Ground<'_>>, clear: [f64; 2]| {
-            for ((bracket, middle), c) in
-                reactions(Some(pair), ground, STIFFNESS, LENGTH).iter().zip([3.0, 4.0]).zip(clear)
-            {
+        let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+        let load = Load::uniform_on(&beam, 1.0).expect("finite");
+        let pieces = Pieces::of(&Scene::new(beam, load, None).expect("well posed"));
+        let over = |pair: &Pair, depth: f64| {
+            let flat = Foundation::Flat { depth };
+            let ground = Ground::on(&flat, LENGTH);
+            reactions(&EnclosedScene { ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH }, pair)
+        };
+        let check = |pair: &Pair, depth: f64, clear: [f64; 2]| {
+            for ((bracket, middle), c) in over(pair, depth).iter().zip([3.0, 4.0]).zip(clear) {
                 let turn = (6.0 * STIFFNESS * gap / (c * c * c)).sqrt();
                 let bracket = bracket.expect("the beam is clear of the ground beside both supports");
                 sharp(bracket.hi(), middle + turn);
                 sharp(middle - bracket.lo(), turn);
             }
         };
-        check(&pair, None, [LENGTH, LENGTH]);
+        check(&pair, f64::INFINITY, [LENGTH, LENGTH]);
         // Sixteen parts a piece; in each the least clearance has to be more than SHARE times its far end times the length.
-        let flat = Foundation::Flat { depth: 0.4 };
-        let ground = Ground::on(&flat, LENGTH);
-        check(&pair, Some(&ground), [9.0 * 7.0 / 16.0, 5.0 * 13.0 / 16.0]);
+        check(&pair, 0.4, [9.0 * 7.0 / 16.0, 5.0 * 13.0 / 16.0]);
 
         let mut lying = pair;
         lying.curve.pieces[0].follows = true;
-        let [left, right] = reactions(Some(&lying), Some(&ground), STIFFNESS, LENGTH);
+        let [left, right] = over(&lying, 0.4);
         assert!(
             left.is_none() && right.is_some(),
             "where the beam lies on the ground beside a support, nothing is known"
         );
-        assert!(reactions(None, Some(&ground), STIFFNESS, LENGTH).iter().all(Option::is_none));
     }
 }

@@ -9,8 +9,8 @@
 //!
 //! a linear system with three diagonals. Nothing that is proven rests on its solution: a slope that is off costs sharpness.
 
+use super::contact_node::{ContactNode, EnclosedScene, Kind};
 use super::ground::Ground;
-use super::joints::{Joint, Kind, Setting};
 use super::span::Span;
 
 /// A slope that is off by less, as a share, is off by rounding.
@@ -19,37 +19,37 @@ const ROUNDING: f64 = 1e-12;
 const INSIDE: f64 = 1e-14;
 
 /// The slopes for given places, within what the foundation allows.
-pub(super) fn find(setting: &Setting<'_>, joints: &mut [Joint]) {
+pub(super) fn find(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     // Of places that are not in order, or are none, nothing is asked.
-    if !joints.is_sorted_by(|a, b| a.x < b.x) {
+    if !nodes.is_sorted_by(|a, b| a.x < b.x) {
         return;
     }
-    balance(setting, joints);
+    balance(enclosed, nodes);
     // Each of the two may hold, let go because of the other, and hold again.
     for _ in 0..3 {
-        if !at_supports(setting, joints) {
+        if !at_supports(enclosed, nodes) {
             break;
         }
-        balance(setting, joints);
+        balance(enclosed, nodes);
     }
-    at_corners(setting, joints);
+    at_corners(enclosed, nodes);
 }
 
-fn balance(setting: &Setting<'_>, joints: &mut [Joint]) {
+fn balance(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     // The second step is for rounding.
     for _ in 0..2 {
-        let Some(changes) = changes(setting, joints) else { return };
-        joints.iter_mut().zip(changes).for_each(|(joint, change)| joint.slope += change);
+        let Some(changes) = changes(enclosed, nodes) else { return };
+        nodes.iter_mut().zip(changes).for_each(|(node, change)| node.slope += change);
     }
 }
 
 /// By how much the slopes have to change for the moments to be balanced, zero where the foundation gives the slope.
-fn changes(setting: &Setting<'_>, joints: &[Joint]) -> Option<Vec<f64>> {
+fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f64>> {
     // Rows `[below, diagonal, above, right side]`.
     let mut rows: Vec<[f64; 4]> =
-        joints.iter().map(|j| [0.0, f64::from(u8::from(!j.kind.is_hinge())), 0.0, 0.0]).collect();
-    for (i, pair) in joints.windows(2).enumerate() {
-        let Some(span) = setting.span(&pair[0], &pair[1]) else { continue };
+        nodes.iter().map(|j| [0.0, f64::from(u8::from(!j.kind.is_hinge())), 0.0, 0.0]).collect();
+    for (i, pair) in nodes.windows(2).enumerate() {
+        let Some(span) = enclosed.span(&pair[0], &pair[1]) else { continue };
         let length = span.length();
         if pair[0].kind.is_hinge() {
             rows[i][1] += 4.0 / length;
@@ -82,33 +82,33 @@ fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
 }
 
 /// Turns slopes at corners into the range that the foundation allows.
-fn at_corners(setting: &Setting<'_>, joints: &mut [Joint]) {
-    for joint in joints.iter_mut().filter(|j| j.kind == Kind::Corner) {
-        let [before, after] = setting.ground.slopes(joint.x);
-        let margin = |bound: f64| INSIDE * (bound.abs() + joint.slope.abs());
+fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
+    for node in nodes.iter_mut().filter(|j| j.kind == Kind::Corner) {
+        let [before, after] = enclosed.ground.slopes(node.x);
+        let margin = |bound: f64| INSIDE * (bound.abs() + node.slope.abs());
         let least = before.map_or(f64::NEG_INFINITY, |b| b + margin(b));
         let most = after.map_or(f64::INFINITY, |a| a - margin(a));
-        joint.slope = if least <= most { joint.slope.max(least).min(most) } else { 0.5 * (least + most) };
+        node.slope = if least <= most { node.slope.max(least).min(most) } else { 0.5 * (least + most) };
     }
 }
 
 /// A support that the foundation is level with holds a beam that would be steeper than the foundation, and lets go of one
 /// that it would have to pull. True if one of them does.
-fn at_supports(setting: &Setting<'_>, joints: &mut [Joint]) -> bool {
+fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool {
     let mut changed = false;
-    let last = joints.len() - 1;
+    let last = nodes.len() - 1;
     for (i, sign) in [(0, 1.0), (last, -1.0)] {
-        let Joint { kind, x, slope } = joints[i];
-        let level = setting.ground.depth(x).magnitude() <= 0.0
-            && setting.ground.side(x, i == last).is_none_or(|u| u.abs() <= 0.0);
-        let ground = setting.ground.jet(x, i == last)[1].middle();
+        let ContactNode { kind, x, slope } = nodes[i];
+        let level = enclosed.ground.depth(x).magnitude() <= 0.0
+            && enclosed.ground.side(x, i == last).is_none_or(|u| u.abs() <= 0.0);
+        let ground = enclosed.ground.jet(x, i == last)[1].middle();
         match kind {
             Kind::Support if level && ROUNDING * (slope.abs() + ground.abs()) < sign * (slope - ground) => {
-                joints[i].kind = Kind::Clamp;
+                nodes[i].kind = Kind::Clamp;
                 changed = true;
             }
-            Kind::Clamp if curvature(setting, joints, i) < 0.0 => {
-                joints[i] = Joint::new(Kind::Support, x);
+            Kind::Clamp if curvature(enclosed, nodes, i) < 0.0 => {
+                nodes[i] = ContactNode::new(Kind::Support, x);
                 changed = true;
             }
             _ => {}
@@ -118,8 +118,8 @@ fn at_supports(setting: &Setting<'_>, joints: &mut [Joint]) -> bool {
 }
 
 /// `v''` of the beam at one of its ends.
-fn curvature(setting: &Setting<'_>, joints: &[Joint], end: usize) -> f64 {
-    let span = |a: usize| setting.span(&joints[a], &joints[a + 1]);
+fn curvature(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], end: usize) -> f64 {
+    let span = |a: usize| enclosed.span(&nodes[a], &nodes[a + 1]);
     let of = |span: Option<Span>, jet: fn(&Span) -> f64| span.as_ref().map_or(0.0, jet);
     if end == 0 { of(span(0), |s| s.start[2].middle()) } else { of(span(end - 1), |s| s.end[2].middle()) }
 }

@@ -1,4 +1,4 @@
-//! A part of the beam that hangs free between two joints: the exact beam under the true load, given deflection and slope
+//! A part of the beam that hangs free between two nodes: the exact beam under the true load, given deflection and slope
 //! at both ends.
 //!
 //! ```text

@@ -1,8 +1,8 @@
 //! What a witness says, as contact nodes. Nothing is added to its contacts but the supports, and no place is moved: what is
 //! wrong stays wrong, and is paid for in [`super::proof`].
 
+use super::contact_node::{ContactNode, EnclosedScene, Kind};
 use super::ground::Ground;
-use super::joints::{Joint, Kind, Setting};
 use super::slopes;
 use crate::scene::Scale;
 use crate::state::Contact;
@@ -10,30 +10,30 @@ use crate::state::Contact;
 /// The contact nodes of a list of contacts in the units of the scene, in its order, with the slopes that follow from their
 /// places. A contact at a single place is a corner of the foundation if there is one, and otherwise a point of tangency.
 #[expect(clippy::float_cmp, reason = "a contact from a place to the same place is a point")]
-pub(super) fn joints(setting: &Setting<'_>, contacts: &[Contact], scale: &Scale) -> Vec<Joint> {
-    let length = setting.length;
-    let mut joints: Vec<Joint> = Vec::with_capacity(2 * contacts.len() + 2);
+pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Vec<ContactNode> {
+    let length = enclosed.length;
+    let mut nodes: Vec<ContactNode> = Vec::with_capacity(2 * contacts.len() + 2);
     for contact in contacts {
         let [from, to] = [contact.from / scale.length, contact.to / scale.length];
         if from != to {
-            joints.extend([Joint::new(Kind::Start, from), Joint::new(Kind::End, to)]);
+            nodes.extend([ContactNode::new(Kind::Start, from), ContactNode::new(Kind::End, to)]);
         } else if from == 0.0 || from == length {
             // A point at a support says nothing that the support does not say.
-        } else if setting.ground.corners(from.next_down(), from.next_up()).is_empty() {
-            joints.push(Joint::new(Kind::Touch, from));
+        } else if enclosed.ground.corners(from.next_down(), from.next_up()).is_empty() {
+            nodes.push(ContactNode::new(Kind::Touch, from));
         } else {
-            joints.push(Joint::new(Kind::Corner, from));
+            nodes.push(ContactNode::new(Kind::Corner, from));
         }
     }
     // A zone that begins or ends at a support takes its place.
-    if joints.first().is_none_or(|joint| joint.x != 0.0) {
-        joints.insert(0, Joint::new(Kind::Support, 0.0));
+    if nodes.first().is_none_or(|node| node.x != 0.0) {
+        nodes.insert(0, ContactNode::new(Kind::Support, 0.0));
     }
-    if joints.last().is_none_or(|joint| joint.x != length) {
-        joints.push(Joint::new(Kind::Support, length));
+    if nodes.last().is_none_or(|node| node.x != length) {
+        nodes.push(ContactNode::new(Kind::Support, length));
     }
-    slopes::find(setting, &mut joints);
-    joints
+    slopes::find(enclosed, &mut nodes);
+    nodes
 }
 
 impl Ground<'_> {
@@ -70,7 +70,7 @@ mod tests {
         let pieces = Pieces::of(scene);
         let ground = Ground::of(scene).expect("there is a foundation");
         let stiffness = scene.beam().bending_stiffness();
-        let setting = Setting { ground, load: &pieces, stiffness, length: scene.beam().length() };
+        let enclosed = EnclosedScene { ground, load: &pieces, stiffness, length: scene.beam().length() };
         use Kind::{Corner, End, Start, Support, Touch};
         for (given, kinds) in [
             (&[][..], &[Support, Support][..]),
@@ -84,7 +84,7 @@ mod tests {
         ] {
             let contacts: Vec<Contact> =
                 given.iter().map(|&[from, to]| Contact { from, to, force: 1.0, end_forces: None }).collect();
-            let found = joints(&setting, &contacts, &scale);
+            let found = nodes(&enclosed, &contacts, &scale);
             assert!(found.iter().map(|j| j.kind).eq(kinds.iter().copied()), "{given:?}: {found:?}");
             let inside = found.iter().filter(|j| j.kind != Support).map(|j| (j.x * unit).to_bits());
             let all = given.iter().flat_map(|&[from, to]| {

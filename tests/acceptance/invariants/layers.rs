@@ -76,11 +76,11 @@ const MOVES: [&str; 9] =
 #[test]
 fn the_certificate_moves_no_place() {
     let mut bounds = room("src/certificate/bounds");
-    bounds.retain(|path, text| !path.ends_with("tests.rs") && text.contains("Joint"));
+    bounds.retain(|path, text| !path.ends_with("tests.rs") && text.contains("ContactNode"));
     assert!(bounds.keys().any(|path| path.ends_with("proof.rs")), "contact nodes have moved: {:?}", bounds.keys());
     let found = offenders(&bounds, |line| {
         let code = code(line).trim_start();
-        let support = code.contains("Joint::new(Kind::Support");
+        let support = code.contains("ContactNode::new(Kind::Support");
         MOVES
             .iter()
             .find(|moves| code.contains(**moves) && !support && !code.starts_with("let "))

@@ -1,6 +1,7 @@
 //! What a gap is worth, against beams for which the bound is reached.
 
 use super::*;
+use crate::certificate::bounds::curve::Curve;
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -64,7 +65,8 @@ fn what_is_no_number_is_no_bound() {
 /// Half the deflection is missing: nothing is known of the rest.
 #[test]
 fn what_ends_on_the_way_is_not_judged() {
-    let straight = Curve { pieces: vec![piece([0.0, LENGTH], &[0.0])] };
+    let curve = Curve { pieces: vec![piece([0.0, LENGTH], &[0.0])] };
+    let pair = Pair { curve, gap: Interval::exact(1.0), reactions: [Interval::ZERO; 2], lifted: 0.0 };
     let judged = [([0.0, 10.0], Polynomial::ZERO)];
-    assert!(deflection(&straight, judged.into_iter(), 1.0, STIFFNESS, LENGTH).most.is_infinite());
+    assert!(of_pieces(&pair, judged.into_iter(), STIFFNESS, LENGTH).most.is_infinite());
 }

@@ -1,8 +1,8 @@
-//! The contacts of a witness as a list of joints.
+//! Contact nodes: the contacts of a witness as places in an enclosed scene.
 //!
-//! Between two neighbouring joints the beam either hangs free or lies on the foundation.
+//! Between two neighbouring nodes the beam either hangs free or lies on the foundation.
 //!
-//! | joint | `v` | `v'` | holds for the true places |
+//! | node | `v` | `v'` | holds for the true places |
 //! |---|---|---|---|
 //! | support | 0 | free | `v'' = 0` |
 //! | clamp: a support that the foundation is level with and holds the slope at | 0 | `u'` | |
@@ -35,50 +35,50 @@ impl Kind {
 }
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Joint {
+pub(super) struct ContactNode {
     pub(super) kind: Kind,
     pub(super) x: f64,
     /// Of the beam, at a support or a corner.
     pub(super) slope: f64,
 }
 
-impl Joint {
+impl ContactNode {
     pub(super) fn new(kind: Kind, x: f64) -> Self {
         Self { kind, x, slope: 0.0 }
     }
 }
 
-/// What the joints are asked in.
+/// A dimensionless scene, taken apart: all that is known of it in intervals.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Setting<'a> {
+pub(super) struct EnclosedScene<'a> {
     pub(super) ground: Ground<'a>,
     pub(super) load: &'a Pieces,
     pub(super) stiffness: f64,
     pub(super) length: f64,
 }
 
-impl Setting<'_> {
-    /// `v` and `v'` of the beam at a joint.
-    pub(super) fn end(&self, joint: &Joint) -> [Interval; 2] {
-        match joint.kind {
-            Kind::Support => [Interval::ZERO, Interval::exact(joint.slope)],
-            Kind::Corner => [self.ground.depth(joint.x), Interval::exact(joint.slope)],
-            Kind::Clamp => [Interval::ZERO, self.jet(joint)[1]],
+impl EnclosedScene<'_> {
+    /// `v` and `v'` of the beam at a node.
+    pub(super) fn end(&self, node: &ContactNode) -> [Interval; 2] {
+        match node.kind {
+            Kind::Support => [Interval::ZERO, Interval::exact(node.slope)],
+            Kind::Corner => [self.ground.depth(node.x), Interval::exact(node.slope)],
+            Kind::Clamp => [Interval::ZERO, self.jet(node)[1]],
             Kind::Touch | Kind::Start | Kind::End => {
-                let [u, slope, ..] = self.jet(joint);
+                let [u, slope, ..] = self.jet(node);
                 [u, slope]
             }
         }
     }
 
-    /// The depth and its first three derivatives at a joint, at a point of a polyline on the side on which the beam follows it.
-    pub(super) fn jet(&self, joint: &Joint) -> [Interval; 4] {
-        let from_the_left = joint.kind == Kind::End || (joint.kind == Kind::Clamp && 0.0 < joint.x);
-        self.ground.jet(joint.x, from_the_left)
+    /// The depth and its first three derivatives at a node, at a point of a polyline on the side on which the beam follows it.
+    pub(super) fn jet(&self, node: &ContactNode) -> [Interval; 4] {
+        let from_the_left = node.kind == Kind::End || (node.kind == Kind::Clamp && 0.0 < node.x);
+        self.ground.jet(node.x, from_the_left)
     }
 
-    /// The part between two joints; [`None`] where the beam lies on the foundation.
-    pub(super) fn span(&self, left: &Joint, right: &Joint) -> Option<Span> {
+    /// The part between two nodes; [`None`] where the beam lies on the foundation.
+    pub(super) fn span(&self, left: &ContactNode, right: &ContactNode) -> Option<Span> {
         (left.kind != Kind::Start)
             .then(|| Span::new([left.x, right.x], [self.end(left), self.end(right)], self.load, self.stiffness))
     }
