@@ -25,12 +25,11 @@
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
-mod cells;
 mod clearance;
 mod contact_load;
 mod contact_node;
 mod curve;
-mod error;
+mod distance;
 mod ground;
 mod largest;
 mod load;
@@ -96,13 +95,13 @@ pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result
     let enclosed = EnclosedScene { ground: Ground::on(foundation, length), load: &load, stiffness, length };
     let Some(pair) = pair(&enclosed, witness, scale) else { return Ok(Certificate::UNKNOWN) };
     let error = match judged {
-        Judged::Nodes(nodes) => error::of_nodes(&pair, nodes, scale, stiffness, length),
+        Judged::Nodes(nodes) => distance::of_nodes(&pair, nodes, scale, stiffness, length),
         Judged::Forces(forces) => {
             let carried = Carried::of(&forces.scaled(scale).pressing, &load, stiffness, length);
-            let caused = carried.cells.iter().map(|c| (c.0, deflection(c, &load, stiffness)));
-            error::of_pieces(&pair, caused, stiffness, length)
+            let caused: Vec<_> = carried.cells.iter().map(|c| (c.0, deflection(c, &load, stiffness))).collect();
+            distance::of_pieces(&pair, &caused, stiffness, length)
         }
-        Judged::Witness => error::of_witness(&pair, stiffness, length),
+        Judged::Witness => distance::of_witness(&pair, stiffness, length),
     };
     Ok(Certificate::new(&enclosed, scene.load(), scale, &pair, error))
 }

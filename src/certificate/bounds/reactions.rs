@@ -2,7 +2,7 @@
 
 use super::contact_node::EnclosedScene;
 use super::curve::Curve;
-use super::error::factor;
+use super::distance::factor;
 use super::polynomial::number;
 use super::proof::Pair;
 use crate::certificate::interval::Interval;

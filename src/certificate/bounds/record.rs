@@ -2,7 +2,7 @@
 
 use super::contact_node::EnclosedScene;
 use super::curve::Piece;
-use super::error::{self, Error};
+use super::distance::{self, Error};
 use super::proof::Pair;
 use super::reactions::reactions;
 use super::stiffness::stiffness;
@@ -41,7 +41,7 @@ pub(super) fn is_sharp(enclosed: &EnclosedScene<'_>, pair: &Pair) -> bool {
     const SHARP: f64 = 1e-6;
     let width = |p: &Piece| Interval::exact(p.to) - Interval::exact(p.from);
     let size = pair.curve.pieces.iter().fold(0.0, |most: f64, p| most.max(p.v.range(width(p)).magnitude()));
-    error::of_gap(pair.gap.hi(), enclosed.stiffness, enclosed.length) <= SHARP * size
+    distance::of_gap(pair.gap.hi(), enclosed.stiffness, enclosed.length) <= SHARP * size
 }
 
 impl Certificate {
@@ -72,7 +72,7 @@ impl Certificate {
             gap: gap * scale.energy(),
             deflection_error: error.most * scale.depth,
             deflection_error_at: error.at * scale.length,
-            best_deflection_error: error::of_gap(gap, enclosed.stiffness, enclosed.length) * scale.depth,
+            best_deflection_error: distance::of_gap(gap, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,
             reactions: reactions(enclosed, pair).map(|bracket| bracket.map(force)),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
