@@ -70,11 +70,11 @@ fn beside(
             Some(_) => clearance,
             None => clearance.vanishing(order),
         };
-        let shape = Shape { length, order, own: power(node), other: power(other) };
         let [less, more] = [near.min(node.x), near.max(node.x)].map(Interval::exact);
         let distance = if before.is_none() { Interval::ZERO } else { more - less };
-        let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi() };
-        most = most.max(part.lift(&shape, &mut MOST_PARTS.clone())?);
+        let powers = [order, power(node), power(other)];
+        let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi(), length, powers };
+        most = most.max(part.lift(&mut MOST_PARTS.clone())?);
         before = Some((width, clearance));
     }
     Some(most)
@@ -109,50 +109,36 @@ fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) 
     }
 }
 
-/// `φ` over the power `order` of the distance from one of its nodes.
-struct Shape {
-    length: Interval,
-    order: usize,
-    own: usize,
-    other: usize,
-}
-
-impl Shape {
-    /// The least value between two distances from the node.
-    fn least(&self, near: Interval, far: Interval) -> f64 {
-        let per = Interval::exact(1.0) / self.length;
-        let mut product = Interval::exact(1.0);
-        for _ in 0..self.own {
-            product = product * per;
-        }
-        for _ in self.order..self.own {
-            product = product * near;
-        }
-        let rest = (self.length - far) * per;
-        for _ in 0..self.other {
-            product = product * rest;
-        }
-        if rest.lo() <= 0.0 { 0.0 } else { product.lo().max(0.0) }
-    }
-}
-
-/// A part of a cell, with the clearance over a power of the distance.
+/// A part of a cell: the clearance over a power `order` of the distance from a contact node.
+#[derive(Clone, Copy)]
 struct Part {
     clearance: Polynomial,
     width: Interval,
     distance: Interval,
-    /// Width of the cell.
+    /// Width of the cell, and length of the span.
     whole: f64,
+    length: Interval,
+    /// The order, and the powers of `φ` at this node and at the other one.
+    powers: [usize; 3],
 }
 
 impl Part {
-    fn lift(&self, shape: &Shape, parts: &mut usize) -> Option<f64> {
+    /// The least value of `φ` over that power.
+    fn least(&self) -> f64 {
+        let [order, own, other] = self.powers;
+        let per = Interval::exact(1.0) / self.length;
+        let rest = (self.length - (self.distance + self.width)) * per;
+        let power = |base: Interval, times: usize| (0..times).fold(Interval::exact(1.0), |product, _| product * base);
+        let product = power(per, own) * power(self.distance, own - order) * power(rest, other);
+        if rest.lo() <= 0.0 { 0.0 } else { product.lo().max(0.0) }
+    }
+
+    fn lift(&self, parts: &mut usize) -> Option<f64> {
         let lowest = self.clearance.range(self.width).lo();
         if 0.0 <= lowest {
             return Some(0.0);
         }
-        let least = shape.least(self.distance, self.distance + self.width);
-        let enough = (Interval::exact(-lowest) / Interval::exact(least)).hi();
+        let enough = (Interval::exact(-lowest) / Interval::exact(self.least())).hi();
         *parts = parts.saturating_sub(1);
         // Close to a node, and not at it, `φ` may be far smaller at one end of a part than at the other.
         let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
@@ -168,9 +154,9 @@ impl Part {
         }
         // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
         let half = Interval::exact(0.5 * self.width.hi());
-        let first = Self { clearance: self.clearance, width: half, ..*self };
+        let first = Self { width: half, ..*self };
         let second = Self { clearance: self.clearance.shifted(half), distance: self.distance + half, ..first };
-        Some(first.lift(shape, parts)?.max(second.lift(shape, parts)?))
+        Some(first.lift(parts)?.max(second.lift(parts)?))
     }
 }
 

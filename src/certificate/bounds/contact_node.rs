@@ -27,25 +27,12 @@ pub(super) enum Kind {
     End,
 }
 
-impl Kind {
-    /// True where the slope of the beam is not that of the foundation.
-    pub(super) fn is_hinge(self) -> bool {
-        matches!(self, Self::Support | Self::Corner)
-    }
-}
-
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ContactNode {
     pub(super) kind: Kind,
     pub(super) x: f64,
     /// Of the beam, at a support or a corner.
     pub(super) slope: f64,
-}
-
-impl ContactNode {
-    pub(super) fn new(kind: Kind, x: f64) -> Self {
-        Self { kind, x, slope: 0.0 }
-    }
 }
 
 /// A dimensionless scene, taken apart: all that is known of it in intervals.

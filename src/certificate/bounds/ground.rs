@@ -1,14 +1,14 @@
 //! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
 
 use super::polynomial::{Polynomial, TERMS, number};
-use super::taylor::{of_cosine, of_polynomial, of_polynomial_at};
+use super::taylor::{of_cosine, of_polynomial};
 use crate::certificate::interval::Interval;
-use crate::scene::{Foundation, Scene};
+use crate::scene::Foundation;
 
 /// The foundation of a scene, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ground<'a> {
-    foundation: &'a Foundation,
+    pub(super) foundation: &'a Foundation,
     length: f64,
     /// Depths at the supports where they are zero but for rounding; a straight line through them is taken off the
     /// foundation, which makes it level with these supports.
@@ -28,11 +28,6 @@ const CELLS_IN_A_WAVE: f64 = 32.0;
 const CELLS_OF_A_LONG_POLYNOMIAL: f64 = 256.0;
 
 impl<'a> Ground<'a> {
-    /// [`None`] where there is no foundation.
-    pub(super) fn of(scene: &'a Scene) -> Option<Self> {
-        Some(Self::on(scene.foundation()?, scene.beam().length()))
-    }
-
     pub(super) fn on(foundation: &'a Foundation, length: f64) -> Self {
         let given = Self { foundation, length, level: [None; 2] };
         if matches!(foundation, Foundation::Flat { .. } | Foundation::Polyline { .. }) {
@@ -87,39 +82,33 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// `u(from + s)` for `0 ≤ s ≤ to − from`; there is no break between the two places.
-    pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
+    /// `u(origin + s)` between two places without a break between them.
+    fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
         match self.foundation {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
-            Foundation::Polynomial { coefficients } => self.levelled(&of_polynomial(coefficients, from, to), from),
-            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], from), from)
+            Foundation::Polynomial { coefficients } => {
+                self.levelled(&of_polynomial(coefficients, origin, [from, to]), origin)
             }
-            Foundation::Polyline { points } => segment(points, from, from),
+            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
+                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], origin), origin)
+            }
+            Foundation::Polyline { points } => segment(points, from, origin),
         }
+    }
+
+    /// `u(from + s)` for `0 ≤ s ≤ to − from`.
+    pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
+        self.about(from, [from, to])
     }
 
     /// `u(to − s)` for `0 ≤ s ≤ to − from`.
     pub(super) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
-        let taylor = match self.foundation {
-            Foundation::Polynomial { coefficients } => {
-                self.levelled(&of_polynomial_at(coefficients, to, [from, to]), to)
-            }
-            Foundation::Flat { .. } => self.cell(from, to),
-            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], to), to)
-            }
-            Foundation::Polyline { points } => segment(points, from, to),
-        };
-        taylor.mirrored()
+        self.about(to, [from, to]).mirrored()
     }
 
     /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
     pub(super) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
-        let cell = match self.foundation {
-            Foundation::Polyline { points } if from_the_left => segment(points, x.next_down(), x),
-            _ => self.cell(x, x),
-        };
+        let cell = self.about(x, [if from_the_left { x.next_down() } else { x }, x]);
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
         [c(0), c(1), c(2) * number(2), c(3) * number(6)]
     }
@@ -149,7 +138,7 @@ impl<'a> Ground<'a> {
         let Foundation::Polyline { points } = self.foundation else { return true };
         let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
         let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
-        // A search that went astray may ask for places that are not in order.
+        // A wrong witness may ask for places that are not in order.
         let Some(part) = points.get(first..beyond) else { return false };
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
     }
@@ -161,11 +150,6 @@ impl<'a> Ground<'a> {
         let here = &points[first..beyond];
         let point = if from_the_left { here.first() } else { here.last() };
         point.map(|p| p[1])
-    }
-
-    /// The points of a polyline.
-    pub(super) fn points(&self) -> Option<&'a [[f64; 2]]> {
-        if let Foundation::Polyline { points } = self.foundation { Some(points) } else { None }
     }
 }
 

@@ -35,21 +35,11 @@ impl Polynomial {
     }
 
     pub(super) fn minus(&self, other: &Self) -> Self {
-        self.combined(other, |a, b| a - b)
-    }
-
-    fn combined(&self, other: &Self, with: impl Fn(Interval, Interval) -> Interval) -> Self {
-        let mut sum = Self { terms: self.terms.max(other.terms), ..Self::ZERO };
-        for (j, c) in sum.coefficients.iter_mut().enumerate().take(sum.terms) {
-            *c = if self.terms <= j {
-                with(Interval::ZERO, other.coefficients[j])
-            } else if other.terms <= j {
-                self.coefficients[j]
-            } else {
-                with(self.coefficients[j], other.coefficients[j])
-            };
+        let mut difference = Self { terms: self.terms.max(other.terms), ..*self };
+        for (c, other) in difference.coefficients.iter_mut().zip(other.coefficients()) {
+            *c = *c - *other;
         }
-        sum
+        difference
     }
 
     pub(super) fn times(&self, factor: Interval) -> Self {
@@ -68,7 +58,6 @@ impl Polynomial {
 
     /// The same, of which the coefficients below `order` are known to vanish.
     pub(super) fn vanishing(mut self, order: usize) -> Self {
-        let order = order.min(self.terms);
         self.coefficients[..order].fill(Interval::ZERO);
         self
     }

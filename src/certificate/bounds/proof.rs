@@ -98,7 +98,7 @@ pub(super) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     Some(Pair {
         curve: Curve { pieces },
         // Without amends the square would only add rounding.
-        gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { root.square().half().hi() }),
+        gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { (root.square() / number(2)).hi() }),
         reactions: [first[0] + amended, -last[1] + amended],
         lifted,
     })

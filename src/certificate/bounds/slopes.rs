@@ -12,6 +12,7 @@
 use super::contact_node::{ContactNode, EnclosedScene, Kind};
 use super::ground::Ground;
 use super::span::Span;
+use crate::scene::Foundation;
 
 /// A slope that is off by less, as a share, is off by rounding.
 const ROUNDING: f64 = 1e-12;
@@ -124,10 +125,23 @@ fn curvature(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], end: usize) ->
     if end == 0 { of(span(0), |s| s.start[2].middle()) } else { of(span(end - 1), |s| s.end[2].middle()) }
 }
 
+impl Kind {
+    /// True where the slope of the beam is not that of the foundation.
+    fn is_hinge(self) -> bool {
+        matches!(self, Self::Support | Self::Corner)
+    }
+}
+
+impl Span {
+    pub(super) fn length(&self) -> f64 {
+        self.to - self.from
+    }
+}
+
 impl Ground<'_> {
     /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
     pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
-        let Some(points) = self.points() else { return [None, None] };
+        let Foundation::Polyline { points } = self.foundation else { return [None, None] };
         let first = points.partition_point(|p| p[0] < x);
         let beyond = points.partition_point(|p| p[0] <= x);
         let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));

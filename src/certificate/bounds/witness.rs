@@ -4,7 +4,7 @@
 use super::contact_node::{ContactNode, EnclosedScene, Kind};
 use super::ground::Ground;
 use super::slopes;
-use crate::scene::Scale;
+use crate::scene::{Foundation, Scale};
 use crate::state::Contact;
 
 /// The contact nodes of a list of contacts in the units of the scene, in its order, with the slopes that follow from their
@@ -36,11 +36,17 @@ pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &
     nodes
 }
 
+impl ContactNode {
+    pub(super) fn new(kind: Kind, x: f64) -> Self {
+        Self { kind, x, slope: 0.0 }
+    }
+}
+
 impl Ground<'_> {
     /// Places strictly between two others at which the foundation can carry a concentrated force because it has a corner
     /// there that points upwards: the upper edges of steps, and kinks after which it falls more than before.
     pub(super) fn corners(&self, from: f64, to: f64) -> Vec<f64> {
-        let Some(points) = self.points() else { return Vec::new() };
+        let Foundation::Polyline { points } = self.foundation else { return Vec::new() };
         let first = points.partition_point(|p| p[0] <= from).max(1);
         let beyond = points.partition_point(|p| p[0] < to).min(points.len() - 1);
         // Of a step infinite, in the direction in which it goes.
@@ -56,7 +62,7 @@ impl Ground<'_> {
 mod tests {
     use super::*;
     use crate::certificate::bounds::load::Pieces;
-    use crate::scene::{Beam, Foundation, Load, Scene};
+    use crate::scene::{Beam, Load, Scene};
 
     /// Right or wrong, in order or not, contacts stay where they are, and become no others.
     #[test]

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::certificate::bounds::load::Pieces;
-use crate::scene::{Beam, Foundation, Load, Scene};
+use crate::scene::{Beam, Load, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
