@@ -266,3 +266,15 @@ fn on_corners_in_fractions() {
     }
     assert!(10 <= found, "{found} scenes are proven");
 }
+
+/// Of a list that is worse than none the bounds are those of the beam that touches nowhere, and the deflection that the list
+/// makes is not theirs to judge.
+#[test]
+fn a_list_that_is_worse_than_none_is_not_judged() {
+    let scene = uniform(10.0, 4.0, 3.0, Foundation::Flat { depth: 100.0 });
+    let all = [Contact { from: 1.0, to: 9.0, force: 0.0, end_forces: None }];
+    let said = certify(&scene, Judged::Witness, &all).expect("the scene can be scaled");
+    let none = certify(&scene, Judged::Witness, &[]).expect("the scene can be scaled");
+    assert!(none.contacts_proven && none.deflection_error <= 1e-9 * none.deflection, "{none:?}");
+    assert!(said.deflection_error.is_infinite() && said.energy_upper <= none.energy_upper, "{said:?}");
+}

@@ -77,6 +77,21 @@ fn every_term_of_the_bound_is_there() {
     at_least(compare(&pair(vec![piece([0.0, LENGTH], &[])]), unknown, 0.0, 0.0, LENGTH).most, 1.0 + 2.0 * ARROW);
 }
 
+/// What the places of a witness make is off by what it was lifted by, and by what the gap allows; nothing is known of it where
+/// another list is better.
+#[test]
+fn what_a_witness_was_lifted_by_counts() {
+    let own = |gap: f64, lifted: f64| {
+        let pair = Pair { gap: Interval::exact(gap), lifted, ..pair(vec![piece([0.0, LENGTH], &[2.0])]) };
+        of_witness(&pair, STIFFNESS, LENGTH)
+    };
+    at_least(own(0.0, 0.25).most, 0.25);
+    at_least(own(3.0, 0.25).most, 0.25 + of_gap(3.0, STIFFNESS, LENGTH));
+    at_least(own(0.0, 0.0).size, 2.0);
+    assert!(own(0.0, f64::INFINITY).most.is_infinite());
+    assert!(own(f64::INFINITY, 0.0).most.is_infinite());
+}
+
 #[test]
 fn no_number_is_no_bound() {
     for node in [0, 7, 40] {
