@@ -16,7 +16,7 @@
 //! use palkki::route::{Method, Solver, Status};
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
 //! use palkki::verdict::{Demand, Verdict};
-//! use palkki::{Settings, solve, theory};
+//! use palkki::{Settings, Witness, solve, theory};
 //!
 //! // The example of the paper: a beam that would sag a hundred times as far as the ground lies below it.
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
@@ -29,14 +29,16 @@
 //!
 //! // A method of the paper with a solver, on 300 equal intervals, and how far it can be from the truth.
 //! let outcome = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
-//! let verdict = Verdict::of_outcome(&scene, &outcome, &Demand::default());
+//! // The contacts of the exact solution are the witness from which the bounds are proven; any others would do, less sharply.
+//! let witness = Witness::known(&scene, &exact);
+//! let verdict = Verdict::of_outcome(&outcome, &witness, &Demand::default());
 //! let error = outcome.state.deflection.max - exact.state.deflection.max;
 //! assert!(verdict.certificate.is_some_and(|bounds| error.abs() <= bounds.deflection_error));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! A scene file is read by [`scene::file::parse`]; [`dial::dial`] chooses the grid for an error that is demanded;
-//! [`certificate::certify`] judges contact forces from anywhere.
+//! [`certificate::certify`] bounds the error of any deflection, from any list of contacts.
 //!
 //! # Notation
 //!
@@ -60,8 +62,8 @@
 //!
 //! ```text
 //! scene ──► methods ──► problem (32) ──► solvers ──► methods ──► state ──► certificate ──► verdict
-//!   │                                                              ▲
-//!   └──────────────────────────► theory ───────────────────────────┘
+//!   │                                                              ▲             ▲
+//!   └──────────────────────────► theory ───────────────────────────┴─► witness ──┘
 //! ```
 //!
 //! [`solve()`] is the upper way, [`theory::solve`] the lower one. Around them stand the paper's figures and claims
@@ -85,5 +87,7 @@ pub mod theory;
 pub mod trial;
 pub mod verdict;
 pub mod verification;
+mod witness;
 
 pub use solve::{DEFAULT_TOLERANCE, Settings, solve};
+pub use witness::Witness;

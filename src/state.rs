@@ -57,6 +57,14 @@ pub struct Contact {
     pub end_forces: Option<[f64; 2]>,
 }
 
+impl Contact {
+    /// A force at a single place.
+    #[must_use]
+    pub fn at(x: f64, force: f64) -> Self {
+        Self { from: x, to: x, force, end_forces: None }
+    }
+}
+
 /// The greatest and the least value of a quantity along the beam, and where they are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extremes {

@@ -22,7 +22,7 @@ impl Interval {
     /// All numbers.
     pub const WHOLE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
     /// `2π`: the double below it and the one above.
-    const TAU: Self = Self { lo: std::f64::consts::TAU, hi: 6.283_185_307_179_587 };
+    pub(super) const TAU: Self = Self { lo: std::f64::consts::TAU, hi: 6.283_185_307_179_587 };
 
     /// A number, exactly; NaN could be any.
     #[must_use]
@@ -126,26 +126,15 @@ impl Interval {
         let radius = (angle - Self::exact(middle)).magnitude();
         let around = |value: f64| {
             let near = Self::between(value.next_down().next_down(), value.next_up().next_up());
-            (near + Self::around_zero(radius)).within(-1.0, 1.0)
+            (near + Self::around_zero(radius)).meet(Self::around_zero(1.0))
         };
         [around(libm::cos(middle)), around(libm::sin(middle))]
     }
 
-    /// What of it lies between two numbers.
-    fn within(self, lo: f64, hi: f64) -> Self {
-        Self { lo: self.lo.max(lo), hi: self.hi.min(hi) }
-    }
-
-    /// `2π`.
+    /// What lies in both: of two enclosures of one number a better one.
     #[must_use]
-    pub fn turn() -> Self {
-        Self::TAU
-    }
-
-    /// The half of it.
-    #[must_use]
-    pub fn half(self) -> Self {
-        self * Self::exact(0.5)
+    pub fn meet(self, other: Self) -> Self {
+        Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
 }
 
@@ -215,11 +204,5 @@ impl Div for Interval {
         let least = corners[0].min(corners[1]).min(corners[2].min(corners[3]));
         let most = corners[0].max(corners[1]).max(corners[2].max(corners[3]));
         Self::outward(least, most)
-    }
-}
-
-impl From<f64> for Interval {
-    fn from(value: f64) -> Self {
-        Self::exact(value)
     }
 }

@@ -11,6 +11,6 @@ mod seen;
 mod twice;
 mod worst;
 
-pub use bounds::{ACCEPTED_ERROR, Certificate, ContactLoad, Judged, Lumped, certify, certify_contacts};
+pub use bounds::{ACCEPTED_ERROR, Certificate, ContactLoad, Judged, Lumped, certify};
 pub use interval::Interval;
 pub use kkt::{CERTIFIED_RESIDUAL, Kkt};

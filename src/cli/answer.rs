@@ -8,7 +8,7 @@ use palkki::route::{Outcome, Status};
 use palkki::state::{ContactState, Nodes};
 use palkki::theory::{Exact, TheoryError};
 use palkki::verdict::{Demand, Refusal, Verdict};
-use palkki::{Settings, solve};
+use palkki::{Settings, Witness, solve};
 
 use super::exact::exact;
 use super::failure::Failure;
@@ -75,16 +75,17 @@ impl Answer {
                 TheoryError::Scene(error) => input.error(error),
                 error => Failure::NoTheory(error),
             }),
-            Route::Discretised(settings) => Self::discretised(input, &settings),
+            Route::Discretised(settings) => Self::discretised(input, &settings, &Witness::of(&input.scene)),
             Route::Dialled(request) => Self::dialled(input, &request),
         }
     }
 
-    fn discretised(input: &Input, settings: &Settings) -> Result<Self, Failure> {
+    /// The answer of a method on a grid, certified from a witness.
+    pub(super) fn discretised(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let start = Instant::now();
         let outcome = solve(&input.scene, settings).map_err(|error| input.error(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        let verdict = Verdict::of_outcome(&input.scene, &outcome, &Demand::default());
+        let verdict = Verdict::of_outcome(&outcome, witness, &Demand::default());
         Ok(Self::new(settings, outcome, verdict, seconds))
     }
 

@@ -1,9 +1,11 @@
 //! `certify`: how good are contact forces that some program computed?
 
+use palkki::Witness;
 use palkki::certificate::bounds::{Lumped, Violation, violations, violations_at_nodes};
 use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
+use palkki::state::Contact;
 use palkki::verdict::accepts;
 
 use super::arguments::Certify;
@@ -33,9 +35,13 @@ impl Finding {
         let rows = input.forces(forces)?;
         let scene = &input.scene;
         let lumped = Lumped::new(scene, rows.iter().copied());
+        let own: Vec<Contact> =
+            rows.iter().filter(|row| 0.0 < row.1).map(|&(x, force)| Contact::at(x, force)).collect();
+        let witness = Witness::of(scene);
+        let contacts = witness.contacts(rows.len(), &own);
         if arguments.load == LoadArgument::Nodal {
             let lumped = lumped.map_err(|error| Failure::NotLumped { path: forces.clone(), error })?;
-            let certificate = certify(scene, &lumped.load, Judged::Nodes(&lumped.nodes)).map_err(|e| input.error(e))?;
+            let certificate = certify(scene, Judged::Nodes(&lumped.nodes), contacts).map_err(|e| input.error(e))?;
             let violations = violations_at_nodes(&lumped);
             let intervals = Some(lumped.intervals());
             return Ok(Self { load: lumped.load, intervals, perhaps: None, certificate, violations });
@@ -45,7 +51,7 @@ impl Finding {
             let name = forces.display().to_string();
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))
         })?;
-        let certificate = certify(scene, &load, Judged::Caused).map_err(|error| input.error(error))?;
+        let certificate = certify(scene, Judged::Forces(&load), contacts).map_err(|error| input.error(error))?;
         let violations = violations(scene, &load).map_err(|error| input.error(error))?;
         let perhaps = lumped.ok().filter(|_| !accepts(&certificate)).map(|lumped| lumped.intervals());
         Ok(Self { load, intervals: None, perhaps, certificate, violations })

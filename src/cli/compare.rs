@@ -2,7 +2,7 @@
 
 use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
-use palkki::{Settings, verdict::Demand};
+use palkki::{Settings, Witness, verdict::Demand};
 
 use super::answer::{Answer, Route};
 use super::failure::Failure;
@@ -42,11 +42,16 @@ impl Comparison {
     /// Solves the scene by every route. Beam theory comes first, if it has an answer.
     pub(super) fn of(input: &Input, intervals: usize) -> Result<Self, Failure> {
         let exact = Answer::of(input, Route::Exact(Demand::default())).ok();
+        // One witness for all of them.
+        let witness = match exact.as_ref().and_then(|answer| answer.exact.as_deref()) {
+            Some(exact) => Witness::known(&input.scene, exact),
+            None => Witness::of(&input.scene),
+        };
         let mut answers: Vec<(Method, Answer)> = Vec::new();
         for method in Method::ALL {
             for solver in Solver::ALL {
                 let settings = Settings::new(method, solver, intervals);
-                answers.push((method, Answer::of(input, Route::Discretised(settings))?));
+                answers.push((method, Answer::discretised(input, &settings, &witness)?));
             }
         }
         let differences: Vec<_> = answers

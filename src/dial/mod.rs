@@ -14,8 +14,8 @@
 //! tolerance asked       EPS/100, at least DEFAULT_TOLERANCE     of an iterative solver
 //! ```
 //!
-//! If the answer to such a loose question fails the judge, or leaves a pattern of contact that cannot be proven, the
-//! solver is asked more strictly on the same grid before a finer one is tried.
+//! If the answer to such a loose question fails the judge, or if its own contacts have to serve as a witness and cannot be
+//! proven, the solver is asked more strictly on the same grid before a finer one is tried.
 //!
 //! Grids are of equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but neither the
 //! methods nor the judge know them.
@@ -28,6 +28,7 @@ use crate::route::Outcome;
 use crate::scene::{Scene, SceneError};
 use crate::solve::{Settings, solve};
 use crate::verdict::{Refusal, Verdict};
+use crate::witness::Witness;
 
 use self::plan::{Next, Plan};
 
@@ -50,8 +51,8 @@ pub struct Try {
     pub residual: f64,
     /// Guaranteed error of the deflection, over the largest deflection.
     pub error: f64,
-    /// Whether the pattern of contact was proven.
-    pub pattern_proven: bool,
+    /// Whether the contacts of the beam were proven.
+    pub contacts_proven: bool,
     /// Whether the solver says that it succeeded.
     pub claims_success: bool,
     /// Why it is not enough; none if it is.
@@ -121,7 +122,8 @@ pub fn dial(scene: &Scene, request: &Request) -> Result<Dialled, SceneError> {
 /// The search step by step, for a caller who looks at a clock in between.
 #[derive(Debug)]
 pub struct Dial<'a> {
-    scene: &'a Scene,
+    /// One for all grids.
+    witness: Witness<'a>,
     request: Request,
     plan: Plan,
     next: (usize, f64),
@@ -134,7 +136,7 @@ impl<'a> Dial<'a> {
     #[must_use]
     pub fn new(scene: &'a Scene, request: &Request) -> Self {
         let plan = Plan::new(scene, request);
-        Self { scene, request: *request, next: plan.start(), plan, tries: Vec::new(), best: None }
+        Self { witness: Witness::of(scene), request: *request, next: plan.start(), plan, tries: Vec::new(), best: None }
     }
 
     /// What to solve next.
@@ -146,7 +148,7 @@ impl<'a> Dial<'a> {
 
     /// Takes the answer for [`Dial::settings`]; hands back the best one when the search has ended.
     pub fn learn(&mut self, settings: Settings, outcome: Outcome) -> Option<Dialled> {
-        let verdict = Verdict::of_outcome(self.scene, &outcome, &self.request.demand());
+        let verdict = Verdict::of_outcome(&outcome, &self.witness, &self.request.demand());
         self.tries.push(Try {
             intervals: settings.intervals,
             tolerance: settings.tolerance,
@@ -155,7 +157,7 @@ impl<'a> Dial<'a> {
             work: outcome.work,
             residual: outcome.residual,
             error: verdict.error,
-            pattern_proven: verdict.certificate.as_ref().is_some_and(|c| c.pattern_proven),
+            contacts_proven: verdict.certificate.as_ref().is_some_and(|c| c.contacts_proven),
             claims_success: outcome.solver_claims_success,
             refusal: verdict.refusal,
         });

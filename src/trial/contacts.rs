@@ -1,4 +1,5 @@
-//! Faults that are put into the contacts of an exact answer, of which the judge uses the places.
+//! Faults that are put into a list of contacts: of an exact answer that is judged, or of the witness from which the certificate
+//! of another answer is proven. Only places count.
 
 use crate::state::Contact;
 
@@ -33,7 +34,7 @@ fn first(contacts: &mut [Contact], act: impl FnOnce(&mut Contact)) {
 }
 
 /// All of them.
-pub const CONTACT_FAULTS: [ContactFault; 9] = [
+pub const CONTACT_FAULTS: [ContactFault; 14] = [
     ContactFault {
         name: "the first place moved to the right, by a share of the length",
         sized: true,
@@ -63,6 +64,49 @@ pub const CONTACT_FAULTS: [ContactFault; 9] = [
                 point.from = (point.from - size * length).max(0.0);
                 point.to = (point.to + size * length).min(length);
             }
+        },
+    },
+    ContactFault {
+        name: "a zone made shorter at its left end",
+        sized: true,
+        act: |contacts, size, length| {
+            if let Some(zone) = contacts.iter_mut().find(|c| c.from < c.to) {
+                zone.from = (zone.from + size * length).min(zone.to);
+            }
+        },
+    },
+    ContactFault {
+        name: "a contact added beside the first",
+        sized: true,
+        act: |contacts, size, length| {
+            if let Some(first) = contacts.first().copied() {
+                contacts.insert(0, Contact::at((first.from - size * length).max(0.0), first.force));
+            }
+        },
+    },
+    ContactFault {
+        name: "a contact added half way to the first",
+        sized: false,
+        act: |contacts, _, length| {
+            let first = contacts.first().map_or(length, |c| c.from);
+            contacts.insert(0, Contact::at(0.5 * first, 1.0));
+        },
+    },
+    ContactFault {
+        name: "the first two contacts merged",
+        sized: false,
+        act: |contacts, _, _| {
+            if let [first, second, ..] = contacts[..] {
+                contacts.splice(..2, [Contact { to: second.to, ..first }]);
+            }
+        },
+    },
+    ContactFault {
+        name: "zones made points at their ends",
+        sized: false,
+        act: |contacts, _, _| {
+            let ends = |c: &Contact| if c.from < c.to { vec![c.from, c.to] } else { vec![c.from] };
+            *contacts = contacts.iter().flat_map(ends).map(|x| Contact::at(x, 1.0)).collect();
         },
     },
     ContactFault {

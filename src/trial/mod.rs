@@ -1,6 +1,7 @@
 //! The judge on trial: what is certified about an answer, beside the truth.
 //!
-//! The truth is beam theory with free lift-off points, which shares no code with the judge. An answer comes from a route, or
+//! The truth is beam theory with free lift-off points, which shares no code with the judge. It also proposes the witness that
+//! certificates are proven from: so the tests put wrong witnesses beside fractions and closed forms, too. An answer comes from a route, or
 //! from a route and a [`Fault`] that is put into it afterwards. Whatever it is, two things are asked:
 //!
 //! 1. What was guaranteed holds: `|v − v*|` is at most the certified error, `J*` lies between its bounds, the reactions in

@@ -1,6 +1,6 @@
 //! What is certified about an answer, beside beam theory.
 
-use crate::certificate::{Certificate, ContactLoad, Judged, certify, certify_contacts};
+use crate::certificate::{Certificate, Judged, certify};
 use crate::scene::Scene;
 use crate::state::{Contact, Nodes};
 use crate::theory::{self, Exact, TheoryError};
@@ -63,9 +63,16 @@ impl<'a> Truth<'a> {
     /// What is certified about nodal values; [`None`] if it refuses them because they are no numbers.
     #[must_use]
     pub fn nodes(&self, nodes: &Nodes) -> Option<Certified> {
-        let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
-        let load = ContactLoad::new(self.scene.beam().length(), forces).ok()?;
-        let certificate = certify(self.scene, &load, Judged::Nodes(nodes)).ok()?;
+        self.nodes_from(nodes, &self.exact.state.contacts)
+    }
+
+    /// The same, proven from any witness.
+    #[must_use]
+    pub fn nodes_from(&self, nodes: &Nodes, witness: &[Contact]) -> Option<Certified> {
+        if nodes.contact_force.iter().any(|force| !force.is_finite()) {
+            return None;
+        }
+        let certificate = certify(self.scene, Judged::Nodes(nodes), witness).ok()?;
         let error = self.error(nodes, certificate.deflection_error_at);
         Some(self.beside(certificate, error))
     }
@@ -74,7 +81,7 @@ impl<'a> Truth<'a> {
     /// energy and reactions are compared.
     #[must_use]
     pub fn contacts(&self, contacts: &[Contact]) -> Option<Certified> {
-        let certificate = certify_contacts(self.scene, contacts).ok()?;
+        let certificate = certify(self.scene, Judged::Witness, contacts).ok()?;
         Some(self.beside(certificate, 0.0))
     }
 

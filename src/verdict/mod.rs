@@ -19,13 +19,12 @@
 
 mod refusal;
 
-use crate::certificate::{
-    ACCEPTED_ERROR, CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify, certify_contacts,
-};
+use crate::certificate::{ACCEPTED_ERROR, CERTIFIED_RESIDUAL, Certificate, Judged, certify};
 use crate::route::{Outcome, Status};
 use crate::scene::Scene;
 use crate::state::ContactState;
 use crate::theory::Exact;
+use crate::witness::Witness;
 
 pub use self::refusal::Refusal;
 
@@ -78,17 +77,18 @@ pub struct Verdict {
 impl Verdict {
     /// On the answer of a method on a grid.
     #[must_use]
-    pub fn of_outcome(scene: &Scene, outcome: &Outcome, demand: &Demand) -> Self {
+    pub fn of_outcome(outcome: &Outcome, witness: &Witness<'_>, demand: &Demand) -> Self {
         let own = (!within(outcome.residual, demand.residual))
             .then_some(Refusal::Residual { residual: outcome.residual, most: demand.residual });
         let failed = if outcome.solver_claims_success { Status::NotCertified } else { Status::NotConverged };
-        Self::new(certificate(scene, &outcome.state), &outcome.state, own, demand, failed)
+        Self::new(certificate(&outcome.state, witness), &outcome.state, own, demand, failed)
     }
 
-    /// On the answer of beam theory.
+    /// On the answer of beam theory, whose contacts are its own witness.
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
-        let certificate = certificate(scene, &exact.state);
+        let contacts = &exact.state.contacts;
+        let certificate = certify(scene, Judged::Witness, contacts).ok();
         let own = match exact.status {
             Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state)),
             Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
@@ -113,17 +113,17 @@ impl Verdict {
     }
 }
 
-/// Bounds for an answer, in the units of the scene; none if its contact forces are no numbers.
+/// Bounds for an answer, in the units of the scene; none if its contact forces are no numbers. Of a grid the deflection at its
+/// nodes is judged, of beam theory the one that its contacts make, which are their own witness.
 #[must_use]
-pub fn certificate(scene: &Scene, state: &ContactState) -> Option<Certificate> {
-    match &state.nodes {
-        Some(nodes) => {
-            let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
-            let load = ContactLoad::new(scene.beam().length(), forces).ok()?;
-            certify(scene, &load, Judged::Nodes(nodes)).ok()
-        }
-        None => certify_contacts(scene, &state.contacts).ok(),
+pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certificate> {
+    let Some(nodes) = &state.nodes else {
+        return certify(witness.scene(), Judged::Witness, &state.contacts).ok();
+    };
+    if nodes.contact_force.iter().any(|force| !force.is_finite()) {
+        return None;
     }
+    certify(witness.scene(), Judged::Nodes(nodes), witness.contacts(nodes.x.len(), &state.contacts)).ok()
 }
 
 /// Whether forces from somebody who says nothing of a grid are accepted: their certificate is one, and the deflection that they

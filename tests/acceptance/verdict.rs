@@ -3,7 +3,7 @@
 use palkki::paper::example;
 use palkki::route::{Method, Solver, Status};
 use palkki::verdict::{Demand, Refusal, Verdict};
-use palkki::{Settings, solve, theory};
+use palkki::{Settings, Witness, solve, theory};
 
 fn outcome(intervals: usize) -> palkki::route::Outcome {
     let scene = example().expect("the example is well posed");
@@ -11,7 +11,7 @@ fn outcome(intervals: usize) -> palkki::route::Outcome {
 }
 
 fn of_outcome(outcome: &palkki::route::Outcome, demand: &Demand) -> Verdict {
-    Verdict::of_outcome(&example().expect("the example is well posed"), outcome, demand)
+    Verdict::of_outcome(outcome, &Witness::of(&example().expect("the example is well posed")), demand)
 }
 
 #[test]

@@ -1,64 +1,87 @@
 //! How far a span has to be lifted to be clear of the foundation: mostly not at all.
 //!
-//! The span is lifted by `α φ`, which vanishes at its joints and, where the slope is given, with its slope:
+//! The span is lifted by `α φ`, which vanishes at its nodes and, where the slope is given, with its slope:
 //!
 //! ```text
-//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 1 at a support, 2 at all other joints
+//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 1 at a support, 2 at all other nodes
 //! ```
 //!
 //! so that what it costs is of the size of `α`, and not of its root: where the beam is pressed it stays where it is. `α = 0`
 //! proves `v ≤ u`. Where beam and foundation are one curve but for rounding, no arithmetic can tell, and `α` is of the size
 //! of the rounding.
 
-use super::joints::{Joint, Kind, Setting};
+use super::contact_node::{ContactNode, EnclosedScene, Kind};
 use super::polynomial::Polynomial;
 use super::span::Span;
 use crate::certificate::interval::Interval;
 
 /// Parts into which a cell is cut before it is given up.
-const MOST_PARTS: usize = 100;
+const MOST_PARTS: usize = 200;
 /// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
 const SMALLEST_PART: f64 = 1.0 / 8.0;
 
-/// The power of the distance from a joint in `φ`.
-pub(super) fn power(joint: &Joint) -> usize {
-    if joint.kind == Kind::Support { 1 } else { 2 }
+/// The power of the distance from a node in `φ`.
+pub(super) fn power(node: &ContactNode) -> usize {
+    if node.kind == Kind::Support { 1 } else { 2 }
 }
 
 /// `α`, not negative; [`None`] if no lift of this shape is enough.
-pub(super) fn lift(setting: &Setting<'_>, span: &Span, left: &Joint, right: &Joint) -> Option<f64> {
-    let smooth = |j: &Joint| j.kind.is_hinge() || setting.ground.is_smooth_at(j.x);
-    if !smooth(left) || !smooth(right) {
-        return None;
-    }
-    let mut breaks = setting.ground.breaks(span.from, span.to);
-    breaks.push(0.5 * (span.from + span.to));
-    let curve = span.curve(breaks, setting.load, setting.stiffness);
-    let last = curve.len() - 1;
-    let length = Interval::exact(span.to) - Interval::exact(span.from);
-    let mut most = 0.0_f64;
-    for (k, ([from, to], v)) in curve.iter().enumerate() {
-        let (from, to) = (*from, *to);
-        let width = Interval::exact(to) - Interval::exact(from);
-        let (clearance, shape, distance) = if k == last {
-            let v = span.mirrored(from, setting.load, setting.stiffness);
-            let order = order(setting, right, true);
-            let h = setting.ground.mirrored_cell(from, to).minus(&v).divided(order);
-            (h, Shape { length, order, own: power(right), other: power(left) }, Interval::ZERO)
+pub(super) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, left: &ContactNode, right: &ContactNode) -> Option<f64> {
+    let middle = 0.5 * (span.from + span.to);
+    let mut breaks = enclosed.ground.breaks(span.from, span.to);
+    breaks.push(middle);
+    let curve = span.curve(breaks, enclosed.load, enclosed.stiffness);
+    let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
+    // From each node to the middle: the clearance about that end of a cell that is nearer to the node.
+    let from_the_left = curve.iter().take_while(|(cell, _)| cell[0] < middle).map(|(cell, v)| {
+        let [from, to] = *cell;
+        (from, width(*cell), enclosed.ground.cell(from, to).minus(v))
+    });
+    let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
+        let [from, to] = *cell;
+        let v = if span.to <= to {
+            span.mirrored(from, enclosed.load, enclosed.stiffness)
         } else {
-            let order = if k == 0 { order(setting, left, false) } else { 0 };
-            let h = setting.ground.cell(from, to).minus(v).divided(order);
-            let shape = Shape { length, order, own: power(left), other: power(right) };
-            (h, shape, Interval::exact(from) - Interval::exact(span.from))
+            v.shifted(width(*cell)).mirrored()
         };
-        let part = Part { clearance, width, distance, whole: width.hi() };
-        most = most.max(part.lift(&shape, &mut MOST_PARTS.clone())?);
-    }
+        (to, width(*cell), enclosed.ground.mirrored_cell(from, to).minus(&v))
+    });
+    let most = beside(enclosed, span, left, right, from_the_left)?;
+    let most = most.max(beside(enclosed, span, right, left, from_the_right)?);
     most.is_finite().then_some(most)
 }
 
+/// `α` for cells from a node to the middle of its span.
+fn beside(
+    enclosed: &EnclosedScene<'_>,
+    span: &Span,
+    node: &ContactNode,
+    other: &ContactNode,
+    cells: impl Iterator<Item = (f64, Interval, Polynomial)>,
+) -> Option<f64> {
+    let length = Interval::exact(span.to) - Interval::exact(span.from);
+    let mut most = 0.0_f64;
+    let mut before: Option<(Interval, Polynomial)> = None;
+    for (near, width, clearance) in cells {
+        let order = if before.is_none() { order(enclosed, node, span.to <= node.x) } else { 0 };
+        let clearance = match before {
+            // What vanishes at the node is small beside it, also behind the end of a short cell.
+            Some((width, ref before)) if enclosed.ground.is_smooth_at(near) => clearance.continuing(before, width),
+            Some(_) => clearance,
+            None => clearance.vanishing(order),
+        };
+        let [less, more] = [near.min(node.x), near.max(node.x)].map(Interval::exact);
+        let distance = if before.is_none() { Interval::ZERO } else { more - less };
+        let powers = [order, power(node), power(other)];
+        let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi(), length, powers };
+        most = most.max(part.lift(&mut MOST_PARTS.clone())?);
+        before = Some((width, clearance));
+    }
+    Some(most)
+}
+
 /// `φ` about the left end of the span.
-pub(super) fn shape(span: &Span, left: &Joint, right: &Joint) -> Polynomial {
+pub(super) fn shape(span: &Span, left: &ContactNode, right: &ContactNode) -> Polynomial {
     let per = Interval::exact(1.0) / (Interval::exact(span.to) - Interval::exact(span.from));
     let binomial: &[f64] = if power(right) == 1 { &[1.0, -1.0] } else { &[1.0, -2.0, 1.0] };
     let mut factor = per;
@@ -73,66 +96,57 @@ pub(super) fn shape(span: &Span, left: &Joint, right: &Joint) -> Polynomial {
     Polynomial::new(&coefficients)
 }
 
-/// Which power of the distance from a joint is a factor of the clearance beside it.
-fn order(setting: &Setting<'_>, joint: &Joint, from_the_left: bool) -> usize {
+/// Which power of the distance from a node is a factor of the clearance beside it. At a point of a polyline the foundation
+/// may fall away from the beam with another slope, or in a step.
+fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) -> usize {
     let touches =
-        setting.ground.side(joint.x, from_the_left).is_none_or(|u| (u - setting.end(joint)[0].middle()).abs() <= 0.0);
-    match joint.kind {
-        Kind::Support => usize::from(setting.ground.depth(joint.x).magnitude() <= 0.0),
-        Kind::Corner => usize::from(touches),
-        Kind::Clamp | Kind::Touch | Kind::Start | Kind::End => 2,
+        enclosed.ground.side(node.x, from_the_left).is_none_or(|u| (u - enclosed.end(node)[0].middle()).abs() <= 0.0);
+    match node.kind {
+        Kind::Support => usize::from(enclosed.ground.depth(node.x).magnitude() <= 0.0),
+        Kind::Clamp => 2,
+        Kind::Touch | Kind::Start | Kind::End if enclosed.ground.is_smooth_at(node.x) => 2,
+        Kind::Corner | Kind::Touch | Kind::Start | Kind::End => usize::from(touches),
     }
 }
 
-/// `φ` over the power `order` of the distance from one of its joints.
-struct Shape {
-    length: Interval,
-    order: usize,
-    own: usize,
-    other: usize,
-}
-
-impl Shape {
-    /// The least value between two distances from the joint.
-    fn least(&self, near: Interval, far: Interval) -> f64 {
-        let per = Interval::exact(1.0) / self.length;
-        let mut product = Interval::exact(1.0);
-        for _ in 0..self.own {
-            product = product * per;
-        }
-        for _ in self.order..self.own {
-            product = product * near;
-        }
-        let rest = (self.length - far) * per;
-        for _ in 0..self.other {
-            product = product * rest;
-        }
-        if rest.lo() <= 0.0 { 0.0 } else { product.lo().max(0.0) }
-    }
-}
-
-/// A part of a cell, with the clearance over a power of the distance.
+/// A part of a cell: the clearance over a power `order` of the distance from a contact node.
+#[derive(Clone, Copy)]
 struct Part {
     clearance: Polynomial,
     width: Interval,
     distance: Interval,
-    /// Width of the cell.
+    /// Width of the cell, and length of the span.
     whole: f64,
+    length: Interval,
+    /// The order, and the powers of `φ` at this node and at the other one.
+    powers: [usize; 3],
 }
 
 impl Part {
-    fn lift(&self, shape: &Shape, parts: &mut usize) -> Option<f64> {
+    /// The least value of `φ` over that power.
+    fn least(&self) -> f64 {
+        let [order, own, other] = self.powers;
+        let per = Interval::exact(1.0) / self.length;
+        let rest = (self.length - (self.distance + self.width)) * per;
+        let power = |base: Interval, times: usize| (0..times).fold(Interval::exact(1.0), |product, _| product * base);
+        let product = power(per, own) * power(self.distance, own - order) * power(rest, other);
+        if rest.lo() <= 0.0 { 0.0 } else { product.lo().max(0.0) }
+    }
+
+    fn lift(&self, parts: &mut usize) -> Option<f64> {
         let lowest = self.clearance.range(self.width).lo();
         if 0.0 <= lowest {
             return Some(0.0);
         }
-        let least = shape.least(self.distance, self.distance + self.width);
-        let enough = (Interval::exact(-lowest) / Interval::exact(least)).hi();
+        let enough = (Interval::exact(-lowest) / Interval::exact(self.least())).hi();
         *parts = parts.saturating_sub(1);
+        // Close to a node, and not at it, `φ` may be far smaller at one end of a part than at the other.
+        let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
         let is_rounding = -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
         let inside = self.clearance.at(Interval::ZERO).hi() < 0.0 || self.clearance.at(self.width).hi() < 0.0;
         let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
-        if enough.is_finite() && (is_rounding || (inside && is_small) || *parts == 0) {
+        let is_known = is_even && is_small && (is_rounding || inside);
+        if enough.is_finite() && (is_known || *parts == 0) {
             return Some(enough);
         }
         if *parts == 0 {
@@ -140,9 +154,9 @@ impl Part {
         }
         // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
         let half = Interval::exact(0.5 * self.width.hi());
-        let first = Self { clearance: self.clearance, width: half, ..*self };
+        let first = Self { width: half, ..*self };
         let second = Self { clearance: self.clearance.shifted(half), distance: self.distance + half, ..first };
-        Some(first.lift(shape, parts)?.max(second.lift(shape, parts)?))
+        Some(first.lift(parts)?.max(second.lift(parts)?))
     }
 }
 

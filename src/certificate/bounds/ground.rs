@@ -1,14 +1,14 @@
 //! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
 
 use super::polynomial::{Polynomial, TERMS, number};
-use super::taylor::{of_cosine, of_polynomial, of_polynomial_at};
+use super::taylor::{of_cosine, of_polynomial};
 use crate::certificate::interval::Interval;
-use crate::scene::{Foundation, Scene};
+use crate::scene::Foundation;
 
 /// The foundation of a scene, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ground<'a> {
-    foundation: &'a Foundation,
+    pub(super) foundation: &'a Foundation,
     length: f64,
     /// Depths at the supports where they are zero but for rounding; a straight line through them is taken off the
     /// foundation, which makes it level with these supports.
@@ -28,11 +28,6 @@ const CELLS_IN_A_WAVE: f64 = 32.0;
 const CELLS_OF_A_LONG_POLYNOMIAL: f64 = 256.0;
 
 impl<'a> Ground<'a> {
-    /// [`None`] where there is no foundation.
-    pub(super) fn of(scene: &'a Scene) -> Option<Self> {
-        Some(Self::on(scene.foundation()?, scene.beam().length()))
-    }
-
     pub(super) fn on(foundation: &'a Foundation, length: f64) -> Self {
         let given = Self { foundation, length, level: [None; 2] };
         if matches!(foundation, Foundation::Flat { .. } | Foundation::Polyline { .. }) {
@@ -57,7 +52,7 @@ impl<'a> Ground<'a> {
         let mut levelled = taylor.minus(&Polynomial::new(&[a + slope * Interval::exact(x), slope]));
         // What is taken off at a support is its own depth.
         if (left.is_some() && x <= 0.0) || (right.is_some() && self.length <= x) {
-            levelled = levelled.vanishing();
+            levelled = levelled.vanishing(1);
         }
         levelled
     }
@@ -87,54 +82,33 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// `u(from + s)` for `0 ≤ s ≤ to − from`; there is no break between the two places.
-    pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
+    /// `u(origin + s)` between two places without a break between them.
+    fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
         match self.foundation {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
-            Foundation::Polynomial { coefficients } => self.levelled(&of_polynomial(coefficients, from, to), from),
+            Foundation::Polynomial { coefficients } => {
+                self.levelled(&of_polynomial(coefficients, origin, [from, to]), origin)
+            }
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], from), from)
+                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], origin), origin)
             }
-            Foundation::Polyline { points } => {
-                let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
-                let (left, right) = (points[after - 1], points[after]);
-                let slope = (Interval::exact(right[1]) - Interval::exact(left[1]))
-                    / (Interval::exact(right[0]) - Interval::exact(left[0]));
-                let value = Interval::exact(left[1]);
-                let value = if left[0] < from {
-                    value + slope * (Interval::exact(from) - Interval::exact(left[0]))
-                } else {
-                    value
-                };
-                // A level stretch is level without rounding.
-                let level = (right[1] - left[1]).abs() <= 0.0;
-                if level { Polynomial::new(&[Interval::exact(left[1])]) } else { Polynomial::new(&[value, slope]) }
-            }
+            Foundation::Polyline { points } => segment(points, from, origin),
         }
+    }
+
+    /// `u(from + s)` for `0 ≤ s ≤ to − from`.
+    pub(super) fn cell(&self, from: f64, to: f64) -> Polynomial {
+        self.about(from, [from, to])
     }
 
     /// `u(to − s)` for `0 ≤ s ≤ to − from`.
     pub(super) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
-        let taylor = match self.foundation {
-            Foundation::Polynomial { coefficients } => {
-                self.levelled(&of_polynomial_at(coefficients, to, [from, to]), to)
-            }
-            Foundation::Flat { .. } => self.cell(from, to),
-            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], to), to)
-            }
-            Foundation::Polyline { .. } => {
-                let left = self.cell(from, to);
-                left.shifted(Interval::exact(to) - Interval::exact(from))
-            }
-        };
-        let signs = taylor.coefficients().iter().enumerate().map(|(j, &c)| if j % 2 == 1 { -c } else { c });
-        Polynomial::new(&signs.collect::<Vec<_>>())
+        self.about(to, [from, to]).mirrored()
     }
 
-    /// `u, u', u'', u'''` at a place where the foundation is smooth.
-    pub(super) fn jet(&self, x: f64) -> [Interval; 4] {
-        let cell = self.cell(x, x);
+    /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
+    pub(super) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
+        let cell = self.about(x, [if from_the_left { x.next_down() } else { x }, x]);
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
         [c(0), c(1), c(2) * number(2), c(3) * number(6)]
     }
@@ -147,7 +121,7 @@ impl<'a> Ground<'a> {
                 return Interval::exact(depth);
             }
         }
-        self.jet(x)[0]
+        self.jet(x, false)[0]
     }
 
     /// False at the points of a polyline.
@@ -164,32 +138,9 @@ impl<'a> Ground<'a> {
         let Foundation::Polyline { points } = self.foundation else { return true };
         let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
         let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
-        // A search that went astray may ask for places that are not in order.
+        // A wrong witness may ask for places that are not in order.
         let Some(part) = points.get(first..beyond) else { return false };
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
-    }
-
-    /// The points of a polyline on both sides of a place; [`None`] for other foundations.
-    pub(super) fn segment(&self, x: f64) -> Option<[f64; 2]> {
-        let Foundation::Polyline { points } = self.foundation else { return None };
-        let after = points.partition_point(|p| p[0] <= x).clamp(1, points.len() - 1);
-        Some([points[after - 1][0], points[after][0]])
-    }
-
-    /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
-    pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
-        let Foundation::Polyline { points } = self.foundation else { return [None, None] };
-        let first = points.partition_point(|p| p[0] < x);
-        let beyond = points.partition_point(|p| p[0] <= x);
-        let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-        let slope = |at: usize, beside: Option<&[f64; 2]>| {
-            let (at, beside) = (points.get(at)?, beside?);
-            (at[1] <= here).then(|| (beside[1] - at[1]) / (beside[0] - at[0]))
-        };
-        [
-            first.checked_sub(1).and_then(|before| slope(first, points.get(before))),
-            beyond.checked_sub(1).and_then(|last| slope(last, points.get(beyond))),
-        ]
     }
 
     /// The depth just beside a point of a polyline; [`None`] where nothing happens.
@@ -200,20 +151,27 @@ impl<'a> Ground<'a> {
         let point = if from_the_left { here.first() } else { here.last() };
         point.map(|p| p[1])
     }
+}
 
-    /// Places strictly between two others at which the foundation can carry a concentrated force because it has a corner
-    /// there that points upwards: the upper edges of steps, and kinks after which it falls more than before.
-    pub(super) fn corners(&self, from: f64, to: f64) -> Vec<f64> {
-        let Foundation::Polyline { points } = self.foundation else { return Vec::new() };
-        let first = points.partition_point(|p| p[0] <= from).max(1);
-        let beyond = points.partition_point(|p| p[0] < to).min(points.len() - 1);
-        // Of a step infinite, in the direction in which it goes.
-        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-        let corner = |i: usize| slope(points[i - 1], points[i]) < slope(points[i], points[i + 1]);
-        let mut corners: Vec<f64> = (first..beyond.max(first)).filter(|&i| corner(i)).map(|i| points[i][0]).collect();
-        corners.dedup();
-        corners
+/// The segment of a polyline that begins at a place or goes through it, about an origin on it.
+#[expect(clippy::float_cmp, reason = "the depth of a given point is known without rounding, and at no other place")]
+fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
+    let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
+    let [left, right] = [points[after - 1], points[after]];
+    let [[x, u], [end, depth]] = [left, right].map(|p| p.map(Interval::exact));
+    let slope = (depth - u) / (end - x);
+    // What is given is known without rounding: the points, and a level stretch.
+    if (right[1] - left[1]).abs() <= 0.0 {
+        return Polynomial::new(&[u]);
     }
+    let value = if origin == left[0] {
+        u
+    } else if origin == right[0] {
+        depth
+    } else {
+        u + slope * (Interval::exact(origin) - x)
+    };
+    Polynomial::new(&[value, slope])
 }
 
 #[cfg(test)]

@@ -35,25 +35,11 @@ impl Polynomial {
     }
 
     pub(super) fn minus(&self, other: &Self) -> Self {
-        self.combined(other, |a, b| a - b)
-    }
-
-    pub(super) fn plus(&self, other: &Self) -> Self {
-        self.combined(other, |a, b| a + b)
-    }
-
-    fn combined(&self, other: &Self, with: impl Fn(Interval, Interval) -> Interval) -> Self {
-        let mut sum = Self { terms: self.terms.max(other.terms), ..Self::ZERO };
-        for (j, c) in sum.coefficients.iter_mut().enumerate().take(sum.terms) {
-            *c = if self.terms <= j {
-                with(Interval::ZERO, other.coefficients[j])
-            } else if other.terms <= j {
-                self.coefficients[j]
-            } else {
-                with(self.coefficients[j], other.coefficients[j])
-            };
+        let mut difference = Self { terms: self.terms.max(other.terms), ..*self };
+        for (c, other) in difference.coefficients.iter_mut().zip(other.coefficients()) {
+            *c = *c - *other;
         }
-        sum
+        difference
     }
 
     pub(super) fn times(&self, factor: Interval) -> Self {
@@ -70,9 +56,24 @@ impl Polynomial {
         derivative
     }
 
-    /// The same, known to vanish at its origin.
-    pub(super) fn vanishing(mut self) -> Self {
-        self.coefficients[0] = Interval::ZERO;
+    /// The same, of which the coefficients below `order` are known to vanish.
+    pub(super) fn vanishing(mut self, order: usize) -> Self {
+        self.coefficients[..order].fill(Interval::ZERO);
+        self
+    }
+
+    /// The same, known to continue another one on a cell of some width before it: value and slope are those at its end, too.
+    pub(super) fn continuing(mut self, before: &Self, width: Interval) -> Self {
+        let known = [before.at(width), before.derivative().at(width)];
+        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(known) {
+            *c = c.meet(known);
+        }
+        self
+    }
+
+    /// The mirror image at its origin.
+    pub(super) fn mirrored(mut self) -> Self {
+        self.coefficients[..self.terms].iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
         self
     }
 

@@ -1,6 +1,6 @@
 //! What a moment field would have to pull with, and what it costs to cut that off.
 
-use super::joints::Setting;
+use super::contact_node::EnclosedScene;
 use super::load::cells;
 use super::polynomial::{Polynomial, number};
 use crate::certificate::interval::Interval;
@@ -20,8 +20,8 @@ pub(super) struct Cut {
 }
 
 impl Cut {
-    pub(super) fn new(setting: &Setting<'_>) -> Self {
-        let (stiffness, length) = (Interval::exact(setting.stiffness), Interval::exact(setting.length));
+    pub(super) fn new(enclosed: &EnclosedScene<'_>) -> Self {
+        let (stiffness, length) = (Interval::exact(enclosed.stiffness), Interval::exact(enclosed.length));
         Self { moments: Interval::ZERO, shear: Interval::ZERO, stiffness, length }
     }
 
@@ -57,20 +57,18 @@ impl Cut {
 }
 
 /// A zone: whether the beam can lie on the foundation all the way between two places, and what pulls there.
-pub(super) fn zone(setting: &Setting<'_>, from: f64, to: f64, cut: &mut Cut) -> Option<()> {
-    let level = |x: f64| setting.ground.depth(x).magnitude() <= 0.0;
-    let held = (0.0 < from || level(from)) && (to < setting.length || level(to));
-    if !held || !setting.ground.is_smooth_between(from, to) {
+pub(super) fn zone(enclosed: &EnclosedScene<'_>, from: f64, to: f64, cut: &mut Cut) -> Option<()> {
+    if !enclosed.ground.is_smooth_between(from, to) {
         return None;
     }
-    for x in setting.load.breaks(from, to) {
-        cut.force(x, setting.load.point(x).unwrap_or(Interval::ZERO));
+    for x in enclosed.load.breaks(from, to) {
+        cut.force(x, enclosed.load.point(x).unwrap_or(Interval::ZERO));
     }
-    let mut breaks = setting.ground.breaks(from, to);
-    breaks.extend(setting.load.breaks(from, to));
+    let mut breaks = enclosed.ground.breaks(from, to);
+    breaks.extend(enclosed.load.breaks(from, to));
     for [from, to] in cells(from, to, breaks) {
-        let fourth = setting.ground.cell(from, to).derivative().derivative().derivative().derivative();
-        let p = setting.load.cell(from, to).minus(&fourth.times(Interval::exact(setting.stiffness)));
+        let fourth = enclosed.ground.cell(from, to).derivative().derivative().derivative().derivative();
+        let p = enclosed.load.cell(from, to).minus(&fourth.times(Interval::exact(enclosed.stiffness)));
         pulls(&p, Interval::exact(to) - Interval::exact(from), &mut MOST_PARTS.clone(), cut);
     }
     Some(())

@@ -1,7 +1,7 @@
-//! From joints to a proven pair: a deflection `v̂` that is admissible everywhere and a moment field `M` whose contact load
+//! From nodes to a proven pair: a deflection `v̂` that is admissible everywhere and a moment field `M` whose contact load
 //! presses everywhere.
 //!
-//! In contact `v̂ = u` and `M = −EI u''`; in a span `v̂` is the exact beam between its joints and `M` the moment field with
+//! In contact `v̂ = u` and `M = −EI u''`; in a span `v̂` is the exact beam between its nodes and `M` the moment field with
 //! `M'' = −q` and the moments of its two ends. Then `(u − v̂) p = 0` everywhere, `EI v̂'' + M` is linear in each span, `r`
 //! say, and
 //!
@@ -9,7 +9,7 @@
 //! J(v̂) − D(p) = Σ L (r₀² + r₀ r₁ + r₁²) / 6 EI
 //! ```
 //!
-//! To prove are `u − v̂ ≥ 0` in spans, `q − EI u'''' ≥ 0` in zones, and the concentrated forces at the joints,
+//! To prove are `u − v̂ ≥ 0` in spans, `q − EI u'''' ≥ 0` in zones, and the concentrated forces at the nodes,
 //! `M'(x+) − M'(x−) + P ≥ 0` with a point load `P` that stands there.
 //!
 //! Where one of them fails, the pair is amended until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
@@ -23,14 +23,12 @@
 //! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong pattern what it is wrong by.
 
 use super::clearance;
+use super::contact_node::{ContactNode, EnclosedScene, Kind};
 use super::curve::{Curve, Piece};
-use super::hold;
-use super::joints::{Joint, Kind, Setting};
-use super::load::{Pieces, cells};
+use super::load::cells;
 use super::polynomial::number;
 use super::pressing::{self, Cut};
 use super::span::Span;
-use super::statics::{Carried, deflection};
 use crate::certificate::interval::Interval;
 
 /// A proven pair.
@@ -42,56 +40,55 @@ pub(super) struct Pair {
     pub(super) gap: Interval,
     /// `M'` at the two ends: the reactions that belong to `M`, without loads on the supports themselves.
     pub(super) reactions: [Interval; 2],
-    /// At least `‖EI α φ''‖ + ‖M⁻‖`, by which the pair was amended.
-    pub(super) amends: f64,
+    /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
+    pub(super) lifted: f64,
 }
 
-/// The pair of some joints, if there is one.
-pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
-    if !is_complete(setting, joints) {
+/// The pair of some nodes, if there is one.
+pub(super) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Pair> {
+    if !is_complete(enclosed, nodes) {
         return None;
     }
-    let mut joints = joints.to_vec();
-    hold::at_corners(setting, &mut joints);
-    let joints = &joints[..];
-    let stiffness = Interval::exact(setting.stiffness);
-    let spans: Vec<Option<Span>> = joints.windows(2).map(|w| setting.span(&w[0], &w[1])).collect();
-    let moment = |i: usize| moment_at(setting, joints, &spans, i);
+    let stiffness = Interval::exact(enclosed.stiffness);
+    let spans: Vec<Option<Span>> = nodes.windows(2).map(|w| enclosed.span(&w[0], &w[1])).collect();
+    let moment = |i: usize| moment_at(enclosed, nodes, &spans, i);
     let mut gap = Interval::ZERO;
-    let mut lifts = Interval::ZERO;
-    let mut cut = Cut::new(setting);
+    let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
+    let mut cut = Cut::new(enclosed);
     let mut shears = Vec::new();
     let mut pieces = Vec::new();
     for (i, span) in spans.iter().enumerate() {
-        let (left, right) = (&joints[i], &joints[i + 1]);
+        let (left, right) = (&nodes[i], &nodes[i + 1]);
         let Some(span) = span else {
-            pressing::zone(setting, left.x, right.x, &mut cut)?;
-            let third = |x: f64| -(stiffness * setting.ground.jet(x)[3]);
-            shears.push([third(left.x), third(right.x)]);
-            pieces.extend(lying(setting, left.x, right.x));
+            pressing::zone(enclosed, left.x, right.x, &mut cut)?;
+            let third = |node: &ContactNode| -(stiffness * enclosed.jet(node)[3]);
+            shears.push([third(left), third(right)]);
+            pieces.extend(lying(enclosed, left.x, right.x));
             continue;
         };
         let length = Interval::exact(span.to) - Interval::exact(span.from);
         let r = [stiffness * span.start[2] + moment(i), stiffness * span.end[2] + moment(i + 1)];
-        let turn = (r[1] - r[0]) / length;
-        shears.push([turn - stiffness * span.start[3], turn - stiffness * span.end[3]]);
+        // Not from the third derivative, of which rounding is larger by the square of a short span.
+        let shear = (moment(i + 1) - moment(i) + span.loaded[0]) / length;
+        shears.push([shear, shear - span.loaded[1]]);
         gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
-        let mut curve = span.curve(Vec::new(), setting.load, setting.stiffness);
-        let alpha = clearance::lift(setting, span, left, right)?;
+        let mut curve = span.curve(Vec::new(), enclosed.load, enclosed.stiffness);
+        let alpha = clearance::lift(enclosed, span, left, right)?;
         if 0.0 < alpha {
             let lift = clearance::shape(span, left, right).times(Interval::exact(alpha));
             lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
+            lifted = lifted.max(lift.range(length).magnitude());
             for ([from, _], v) in &mut curve {
                 *v = v.minus(&lift.shifted(Interval::exact(*from) - Interval::exact(span.from)));
             }
         }
         pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
     }
-    for i in 1..joints.len() - 1 {
-        let point = setting.load.point(joints[i].x).unwrap_or(Interval::ZERO);
-        cut.force(joints[i].x, shears[i][0] - shears[i - 1][1] + point);
+    for i in 1..nodes.len() - 1 {
+        let point = enclosed.load.point(nodes[i].x).unwrap_or(Interval::ZERO);
+        cut.force(nodes[i].x, shears[i][0] - shears[i - 1][1] + point);
     }
-    for i in [0, joints.len() - 1] {
+    for i in [0, nodes.len() - 1] {
         cut.couple(moment(i));
     }
     let amends = lifts.sqrt() + cut.moments;
@@ -101,30 +98,31 @@ pub(super) fn pair(setting: &Setting<'_>, joints: &[Joint]) -> Option<Pair> {
     Some(Pair {
         curve: Curve { pieces },
         // Without amends the square would only add rounding.
-        gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { root.square().half().hi() }),
+        gap: Interval::between(0.0, if amends.is_zero() { gap.hi() } else { (root.square() / number(2)).hi() }),
         reactions: [first[0] + amended, -last[1] + amended],
-        amends: amends.hi(),
+        lifted,
     })
 }
 
-/// Whether joints are in order, reach from support to support and end every zone that they start. A search for a pattern may
-/// come to something else, of which nothing follows.
-fn is_complete(setting: &Setting<'_>, joints: &[Joint]) -> bool {
-    let [first, .., last] = joints else { return false };
-    let in_order = joints.windows(2).all(|w| w[0].x < w[1].x);
-    let zones_end = joints.windows(2).all(|w| (w[0].kind == Kind::Start) <= (w[1].kind == Kind::End));
+/// Whether nodes are in order, reach from support to support and end every zone that they start. Of anything else nothing
+/// follows.
+fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
+    let [first, .., last] = nodes else { return false };
+    let in_order = nodes.windows(2).all(|w| w[0].x < w[1].x);
+    let zones_end = nodes.windows(2).all(|w| (w[0].kind == Kind::Start) <= (w[1].kind == Kind::End));
     let from_the_left = first.x.abs() <= 0.0 && matches!(first.kind, Kind::Support | Kind::Clamp | Kind::Start);
-    let to_the_right = setting.length <= last.x && matches!(last.kind, Kind::Support | Kind::Clamp | Kind::End);
-    let held = [first, last].iter().all(|j| j.kind == Kind::Support || setting.ground.depth(j.x).magnitude() <= 0.0);
-    let inside = joints[1..joints.len() - 1].iter().all(|j| !matches!(j.kind, Kind::Support | Kind::Clamp));
-    in_order && zones_end && from_the_left && to_the_right && last.x <= setting.length && inside && held
+    let to_the_right = enclosed.length <= last.x && matches!(last.kind, Kind::Support | Kind::Clamp | Kind::End);
+    // A beam that follows the foundation to a support is held there only if the foundation is, on that side of a step.
+    let held = [first, last].iter().all(|j| j.kind == Kind::Support || enclosed.jet(j)[0].magnitude() <= 0.0);
+    let inside = nodes[1..nodes.len() - 1].iter().all(|j| !matches!(j.kind, Kind::Support | Kind::Clamp));
+    in_order && zones_end && from_the_left && to_the_right && last.x <= enclosed.length && inside && held
 }
 
 /// The foundation between two places, as pieces.
-fn lying(setting: &Setting<'_>, from: f64, to: f64) -> impl Iterator<Item = Piece> {
-    let mut breaks = setting.ground.breaks(from, to);
-    breaks.extend(setting.load.breaks(from, to));
-    let ground = setting.ground;
+fn lying(enclosed: &EnclosedScene<'_>, from: f64, to: f64) -> impl Iterator<Item = Piece> {
+    let mut breaks = enclosed.ground.breaks(from, to);
+    breaks.extend(enclosed.load.breaks(from, to));
+    let ground = enclosed.ground;
     cells(from, to, breaks).into_iter().map(move |[from, to]| Piece {
         from,
         to,
@@ -133,52 +131,22 @@ fn lying(setting: &Setting<'_>, from: f64, to: f64) -> impl Iterator<Item = Piec
     })
 }
 
-/// `M` at a joint. Where only continuity is asked for, a number between the moments of the two spans.
-fn moment_at(setting: &Setting<'_>, joints: &[Joint], spans: &[Option<Span>], i: usize) -> Interval {
-    match joints[i].kind {
+/// `M` at a node. Where only continuity is asked for, a number between the moments of the two spans.
+fn moment_at(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], spans: &[Option<Span>], i: usize) -> Interval {
+    match nodes[i].kind {
         Kind::Support => Interval::ZERO,
         Kind::Clamp => {
             let span =
                 if i == 0 { spans[0].as_ref().map(|s| s.start[2]) } else { spans[i - 1].as_ref().map(|s| s.end[2]) };
-            -(Interval::exact(setting.stiffness) * span.unwrap_or(Interval::ZERO))
+            -(Interval::exact(enclosed.stiffness) * span.unwrap_or(Interval::ZERO))
         }
-        Kind::Start | Kind::End => -(Interval::exact(setting.stiffness) * setting.ground.jet(joints[i].x)[2]),
+        Kind::Start | Kind::End => -(Interval::exact(enclosed.stiffness) * enclosed.jet(&nodes[i])[2]),
         Kind::Corner | Kind::Touch => {
             let left = i.checked_sub(1).and_then(|k| spans[k].as_ref()).map_or(0.0, |s| s.end[2].middle());
             let right = spans.get(i).and_then(Option::as_ref).map_or(0.0, |s| s.start[2].middle());
-            Interval::exact(-0.5 * setting.stiffness * (left + right))
+            Interval::exact(-0.5 * enclosed.stiffness * (left + right))
         }
     }
-}
-
-/// The pair of a beam that hangs free: where there is no foundation.
-pub(super) fn free(load: &Pieces, stiffness: f64, length: f64) -> Pair {
-    let carried = Carried::of(&[], load, stiffness, length);
-    let pieces = carried.cells.iter().map(|cell| {
-        let [from, to] = cell.0;
-        Piece { from, to, v: deflection(cell, load, stiffness), follows: false }
-    });
-    Pair { curve: Curve { pieces: pieces.collect() }, gap: Interval::ZERO, reactions: carried.reactions, amends: 0.0 }
-}
-
-/// The deflection of joints that are not proven.
-pub(super) fn drawn(setting: &Setting<'_>, joints: &[Joint]) -> Option<Curve> {
-    if !is_complete(setting, joints) {
-        return None;
-    }
-    let mut pieces = Vec::new();
-    for pair in joints.windows(2) {
-        let Some(span) = setting.span(&pair[0], &pair[1]) else {
-            if !setting.ground.is_smooth_between(pair[0].x, pair[1].x) {
-                return None;
-            }
-            pieces.extend(lying(setting, pair[0].x, pair[1].x));
-            continue;
-        };
-        let curve = span.curve(Vec::new(), setting.load, setting.stiffness);
-        pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
-    }
-    Some(Curve { pieces })
 }
 
 #[cfg(test)]

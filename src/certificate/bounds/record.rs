@@ -1,11 +1,13 @@
 //! What was proven, as a certificate in the units of the scene.
 
-use super::error::{self, Error};
-use super::inner::Inner;
+use super::contact_node::EnclosedScene;
+use super::curve::Piece;
+use super::distance::{self, Error};
 use super::proof::Pair;
+use super::reactions::reactions;
 use super::stiffness::stiffness;
 use crate::certificate::interval::Interval;
-use crate::scene::{Scale, Scene};
+use crate::scene::{Load, Scale};
 
 /// Bounds that hold for the continuous beam, in the units of the scene. Infinite where nothing could be shown.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,43 +31,52 @@ pub struct Certificate {
     pub reactions: [Option<[f64; 2]>; 2],
     /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
     pub stiffness: Option<[f64; 2]>,
-    /// True if the pattern of contact was proven; otherwise the bounds are coarse.
-    pub pattern_proven: bool,
+    /// True if the true deflection is known to a millionth of its largest value: the contacts of the witness are those of the
+    /// beam, but for what cannot be felt. Otherwise the bounds are coarse.
+    pub contacts_proven: bool,
 }
 
-/// The parts of a certificate, dimensionless.
-pub(super) struct Proven<'a> {
-    /// `J` of the admissible deflection.
-    pub(super) energy: Interval,
-    /// That of the deflection that is judged, and the smallest of all that were found.
-    pub(super) gap: Interval,
-    pub(super) sharpest: f64,
-    /// Of the deflection that is judged.
-    pub(super) error: Error,
-    /// The pattern of contact, if it led to a pair.
-    pub(super) pair: Option<&'a Pair>,
+/// Whether a pair bounds the deflection to a millionth of its largest value.
+pub(super) fn is_sharp(enclosed: &EnclosedScene<'_>, pair: &Pair) -> bool {
+    const SHARP: f64 = 1e-6;
+    let width = |p: &Piece| Interval::exact(p.to) - Interval::exact(p.from);
+    let size = pair.curve.pieces.iter().fold(0.0, |most: f64, p| most.max(p.v.range(width(p)).magnitude()));
+    distance::of_gap(pair.gap.hi(), enclosed.stiffness, enclosed.length) <= SHARP * size
 }
 
-impl Proven<'_> {
-    /// All factors are powers of two: only exponents change.
-    pub(super) fn certificate(&self, inner: &Inner<'_>, scene: &Scene, scale: &Scale) -> Certificate {
-        let Self { energy, gap, sharpest, ref error, pair } = *self;
-        let lower = (Interval::exact(energy.lo()) - Interval::exact(gap.hi())).lo();
-        let energies = [lower, energy.hi()];
-        let reactions = error::reactions(pair, inner.ground.as_ref(), inner.stiffness, inner.length);
-        let reactions = reactions.map(|r| r.map(|r| [r.lo() * scale.force, r.hi() * scale.force]));
-        let stiffness = stiffness(energies, scene.load(), inner.length);
-        Certificate {
+impl Certificate {
+    /// Nothing could be shown.
+    pub(super) const UNKNOWN: Self = Self {
+        energy_lower: f64::NEG_INFINITY,
+        energy_upper: f64::INFINITY,
+        gap: f64::INFINITY,
+        deflection_error: f64::INFINITY,
+        deflection_error_at: 0.0,
+        best_deflection_error: f64::INFINITY,
+        deflection: f64::INFINITY,
+        reactions: [None, None],
+        stiffness: None,
+        contacts_proven: false,
+    };
+
+    /// From what was proven, dimensionless. All factors are powers of two: only exponents change.
+    pub(super) fn new(enclosed: &EnclosedScene<'_>, load: &Load, scale: &Scale, pair: &Pair, error: Error) -> Self {
+        let energy = pair.curve.energy(enclosed.load, enclosed.stiffness);
+        let gap = pair.gap.hi();
+        let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
+        let stiffness = stiffness(energies, load, enclosed.length);
+        let force = |r: Interval| [r.lo() * scale.force, r.hi() * scale.force];
+        Self {
             energy_lower: energies[0] * scale.energy(),
             energy_upper: energies[1] * scale.energy(),
-            gap: gap.hi() * scale.energy(),
+            gap: gap * scale.energy(),
             deflection_error: error.most * scale.depth,
             deflection_error_at: error.at * scale.length,
-            best_deflection_error: error::of_gap(sharpest, inner.stiffness, inner.length) * scale.depth,
+            best_deflection_error: distance::of_gap(gap, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,
-            reactions,
+            reactions: reactions(enclosed, pair).map(|bracket| bracket.map(force)),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
-            pattern_proven: pair.is_some_and(|pair| inner.is_sharp(pair)),
+            contacts_proven: is_sharp(enclosed, pair),
         }
     }
 }

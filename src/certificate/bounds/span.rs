@@ -1,4 +1,4 @@
-//! A part of the beam that hangs free between two joints: the exact beam under the true load, given deflection and slope
+//! A part of the beam that hangs free between two nodes: the exact beam under the true load, given deflection and slope
 //! at both ends.
 //!
 //! ```text
@@ -22,15 +22,22 @@ pub(super) struct Span {
     pub(super) start: Jet,
     /// At its right end.
     pub(super) end: Jet,
+    /// `∫ (L − s) q ds` and `∫ q ds`: the moment of its load about its right end, and its load.
+    pub(super) loaded: [Interval; 2],
+}
+
+/// `q/EI` at the left end of a cell, and its slope.
+fn density([from, to]: [f64; 2], load: &Pieces, stiffness: f64) -> [Interval; 2] {
+    let q = load.cell(from, to).times(Interval::exact(1.0) / Interval::exact(stiffness));
+    [0, 1].map(|j| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO))
 }
 
 /// The deflection on a cell, and `v, …, v'''` at its end.
 pub(super) fn step(jet: &Jet, [from, to]: [f64; 2], load: &Pieces, stiffness: f64) -> (Polynomial, Jet) {
-    let q = load.cell(from, to).times(Interval::exact(1.0) / Interval::exact(stiffness));
-    let c = |j: usize| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
+    let [q, rise] = density([from, to], load, stiffness);
     let [v, slope, curvature, third] = *jet;
     let deflection =
-        Polynomial::new(&[v, slope, curvature.half(), third / number(6), c(0) / number(24), c(1) / number(120)]);
+        Polynomial::new(&[v, slope, curvature / number(2), third / number(6), q / number(24), rise / number(120)]);
     let width = Interval::exact(to) - Interval::exact(from);
     let first = deflection.derivative();
     let second = first.derivative();
@@ -75,6 +82,7 @@ impl Span {
             to,
             start: [left[0], left[1], curvature, third],
             end: [right[0], right[1], curvature + third * length + own[2], third + own[3]],
+            loaded: [own[2], own[3]].map(|v| v * Interval::exact(stiffness)),
         }
     }
 
@@ -88,15 +96,11 @@ impl Span {
     /// The deflection `v(to − s)` on the last cell, which begins at `from`.
     pub(super) fn mirrored(&self, from: f64, load: &Pieces, stiffness: f64) -> Polynomial {
         let width = Interval::exact(self.to) - Interval::exact(from);
-        let q = load.cell(from, self.to).times(Interval::exact(1.0) / Interval::exact(stiffness));
-        let c = |j: usize| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
+        let [q, rise] = density([from, self.to], load, stiffness);
         let [v, slope, curvature, third] = self.end;
-        let at_end = c(0) + c(1) * width;
-        Polynomial::new(&[v, -slope, curvature.half(), -third / number(6), at_end / number(24), -c(1) / number(120)])
-    }
-
-    pub(super) fn length(&self) -> f64 {
-        self.to - self.from
+        let at_end = q + rise * width;
+        let [fourth, fifth] = [at_end / number(24), -rise / number(120)];
+        Polynomial::new(&[v, -slope, curvature / number(2), -third / number(6), fourth, fifth])
     }
 }
 

@@ -3,13 +3,8 @@
 use super::polynomial::{Polynomial, TERMS, number};
 use crate::certificate::interval::Interval;
 
-/// Taylor's polynomial at `from`; terms beyond those that are kept become the remainder of Lagrange.
-pub(super) fn of_polynomial(given: &[f64], from: f64, to: f64) -> Polynomial {
-    of_polynomial_at(given, from, [from, to])
-}
-
-/// The same around an origin that may lie beside the cell.
-pub(super) fn of_polynomial_at(given: &[f64], origin: f64, cell: [f64; 2]) -> Polynomial {
+/// Taylor's polynomial about an origin, for a cell; terms beyond those that are kept become the remainder of Lagrange.
+pub(super) fn of_polynomial(given: &[f64], origin: f64, cell: [f64; 2]) -> Polynomial {
     let mut shifted: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
     let shift = |coefficients: &mut [Interval], s: Interval| {
         for start in 0..coefficients.len() {
@@ -34,7 +29,7 @@ pub(super) fn of_polynomial_at(given: &[f64], origin: f64, cell: [f64; 2]) -> Po
 /// Derivatives of a cosine at `x`, over factorials; the last one at any place.
 pub(super) fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomial {
     let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
-    let wave_number = Interval::turn() / Interval::exact(wavelength);
+    let wave_number = Interval::TAU / Interval::exact(wavelength);
     let mut factor = Interval::exact(amplitude);
     let mut coefficients = [Interval::ZERO; TERMS];
     for (j, c) in coefficients.iter_mut().enumerate() {

@@ -1,8 +1,8 @@
 //! Which condition of (4), (7) contact forces violate, by how much and where.
 
-use super::curve::overlay;
 use super::ground::Ground;
 use super::load::{Pieces, cells};
+use super::polynomial::Polynomial;
 use super::statics::{Carried, deflection};
 use super::{ContactLoad, Lumped};
 use crate::certificate::interval::Interval;
@@ -115,6 +115,13 @@ pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
     found
 }
 
+impl<'a> Ground<'a> {
+    /// [`None`] where there is no foundation.
+    pub(super) fn of(scene: &'a Scene) -> Option<Self> {
+        Some(Self::on(scene.foundation()?, scene.beam().length()))
+    }
+}
+
 /// The sum of all forces, those that pull included.
 fn sum(forces: &ContactLoad) -> f64 {
     forces.pressing.iter().chain(&forces.pulling).map(|f| f.1.abs()).sum()
@@ -139,4 +146,31 @@ fn worst(amounts: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
 fn share(part: f64, whole: f64) -> f64 {
     let share = part / whole;
     if 0.0 < whole && !share.is_nan() { share } else { 1.0 }
+}
+
+/// Calls `visit(a, b, f, g)` for every `[a, b]` on which two deflections have one formula each, with both polynomials about
+/// `a`. Both lists run from 0 to `l`.
+fn overlay(
+    curve: impl Iterator<Item = ([f64; 2], Polynomial)>,
+    other: impl Iterator<Item = ([f64; 2], Polynomial)>,
+    mut visit: impl FnMut(f64, f64, &Polynomial, &Polynomial),
+) {
+    let (mut curve, mut other) = (curve, other);
+    let (mut first, mut second) = (curve.next(), other.next());
+    let about = |polynomial: &Polynomial, origin: f64, a: f64| {
+        if origin < a { polynomial.shifted(Interval::exact(a) - Interval::exact(origin)) } else { *polynomial }
+    };
+    while let (Some((one, f)), Some((two, g))) = (&first, &second) {
+        let (a, b) = (one[0].max(two[0]), one[1].min(two[1]));
+        if a < b {
+            visit(a, b, &about(f, one[0], a), &about(g, two[0], a));
+        }
+        let (done_one, done_two) = (one[1] <= b, two[1] <= b);
+        if done_one {
+            first = curve.next();
+        }
+        if done_two {
+            second = other.next();
+        }
+    }
 }

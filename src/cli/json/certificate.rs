@@ -14,6 +14,9 @@ pub(super) struct CertificateObject {
     best_deflection_error: Option<f64>,
     reactions: BracketsObject,
     stiffness: Option<[f64; 2]>,
+    /// There only where no list of contacts was proven to be that of the beam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coarse: Option<bool>,
 }
 
 #[derive(Debug, Serialize)]
@@ -34,6 +37,7 @@ impl From<&Certificate> for CertificateObject {
             best_deflection_error: None,
             reactions: BracketsObject { left, right },
             stiffness: certificate.stiffness,
+            coarse: (!certificate.contacts_proven).then_some(true),
         }
     }
 }

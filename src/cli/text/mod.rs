@@ -20,6 +20,9 @@ fn heading(input: &Input) -> String {
     format!("{title}\n{}\n\n", "=".repeat(title.chars().count()))
 }
 
+/// Where the witness of a certificate is not the list of contacts of the beam.
+const COARSE: &str = "These bounds hold and are coarse: no list of contacts was proven to be that of the beam.\n";
+
 /// What is guaranteed, rounded so that it stays so.
 fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
@@ -30,5 +33,6 @@ fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.stiffness("stiffness D"), stiffness)));
     let error = magnitude_at_most(certificate.deflection_error);
     rows.push(vec![labels.length("error of the deflection"), String::new(), error]);
-    table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows)
+    let table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
+    if certificate.contacts_proven { table } else { table + COARSE }
 }

@@ -62,8 +62,9 @@ proptest! {
         let beam = Beam::new(8.0, stiffness).expect("positive");
         let load = Load::new(&beam, uniform, linear.into_iter().collect(), point).expect("finite");
         let Ok(scene) = Scene::new(beam, load, Some(foundation)) else { return Ok(()) };
+        let witness = super::places(&forces);
         let given = ContactLoad::new(8.0, forces).expect("finite forces on the beam");
-        let certificate = certify(&scene, &given, Judged::Caused).expect("the scene can be scaled");
+        let certificate = certify(&scene, Judged::Forces(&given), &witness).expect("the scene can be scaled");
         prop_assert!(violations(&scene, &given).is_ok());
         prop_assert!(certificate.energy_lower <= certificate.energy_upper, "{certificate:?}");
         prop_assert!(0.0 <= certificate.gap, "{certificate:?}");

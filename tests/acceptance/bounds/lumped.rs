@@ -74,8 +74,9 @@ fn under_the_distributed_load_nodal_forces_let_the_beam_into_the_ground() {
         assert!((worst.relative - sag / (1.0 + sag)).abs() <= ROUNDING, "of the largest deflection");
         let lumped = Lumped::new(&scene, forces).expect("nodes");
         assert!(violations_at_nodes(&lumped).iter().all(|v| v.relative <= ROUNDING), "none at the nodes");
-        let distributed = certify(&scene, &load, Judged::Caused).expect("a scene");
-        let nodal = certify(&scene, &lumped.load, Judged::Nodes(&lumped.nodes)).expect("a scene");
+        let exact = palkki::theory::solve(&scene).expect("a closed form").state.contacts;
+        let distributed = certify(&scene, Judged::Forces(&load), &exact).expect("a scene");
+        let nodal = certify(&scene, Judged::Nodes(&lumped.nodes), &exact).expect("a scene");
         assert!(!accepts(&distributed) && accepts(&nodal), "{distributed:?}, {nodal:?}");
     }
 }
@@ -95,7 +96,7 @@ fn forces_of_our_own_answers_give_their_nodes_back() {
             same(&what, &lumped.nodes.x, &own.x);
             let found = truth.nodes(&lumped.nodes).expect("numbers");
             assert!(found.lies.is_empty(), "{what}: {found:?}");
-            let error = certify(&scene, &lumped.load, Judged::Nodes(&lumped.nodes)).expect("a scene").deflection_error;
+            let error = found.certificate.deflection_error;
             let of_answer = super::of_nodes(&scene, own).deflection_error;
             assert!((error - of_answer).abs() <= 1e-9 * truth.deflection, "{what}: {error} and {of_answer}");
         }
@@ -112,7 +113,7 @@ fn any_nodal_forces_are_bounded() {
     {
         let places = (1..20).map(|i| 0.4 * f64::from(i));
         let lumped = Lumped::new(&scene, places.map(|x| (x, of(x)))).expect("nodes");
-        let certificate = certify(&scene, &lumped.load, Judged::Nodes(&lumped.nodes)).expect("a scene");
+        let certificate = certify(&scene, Judged::Nodes(&lumped.nodes), &truth.state.contacts).expect("a scene");
         assert!(
             certificate.energy_lower <= truth.state.energy && truth.state.energy <= certificate.energy_upper,
             "{k}"

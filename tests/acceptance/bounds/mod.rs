@@ -7,21 +7,35 @@ mod flat;
 mod given;
 mod interval;
 mod lumped;
+mod scale;
 mod sharpness;
 mod truth;
 mod uneven;
+mod witness;
 mod wrong;
 
 use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
 use palkki::scene::Scene;
-use palkki::state::Nodes;
+use palkki::state::{Contact, Nodes};
+use palkki::theory;
 
-/// The certificate of the nodal forces of an answer, for the deflection that the answer prints.
+/// The certificate of the deflection that an answer prints, from the contacts of beam theory.
 #[track_caller]
 fn of_nodes(scene: &Scene, nodes: &Nodes) -> Certificate {
-    let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
-    let load = ContactLoad::new(scene.beam().length(), forces).expect("finite forces on the beam");
-    certify(scene, &load, Judged::Nodes(nodes)).expect("the scene can be scaled")
+    let exact = theory::solve(scene).expect("theory has an answer");
+    certify(scene, Judged::Nodes(nodes), &exact.state.contacts).expect("the scene can be scaled")
+}
+
+/// The certificate of the deflection that forces cause.
+#[track_caller]
+fn of_forces(scene: &Scene, forces: &[(f64, f64)], witness: &[Contact]) -> Certificate {
+    let load = ContactLoad::new(scene.beam().length(), forces.iter().copied()).expect("finite forces on the beam");
+    certify(scene, Judged::Forces(&load), witness).expect("the scene can be scaled")
+}
+
+/// Single contacts at the places of the forces that press: what somebody who has nothing else takes for a witness.
+fn places(forces: &[(f64, f64)]) -> Vec<Contact> {
+    forces.iter().filter(|f| 0.0 < f.1).map(|&(x, force)| Contact::at(x, force)).collect()
 }
 
 /// The deflection that an answer has at `x`: the cubic between the nodes around it.

@@ -24,11 +24,11 @@ fn good_forces_are_certified() {
     assert_eq!((code, &json["status"]), (Some(0), &Value::from("certified")));
     assert_eq!(json["scene"], "Example");
     let bounds = &json["certificate"];
-    let [lower, upper, gap, error] =
-        ["energy_lower", "energy_upper", "gap", "deflection_error"].map(|key| number(&bounds[key]));
+    let [lower, upper, error] = ["energy_lower", "energy_upper", "deflection_error"].map(|key| number(&bounds[key]));
     // J* = −q₀ u₀ (l − 4a/5), in closed form.
     let energy = -palkki::theory::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy.abs();
-    assert!(lower <= energy && energy <= upper && upper - lower <= 1.001 * gap, "{bounds}");
+    assert!(lower <= energy && energy <= upper && upper - lower <= 1e-9 * energy.abs(), "{bounds}");
+    assert!(bounds.get("coarse").is_none(), "{bounds}");
     assert!(0.0 < error && error < 1e-2, "{bounds}");
     let text = folder.run("certify example.toml forces.csv");
     assert!(text.out.contains("certified: the deflection is certain to"), "{}", text.out);

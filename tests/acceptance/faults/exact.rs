@@ -1,10 +1,13 @@
-//! Faults in the contacts of exact answers: the certificate says how far off the deflection is that they make.
+//! Faults in the contacts of exact answers, and in witnesses: the certificate says how far off the deflection is that they make,
+//! and a wrong witness costs sharpness and never truth.
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
+use palkki::route::{Method, Solver};
 use palkki::state::Contact;
 use palkki::trial::{CONTACT_FAULTS, SIZES, Truth};
 
-use crate::scenes::report;
+use super::INTERVALS;
+use crate::scenes::{report, run};
 
 #[test]
 fn faults_in_exact_contacts_are_bounded_truthfully() {
@@ -22,6 +25,41 @@ fn faults_in_exact_contacts_are_bounded_truthfully() {
         }
     }
     assert!(CONTACT_FAULTS.len() * report().len() < judged_at_all, "only {judged_at_all} faults were judged");
+}
+
+/// The same answer from the right witness, from one with each fault in it, and from those of all other scenes: what is said is
+/// true, there is always a bound, and no wrong witness makes it sharper than rounding can.
+#[test]
+fn faults_in_a_witness_cost_sharpness_and_never_truth() {
+    /// A fault that is as small as rounding may be as good as the list itself.
+    const ROUNDING: f64 = 1e-9;
+    let scenes = report();
+    let lists: Vec<_> =
+        scenes.iter().map(|(_, scene)| Truth::of(scene).expect("theory has an answer").exact.state.contacts).collect();
+    for ((name, scene), contacts) in scenes.iter().zip(&lists) {
+        let truth = Truth::of(scene).expect("theory has an answer");
+        let state = run(scene, Method::Force, Solver::ActiveSet, INTERVALS).state;
+        let nodes = state.nodes.as_ref().expect("a grid has nodes");
+        let sound = truth.nodes(nodes).expect("numbers").certificate.deflection_error;
+        let check = |what: &str, witness: &[Contact]| {
+            let judged = truth.nodes_from(nodes, witness).expect("numbers");
+            assert!(judged.lies.is_empty(), "{name}: {what}: {judged:?}");
+            let error = judged.certificate.deflection_error;
+            assert!(error.is_finite(), "{name}: {what}: there is always a bound");
+            assert!((1.0 - ROUNDING) * sound <= error, "{name}: {what}: {error:e} and not {sound:e}");
+        };
+        check("its own contacts", &state.contacts);
+        for fault in CONTACT_FAULTS {
+            for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
+                if let Some(broken) = fault.put_into(contacts, size, scene.beam().length()) {
+                    check(&format!("{}, {size:e}", fault.name), &broken);
+                }
+            }
+        }
+        for ((other, _), foreign) in scenes.iter().zip(&lists) {
+            check(&format!("the contacts of {other}"), foreign);
+        }
+    }
 }
 
 /// Places that are off by this share of the length and more are not certain to what a discrete answer is asked for.

@@ -1,14 +1,15 @@
 //! What must be true of the answers of one run together.
 //!
-//! Authorities that do not know each other: beam theory, guaranteed bounds (in interval arithmetic, from forces and scene
-//! alone), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
+//! Authorities that do not know each other: beam theory, guaranteed bounds (in interval arithmetic, from a
+//! witness that is only believed where it is proven), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
 
-use palkki::Settings;
-use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate, ContactLoad, Judged, certify};
+use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate};
 use palkki::route::{Outcome, Status};
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::Exact;
+use palkki::verdict::certificate;
+use palkki::{Settings, Witness};
 
 use super::trial::Trial;
 
@@ -127,9 +128,8 @@ pub(super) fn judge(
         balanced(trial, &who, scene, &outcome.state);
     }
     let nodes = outcome.state.nodes.as_ref()?;
-    let forces = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied());
-    let load = ContactLoad::new(scene.beam().length(), forces).ok()?;
-    let certificate = certify(scene, &load, Judged::Nodes(nodes)).ok()?;
+    let witness = exact.map_or_else(|| Witness::of(scene), |exact| Witness::known(scene, exact));
+    let certificate = certificate(&outcome.state, &witness)?;
     if certificate.gap < 0.0 || certificate.energy_upper < certificate.energy_lower {
         trial.wrong.push(format!("{who}: bounds are upside down: {certificate:?}"));
     }

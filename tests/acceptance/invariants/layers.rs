@@ -68,6 +68,62 @@ fn the_certificate_uses_neither_methods_nor_solvers() {
     none(&found, "the judge is no contestant");
 }
 
+/// What the place of a contact node is written with, and the list that it stands in. `slopes` writes slopes, and whether a
+/// support holds the slope; `witness` makes the list.
+const MOVES: [&str; 9] =
+    [".x = ", ".x += ", ".x -= ", "from = ", "to = ", "splice(", "retain(", ".remove(", ".insert("];
+
+#[test]
+fn the_certificate_moves_no_place() {
+    let mut bounds = room("src/certificate/bounds");
+    bounds.retain(|path, text| !path.ends_with("tests.rs") && text.contains("ContactNode"));
+    assert!(bounds.keys().any(|path| path.ends_with("proof.rs")), "contact nodes have moved: {:?}", bounds.keys());
+    let found = offenders(&bounds, |line| {
+        let code = code(line).trim_start();
+        let support = code.contains("ContactNode::new(Kind::Support");
+        MOVES
+            .iter()
+            .find(|moves| code.contains(**moves) && !support && !code.starts_with("let "))
+            .map(|m| format!("`{m}`"))
+    });
+    none(&found, "a witness stays as it is given");
+}
+
+/// The files that a bound rests on, as ARCHITECTURE.md names them, and how many lines of code they may have together.
+const KERNEL: [&str; 14] = [
+    "interval",
+    "polynomial",
+    "ground",
+    "taylor",
+    "load",
+    "tidied",
+    "contact_node",
+    "span",
+    "curve",
+    "proof",
+    "clearance",
+    "pressing",
+    "distance",
+    "largest",
+];
+const MOST_LINES: usize = 1200;
+
+#[test]
+fn the_kernel_is_short() {
+    let room = room("src/certificate");
+    let map = &files("ARCHITECTURE.md", "")["ARCHITECTURE.md"];
+    let mut lines = 0;
+    for name in KERNEL {
+        let of = |path: &&String| path.ends_with(&format!("/{name}.rs"));
+        let path = room.keys().find(of).unwrap_or_else(|| panic!("there is no file {name}"));
+        assert!(map.contains(&format!("`{name}`")), "ARCHITECTURE.md does not name {name}");
+        let text = room[path].split("#[cfg(test)]").next().unwrap_or_default();
+        lines += text.lines().filter(|line| !code(line).trim().is_empty()).count();
+    }
+    assert!(lines <= MOST_LINES, "{lines} lines of code");
+    assert!(MOST_LINES / 2 < lines, "only {lines} lines of code were found");
+}
+
 #[test]
 fn theory_uses_no_grid() {
     let found = offenders(&room("src/theory"), |line| {

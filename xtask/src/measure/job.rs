@@ -10,7 +10,7 @@ use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::{OwnResidual, Solver};
 use palkki::state::ContactState;
-use palkki::{Settings, solve, theory, verdict};
+use palkki::{Settings, Witness, solve, theory, verdict};
 
 use super::memory;
 use super::plan::{Job, Route};
@@ -65,7 +65,7 @@ impl Measured {
             seconds.push(start.elapsed().as_secs_f64());
             if job.is_ruled() {
                 let start = Instant::now();
-                black_box(verdict::certificate(scene, &answer.state));
+                black_box(verdict::certificate(&answer.state, &Witness::of(scene)));
                 certificate.push(start.elapsed().as_secs_f64());
             }
             added.extend(answer.added);

@@ -150,9 +150,6 @@ fn a_polyline_is_what_its_points_say() {
     ] {
         assert_eq!(ground.is_smooth_between(from, to), expected, "from {from} to {to}");
     }
-    assert_eq!(ground.segment(2.5), Some([2.0, 3.0]));
-    assert_eq!(ground.segment(3.0), Some([3.0, 4.0]));
-    assert_eq!(ground.segment(LENGTH), Some([8.0, LENGTH]));
     for (x, expected) in [
         (0.0, [None, Some(0.0)]),
         (3.0, [Some(2.0), Some(-1.0)]),

@@ -6,7 +6,7 @@ use minijinja::context;
 use palkki::paper::{INTERVALS, example, theory};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::verdict::{Demand, Verdict};
-use palkki::{Settings, solve};
+use palkki::{Settings, Witness, solve};
 
 use self::tolerance::Tolerances;
 use crate::authority::rational::{Data, fraction, number};
@@ -53,13 +53,14 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let mut table = Table::new(["method", "solver", "first contact force", "end reaction", "tolerance"]);
     let mut rows = Vec::new();
     let (mut worst, mut certified) = (0.0_f64, 0);
+    let witness = Witness::of(&scene);
     for run in &runs {
         let authority = of(run);
         let reaction = run.outcome.state.reactions.left;
         let error = largest_difference(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
         let share = error / tolerances.of(run.solver);
         worst = worst.max(share);
-        let verdict = Verdict::of_outcome(&scene, &run.outcome, &Demand::default());
+        let verdict = Verdict::of_outcome(&run.outcome, &witness, &Demand::default());
         certified += usize::from(verdict.status == Status::Certified);
         let first = run.forces.get(authority.first).copied().unwrap_or(f64::NAN);
         let printed = [first, reaction].map(|value| fixed(value, tolerances.places(run.solver)));

@@ -1,7 +1,7 @@
 //! Numbers of the exercises and of their answers.
 
 use minijinja::{Value, context};
-use palkki::certificate::{ContactLoad, Judged, certify};
+use palkki::certificate::{Judged, certify};
 use palkki::methods::{Discrete, Method};
 use palkki::paper::approach::{Quantity, approach};
 use palkki::paper::{INTERVALS, example, theory};
@@ -214,8 +214,7 @@ fn bounds(scene: &Scene) -> Result<Value, Cause> {
     let (q, u) = (scene.load().uniform(), scene.depth(0.0));
     let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
     let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
-    let load = ContactLoad::new(l, nodes.x.iter().copied().zip(nodes.contact_force.iter().copied()))?;
-    let certificate = certify(scene, &load, Judged::Nodes(nodes))?;
+    let certificate = certify(scene, Judged::Nodes(nodes), &exact::solve(scene)?.state.contacts)?;
     let energy = theory().energy;
     let by_hand = [-q * u * l, 32.0 * ei * u * u / (l * l * l) - 2.0 / 3.0 * q * u * l];
     let gap = by_hand[1] - by_hand[0];

@@ -1,7 +1,7 @@
 //! One map: every solver, and beam theory over waves, against the depth of the ground.
 
 use minijinja::{Value, context};
-use palkki::certificate::certify_contacts;
+use palkki::certificate::{Judged, certify};
 use palkki::extremes::{Extreme, POWERS, deep};
 use palkki::plot::table::{Cell, Tone, verdict_map};
 use palkki::route::{Method, Solver, Status};
@@ -109,7 +109,8 @@ fn of_waves() -> Result<(Strip, Value), Cause> {
                 if share == 0.0 {
                     shallowest = shallowest.min(power);
                 }
-                let error = certify_contacts(&scene, &exact.state.contacts)?.deflection_error;
+                let contacts = &exact.state.contacts;
+                let error = certify(&scene, Judged::Witness, contacts)?.deflection_error;
                 // Squares of numbers near the ends of the range of `f64` leave it, and then there is no bound.
                 let share = error / exact.state.deflection.max;
                 if share <= TIGHT {

@@ -1,28 +1,27 @@
 //! Slopes at corners and at supports against what the foundation allows there.
 
 use super::*;
-use crate::certificate::bounds::ground::Ground;
 use crate::certificate::bounds::load::Pieces;
-use crate::scene::{Beam, Foundation, Load, Scene};
+use crate::scene::{Beam, Load, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
 
-/// Joints above a foundation on a beam without a load.
+/// Contact nodes above a foundation on a beam without a load.
 fn changed<R>(
     foundation: &Foundation,
-    joints: &mut [Joint],
-    change: impl FnOnce(&Setting<'_>, &mut [Joint]) -> R,
+    nodes: &mut [ContactNode],
+    change: impl FnOnce(&EnclosedScene<'_>, &mut [ContactNode]) -> R,
 ) -> R {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::new(&beam, 0.0, Vec::new(), Vec::new()).expect("finite");
     let pieces = Pieces::of(&Scene::new(beam, load, None).expect("well posed"));
     let ground = Ground::on(foundation, LENGTH);
-    change(&Setting { ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH }, joints)
+    change(&EnclosedScene { ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH }, nodes)
 }
 
-fn joint(kind: Kind, x: f64, slope: f64) -> Joint {
-    Joint { kind, x, slope }
+fn node(kind: Kind, x: f64, slope: f64) -> ContactNode {
+    ContactNode { kind, x, slope }
 }
 
 fn line(points: &[[f64; 2]]) -> Foundation {
@@ -48,10 +47,9 @@ fn slopes_at_corners_are_between_those_of_the_sides() {
         (&up, [-free, -5.0], -0.1),
         (&up, [-free, -5.0], -9.0),
     ] {
-        let mut joints =
-            [joint(Kind::Support, 0.0, 7.0), joint(Kind::Corner, 8.0, slope), joint(Kind::Touch, 15.0, 7.0)];
-        changed(foundation, &mut joints, at_corners);
-        let turned = joints[1].slope;
+        let mut nodes = [node(Kind::Support, 0.0, 7.0), node(Kind::Corner, 8.0, slope), node(Kind::Touch, 15.0, 7.0)];
+        changed(foundation, &mut nodes, at_corners);
+        let turned = nodes[1].slope;
         if least < slope && slope < most {
             assert_eq!(turned.to_bits(), slope.to_bits(), "between {least} and {most}");
         } else {
@@ -59,12 +57,12 @@ fn slopes_at_corners_are_between_those_of_the_sides() {
             let margin = INSIDE * (bound.abs() + slope.abs());
             assert!((0.8 * margin..1.2 * margin).contains(&inside), "{slope} becomes {turned} at {bound}: {inside:e}");
         }
-        assert!([0, 2].iter().all(|k| (joints[*k].slope - 7.0).abs() <= 0.0), "others are not asked");
+        assert!([0, 2].iter().all(|k| (nodes[*k].slope - 7.0).abs() <= 0.0), "others are not asked");
     }
     let valley = line(&[[0.0, 1.0], [8.0, 21.0], [12.0, 16.0], [LENGTH, 0.0]]);
-    let mut joints = [joint(Kind::Corner, 8.0, 9.0)];
-    changed(&valley, &mut joints, at_corners);
-    assert!((joints[0].slope - 0.625).abs() <= 4.0 * INSIDE, "between 2.5 and −1.25: {:?}", joints[0]);
+    let mut nodes = [node(Kind::Corner, 8.0, 9.0)];
+    changed(&valley, &mut nodes, at_corners);
+    assert!((nodes[0].slope - 0.625).abs() <= 4.0 * INSIDE, "between 2.5 and −1.25: {:?}", nodes[0]);
 }
 
 /// A support becomes a clamp where the beam would be steeper than ground that is level with it, on the beam's side.
@@ -86,15 +84,11 @@ fn a_support_holds_a_beam_that_is_steeper_than_the_ground() {
     ] {
         for sides in [[true, false], [false, true]] {
             let [left, right] = sides.map(|this| if this { slope } else { 0.0 });
-            let corner = joint(Kind::Corner, 10.0, 0.0);
-            let mut joints = [joint(Kind::Support, 0.0, left), corner, joint(Kind::Support, LENGTH, -right)];
-            assert_eq!(
-                changed(foundation, &mut joints, |s, j| at_supports(s, j, false)),
-                holds,
-                "{slope}: {foundation:?}"
-            );
-            let clamps = [joints[0].kind == Kind::Clamp, joints[2].kind == Kind::Clamp];
-            assert_eq!(clamps, sides.map(|this| this && holds), "{slope}: {joints:?}");
+            let corner = node(Kind::Corner, 10.0, 0.0);
+            let mut nodes = [node(Kind::Support, 0.0, left), corner, node(Kind::Support, LENGTH, -right)];
+            assert_eq!(changed(foundation, &mut nodes, at_supports), holds, "{slope}: {foundation:?}");
+            let clamps = [nodes[0].kind == Kind::Clamp, nodes[2].kind == Kind::Clamp];
+            assert_eq!(clamps, sides.map(|this| this && holds), "{slope}: {nodes:?}");
         }
     }
 }
@@ -104,12 +98,12 @@ fn a_support_holds_a_beam_that_is_steeper_than_the_ground() {
 #[test]
 fn a_clamp_lets_go_of_a_beam_that_it_would_have_to_pull() {
     let level = line(&[[0.0, 0.0], [10.0, 2.0], [LENGTH, 0.0]]);
-    for (slope, may, goes) in [(-0.3, true, true), (-0.3, false, false), (-0.5, true, false), (-0.5, false, false)] {
-        let mut left = [joint(Kind::Clamp, 0.0, 0.0), joint(Kind::Corner, LENGTH, slope)];
-        let mut right = [joint(Kind::Corner, 0.0, -slope), joint(Kind::Clamp, LENGTH, 0.0)];
-        for (joints, end) in [(&mut left, 0), (&mut right, 1)] {
-            assert_eq!(changed(&level, joints, |s, j| at_supports(s, j, may)), goes, "{slope}, {may}: {joints:?}");
-            assert_eq!(joints[end].kind == Kind::Support, goes, "{slope}, {may}: {joints:?}");
+    for (slope, goes) in [(-0.3, true), (-0.5, false)] {
+        let mut left = [node(Kind::Clamp, 0.0, 0.0), node(Kind::Corner, LENGTH, slope)];
+        let mut right = [node(Kind::Corner, 0.0, -slope), node(Kind::Clamp, LENGTH, 0.0)];
+        for (nodes, end) in [(&mut left, 0), (&mut right, 1)] {
+            assert_eq!(changed(&level, nodes, at_supports), goes, "{slope}: {nodes:?}");
+            assert_eq!(nodes[end].kind == Kind::Support, goes, "{slope}: {nodes:?}");
         }
     }
 }
