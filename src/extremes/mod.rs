@@ -2,13 +2,17 @@
 //!
 //! Closed forms of [`crate::theory`] (the functions, not the search), statics, and the rule by which quantities scale with
 //! their units are the authorities. Test suite and report judge every route by them.
+//!
+//! [`survey()`] is the exception: ground of up to millions of points, on which routes are judged by each other.
 
 mod borders;
 mod sizes;
+mod surveys;
 mod units;
 
 pub use borders::borders;
 pub use sizes::{INTERVALS, POWERS, deep, sizes};
+pub use surveys::{Ground, survey};
 pub use units::{Factors, units};
 
 use crate::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError};

@@ -4,25 +4,26 @@
 //! between the least and the greatest `b_k`, equals `b_0` and `b_n` at the ends, and has at most as many roots inside as
 //! the `b_k` have changes of sign. Halving the interval (de Casteljau) makes all three statements sharp.
 
+/// Coefficients of a polynomial that needs no memory of its own: a beam of degree 5 over a straight profile.
+const SMALL: usize = 8;
 /// Intervals are halved at most this often: 2⁻⁴⁸ of the interval is its last digits.
 const DEPTH: usize = 48;
 /// Parts of an interval that are looked at, at most; a few dozen are the rule. It guards against a polynomial that runs
 /// along the floor within its rounding.
 const PARTS: usize = 4000;
 
-/// Bernstein coefficients of `Σ a_j t^j` on `[0, w]`.
+/// Bernstein coefficients of `Σ a_j t^j` on `[0, w]`, written to `b`.
 ///
 /// ```text
 /// b_k = Σ_{j ≤ k} C(k, j) / C(n, j) a_j w^j
 /// ```
 #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
-fn bernstein(monomial: &[f64], width: f64) -> Vec<f64> {
+fn bernstein(monomial: &[f64], width: f64, b: &mut [f64]) {
     let n = monomial.len().saturating_sub(1);
     // c_j = a_j w^j / C(n, j); then b_k = Σ_j C(k, j) c_j by the scheme of repeated sums.
-    let mut b = Vec::with_capacity(monomial.len());
     let mut factor = 1.0;
-    for (j, a) in monomial.iter().enumerate() {
-        b.push(a * factor);
+    for (j, (a, b)) in monomial.iter().zip(b.iter_mut()).enumerate() {
+        *b = a * factor;
         factor *= width * (j + 1) as f64 / (n - j).max(1) as f64;
     }
     for pass in 0..n {
@@ -30,6 +31,24 @@ fn bernstein(monomial: &[f64], width: f64) -> Vec<f64> {
             b[k] += b[k - 1];
         }
     }
+}
+
+/// The least and the greatest Bernstein coefficient of a polynomial with up to `SMALL` coefficients: bounds of its values,
+/// NaN if it has one.
+pub(super) fn range(monomial: &[f64], width: f64) -> Option<[f64; 2]> {
+    let mut b = [0.0; SMALL];
+    let b = b.get_mut(..monomial.len())?;
+    bernstein(monomial, width, b);
+    if b.iter().any(|b| b.is_nan()) {
+        return Some([f64::NAN; 2]);
+    }
+    Some(b.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], &b| [b.min(lo), b.max(hi)]))
+}
+
+/// Bernstein coefficients of a polynomial of any degree.
+fn form(monomial: &[f64], width: f64) -> Vec<f64> {
+    let mut b = vec![0.0; monomial.len()];
+    bernstein(monomial, width, &mut b);
     b
 }
 
@@ -54,7 +73,10 @@ fn halves(b: &[f64]) -> (Vec<f64>, Vec<f64>) {
 pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(f64, f64)> {
     /// How much of a violation is not worth another halving: it is reported and repaired, not used as a number.
     const CLOSE: f64 = 1e-3;
-    let whole = bernstein(monomial, width);
+    if range(monomial, width).is_some_and(|[least, _]| floor <= least) {
+        return None;
+    }
+    let whole = form(monomial, width);
     if whole.iter().all(|&b| floor <= b) {
         return None;
     }
@@ -94,7 +116,10 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
 /// The places inside `[0, w]` at which `Σ a_j t^j` changes its sign (or happens to be exactly zero), from left to right.
 pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
     let mut found = Vec::new();
-    let mut open = vec![(bernstein(monomial, width), 0.0, width, 0)];
+    if range(monomial, width).is_some_and(|[least, most]| 0.0 < least || most < 0.0) {
+        return found;
+    }
+    let mut open = vec![(form(monomial, width), 0.0, width, 0)];
     let mut parts = 0;
     while let Some((b, lo, hi, depth)) = open.pop() {
         parts += 1;

@@ -1,200 +1,277 @@
-//! A first idea of where the beam touches: a chain of stiff links with elastic hinges above the sampled profile.
+//! A first idea of where the beam touches: a chain of stiff links with elastic hinges above sampled places of the profile.
 //!
-//! The chain (Hencky's) has links of length `Δ_i` and at each hinge the curvature `κ_i = (v_{i+1} − v_i)/Δ_i − (v_i −
-//! v_{i−1})/Δ_{i−1}`, energy `½ κ_i²/Δ̂_i` with the mean `Δ̂_i` of the two links. Unlike beams between samples it does not
-//! share the force at a lift-off point with its neighbours, so its contacts are runs of samples without holes. With the
-//! clearance `s = u − v ≥ 0` and the contact forces `p ≥ 0`, `K s − p = K u − f` and `s p = 0`; Mehrotra's predictor–corrector
-//! method solves it in a dozen pentadiagonal systems and never cycles. What comes out is a guess and is treated as one.
+//! Unknown are the clearances `s = u − v ≥ 0`, the contact forces `p ≥ 0` and the moments `m = −v''` at the samples. With the
+//! second difference `(B y)_i = (y_{i+1} − y_i)/Δ_i − (y_i − y_{i−1})/Δ_{i−1}` and the lumped loads `f`,
+//!
+//! ```text
+//! B s − W m = B u + ρ        how the beam bends between samples
+//! B m − p   = −f             equilibrium
+//! s_i p_i   = 0              contact
+//! ```
+//!
+//! A link near contact has its elasticity at its two ends (Hencky's chain: `Δ/2` at each end, `ρ = 0`), because a beam
+//! shares the force at a lift-off point between samples and its contacts have holes. A link far from contact is a beam
+//! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
+//!
+//! Mehrotra's predictor–corrector method (1992) solves this in 15 to 40 block-tridiagonal systems and never cycles. Moments
+//! beside clearances keep the digits that a stiffness matrix of order `1/Δ³` would lose, and clearances have the digits of
+//! small numbers, since only differences of neighbouring depths enter. What comes out is a guess and is treated as one.
 
-/// Symmetric pentadiagonal matrix: diagonal and the two bands beside it.
-struct Penta {
-    main: Vec<f64>,
-    first: Vec<f64>,
-    second: Vec<f64>,
-}
-
-/// The chain: sample places with both supports, and depth and load at the samples between them.
+/// The chain above `n` samples between the supports.
 #[derive(Debug)]
-pub(super) struct Chain<'a> {
-    /// Places `x_0 … x_{n+1}`.
-    pub(super) x: &'a [f64],
-    /// Depths `u_1 … u_n`.
-    pub(super) depth: &'a [f64],
-    /// Loads `f_1 … f_n`.
-    pub(super) load: &'a [f64],
+pub(super) struct Chain {
+    /// Places `x_0 … x_{n+1}`, both supports included.
+    pub(super) x: Vec<f64>,
+    /// `(B u)_i + ρ_i` at the samples, counted from `u = 0` at the supports.
+    pub(super) bend: Vec<f64>,
+    /// Loads `f_i` at the samples.
+    pub(super) load: Vec<f64>,
+    /// True for a link that is a beam; link `i` ends at `x_{i+1}`.
+    pub(super) beam: Vec<bool>,
+    /// Depths at the supports.
+    pub(super) ends: [f64; 2],
 }
 
-/// Clearances and contact forces of the chain.
+/// Contact forces of the chain, and which samples touch.
 #[derive(Debug)]
 pub(super) struct Guess {
-    /// `s_1 … s_n`, in units of its scale.
-    pub(super) clearance: Vec<f64>,
-    /// `p_1 … p_n`, in units of its scale.
+    /// True for a sample that touches.
+    pub(super) touches: Vec<bool>,
+    /// `p_1 … p_n`.
     pub(super) force: Vec<f64>,
 }
 
-impl Guess {
-    /// True if sample `i` is more in contact than not, and not by a force that is rounding.
-    pub(super) fn touches(&self, i: usize) -> bool {
-        /// Of the mean force of a sample.
-        const ROUNDING: f64 = 1e-5;
-        self.clearance[i] < self.force[i] && ROUNDING < self.force[i]
-    }
+/// Steps of the predictor–corrector method at most.
+const STEPS: usize = 60;
+
+/// A sample: what it is made of and where the iteration stands.
+#[derive(Debug, Clone, Copy, Default)]
+struct Row {
+    /// `1/Δ` of the link to its right.
+    c: f64,
+    /// Diagonal entry of `W`.
+    w: f64,
+    /// Entry of `W` beside the diagonal, to the right.
+    off: f64,
+    /// Clearance, contact force and moment.
+    s: f64,
+    p: f64,
+    m: f64,
+    /// Residuals of both linear equations.
+    rest: [f64; 2],
+    /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
+    a: f64,
+    h: f64,
+    g: f64,
+    inverse: f64,
+    /// Solution of the linear system: `ds`, `dm`.
+    step: [f64; 2],
+    /// `dp`.
+    dp: f64,
 }
 
-/// Steps of the predictor–corrector method; a dozen or two is what it takes.
-const STEPS: usize = 40;
-/// Complementarity at which contact and lift-off are told apart by many powers of ten.
-const ENOUGH: f64 = 1e-15;
-
-impl Chain<'_> {
+impl Chain {
     /// Solves the chain.
     pub(super) fn solve(&self) -> Guess {
-        let n = self.depth.len();
-        let stiffness = self.stiffness();
-        let mut free = self.load.to_vec();
-        stiffness.factored(&vec![0.0; n]).solve(&mut free);
-        let (length, count) = (self.x[n + 1] - self.x[0], as_float(n));
-        let reach = self.depth.iter().zip(&free).fold(0.0_f64, |most, (u, v)| most.max((u - v).abs()));
-        let unit_clearance = if 0.0 < reach { reach } else { 1.0 };
+        let n = self.load.len();
+        let count = as_float(n);
+        let mut rows = self.rows();
+        let first = 1.0 / (self.x[1] - self.x[0]);
+        // The beam that touches nothing.
+        factor(&mut rows, first, |_| 0.0);
+        self.residuals(&mut rows, first);
+        solve(&mut rows, |row| row.rest[1]);
+        // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
+        let reach = rows.iter().fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
+        let deepest = rows.iter().fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
+        let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
+        let length = self.x[n + 1] - self.x[0];
         let total: f64 = self.load.iter().map(|f| f.abs()).sum();
         let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
-
-        let mut s: Vec<f64> = (0..n).map(|i| (self.depth[i] - free[i]).max(0.1 * unit_clearance)).collect();
-        let mut p = vec![unit_force; n];
-        let mut right = stiffness.times(self.depth);
-        right.iter_mut().zip(self.load).for_each(|(b, f)| *b -= f);
-
-        let complementarity = |s: &[f64], p: &[f64]| s.iter().zip(p).map(|(s, p)| s * p).sum::<f64>() / count;
+        for row in &mut rows {
+            (row.s, row.m, row.p) = (row.step[0].max(0.1 * unit_clearance), row.step[1], unit_force);
+        }
+        // Clearances beside a contact fall with the square of the distance of samples.
+        let enough = 1e-16 / (count * count) * unit_clearance * unit_force;
+        let mut touches = vec![false; n];
         for _ in 0..STEPS {
-            let mu = complementarity(&s, &p);
-            let product = stiffness.times(&s);
-            let rest: Vec<f64> = (0..n).map(|i| right[i] + p[i] - product[i]).collect();
-            let off = rest.iter().fold(0.0_f64, |most, r| most.max(r.abs()));
-            if mu <= ENOUGH * unit_clearance * unit_force && off <= 1e-6 * unit_force {
+            let mu = rows.iter().map(|r| r.s * r.p).sum::<f64>() / count;
+            let off = self.residuals(&mut rows, first);
+            if mu <= enough && off <= 1e-6 * unit_force {
                 break;
             }
-            let ratio: Vec<f64> = p.iter().zip(&s).map(|(p, s)| p / s).collect();
-            let factored = stiffness.factored(&ratio);
-            let mut ds: Vec<f64> = (0..n).map(|i| rest[i] - p[i]).collect();
-            factored.solve(&mut ds);
-            let mut dp: Vec<f64> = (0..n).map(|i| -p[i] - ratio[i] * ds[i]).collect();
-            let step = longest(&s, &ds).min(longest(&p, &dp));
-            let ahead: f64 = (0..n).map(|i| (s[i] + step * ds[i]) * (p[i] + step * dp[i])).sum::<f64>() / count;
+            factor(&mut rows, first, |row| row.p / row.s);
+            solve(&mut rows, |row| row.rest[1] - row.p);
+            let mut longest = 1.0_f64;
+            for row in &mut rows {
+                row.dp = -row.p - row.p / row.s * row.step[0];
+                longest = limited(longest, row);
+            }
+            let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
             let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
-            let aim: Vec<f64> = (0..n).map(|i| (sigma * mu - ds[i] * dp[i]) / s[i]).collect();
-            ds = (0..n).map(|i| rest[i] - p[i] + aim[i]).collect();
-            factored.solve(&mut ds);
-            dp = (0..n).map(|i| aim[i] - p[i] - ratio[i] * ds[i]).collect();
+            // From here on `dp` holds what the contact condition asks for, over `s`.
+            for row in &mut rows {
+                row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
+            }
+            solve(&mut rows, |row| row.rest[1] + row.dp);
+            longest = 1.0;
+            for row in &mut rows {
+                row.dp -= row.p / row.s * row.step[0];
+                longest = limited(longest, row);
+            }
             // Short of the border, where the next system would be singular.
-            let step = 0.995 * longest(&s, &ds).min(longest(&p, &dp));
-            if !step.is_finite() || ds.iter().chain(&dp).any(|d| !d.is_finite()) {
+            let step = 0.995 * longest;
+            if !step.is_finite() || rows.iter().any(|r| !(r.step[0] + r.step[1] + r.dp).is_finite()) {
                 break;
             }
-            s.iter_mut().zip(&ds).for_each(|(s, d)| *s += step * d);
-            p.iter_mut().zip(&dp).for_each(|(p, d)| *p += step * d);
+            for (row, touches) in rows.iter_mut().zip(&mut touches) {
+                let (s, p) = (row.s + step * row.step[0], row.p + step * row.dp);
+                // Of the two that vanish together, the one that vanishes faster (Tapia's indicators).
+                *touches = s * row.p < p * row.s;
+                (row.s, row.p, row.m) = (s, p, row.m + step * row.step[1]);
+            }
         }
-        s.iter_mut().for_each(|s| *s /= unit_clearance);
-        p.iter_mut().for_each(|p| *p /= unit_force);
-        Guess { clearance: s, force: p }
+        Guess { touches, force: rows.iter().map(|r| r.p).collect() }
     }
 
-    /// `K = Σ κ_i κ_iᵀ / Δ̂_i` for `EI = 1`.
-    fn stiffness(&self) -> Penta {
-        let n = self.depth.len();
-        let mut k = Penta { main: vec![0.0; n], first: vec![0.0; n], second: vec![0.0; n] };
+    fn rows(&self) -> Vec<Row> {
+        let n = self.load.len();
+        let link = |i: usize| (self.x[i + 1] - self.x[i], self.beam[i]);
+        let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
+        let row = |i: usize| {
+            let (left, right) = (link(i), link(i + 1));
+            let off = if right.1 { right.0 / 6.0 } else { 0.0 };
+            Row { c: 1.0 / right.0, w: share(left) + share(right), off, ..Row::default() }
+        };
+        (0..n).map(row).collect()
+    }
+
+    /// Residuals of both equations; returns the largest of equilibrium.
+    fn residuals(&self, rows: &mut [Row], first: f64) -> f64 {
+        let n = rows.len();
+        let (mut c, mut off) = (first, 0.0);
+        let (mut s, mut m) = (self.ends[0], 0.0);
+        let mut worst = 0.0_f64;
         for i in 0..n {
-            let (left, right) = (self.x[i + 1] - self.x[i], self.x[i + 2] - self.x[i + 1]);
-            let weight = 2.0 / (left + right);
-            let (a, c) = (1.0 / left, 1.0 / right);
-            let b = -a - c;
-            k.main[i] += weight * b * b;
-            if 0 < i {
-                k.main[i - 1] += weight * a * a;
-                k.first[i - 1] += weight * a * b;
-            }
-            if i + 1 < n {
-                k.main[i + 1] += weight * c * c;
-                k.first[i] += weight * b * c;
-            }
-            if 0 < i && i + 1 < n {
-                k.second[i - 1] += weight * a * c;
-            }
+            let (next_s, next_m) = if i + 1 < n { (rows[i + 1].s, rows[i + 1].m) } else { (self.ends[1], 0.0) };
+            let row = &mut rows[i];
+            let of_s = row.c * (next_s - row.s) - c * (row.s - s);
+            let of_m = row.c * (next_m - row.m) - c * (row.m - m);
+            row.rest = [self.bend[i] - of_s + row.w * row.m + row.off * next_m + off * m, row.p - self.load[i] - of_m];
+            worst = worst.max(row.rest[1].abs());
+            (c, off, s, m) = (row.c, row.off, row.s, row.m);
         }
-        k
+        worst
     }
 }
 
-impl Penta {
-    /// `A x`.
-    fn times(&self, x: &[f64]) -> Vec<f64> {
-        let n = x.len();
-        let mut y: Vec<f64> = (0..n).map(|i| self.main[i] * x[i]).collect();
-        for i in 0..n.saturating_sub(1) {
-            y[i] += self.first[i] * x[i + 1];
-            y[i + 1] += self.first[i] * x[i];
-        }
-        for i in 0..n.saturating_sub(2) {
-            y[i] += self.second[i] * x[i + 2];
-            y[i + 2] += self.second[i] * x[i];
-        }
-        y
-    }
-
-    /// `L D Lᵀ` of this matrix with `extra` added to its diagonal; the factors in the same three bands, `1/D` in the main one.
-    fn factored(&self, extra: &[f64]) -> Self {
-        let n = self.main.len();
-        let mut f = Self { main: vec![0.0; n], first: vec![0.0; n], second: vec![0.0; n] };
-        // Entry and factor in the row above, and in the row two above, of what stands left of the pivot.
-        let (mut one_above, mut above) = (0.0, 0.0);
-        let (mut two_above, mut far, mut next_two, mut next_far) = (0.0, 0.0, 0.0, 0.0);
-        for (i, extra) in extra.iter().enumerate() {
-            let mut d = self.main[i] + extra;
-            let mut e = self.first[i];
-            // Products of a factor with the pivot above it: the entries that were eliminated.
-            d -= one_above * above;
-            e -= one_above * f.second[i.saturating_sub(1)];
-            d -= two_above * far;
-            let inverse = 1.0 / d;
-            f.main[i] = inverse;
-            f.first[i] = e * inverse;
-            f.second[i] = self.second[i] * inverse;
-            (two_above, far) = (next_two, next_far);
-            (next_two, next_far) = (self.second[i], f.second[i]);
-            (one_above, above) = (e, f.first[i]);
-        }
-        f
-    }
-
-    /// Solves with these factors, in place.
-    fn solve(&self, x: &mut [f64]) {
-        let n = x.len();
-        for i in 0..n {
-            if 0 < i {
-                x[i] -= self.first[i - 1] * x[i - 1];
-            }
-            if 1 < i {
-                x[i] -= self.second[i - 2] * x[i - 2];
-            }
-        }
-        for i in (0..n).rev() {
-            x[i] *= self.main[i];
-            if i + 1 < n {
-                x[i] -= self.first[i] * x[i + 1];
-            }
-            if i + 2 < n {
-                x[i] -= self.second[i] * x[i + 2];
-            }
-        }
+/// Factors `[[Θ, B], [B, −W]]` in blocks of one sample each, with `Θ_i` the `ratio` of a sample.
+///
+/// Written with `h = c + e`, every pivot is a sum of positive numbers but for one difference that is small by construction:
+///
+/// ```text
+/// d = a g + h²,   a' = Θ' + c² a/d,   e' = c (a (g + ω) + h e)/d,   g' = w' + (c² g + 2 c h ω − a ω²)/d
+/// ```
+fn factor(rows: &mut [Row], first: f64, ratio: impl Fn(&Row) -> f64) {
+    let (mut a, mut e, mut g) = (0.0, first, 0.0);
+    for row in rows {
+        row.a = a + ratio(row);
+        row.h = row.c + e;
+        row.g = g + row.w;
+        row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
+        let (c, off) = (row.c, row.off);
+        let scaled = c * row.inverse;
+        a = c * scaled * row.a;
+        e = scaled * (row.a * (row.g + off) + row.h * e);
+        g = scaled * (c * row.g + 2.0 * row.h * off) - row.a * off * off * row.inverse;
     }
 }
 
-/// The longest step, at most 1, that keeps `x + step d` from becoming negative.
-fn longest(x: &[f64], d: &[f64]) -> f64 {
-    x.iter().zip(d).filter(|(_, d)| **d < 0.0).fold(1.0, |most: f64, (x, d)| most.min(-x / d))
+/// Solves with these factors for `step`, with `rest[0]` and `second` on the right-hand side.
+fn solve(rows: &mut [Row], second: impl Fn(&Row) -> f64) {
+    let mut carry = [0.0; 2];
+    for row in rows.iter_mut() {
+        let (y1, y2) = (second(row) - carry[0], row.rest[0] - carry[1]);
+        row.step = [(row.g * y1 - row.h * y2) * row.inverse, -(row.h * y1 + row.a * y2) * row.inverse];
+        carry = [row.c * row.step[1], row.c * row.step[0] - row.off * row.step[1]];
+    }
+    let mut next = [0.0; 2];
+    for row in rows.iter_mut().rev() {
+        let (y1, y2) = (row.c * next[1], row.c * next[0] - row.off * next[1]);
+        row.step[0] -= (row.g * y1 - row.h * y2) * row.inverse;
+        row.step[1] += (row.h * y1 + row.a * y2) * row.inverse;
+        next = row.step;
+    }
 }
 
-#[expect(clippy::cast_precision_loss, reason = "samples are counted in hundreds")]
+/// The longest step, at most `longest`, that keeps clearance and force from becoming negative.
+fn limited(longest: f64, row: &Row) -> f64 {
+    let limit = |longest: f64, x: f64, d: f64| if x + longest * d < 0.0 { -x / d } else { longest };
+    limit(limit(longest, row.s, row.step[0]), row.p, row.dp)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "samples are counted in millions")]
 fn as_float(n: usize) -> f64 {
     n as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::flat;
+    use super::*;
+
+    /// A chain of equal links above a flat foundation at depth 1, under the load 1 on a beam with `EI = 1`.
+    fn above_flat_ground(length: f64, links: u32, beam: bool) -> Chain {
+        let step = length / f64::from(links);
+        let n = links as usize - 1;
+        // The end rotations of a beam under a uniform load, ½ at each node from either side.
+        let turn = if beam { step * step * step / 12.0 } else { 0.0 };
+        Chain {
+            x: (0..=links).map(|i| step * f64::from(i)).collect(),
+            bend: vec![turn; n],
+            load: vec![step; n],
+            beam: vec![beam; n + 1],
+            ends: [1.0; 2],
+        }
+    }
+
+    #[test]
+    fn it_touches_where_the_closed_form_does() {
+        let (length, links) = (10.0, 200);
+        let guess = above_flat_ground(length, links, false).solve();
+        let lift_off = flat(length, 1.0, 1.0, 1.0).lift_off.expect("a zone");
+        let step = length / f64::from(links);
+        for (i, touches) in (1..links).zip(&guess.touches) {
+            let x = step * f64::from(i);
+            let beside = (x.min(length - x) - lift_off).abs();
+            assert!(*touches == (lift_off < x.min(length - x)) || beside < 2.0 * step, "{touches} at {x}");
+        }
+        let force: f64 = guess.force.iter().sum();
+        assert!(0.0 < force && guess.force.iter().all(|f| -1e-12 * force <= *f));
+    }
+
+    #[test]
+    fn a_link_far_from_contact_is_exact() {
+        // One sample at mid-span: it touches exactly if 5 q l⁴/(384 EI) exceeds the depth 1.
+        let border = (384.0_f64 / 5.0).sqrt().sqrt();
+        for (length, touches) in [(0.999 * border, false), (1.001 * border, true)] {
+            assert_eq!(above_flat_ground(length, 2, true).solve().touches, [touches], "length {length}");
+        }
+    }
+
+    #[test]
+    fn links_of_very_different_lengths_lose_nothing() {
+        // A link of 1e-9 beside one of the length of the beam.
+        let mut chain = above_flat_ground(10.0, 2, true);
+        chain.x = vec![0.0, 5.0, 5.0 + 1e-9, 10.0];
+        chain.bend = vec![(125.0 + 1e-27) / 24.0; 2];
+        chain.load = vec![2.5; 2];
+        chain.beam = vec![true; 3];
+        let guess = chain.solve();
+        assert!(guess.touches.iter().any(|&touches| touches));
+        // The closed form for contact at mid-span: F = 5 q l/8 − 48 EI u/l³.
+        let total: f64 = guess.force.iter().sum();
+        let expected = 5.0 * 10.0 / 8.0 - 48.0 / 1000.0;
+        assert!((total - expected).abs() < 1e-8 * expected, "{total} instead of {expected}");
+    }
 }

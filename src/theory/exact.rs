@@ -5,7 +5,7 @@ use super::list::AtSupport;
 use super::piece::{Piece, derivatives};
 use super::search::Found;
 use super::summary;
-use super::violation::{Violation, in_units};
+use super::violation::Violation;
 use crate::route::Status;
 use crate::scene::Scale;
 use crate::state::ContactState;
@@ -51,7 +51,7 @@ impl Exact {
             Status::NotConverged
         };
         let Found { list, checked, steps, lists, .. } = found;
-        let faults = checked.faults.iter().map(|f| in_units(f, &given, &list, &scale, stiffness));
+        let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples = [0, 1].map(|i| {
             let span = match (list.supports[i], i) {

@@ -7,7 +7,7 @@ use super::span::Span;
 /// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
 pub(super) fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Vec<f64>, [f64; 2]) {
     // A profile with edges is made of straight lines: u''' is the same on both sides of every node, and h''' will do.
-    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x)).collect();
+    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x, node.cell)).collect();
     let mut in_beam = vec![[None; 2]; forces.len()];
     let last = given.cells.len() - 1;
     let mut shear = [-given.derivative(0, 0.0, 3), -given.derivative(last, given.length, 3)];
@@ -29,7 +29,7 @@ pub(super) fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Ve
     }
     for ((force, node), sides) in forces.iter_mut().zip(&list.nodes).zip(in_beam) {
         if let [Some(right), Some(left)] = sides {
-            *force = given.force_at(node.x) + left - right;
+            *force = given.force_at(node.x, node.cell) + left - right;
         }
     }
     (forces, shear)
@@ -39,14 +39,14 @@ pub(super) fn forces(given: &Given, list: &List, spans: &[(usize, Span)]) -> (Ve
 pub(super) fn zone_force(given: &Given, from: f64, to: f64) -> f64 {
     let (first, last) = (given.cell_from(from), given.cell_to(to));
     let mut sum = 0.0;
-    for cell in first..=last {
+    for cell in first..=last.max(first) {
         let c = &given.cells[cell];
         let (lo, hi) = (c.lo.max(from), c.hi.min(to));
         if lo < hi {
             sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
         }
     }
-    sum += given.joints.iter().filter(|j| from < j.x && j.x < to).map(|j| j.force).sum::<f64>();
+    sum += given.joints_inside(from, to).map(|j| given.joints[j].force).sum::<f64>();
     sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
 }
 

@@ -1,54 +1,31 @@
 //! Gaps between two zones of contact: where the beam lifts off a foundation that it follows on both sides.
 
 use super::given::Given;
-use super::hold::End;
+use super::list::{Kind, Node};
+use super::span::End;
 use super::span::Span;
 
-/// Half the length over which a beam bridges the valley at a joint between two zones; infinite where there is no valley.
-///
-/// With `h = h' = h'' = 0` at both ends of a gap of length `g` under the load `q`, and a kink `κ < 0` at its middle, the
-/// fixed-end moments vanish: `q g²/12 + κ/g = 0`.
-pub(super) fn half_bridge(given: &Given, joint: usize) -> f64 {
-    let pressure = -given.drive(joint, given.joints[joint].x);
-    let cube = -12.0 * given.joints[joint].kink / pressure;
-    if 0.0 < cube && 0.0 < pressure { 0.5 * libm::cbrt(cube) } else { f64::INFINITY }
-}
-
-/// The gap between two zones around a stretch that lifts the beam off, as if nothing else were near.
-///
-/// At both ends `h = h' = h'' = 0`, and at those of a gap that is too narrow `0 < h''`: each end in turn moves outwards
-/// until its own `h''` vanishes, found by bisection, which a load beside the stretch cannot mislead.
-pub(super) fn settled_gap(given: &Given, [lo, hi]: [f64; 2]) -> [f64; 2] {
-    /// Turns of the two ends; a dozen leave nothing to do.
-    const TURNS: usize = 40;
-    const HALVINGS: usize = 60;
-    let narrow = |gap: [f64; 2], side: usize| {
-        let span = across(given, gap);
-        0.0 < [span.at_a[2], span.at_b[2]][side]
+/// The ends of a zone from `from` to `to`, and of the gaps in it around every stretch where it would pull.
+pub(super) fn zones_between(given: &Given, [from, to]: [f64; 2]) -> Vec<Node> {
+    let mut nodes = Vec::new();
+    let mut add = |start: f64, end: f64| {
+        if start < end {
+            nodes.push(Node::new(Kind::ZoneStart, start, given.cell_from(start)));
+            nodes.push(Node::new(Kind::ZoneEnd, end, given.cell_to(end)));
+        }
     };
-    let least = 1e-9 * given.length;
-    let mut gap = [(lo - least).max(0.0), (hi + least).min(given.length)];
-    for _ in 0..TURNS {
-        let before = gap;
-        for side in 0..2 {
-            if !narrow(gap, side) {
-                continue;
-            }
-            let (mut inner, mut outer) = (gap[side], [0.0, given.length][side]);
-            for _ in 0..HALVINGS {
-                gap[side] = 0.5 * (inner + outer);
-                if narrow(gap, side) {
-                    inner = gap[side];
-                } else {
-                    outer = gap[side];
-                }
-            }
+    let mut start = from;
+    for &(lo, hi) in given.tension_between(from, to) {
+        if hi < start {
+            continue;
         }
-        if gap[0].to_bits() == before[0].to_bits() && gap[1].to_bits() == before[1].to_bits() {
-            break;
-        }
+        let inside = start < lo && hi < to;
+        let [end, next] = if inside { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
+        add(start, end);
+        start = next;
     }
-    gap
+    add(start, to);
+    nodes
 }
 
 /// A gap that is somewhat too wide, around a stretch that lifts the beam off between two zones.

@@ -53,6 +53,8 @@ pub(super) struct Given {
     pub(super) joints: Vec<Joint>,
     /// The smooth pieces of the profile.
     pub(super) shapes: Vec<Shape>,
+    /// Where they end, but the last.
+    pub(super) ends: Vec<f64>,
     /// Number of Taylor coefficients that describe profile and beam.
     pub(super) terms: usize,
     /// Exact for the load and `u''''` times a cubic.
@@ -65,6 +67,9 @@ pub(super) struct Given {
     pub(super) magnitude: f64,
     /// The foundation at the left and the right support.
     pub(super) supports: [AtEnd; 2],
+    /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
+    /// without length.
+    pub(super) tension: Vec<(f64, f64)>,
 }
 
 impl Given {
@@ -112,6 +117,12 @@ impl Given {
         self.joints.partition_point(|j| j.x < x).saturating_sub(1).min(self.cells.len() - 1)
     }
 
+    /// The cells to the right and to the left of `x`, which most likely lies in cell `near`.
+    pub(super) fn cells_at(&self, x: f64, near: usize) -> [usize; 2] {
+        let c = &self.cells[near];
+        if c.lo < x && x < c.hi { [near; 2] } else { [self.cell_from(x), self.cell_to(x)] }
+    }
+
     /// Depth at `x`; at a step the smaller one.
     pub(super) fn depth(&self, x: f64) -> f64 {
         let (left, right) = (self.cell_to(x), self.cell_from(x));
@@ -119,22 +130,78 @@ impl Given {
         if left == right { depth } else { depth.min(self.derivative(right, x, 0)) }
     }
 
+    /// Depth at joint `i`; at a step the smaller one.
+    pub(super) fn depth_at_joint(&self, i: usize) -> f64 {
+        let x = self.joints[i].x;
+        self.derivative(i - 1, x, 0).min(self.derivative(i, x, 0))
+    }
+
+    /// True if the load is not one straight line across joint `i`.
+    pub(super) fn load_changes_at(&self, i: usize) -> bool {
+        /// Rounding of a line that is evaluated in two cells.
+        const ROUNDING: f64 = 1e-9;
+        let (left, right, x) = (&self.cells[i - 1], &self.cells[i], self.joints[i].x);
+        let jump = (self.load(i - 1, x) - right.load).abs();
+        let turn = (left.load_slope - right.load_slope).abs() * self.length;
+        self.joints[i].force != 0.0
+            || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)
+    }
+
+    /// Kink of the profile at `x`, if `cell` starts there.
+    pub(super) fn kink_at(&self, cell: usize, x: f64) -> f64 {
+        if x <= self.cells[cell].lo { self.joints[cell].kink } else { 0.0 }
+    }
+
+    /// How far the profile turns from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`;
+    /// `a` and `b` lie in cells `first` and `last`, a step at either of them is on its higher side.
+    pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
+        let stepped =
+            |joint: usize, x: f64| self.joints[joint].x.total_cmp(&x).is_eq() && self.joints[joint].step != 0.0;
+        let shape = &self.shapes[self.cells[first].shape];
+        if self.cells[first].shape == self.cells[last].shape && !stepped(first, a) && !stepped(last + 1, b) {
+            return [shape.bow(a, b - a, even), shape.bow(b, a - b, even)];
+        }
+        let chord = (self.depth(b) - self.depth(a)) / (b - a);
+        [chord - self.derivative(first, a, 1), self.derivative(last, b, 1) - chord]
+    }
+
     /// From where to where the smooth piece of the profile reaches that `cell` belongs to.
     pub(super) fn reach(&self, cell: usize) -> (f64, f64) {
         let shape = self.cells[cell].shape;
-        let first = self.cells[..cell].iter().rposition(|c| c.shape != shape).map_or(0, |i| i + 1);
-        let last = self.cells[cell..].iter().position(|c| c.shape != shape).map_or(self.cells.len(), |i| cell + i);
-        (self.cells[first].lo, self.cells[last - 1].hi)
+        let end = |shape: usize| self.ends.get(shape).copied().unwrap_or(self.length);
+        (shape.checked_sub(1).map_or(0.0, end), end(shape))
     }
 
     /// The size of depths that carries their rounding at `x`: of one polynomial what adds up to it there.
     pub(super) fn magnitude_at(&self, x: f64) -> f64 {
         match self.shapes.as_slice() {
+            [Shape::Line { origin, depth, slope }] => (depth.abs() + (slope * (x - origin)).abs()).min(self.magnitude),
             [Shape::Polynomial { origin, coefficients }] => {
                 coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - origin).abs() + c.abs()).min(self.magnitude)
             }
             _ => self.magnitude,
         }
+    }
+
+    /// The stretches of tension that reach into the open stretch from `a` to `b`; with `a = b`, that contain this place.
+    pub(super) fn tension_between(&self, a: f64, b: f64) -> impl Iterator<Item = &(f64, f64)> {
+        let next = self.tension.partition_point(|&(_, hi)| hi <= a);
+        self.tension[next..].iter().take_while(move |&&(lo, _)| lo < b)
+    }
+
+    /// The joints between `a` and `b`, neither of them included.
+    pub(super) fn joints_inside(&self, a: f64, b: f64) -> std::ops::Range<usize> {
+        let first = self.joints.partition_point(|j| j.x <= a);
+        first..self.joints.partition_point(|j| j.x < b).max(first)
+    }
+
+    /// How far to the left a zone that starts at `x` may be extended, and how far to the right one that ends there: to the
+    /// next stretch of tension, or through the one in which `x` lies.
+    pub(super) fn next_tension(&self, x: f64) -> [f64; 2] {
+        let next = self.tension.partition_point(|&(_, hi)| hi <= x);
+        let lo = next.checked_sub(1).map_or(0.0, |i| self.tension[i].1);
+        let hi = self.tension.get(next).map_or(self.length, |&(lo, _)| lo);
+        if x <= hi { [lo, hi] } else { [0.0, self.length] }
     }
 
     /// The joint at `x`, if there is one.
@@ -148,9 +215,10 @@ impl Given {
         self.supports[support].level
     }
 
-    /// Point load exactly at `x`.
-    pub(super) fn force_at(&self, x: f64) -> f64 {
-        self.joint_at(x).map_or(0.0, |joint| self.joints[joint].force)
+    /// Point load exactly at `x`, which most likely lies in cell `near`.
+    pub(super) fn force_at(&self, x: f64, near: usize) -> f64 {
+        let c = &self.cells[near];
+        if c.lo < x && x < c.hi { 0.0 } else { self.joint_at(x).map_or(0.0, |joint| self.joints[joint].force) }
     }
 
     /// The joints between cell `first` and cell `last`.

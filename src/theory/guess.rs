@@ -1,161 +1,270 @@
-//! From the contacts of a chain of samples to a list of points and zones.
+//! The first idea of a list of contacts: samples of the profile, the chain above them, and the points and zones where it
+//! touches.
+//!
+//! Samples are few where nothing touches, and are refined where the chain lifts off and where a list failed its check.
+
+use std::ops::Range;
 
 use super::chain::{Chain, Guess};
-use super::edge::edge_node;
+use super::gap::zones_between;
 use super::given::Given;
-use super::list::{AtSupport, Kind, List, Node};
-use super::tidy::consistent;
-use super::zones::add_zones;
+use super::list::{AtSupport, Kind, List, Node, edge_node, normalised};
 
-/// The list that a chain with about `intervals` links suggests.
-pub(super) fn list(given: &Given, lifting: &[(f64, f64)], intervals: u32) -> List {
-    let x = samples(given, intervals);
-    let n = x.len() - 2;
-    let depth: Vec<f64> = x[1..=n].iter().map(|&x| given.depth(x)).collect();
-    let load = loads(given, &x);
-    let guess = Chain { x: &x, depth: &depth, load: &load }.solve();
-    let mut list = List::free();
-    let mut i = 0;
-    while i < n {
-        if guess.touches(i) {
-            let first = i;
-            while i < n && guess.touches(i) {
-                i += 1;
+/// Sampled places of the profile, from support to support.
+#[derive(Debug, Clone)]
+pub(super) struct Samples {
+    /// Where.
+    x: Vec<f64>,
+    /// The cell to the right of each.
+    cell: Vec<usize>,
+    /// True for a link that is far from contact; link `i` starts at sample `i`.
+    far: Vec<bool>,
+}
+
+/// A profile of more cells than this is sampled at the shallowest places of as many blocks first.
+const BLOCKS: usize = 4000;
+/// Parts into which a link near a lift-off point is cut.
+const PARTS: u32 = 4;
+/// Parts of each cell where several cells were one link: a beam may touch at breaks, and in between.
+const PARTS_OF_CELL: u32 = 3;
+
+impl Samples {
+    /// All joints, and cells cut into parts no longer than a fraction 1/`links` of the beam; of a long survey the
+    /// shallowest joint of each block, and where the load changes.
+    pub(super) fn first(given: &Given, links: u32) -> Self {
+        let mut samples = Self { x: Vec::new(), cell: Vec::new(), far: Vec::new() };
+        let cells = given.cells.len();
+        if cells <= BLOCKS {
+            let aim = given.length / f64::from(links);
+            for (i, cell) in given.cells.iter().enumerate() {
+                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most `links`")]
+                let parts = ((cell.hi - cell.lo) / aim).ceil() as u32;
+                samples.cut(i, [cell.lo, cell.hi], parts, false);
             }
-            add_run(given, lifting, &x, &guess, first..i, &mut list);
         } else {
-            i += 1;
+            samples.push(0.0, 0, false);
+            let block = cells.div_ceil(BLOCKS);
+            for first in (1..cells).step_by(block) {
+                let joints = first..cells.min(first + block);
+                let depth = |&i: &usize| given.depth_at_joint(i);
+                let shallowest = joints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
+                for i in joints.filter(|&i| Some(i) == shallowest || given.load_changes_at(i)) {
+                    samples.push(given.joints[i].x, i, false);
+                }
+            }
         }
+        samples.end(given);
+        samples
     }
-    consistent(given, list)
-}
 
-/// Sample places: all joints, and cells cut into parts of about equal length.
-fn samples(given: &Given, intervals: u32) -> Vec<f64> {
-    let aim = given.length / f64::from(intervals);
-    let mut x = vec![0.0];
-    for cell in &given.cells {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most `intervals`")]
-        let parts = ((cell.hi - cell.lo) / aim).ceil() as u32;
+    /// More samples where the chain lifts off, and near `places`.
+    pub(super) fn refined(&self, given: &Given, touches: &[bool], places: &[f64]) -> Self {
+        let n = self.x.len();
+        let touching = |i: usize| 0 < i && i + 1 < n && touches[i - 1];
+        let mut near: Vec<bool> = (0..n).map(touching).collect();
+        for &x in places {
+            let i = self.x.partition_point(|&other| other <= x).saturating_sub(1);
+            near[i] = true;
+            near[(i + 1).min(n - 1)] = true;
+        }
+        let mut refined =
+            Self { x: Vec::with_capacity(2 * n), cell: Vec::with_capacity(2 * n), far: Vec::with_capacity(2 * n) };
+        let coarse = |i: usize| given.cells[self.cell[i]].hi < self.x[i + 1];
+        for i in 0..n - 1 {
+            // Beside a link of many cells the contact is known to within a block or two.
+            let reach = if coarse(i) { 2 } else { 0 };
+            let close = (i.saturating_sub(reach)..=(i + 1 + reach).min(n - 1)).any(|j| near[j]);
+            let around = [i.saturating_sub(1), (i + 2).min(n - 1)];
+            let interior = (around[0]..=around[1]).all(touching)
+                && !coarse(i)
+                && given.tension_between(self.x[around[0]], self.x[around[1]]).next().is_none()
+                && [i, i + 1]
+                    .iter()
+                    .all(|&j| given.cells[self.cell[j]].lo < self.x[j] || !given.breaks_at(self.cell[j]));
+            let parts = match (close, interior) {
+                (true, false) => PARTS,
+                _ => 1,
+            };
+            if coarse(i) && close {
+                let last = given.cell_to(self.x[i + 1]);
+                for cell in self.cell[i]..=last {
+                    let c = &given.cells[cell];
+                    refined.cut(cell, [c.lo.max(self.x[i]), c.hi.min(self.x[i + 1])], PARTS_OF_CELL, false);
+                }
+            } else {
+                refined.cut(self.cell[i], [self.x[i], self.x[i + 1]], parts, !close);
+            }
+        }
+        refined.end(given);
+        refined
+    }
+
+    fn push(&mut self, x: f64, cell: usize, far: bool) {
+        self.x.push(x);
+        self.cell.push(cell);
+        self.far.push(far);
+    }
+
+    /// The start of a link in `cell` and the places that cut it into equal parts.
+    fn cut(&mut self, cell: usize, [lo, hi]: [f64; 2], parts: u32, far: bool) {
+        self.push(lo, cell, far);
         for part in 1..parts {
-            x.push(cell.lo + (cell.hi - cell.lo) * (f64::from(part) / f64::from(parts)));
+            let x = lo + (hi - lo) * (f64::from(part) / f64::from(parts));
+            if self.x.last().is_some_and(|&last| last < x) && x < hi {
+                self.push(x, cell, far);
+            }
         }
-        x.push(cell.hi);
     }
-    if x.len() < 3 {
-        x.insert(1, 0.5 * given.length);
-    }
-    x
-}
 
-/// Loads at the samples between the supports, by the law of the lever.
-fn loads(given: &Given, x: &[f64]) -> Vec<f64> {
-    let mut force = vec![0.0; x.len()];
-    let mut cell = 0;
-    for (i, w) in x.windows(2).enumerate() {
-        while cell + 1 < given.cells.len() && given.cells[cell].hi <= w[0] {
-            cell += 1;
+    /// The right support.
+    fn end(&mut self, given: &Given) {
+        self.x.push(given.length);
+        self.cell.push(given.cells.len() - 1);
+        if self.x.len() < 3 {
+            self.x.insert(1, 0.5 * given.length);
+            self.cell.insert(1, 0);
+            self.far.push(false);
         }
-        let (start, end, width) = (given.load(cell, w[0]), given.load(cell, w[1]), w[1] - w[0]);
-        force[i] += width * (2.0 * start + end) / 6.0;
-        force[i + 1] += width * (start + 2.0 * end) / 6.0;
     }
-    for joint in &given.joints {
-        let i = x.partition_point(|&x| x < joint.x).min(x.len() - 1);
-        force[i] += joint.force;
-    }
-    force[1..x.len() - 1].to_vec()
-}
 
-/// Adds the contacts of one run of touching samples.
-fn add_run(
-    given: &Given,
-    lifting: &[(f64, f64)],
-    x: &[f64],
-    guess: &Guess,
-    run: std::ops::Range<usize>,
-    list: &mut List,
-) {
-    // The run falls apart at every break of the profile.
-    let mut first = run.start;
-    let mut beside_edge = false;
-    for i in run.clone() {
-        let place = x[i + 1];
-        let joint = given.joints.partition_point(|j| j.x < place);
-        let at_joint = given.joints.get(joint).is_some_and(|j| j.x <= place);
-        if at_joint && given.breaks_at(joint) {
-            let edge = given.is_edge(joint);
-            add_stretch(given, lifting, x, guess, first..i, [beside_edge, edge], list);
+    /// The number of samples.
+    pub(super) fn count(&self) -> usize {
+        self.x.len()
+    }
+
+    /// Which of the samples touch, and with what force.
+    pub(super) fn chain(&self, given: &Given) -> Guess {
+        let n = self.x.len() - 2;
+        let mut load = vec![0.0; n + 2];
+        let mut bend = vec![0.0; n + 2];
+        for i in 0..=n {
+            let (a, b) = (self.x[i], self.x[i + 1]);
+            let length = b - a;
+            let last = given.cell_to(b).max(self.cell[i]);
+            for cell in self.cell[i]..=last {
+                let c = &given.cells[cell];
+                let (lo, hi) = (c.lo.max(a), c.hi.min(b));
+                let (start, end, width) = (given.load(cell, lo), given.load(cell, hi), hi - lo);
+                // Resultant and lever of a trapezium.
+                let force = 0.5 * width * (start + end);
+                let lever = width * width * (start + 2.0 * end) / 6.0 + force * (lo - a);
+                load[i] += force - lever / length;
+                load[i + 1] += lever / length;
+                if a < c.lo {
+                    let force = given.joints[cell].force;
+                    load[i] += force * (b - c.lo) / length;
+                    load[i + 1] += force * (c.lo - a) / length;
+                }
+            }
+            if a <= given.cells[self.cell[i]].lo {
+                load[i] += given.joints[self.cell[i]].force;
+            }
+            let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
+            bend[i] += start + given.kink_at(self.cell[i], a);
+            bend[i + 1] += end;
+            if self.far[i] {
+                let (start, end) = (given.load(self.cell[i], a), given.load(last, b));
+                let unit = length * length * length / 360.0;
+                bend[i] += unit * (8.0 * start + 7.0 * end);
+                bend[i + 1] += unit * (7.0 * start + 8.0 * end);
+            }
+        }
+        let ends = [given.derivative(0, 0.0, 0), given.derivative(given.cells.len() - 1, given.length, 0)];
+        let inner = |all: Vec<f64>| all[1..=n].to_vec();
+        Chain { x: self.x.clone(), bend: inner(bend), load: inner(load), beam: self.far.clone(), ends }.solve()
+    }
+
+    /// The list that the chain suggests.
+    pub(super) fn list(&self, given: &Given, guess: &Guess) -> List {
+        let mut builder = Builder { given, samples: self, guess, list: List::free() };
+        let n = self.x.len() - 2;
+        // A run of touching samples falls apart at every break of the profile.
+        let (mut first, mut beside_edge) = (None, false);
+        for i in 1..=n + 1 {
+            let touches = i <= n && guess.touches[i - 1];
+            let joint = self.cell[i.min(n)];
+            let breaks = i <= n && self.x[i] <= given.joints[joint].x && given.breaks_at(joint);
+            if touches && !breaks {
+                first.get_or_insert(i);
+                continue;
+            }
+            let edge = touches && given.is_edge(joint);
+            if let Some(first) = first.take() {
+                builder.add(first..i, beside_edge || edge);
+            }
             if edge {
-                list.nodes.push(edge_node(given, joint));
+                builder.list.nodes.push(edge_node(given, joint));
             }
-            (first, beside_edge) = (i + 1, edge);
+            beside_edge = edge;
         }
+        normalised(given, builder.list)
     }
-    add_stretch(given, lifting, x, guess, first..run.end, [beside_edge, false], list);
 }
 
-/// Adds a point or zones for a run of samples on one smooth piece of the profile.
-fn add_stretch(
-    given: &Given,
-    lifting: &[(f64, f64)],
-    x: &[f64],
-    guess: &Guess,
-    run: std::ops::Range<usize>,
-    beside_edge: [bool; 2],
-    list: &mut List,
-) {
-    let n = x.len() - 2;
-    if run.is_empty() {
-        return;
-    }
-    let touches_left = run.start == 0 && given.starts_at_zero(0);
-    let touches_right = run.end == n && given.starts_at_zero(1);
-    if run.len() <= 2 && !touches_left && !touches_right {
-        // The force of an edge spreads to its neighbours.
-        if beside_edge == [false; 2] {
-            let (force, moment) = run.fold((0.0, 0.0), |(f, m), i| (f + guess.force[i], m + guess.force[i] * x[i + 1]));
-            let mut place = moment / force;
-            // Contact beside a support that lies just above the foundation, closer to it than any sample: from h'' linear
-            // between u'' at the support and as much again at the contact, depth = u'' x²/2.
-            let closest = |depth: f64, bend: f64| if 0.0 < bend { (2.0 * depth / bend).sqrt() } else { f64::INFINITY };
-            let last = given.cells.len() - 1;
-            if place <= x[2] {
-                place = place.min(closest(given.derivative(0, 0.0, 0), given.derivative(0, 0.0, 2)));
-            } else if x[n - 1] <= place {
-                let (depth, bend) = (given.derivative(last, given.length, 0), given.derivative(last, given.length, 2));
-                place = place.max(given.length - closest(depth, bend));
-            }
-            let cell = given.cell_from(place);
-            list.nodes.push(Node::new(Kind::Smooth, place, cell));
-        }
-        return;
-    }
-    if touches_left && run.len() <= 2 {
-        list.supports[0] = AtSupport::Clamped;
-        return;
-    }
-    if touches_right && run.len() <= 2 {
-        list.supports[1] = AtSupport::Clamped;
-        return;
-    }
-    let from = if touches_left { 0.0 } else { lift_off(x, guess, run.clone().take(4)) };
-    let to = if touches_right { given.length } else { lift_off(x, guess, run.clone().rev().take(4)) };
-    let resolution = 2.0 * (x[run.end] - x[run.start + 1]) / f64::from(u32::try_from(run.len()).unwrap_or(u32::MAX));
-    add_zones(given, lifting, [from, to], resolution, list);
+/// A list under construction.
+struct Builder<'a> {
+    given: &'a Given,
+    samples: &'a Samples,
+    guess: &'a Guess,
+    list: List,
 }
 
-/// Where the concentrated force at the end of a zone acts, from the end samples of its run: what they have more than the
-/// innermost of them.
-fn lift_off(x: &[f64], guess: &Guess, samples: impl Iterator<Item = usize>) -> f64 {
-    let samples: Vec<usize> = samples.collect();
-    let inner = samples.last().map_or(0.0, |&i| guess.force[i]);
-    let outer = samples.first().map_or(0.0, |&i| x[i + 1]);
-    let (mut sum, mut moment) = (0.0, 0.0);
-    for &i in &samples {
-        let more = (guess.force[i] - inner).max(0.0);
-        sum += more;
-        moment += more * x[i + 1];
+impl Builder<'_> {
+    /// Adds a point or a zone for a run of touching samples on one smooth piece of the profile.
+    fn add(&mut self, run: Range<usize>, beside_edge: bool) {
+        let (given, x) = (self.given, &self.samples.x);
+        let n = x.len() - 2;
+        let at_support = [run.start == 1 && given.starts_at_zero(0), run.end == n + 1 && given.starts_at_zero(1)];
+        if 2 < run.len() {
+            let start = if at_support[0] { 0.0 } else { self.lift_off(run.clone().take(4)) };
+            let end = if at_support[1] { given.length } else { self.lift_off(run.rev().take(4)) };
+            self.list.nodes.extend(zones_between(given, [start, end]));
+        } else if at_support[0] {
+            self.list.supports[0] = AtSupport::Clamped;
+        } else if at_support[1] {
+            self.list.supports[1] = AtSupport::Clamped;
+        } else if !beside_edge {
+            // Otherwise it is the force of the edge that spreads to its neighbours.
+            let place = self.point(run);
+            self.list.nodes.push(Node::new(Kind::Smooth, place, given.cell_from(place)));
+        }
     }
-    if 0.0 < sum { moment / sum } else { outer }
+
+    /// Where the force of a run acts.
+    fn point(&self, run: Range<usize>) -> f64 {
+        let (given, x) = (self.given, &self.samples.x);
+        let (force, moment) =
+            run.fold((0.0, 0.0), |(f, m), i| (f + self.guess.force[i - 1], m + self.guess.force[i - 1] * x[i]));
+        let place = moment / force;
+        // Contact beside a support that lies just above the foundation, closer to it than any sample: from h'' linear
+        // between u'' at the support and as much again at the contact, depth = u'' x²/2.
+        let closest = |cell: usize, x: f64| {
+            let [depth, _, bend, _] = given.derivatives(cell, x);
+            if 0.0 < bend { (2.0 * depth / bend).sqrt() } else { f64::INFINITY }
+        };
+        if place <= x[2] {
+            place.min(closest(0, 0.0))
+        } else if x[x.len() - 3] <= place {
+            place.max(given.length - closest(given.cells.len() - 1, given.length))
+        } else {
+            place
+        }
+    }
+
+    /// Where the concentrated force at the end of a zone acts, from the end samples of its run: what they have more than
+    /// the pressure at the innermost of them.
+    fn lift_off(&self, samples: impl Iterator<Item = usize>) -> f64 {
+        let x = &self.samples.x;
+        let samples: Vec<usize> = samples.collect();
+        let width = |i: usize| x[i + 1] - x[i - 1];
+        let pressure = samples.last().map_or(0.0, |&i| self.guess.force[i - 1] / width(i));
+        let outer = samples.first().map_or(0.0, |&i| x[i]);
+        let (mut sum, mut moment) = (0.0, 0.0);
+        for &i in &samples {
+            let more = (self.guess.force[i - 1] - pressure * width(i)).max(0.0);
+            sum += more;
+            moment += more * x[i];
+        }
+        if 0.0 < sum { moment / sum } else { outer }
+    }
 }

@@ -9,8 +9,7 @@
 //! | start or end of a zone | position | `h = h' = 0` | `h'' = 0` in the span |
 
 use super::given::Given;
-use super::hold::{End, Hold};
-use super::span::Span;
+use super::span::{End, Hold, Span};
 
 /// What kind of node it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,11 +74,13 @@ impl List {
     }
 
     /// The spans with the number of nodes to their left.
-    pub(super) fn spans(&self, given: &Given) -> Vec<(usize, Span)> {
-        (0..=self.nodes.len())
-            .filter(|&i| !self.in_zone_before(i))
-            .map(|i| (i, Span::between(given, self.left_end(given, i), self.right_end(given, i))))
-            .collect()
+    pub(super) fn spans<'a>(&'a self, given: &'a Given) -> impl Iterator<Item = (usize, Span)> + 'a {
+        (0..=self.nodes.len()).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i)))
+    }
+
+    /// The span before node `i`, or before the right support.
+    pub(super) fn span(&self, given: &Given, i: usize) -> Span {
+        Span::between(given, self.left_end(given, i), self.right_end(given, i))
     }
 
     /// The zones, from where to where.
@@ -105,7 +106,7 @@ impl List {
         let Some(node) = i.checked_sub(1).map(|i| &self.nodes[i]) else {
             return support(given, 0.0, 0, self.supports[0]);
         };
-        let cell = given.cell_from(node.x);
+        let [cell, _] = node.cells(given);
         End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
     }
 
@@ -113,7 +114,7 @@ impl List {
         let Some(node) = self.nodes.get(i) else {
             return support(given, given.length, given.cells.len() - 1, self.supports[1]);
         };
-        let cell = given.cell_to(node.x);
+        let [_, cell] = node.cells(given);
         End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
     }
 }
@@ -130,6 +131,14 @@ impl Node {
         self.rest = rest - (self.x - x);
     }
 
+    /// The cells to its right and to its left.
+    fn cells(&self, given: &Given) -> [usize; 2] {
+        match self.kind {
+            Kind::Edge(joint) => [joint, joint - 1],
+            _ => given.cells_at(self.x, self.cell),
+        }
+    }
+
     /// How the node holds a span that lies in `cell` beside it.
     fn hold(&self, given: &Given, cell: usize) -> Hold {
         match self.kind {
@@ -141,7 +150,7 @@ impl Node {
                     height,
                     slope: given.derivative(cell, self.x, 1) - self.slope,
                     turn: Some(self.slope),
-                    level: Some(given.depth(self.x)),
+                    level: Some(given.depth_at_joint(joint)),
                 }
             }
             // A node at the very end of its piece of the profile has the next one on its other side.
@@ -168,4 +177,97 @@ fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
         AtSupport::Clamped => Hold::RESTING,
     };
     End { x, rest: 0.0, cell, hold }
+}
+
+/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
+/// leave no span between them.
+pub(super) fn normalised(given: &Given, list: List) -> List {
+    // A gap of this width between two contacts cannot be told from none; one between contacts on the same slope is more
+    // likely the solution without a gap, which the equations have as well.
+    let closed = 1e-11 * given.length;
+    let least = 16.0 * f64::EPSILON * given.length;
+    let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
+    let mut supports = list.supports;
+    let mut inside = supports[0] == AtSupport::Zone;
+    for node in list.nodes {
+        let before = nodes.last().map_or(0.0, |n| n.x);
+        let last_x = before;
+        let edge = |n: &Node| matches!(n.kind, Kind::Edge(_));
+        let on_one_slope = !edge(&node) && nodes.last().is_some_and(|n| !edge(n));
+        let gap = (if on_one_slope { closed } else { least }) < node.x - before;
+        // Two contacts on one smooth piece are one zone if it would press everywhere between them.
+        if !inside
+            && !edge(&node)
+            && node.kind != Kind::ZoneEnd
+            && let Some(last) = nodes.last_mut()
+            && !edge(last)
+            && given.cells[last.cell].shape == given.cells[node.cell].shape
+            && given.tension_between(last.x, node.x).next().is_none()
+        {
+            if last.kind == Kind::ZoneEnd {
+                nodes.pop();
+            } else {
+                last.kind = Kind::ZoneStart;
+            }
+            inside = true;
+            if node.kind == Kind::Smooth && last_x < node.x {
+                inside = false;
+                nodes.push(Node { kind: Kind::ZoneEnd, ..node });
+            }
+            continue;
+        }
+        match node.kind {
+            Kind::ZoneStart | Kind::Smooth | Kind::Edge(_) if inside => {}
+            Kind::ZoneEnd if !inside => {}
+            Kind::ZoneEnd => {
+                inside = false;
+                nodes.push(node);
+            }
+            _ if gap => {
+                inside = node.kind == Kind::ZoneStart;
+                nodes.push(node);
+            }
+            Kind::ZoneStart if nodes.last().is_some_and(|n| n.kind == Kind::ZoneEnd) => {
+                // Two zones that meet are one.
+                nodes.pop();
+                inside = true;
+            }
+            Kind::ZoneStart => {
+                nodes.pop();
+                inside = true;
+                nodes.push(node);
+            }
+            Kind::Smooth | Kind::Edge(_) => {}
+        }
+    }
+    while nodes.last().is_some_and(|n| given.length - n.x <= least) {
+        inside = nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
+    }
+    // A zone that starts, or ends, in the last digits beside a support where the foundation starts as well.
+    if nodes.first().is_some_and(|n| n.kind == Kind::ZoneStart && n.x <= least) && given.starts_at_zero(0) {
+        nodes.remove(0);
+        supports[0] = AtSupport::Zone;
+    }
+    if inside && given.starts_at_zero(1) {
+        supports[1] = AtSupport::Zone;
+    }
+    if inside && supports[1] != AtSupport::Zone {
+        // The zone that was opened last has no end.
+        match nodes.iter().rposition(|n| n.kind == Kind::ZoneStart) {
+            Some(i) => {
+                nodes.remove(i);
+            }
+            None => supports[0] = AtSupport::Free,
+        }
+    } else if !inside && supports[1] == AtSupport::Zone {
+        supports[1] = AtSupport::Free;
+    }
+    List { supports, nodes }
+}
+
+/// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
+pub(super) fn edge_node(given: &Given, joint: usize) -> Node {
+    let x = given.joints[joint].x;
+    let slope = 0.5 * (given.derivative(joint - 1, x, 1) + given.derivative(joint, x, 1));
+    Node { slope, ..Node::new(Kind::Edge(joint), x, joint) }
 }

@@ -4,43 +4,36 @@
 //! `q − EI u''''`, a concentrated force at each end). Between them the beam is a polynomial that its two ends determine.
 //! Unknown are only the places where it lifts off:
 //!
-//! 1. `given`, `cut`, `profile`, `shape`: profile and load as functions by pieces.
-//! 2. `chain`, `guess`, `zones`: a first idea of the list, from a chain of links above samples of the profile.
-//! 3. `list`, `hold`, `span`, `cosine`, `newton`, `bracket`: the equations of a list and Newton's method for its lift-off positions.
-//! 4. `piece`, `forces`, `pressure`, `bernstein`, `penetration`, `measure`, `verify`, `fault`: all conditions, everywhere and not at samples.
-//! 5. `repair`, `tidy`, `gap`, `edge`, `search`, `alternatives`, `explore`: what fails its check changes the list, first all of it, then
-//!    fault by fault; after a bounded number of lists it ends.
-//! 6. `exact`, `summary`, `violation`, `samples`, `solve`: the answer in the units of the scene.
+//! 1. `given`, `cut`, `shape`, `pressure`: profile and load as functions by pieces, and where a zone would pull.
+//! 2. `chain`, `guess`: a first idea of the list, from a chain of links above samples of the profile.
+//! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for its lift-off positions.
+//! 4. `check`, `violation`, `forces`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
+//! 5. `repair`, `gap`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
+//! 6. `solve`, `exact`, `samples`, `summary`: the answer in the units of the scene.
+//!
+//! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
 //! [`flat()`] is the paper's own case in closed form, [`closed`] has others.
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the programme (32).
 
-mod alternatives;
 mod bernstein;
-mod bracket;
 mod chain;
+mod check;
 pub mod closed;
 mod cosine;
 mod cut;
-mod edge;
 mod exact;
-mod explore;
-mod fault;
 mod flat;
 mod forces;
 mod gap;
 mod gauss;
 mod given;
 mod guess;
-mod hold;
 mod list;
-mod measure;
 mod newton;
-mod penetration;
 mod piece;
 mod pressure;
-mod profile;
 mod repair;
 mod samples;
 mod search;
@@ -48,10 +41,7 @@ mod shape;
 mod solve;
 mod span;
 mod summary;
-mod tidy;
-mod verify;
 mod violation;
-mod zones;
 
 pub use exact::Exact;
 pub use flat::{FlatSolution, flat};

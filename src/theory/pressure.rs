@@ -24,7 +24,7 @@ pub(super) fn pressure(given: &Given, cell: usize) -> Vec<f64> {
 }
 
 /// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length.
-pub(super) fn lifting(given: &Given) -> Vec<(f64, f64)> {
+pub(super) fn tension_intervals(given: &Given) -> Vec<(f64, f64)> {
     /// Rounding of `q` and `u''''` against each other.
     const ROUNDING: f64 = 1e-13;
     let mut found: Vec<(f64, f64)> = Vec::new();
@@ -37,6 +37,10 @@ pub(super) fn lifting(given: &Given) -> Vec<(f64, f64)> {
             add(cell.lo, cell.lo);
         }
         let width = cell.hi - cell.lo;
+        let straight = given.shapes[cell.shape].degree().is_some_and(|degree| degree < 4);
+        if straight && 0.0 <= cell.load && 0.0 <= cell.load + cell.load_slope * width {
+            continue;
+        }
         let p = pressure(given, i);
         let fourth = given.derivative(i, cell.lo, 4).abs();
         let size = fourth + cell.load.abs() + (cell.load_slope * width).abs();
@@ -58,7 +62,8 @@ pub(super) fn lifting(given: &Given) -> Vec<(f64, f64)> {
 /// the beam, if there is one.
 pub(super) fn mean_pull(given: &Given, lo: f64, hi: f64) -> f64 {
     let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
-    let inside = given.joints.iter().filter(|j| lo <= j.x && j.x <= hi);
+    let from = given.joints.partition_point(|j| j.x < lo);
+    let inside = given.joints[from..].iter().take_while(|j| j.x <= hi);
     let point = -inside.map(|j| j.force.min(0.0)).sum::<f64>() / given.length;
     if hi <= lo {
         return point;

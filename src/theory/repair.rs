@@ -1,152 +1,132 @@
-//! What to try next when a list of contacts fails its check.
+//! What to try next when a list of contacts fails its check: each fault says what it changes.
+//!
+//! A point that pulls goes, one at which the beam bends more than the profile becomes a zone, and where the beam penetrates
+//! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::list::normalised`]).
 
-use super::edge::{edge_at, edge_node};
-use super::fault::Fault;
-use super::gap::half_bridge;
+use super::check::Checked;
+use super::gap::zones_between;
 use super::given::Given;
-use super::list::{AtSupport, Kind, List, Node};
-use super::tidy::consistent;
-use super::verify::Checked;
-use super::zones::add_zones;
+use super::list::{AtSupport, Kind, List, Node, edge_node, normalised};
+use super::span::Span;
+use super::violation::Violation;
 
-/// The list with its faults mended as far as each of them tells what to do.
-pub(super) fn mended(given: &Given, lifting: &[(f64, f64)], list: &List, checked: &Checked) -> List {
-    let mut repair = Repair {
-        given,
-        lifting,
-        list,
-        checked,
-        supports: list.supports,
-        nodes: list.nodes.clone(),
-        keep: vec![true; list.nodes.len()],
-        added: Vec::new(),
-    };
-    for fault in &checked.faults {
-        match *fault {
-            Fault::Inverted { start } => repair.inverted(start),
-            Fault::Tension { node, .. } => repair.tension(node),
-            Fault::Bulge { node, bend } => repair.bulge(node, bend),
-            Fault::Pull { zone, .. } => repair.pull(zone),
-            Fault::Broken { zone, joint } => repair.broken(zone, joint),
-            Fault::Couple { support, .. } => repair.couple(support),
-            Fault::Penetration { span, at, .. } => repair.penetration(span, at),
-            Fault::Astray { node } => repair.astray(node),
-            Fault::Unresolved { .. } | Fault::Unbalanced { .. } | Fault::Residual { .. } => {}
+/// The list with its faults repaired as far as each of them says how.
+pub(super) fn repaired(given: &Given, list: &List, checked: &Checked) -> List {
+    let (supports, keep) = (list.supports, vec![true; list.nodes.len()]);
+    let mut repair = Repair { given, list, checked, supports, keep, added: Vec::new() };
+    for &(i, fault) in &checked.faults {
+        match fault {
+            Violation::Inverted { from, to } => {
+                (repair.keep[i], repair.keep[i + 1]) = (false, false);
+                repair.touch(0.5 * (from + to));
+            }
+            Violation::Tension { .. } => repair.tension(i),
+            Violation::Bulge { moment, .. } => repair.bulge(i, moment),
+            Violation::Pull { .. } => repair.pull(i),
+            Violation::Unresolved { .. } => repair.unresolved(i),
+            Violation::Couple { .. } => repair.couple(i),
+            Violation::Penetration { at, .. } => repair.penetration(i, at),
+            _ => {}
         }
     }
-    repair.done()
+    let Repair { supports, keep, added, .. } = repair;
+    let kept = list.nodes.iter().zip(keep).filter(|(_, kept)| *kept).map(|(node, _)| *node);
+    let mut nodes: Vec<Node> = kept.chain(added).collect();
+    nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
+    normalised(given, List { supports, nodes })
 }
 
 /// A list and what becomes of it.
 struct Repair<'a> {
     given: &'a Given,
-    lifting: &'a [(f64, f64)],
     list: &'a List,
     checked: &'a Checked,
     supports: [AtSupport; 2],
-    /// Those of the list, some of them moved.
-    nodes: Vec<Node>,
-    /// Which of them are kept.
+    /// Which nodes of the list are kept.
     keep: Vec<bool>,
-    /// Replacements and additions, in any order.
+    /// Additions, in any order.
     added: Vec<Node>,
 }
 
 impl Repair<'_> {
-    fn done(self) -> List {
-        let kept = self.nodes.into_iter().zip(self.keep).filter(|(_, kept)| *kept).map(|(node, _)| node);
-        let mut nodes: Vec<Node> = kept.chain(self.added).collect();
-        nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-        consistent(self.given, List { supports: self.supports, nodes })
+    /// The beam touches the smooth profile at `x`.
+    fn touch(&mut self, x: f64) {
+        self.added.push(Node::new(Kind::Smooth, x, self.given.cell_from(x)));
     }
 
-    /// A zone that ends before it starts is a point.
-    fn inverted(&mut self, start: usize) {
-        let x = 0.5 * (self.nodes[start].x + self.nodes[start + 1].x);
-        (self.keep[start], self.keep[start + 1]) = (false, false);
-        self.add(Kind::Smooth, x);
-    }
-
-    /// A point that pulls goes; the end of a zone that pulls has to move outwards.
-    fn tension(&mut self, node: usize) {
-        /// How far, as a share of the way to what is next.
-        const OUTWARDS: f64 = 0.3;
-        let Node { kind, x, cell, .. } = self.nodes[node];
-        let (lo, hi) = self.given.reach(cell);
-        match kind {
-            Kind::Smooth | Kind::Edge(_) => self.keep[node] = false,
-            Kind::ZoneStart => {
-                let left = node.checked_sub(1).map_or(0.0, |i| self.list.nodes[i].x);
-                self.nodes[node].x -= OUTWARDS * (x - left).min(x - lo);
-            }
-            Kind::ZoneEnd => {
-                let right = self.list.nodes.get(node + 1).map_or(self.given.length, |n| n.x);
-                self.nodes[node].x += OUTWARDS * (right - x).min(hi - x);
-            }
+    /// A point that pulls goes. The end of a zone moves by itself when others have changed.
+    fn tension(&mut self, i: usize) {
+        if !self.list.nodes[i].kind.is_of_zone() {
+            self.keep[i] = false;
         }
     }
 
     /// The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
-    fn bulge(&mut self, node: usize, bend: f64) {
-        let Node { x, cell, .. } = self.list.nodes[node];
-        if self.keep[node] && !self.lifting.iter().any(|l| l.0 < x && x < l.1) {
-            self.keep[node] = false;
-            // The moment falls to that of the profile over this length.
-            let falls = -2.0 * bend / self.checked.forces[node].abs();
-            let half = falls.min(0.3 * self.nearest(node));
-            self.added.push(Node::new(Kind::ZoneStart, x - half, cell));
-            self.added.push(Node::new(Kind::ZoneEnd, x + half, cell));
+    fn bulge(&mut self, i: usize, moment: f64) {
+        let Node { x, cell, .. } = self.list.nodes[i];
+        if !self.keep[i] || self.given.tension_between(x, x).next().is_some() {
+            return;
         }
+        self.keep[i] = false;
+        let nodes = &self.list.nodes;
+        let (lo, hi) = self.given.reach(cell);
+        let left = i.checked_sub(1).map_or(lo, |i| nodes[i].x.max(lo));
+        let right = nodes.get(i + 1).map_or(hi, |n| n.x.min(hi));
+        // The moment falls to that of the profile over this length.
+        let falls = 2.0 * moment / self.checked.forces[i].abs();
+        let half = falls.min(0.3 * (x - left).min(right - x));
+        self.added.push(Node::new(Kind::ZoneStart, x - half, cell));
+        self.added.push(Node::new(Kind::ZoneEnd, x + half, cell));
     }
 
     /// A zone that pulls is split where it does.
-    fn pull(&mut self, zone: usize) {
-        let [from, to] = self.take_out(zone);
-        self.add_zones_between([from, to]);
-    }
-
-    /// On each side of the break the zone ends somewhat before it.
-    fn broken(&mut self, zone: usize, joint: usize) {
-        /// How much, as a share of the zone on that side.
-        const SHORTER: f64 = 0.1;
-        let [from, to] = self.take_out(zone);
-        let x = self.given.joints[joint].x;
-        let bridge = half_bridge(self.given, joint);
-        let (left, right) = ((SHORTER * (x - from)).min(bridge), (SHORTER * (to - x)).min(bridge));
-        self.add_zones_between([from, x - left]);
-        if self.given.is_edge(joint) {
-            self.added.push(edge_node(self.given, joint));
+    fn pull(&mut self, i: usize) {
+        let ends = [i.checked_sub(1), (i < self.keep.len()).then_some(i)];
+        if ends.iter().flatten().any(|&end| !self.keep[end]) {
+            return;
         }
-        self.add_zones_between([x + right, to]);
+        let place = |end: Option<usize>, support: f64| end.map_or(support, |end| self.list.nodes[end].x);
+        let zones = zones_between(self.given, [place(ends[0], 0.0), place(ends[1], self.given.length)]);
+        ends.iter().flatten().for_each(|&end| self.keep[end] = false);
+        for support in [0, 1].into_iter().filter(|&support| ends[support].is_none()) {
+            self.supports[support] = AtSupport::Free;
+        }
+        self.added.extend(zones);
     }
 
-    /// Support and foundation would pull at each other: the beam has to lift off before it reaches the support.
-    fn couple(&mut self, support: usize) {
-        if self.list.supports[support] == AtSupport::Zone {
-            let (length, nodes) = (self.given.length, &self.list.nodes);
-            let far = if support == 0 { nodes.first() } else { nodes.last() }.map_or(length, |n| n.x);
-            if support == 0 {
-                self.add(Kind::ZoneStart, 0.3 * far);
-            } else {
-                self.add(Kind::ZoneEnd, 0.7 * length + 0.3 * far);
+    /// A zone that reaches an edge as far as can be told carries what the edge would.
+    fn unresolved(&mut self, i: usize) {
+        let nodes = &self.list.nodes;
+        let beside = [i.checked_sub(1), (i < nodes.len()).then_some(i)];
+        if beside.iter().flatten().any(|&node| nodes[node].kind.is_of_zone()) {
+            for node in beside.into_iter().flatten().filter(|&node| matches!(nodes[node].kind, Kind::Edge(_))) {
+                self.keep[node] = false;
             }
+        }
+    }
+
+    /// Support and foundation would pull at each other: the beam lifts off before it reaches the support.
+    fn couple(&mut self, support: usize) {
+        let (given, nodes) = (self.given, &self.list.nodes);
+        if self.list.supports[support] == AtSupport::Zone {
+            let far = if support == 0 { nodes.first() } else { nodes.last() }.map_or(given.length, |n| n.x);
+            let (kind, x) = if support == 0 {
+                (Kind::ZoneStart, 0.3 * far)
+            } else {
+                (Kind::ZoneEnd, 0.7 * given.length + 0.3 * far)
+            };
+            self.added.push(Node::new(kind, x, given.cell_from(x)));
         }
         self.supports[support] = AtSupport::Free;
     }
 
-    /// The contact belongs to another piece of the profile.
-    fn astray(&mut self, node: usize) {
-        self.keep[node] = false;
-        let Node { kind, x, .. } = self.list.nodes[node];
-        self.add(kind, x);
-    }
-
     /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.
     fn penetration(&mut self, i: usize, at: f64) {
-        let Some((_, span)) = self.checked.spans.iter().find(|(j, _)| *j == i) else {
+        let Ok(index) = self.checked.spans.binary_search_by_key(&i, |(j, _)| *j) else {
             return;
         };
         let (given, list) = (self.given, self.list);
+        let (_, span) = &self.checked.spans[index];
         if let Some(joint) = edge_at(given, span, at) {
             self.added.push(edge_node(given, joint));
             return;
@@ -156,69 +136,28 @@ impl Repair<'_> {
         // A support at the level of the foundation, which the beam leaves too steeply.
         for (support, end, turn) in [(0, span.a, span.at_a[1]), (1, span.b, -span.at_b[1])] {
             let here = if support == 0 { i == 0 } else { i == n };
-            if here && list.supports[support] == AtSupport::Free && given.starts_at_zero(support) && turn < 0.0 {
+            let held = list.supports[support] == AtSupport::Clamped;
+            let steep = list.supports[support] == AtSupport::Free && given.starts_at_zero(support) && turn < 0.0;
+            if here && (steep || held && beside(end.x)) {
                 self.supports[support] = AtSupport::Clamped;
-                if given.derivative(end.cell, end.x, 2) <= 0.0 {
+                if held || given.derivative(end.cell, end.x, 2) <= 0.0 {
                     self.start_zone_at_support(support, 0.1 * span.length());
                 }
                 return;
             }
-            if here && list.supports[support] == AtSupport::Clamped && beside(end.x) {
-                self.start_zone_at_support(support, 0.1 * span.length());
-                return;
-            }
         }
-        let neighbours = [i.checked_sub(1), (i < n).then_some(i)];
-        // An edge that the beam leaves on the wrong side: it touches the slope beside it instead.
-        for (node, end, turn) in [(neighbours[0], span.a, span.at_a[1]), (neighbours[1], span.b, -span.at_b[1])] {
-            if let Some(node) = node.filter(|&node| matches!(list.nodes[node].kind, Kind::Edge(_)))
-                && turn < 0.0
-                && beside(end.x)
-            {
+        let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), ((i < n).then_some(i), span.b.x, -span.at_b[1])];
+        for (node, x, turn) in neighbours {
+            let Some(node) = node.filter(|_| beside(x)) else { continue };
+            if matches!(list.nodes[node].kind, Kind::Edge(_)) && turn < 0.0 {
+                // The beam leaves the edge on the wrong side: it touches the slope beside it instead.
                 self.keep[node] = false;
-                self.add(Kind::Smooth, at);
+            } else if !self.keep[node] || list.nodes[node].kind.is_of_zone() && self.checked.forces[node] < 0.0 {
+                // A point that goes or becomes a zone, or the end of a zone that will move.
                 return;
             }
         }
-        for node in neighbours.into_iter().flatten().filter(|&node| beside(list.nodes[node].x)) {
-            // A point that bulges, or that becomes a zone, is mended by itself; and beside a zone that ends in tension the
-            // zone has to move, which the tension says already.
-            let moves = list.nodes[node].kind.is_of_zone() && self.checked.forces[node] < 0.0;
-            if !self.keep[node] || moves {
-                return;
-            }
-        }
-        self.add(Kind::Smooth, at);
-    }
-
-    fn add(&mut self, kind: Kind, x: f64) {
-        self.added.push(Node::new(kind, x, self.given.cell_from(x)));
-    }
-
-    /// Takes a zone out of the list; returns from where to where it went.
-    fn take_out(&mut self, zone: usize) -> [f64; 2] {
-        match zone.checked_sub(1) {
-            Some(i) => self.keep[i] = false,
-            None => self.supports[0] = AtSupport::Free,
-        }
-        match self.keep.get_mut(zone) {
-            Some(kept) => *kept = false,
-            None => self.supports[1] = AtSupport::Free,
-        }
-        let nodes = &self.list.nodes;
-        [zone.checked_sub(1).map_or(0.0, |i| nodes[i].x), nodes.get(zone).map_or(self.given.length, |n| n.x)]
-    }
-
-    /// Adds zones between two places, split where they would pull.
-    fn add_zones_between(&mut self, ends: [f64; 2]) {
-        let mut parts = List::free();
-        add_zones(self.given, self.lifting, ends, 0.0, &mut parts);
-        for (support, part) in self.supports.iter_mut().zip(parts.supports) {
-            if part == AtSupport::Zone {
-                *support = AtSupport::Zone;
-            }
-        }
-        self.added.extend(parts.nodes);
+        self.touch(at);
     }
 
     /// A zone from a support over `length`.
@@ -230,14 +169,10 @@ impl Repair<'_> {
             Node::new(Kind::ZoneStart, self.given.length - length, self.given.cells.len() - 1)
         });
     }
+}
 
-    /// Distance to the nearest neighbour or break of the profile.
-    fn nearest(&self, node: usize) -> f64 {
-        let nodes = &self.list.nodes;
-        let x = nodes[node].x;
-        let (lo, hi) = self.given.reach(nodes[node].cell);
-        let left = node.checked_sub(1).map_or(lo, |i| nodes[i].x.max(lo));
-        let right = nodes.get(node + 1).map_or(hi, |n| n.x.min(hi));
-        (x - left).min(right - x)
-    }
+/// The edge at `at` in a span, if there is one.
+fn edge_at(given: &Given, span: &Span, at: f64) -> Option<usize> {
+    let near = 1e-6 * span.length();
+    given.joints_inside(at - near, at + near).find(|&j| span.a.cell < j && j <= span.b.cell && given.is_edge(j))
 }

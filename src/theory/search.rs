@@ -1,21 +1,33 @@
-//! Finding the list of contacts: guess, Newton's method, check, mend; finer guesses until the check passes; in the end the
-//! lists that were tried are changed one fault at a time.
+//! Finding the list of contacts.
+//!
+//! A chain of links above samples of the profile says where the beam touches, more or less; Newton's method settles the
+//! places; the check of all conditions has the last word. What fails its check changes the list. Where that ends without
+//! an answer, the chain gets more samples near its contacts and where the check failed, and says it again: a chain never
+//! cycles, and no scene needs another kind of search.
 
-use super::explore::explored;
+use super::check::{Checked, check};
 use super::given::Given;
-use super::guess;
-use super::list::{AtSupport, List};
+use super::guess::Samples;
+use super::list::{List, normalised};
 use super::newton;
-use super::pressure::lifting;
-use super::repair::mended;
-use super::tidy::{consistent, joined};
-use super::verify::{Checked, check};
+use super::repair::repaired;
 
-/// Links of the chains that guesses come from. The first is enough for most scenes; the last resolves contacts that are
-/// a thousandth of the beam apart.
-const LINKS: [u32; 5] = [12, 48, 192, 768, 3456];
-/// How often a list is mended before a finer guess is asked for.
+/// Links of the first chain, more at the breaks of the profile: enough for most scenes.
+const LINKS: u32 = 12;
+/// A first chain of more samples than this is refined before its first list: what there is to find is finer than its links.
+const ENOUGH: usize = 40;
+/// Guesses at most, each with samples four times as fine; fewer for a profile of more than `LONG` pieces, which are fine.
+const GUESSES: usize = 12;
+const GUESSES_OF_LONG: usize = 4;
+const LONG: usize = 4000;
+/// Samples of all guesses together at most, beside `MULTIPLE` times those of the first.
+const MOST_SAMPLES: usize = 200_000;
+const MULTIPLE: usize = 10;
+/// Lists at most that come from one guess.
 const ROUNDS: usize = 10;
+/// Lists that have no fewer faults than one before, after which a finer guess is better; one for which Newton's method does
+/// not converge counts three times.
+const STRIKES: usize = 6;
 
 /// The best list that was found.
 #[derive(Debug, Clone)]
@@ -52,46 +64,67 @@ impl Found {
 /// The beam without contact.
 pub(super) fn free(given: &Given) -> Found {
     let list = List::free();
-    let checked = check(given, &[], &list);
+    let checked = check(given, &list);
     Found { list, checked, steps: 0, lists: 1, converged: true }
 }
 
-/// The exact solution above a foundation; it ends after at most `LINKS.len() · ROUNDS` lists and those of [`explored`].
+/// The exact solution above a foundation.
+///
+/// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
+/// piece of the scene.
 pub(super) fn search(given: &Given) -> Found {
     let mut best = free(given);
     if best.certified() {
         return best;
     }
-    let lifting = lifting(given);
-    let first = mended(given, &lifting, &best.list, &best.checked);
-    let (mut steps, mut lists) = (0, 1);
-    let mut pool = Vec::new();
-    for links in LINKS {
-        let mut list = guess::list(given, &lifting, links);
-        if list.nodes.is_empty() && list.supports == [AtSupport::Free; 2] {
+    let first = repaired(given, &best.list, &best.checked);
+    let mut samples = Samples::first(given, LINKS);
+    let mut guess = samples.chain(given);
+    if ENOUGH < samples.count() {
+        samples = samples.refined(given, &guess.touches, &[]);
+        guess = samples.chain(given);
+    }
+    let mut left = MULTIPLE * samples.count() + MOST_SAMPLES;
+    let mut steps = 0;
+    let mut lists = 1;
+    let guesses = if given.cells.len() <= LONG { GUESSES } else { GUESSES_OF_LONG };
+    for _ in 0..guesses {
+        let mut list = samples.list(given, &guess);
+        if list == List::free() {
             list.clone_from(&first);
         }
-        let mut tried: Vec<List> = Vec::new();
+        let mut places = Vec::new();
+        let (mut strikes, mut fewest) = (0, usize::MAX);
         for _ in 0..ROUNDS {
-            if tried.contains(&list) {
-                break;
-            }
-            tried.push(list.clone());
-            list = joined(given, list);
             let run = newton::solve(given, &mut list);
-            list = consistent(given, list);
-            steps += run.steps;
-            lists += 1;
-            let checked = check(given, &lifting, &list);
-            let next = mended(given, &lifting, &list, &checked);
-            let found = Found { list, checked, steps, lists, converged: run.converged };
-            pool.push(found.clone());
-            best = best.better(found);
+            list = normalised(given, list);
+            let checked = check(given, &list);
+            (steps, lists) = (steps + run.steps, lists + 1);
+            let next = repaired(given, &list, &checked);
+            let faults = checked.faults.len();
+            strikes += match (fewest <= faults, run.converged) {
+                (true, true) => 1,
+                (true, false) => 3,
+                _ => 0,
+            };
+            fewest = fewest.min(faults);
+            let ends = next == list || STRIKES <= strikes;
+            places.extend(checked.faults.iter().filter_map(|(_, fault)| fault.place()));
+            best = best.better(Found { list, checked, steps, lists, converged: run.converged });
             if best.certified() {
                 return best;
             }
+            if ends {
+                break;
+            }
             list = next;
         }
+        samples = samples.refined(given, &guess.touches, &places);
+        if left < samples.count() {
+            break;
+        }
+        left -= samples.count();
+        guess = samples.chain(given);
     }
-    explored(given, &lifting, Found { steps, lists, ..best }, pool)
+    Found { steps, lists, ..best }
 }

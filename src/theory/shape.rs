@@ -6,6 +6,15 @@ const FULL: f64 = 2.0 * std::f64::consts::PI;
 /// A smooth piece of the profile `u(x)`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Shape {
+    /// `u = depth + slope (x − origin)`.
+    Line {
+        /// Where the depth is given.
+        origin: f64,
+        /// Depth there.
+        depth: f64,
+        /// Slope.
+        slope: f64,
+    },
     /// `u = Σ c_j (x − origin)^j`.
     Polynomial {
         /// Where the powers start.
@@ -48,7 +57,7 @@ impl Shape {
     /// The waves, if it is a cosine.
     pub(super) fn wave(&self) -> Option<Wave> {
         match *self {
-            Self::Polynomial { .. } => None,
+            Self::Line { .. } | Self::Polynomial { .. } => None,
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase })
             }
@@ -59,12 +68,13 @@ impl Shape {
     /// cliff of a million depths the rounding of the other end is a million times as large.
     pub(super) fn line([x0, u0]: [f64; 2], [x1, u1]: [f64; 2]) -> Self {
         let (origin, depth) = if u0.abs() <= u1.abs() { (x0, u0) } else { (x1, u1) };
-        Self::Polynomial { origin, coefficients: vec![depth, (u1 - u0) / (x1 - x0)] }
+        Self::Line { origin, depth, slope: (u1 - u0) / (x1 - x0) }
     }
 
     /// The depth from which it is interpolated: where its powers start, or the mean of its waves.
     pub(super) fn start(&self) -> f64 {
         match self {
+            Self::Line { depth, .. } => *depth,
             Self::Polynomial { coefficients, .. } => coefficients.first().copied().unwrap_or(0.0),
             Self::Cosine { mean, .. } => *mean,
         }
@@ -73,6 +83,7 @@ impl Shape {
     /// The degree, if it is a polynomial.
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
+            Self::Line { .. } => Some(1),
             Self::Polynomial { coefficients, .. } => Some(coefficients.len().saturating_sub(1)),
             Self::Cosine { .. } => None,
         }
@@ -81,6 +92,7 @@ impl Shape {
     /// `u(b) − u(a)` without the rounding of the depths themselves.
     pub(super) fn rise(&self, a: f64, b: f64) -> f64 {
         match self {
+            Self::Line { slope, .. } => slope * (b - a),
             Self::Polynomial { coefficients, .. } => {
                 let mut taylor = vec![0.0; coefficients.len()];
                 self.taylor(a, &mut taylor);
@@ -93,10 +105,31 @@ impl Shape {
         }
     }
 
+    /// How far the profile turns between its slope at `x` and the chord to `x + t`, `|(u(x + t) − u(x))/t − u'(x)|` with the
+    /// sign of `u''`, to the digits of a small number; `even` leaves out the odd powers of its Taylor series.
+    pub(super) fn bow(&self, x: f64, t: f64, even: bool) -> f64 {
+        let mut taylor = [0.0; 22];
+        let terms = match self {
+            Self::Line { .. } => return 0.0,
+            Self::Polynomial { coefficients, .. } => coefficients.len().min(taylor.len()),
+            Self::Cosine { .. } => taylor.len(),
+        };
+        self.taylor(x, &mut taylor[..terms]);
+        if even {
+            taylor.iter_mut().skip(3).step_by(2).for_each(|c| *c = 0.0);
+        }
+        taylor[..terms].iter().skip(2).rev().fold(0.0, |sum, c| (sum + c) * t) * t.signum()
+    }
+
     /// Taylor coefficients `u^{(j)}(x) / j!` for all `j` below `out.len()`.
     pub(super) fn taylor(&self, x: f64, out: &mut [f64]) {
         out.fill(0.0);
         match self {
+            Self::Line { origin, depth, slope } => {
+                for (out, value) in out.iter_mut().zip([depth + slope * (x - origin), *slope]) {
+                    *out = value;
+                }
+            }
             Self::Polynomial { origin, coefficients } => shifted(coefficients, x - origin, out),
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 let wave = FULL / wavelength;

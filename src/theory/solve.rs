@@ -41,8 +41,10 @@ pub enum TheoryError {
 /// Largest phase of a wave \[rad\]: half a unit in its last place is a tenth of what a condition may be violated by.
 const MOST_PHASE: f64 = 1000.0;
 
-/// Points of the longest polyline: the search takes time in the square of their number, here about a second at worst.
-const MOST_POINTS: usize = 20_000;
+/// Points of the longest polyline: of this memory, in bytes, so many are needed for each point where contact is dense.
+const MOST_POINTS: usize = MEMORY / BYTES_PER_POINT;
+const MEMORY: usize = 4 << 30;
+const BYTES_PER_POINT: usize = 2000;
 
 /// The exact solution of `scene`.
 ///

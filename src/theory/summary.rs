@@ -1,6 +1,6 @@
 //! Reactions, contacts, extremes and energy of a list, in the units of the scene.
 
-use super::bernstein::sign_changes;
+use super::bernstein::{range, sign_changes};
 use super::forces::zone_force;
 use super::given::Given;
 use super::list::List;
@@ -101,30 +101,44 @@ fn energy(given: &Given, pieces: &[Piece]) -> f64 {
     sum
 }
 
-/// Extremes of `v` and of `v''`: at the ends of pieces and at the roots of `v'` and `v'''`.
+/// Extremes of `v` and of `v''`: at the ends of pieces and at the roots of their derivatives.
 fn extremes(given: &Given, pieces: &[Piece]) -> (Extremes, Extremes) {
     let mut taylor = vec![0.0; given.terms];
-    let (mut first, mut second) = (Vec::new(), Vec::new());
+    // Inside a piece only where it may go beyond what the ends of all pieces have.
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let (mut ends, mut bends) = (none, none);
+    for piece in pieces {
+        piece.deflection(given, &mut taylor);
+        for x in [piece.lo, piece.hi] {
+            let [v, _, v2, _] = derivatives(&taylor, x - piece.anchor);
+            ends = [ends[0].min(v), ends[1].max(v)];
+            bends = [bends[0].min(v2), bends[1].max(v2)];
+        }
+    }
+    let (mut first, mut second) = (Vec::with_capacity(2 * pieces.len()), Vec::with_capacity(2 * pieces.len()));
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
-        let width = piece.width();
-        let slope = derivative(&taylor);
-        let bend = derivative(&slope);
-        let third = derivative(&bend);
-        let in_order = |mut s: Vec<f64>| {
-            s.extend([0.0, width]);
-            s.sort_by(f64::total_cmp);
-            if piece.lo < piece.anchor {
-                s.reverse();
-            }
-            s
-        };
-        let pair = |c: &[f64], s: f64| (piece.place(s), super::bernstein::value(c, s));
-        first.extend(in_order(sign_changes(&slope, width)).into_iter().map(|s| pair(&taylor, s)));
-        second.extend(in_order(sign_changes(&third, width)).into_iter().map(|s| pair(&bend, s)));
+        add_extremes(piece, &taylor, ends, &mut first);
+        add_extremes(piece, &derivative(&derivative(&taylor)), bends, &mut second);
     }
     (Extremes::of(first), Extremes::of(second))
+}
+
+/// The values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if it may leave `[least, most]`
+/// there; in order from left to right, with their places.
+fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut Vec<(f64, f64)>) {
+    let width = piece.width();
+    let start = values.len();
+    values.push((piece.place(0.0), super::bernstein::value(c, 0.0)));
+    if !range(c, width).is_some_and(|[lo, hi]| least < lo && hi < most) {
+        let inside = sign_changes(&derivative(c), width);
+        values.extend(inside.into_iter().map(|s| (piece.place(s), super::bernstein::value(c, s))));
+    }
+    values.push((piece.place(width), super::bernstein::value(c, width)));
+    if piece.lo < piece.anchor {
+        values[start..].reverse();
+    }
 }
 
 /// Coefficients of the derivative.

@@ -1,11 +1,8 @@
-//! What an answer violates, in the units of the scene.
+//! What an answer violates.
 
-use super::fault::Fault;
-use super::given::Given;
-use super::list::List;
 use crate::scene::Scale;
 
-/// A condition that an answer violates, in the units of the scene.
+/// A condition that an answer violates, in the units of the scene; inside this room in dimensionless numbers.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Violation {
     /// The beam lies below the foundation.
@@ -95,32 +92,36 @@ pub enum Violation {
     },
 }
 
-/// A fault in the units of the scene.
-pub(super) fn in_units(fault: &Fault, given: &Given, list: &List, scale: &Scale, stiffness: f64) -> Violation {
-    let place = |x: f64| x * scale.length;
-    match *fault {
-        Fault::Penetration { at, depth, .. } => Violation::Penetration { at: place(at), depth: depth * scale.depth },
-        Fault::Tension { node, force } => {
-            Violation::Tension { at: place(list.nodes[node].x), force: -force * stiffness * scale.force }
+impl Violation {
+    /// From dimensionless numbers, with moments and forces over `EI`, to the units of the scene.
+    pub(super) fn in_units(self, scale: &Scale, stiffness: f64) -> Self {
+        let place = |x: f64| x * scale.length;
+        let force = |f: f64| f * stiffness * scale.force;
+        let moment = |m: f64| m * stiffness * scale.moment();
+        match self {
+            Self::Penetration { at, depth } => Self::Penetration { at: place(at), depth: depth * scale.depth },
+            Self::Tension { at, force: pull } => Self::Tension { at: place(at), force: force(pull) },
+            Self::Bulge { at, moment: lack } => Self::Bulge { at: place(at), moment: moment(lack) },
+            Self::Pull { from, to } => Self::Pull { from: place(from), to: place(to) },
+            Self::Broken { at } => Self::Broken { at: place(at) },
+            Self::Inverted { from, to } => Self::Inverted { from: place(from), to: place(to) },
+            Self::Couple { at, moment: couple } => Self::Couple { at: place(at), moment: moment(couple) },
+            Self::Astray { at } => Self::Astray { at: place(at) },
+            Self::Unresolved { from, to } => Self::Unresolved { from: place(from), to: place(to) },
+            Self::Overflow => Self::Overflow,
+            Self::Unbalanced { force: rest } => Self::Unbalanced { force: force(rest) },
+            Self::Jump { jump } => Self::Jump { jump: moment(jump) },
         }
-        Fault::Bulge { node, bend } => {
-            Violation::Bulge { at: place(list.nodes[node].x), moment: -bend * stiffness * scale.moment() }
+    }
+
+    /// Where it is, if it is at one place.
+    pub(super) fn place(self) -> Option<f64> {
+        match self {
+            Self::Penetration { at, .. } | Self::Tension { at, .. } | Self::Bulge { at, .. } | Self::Astray { at } => {
+                Some(at)
+            }
+            Self::Pull { from, .. } | Self::Inverted { from, .. } => Some(from),
+            _ => None,
         }
-        Fault::Pull { from, to, .. } => Violation::Pull { from: place(from), to: place(to) },
-        Fault::Broken { joint, .. } => Violation::Broken { at: place(given.joints[joint].x) },
-        Fault::Inverted { start } => {
-            Violation::Inverted { from: place(list.nodes[start].x), to: place(list.nodes[start + 1].x) }
-        }
-        Fault::Couple { support, moment } => Violation::Couple {
-            at: if support == 0 { 0.0 } else { place(given.length) },
-            moment: moment * stiffness * scale.moment(),
-        },
-        Fault::Astray { node } => Violation::Astray { at: place(list.nodes[node].x) },
-        Fault::Unresolved { span } => Violation::Unresolved {
-            from: span.checked_sub(1).map_or(0.0, |i| place(list.nodes[i].x)),
-            to: place(list.nodes.get(span).map_or(given.length, |n| n.x)),
-        },
-        Fault::Unbalanced { force } => Violation::Unbalanced { force: force * stiffness * scale.force },
-        Fault::Residual { jump } => Violation::Jump { jump: jump * stiffness * scale.moment() },
     }
 }

@@ -30,6 +30,7 @@ mod order;
 mod properties;
 mod scene_file;
 mod scenes;
+mod surveys;
 mod tables;
 mod theory;
 mod verdict;

@@ -24,6 +24,8 @@ fn main() -> ExitCode {
         ["certificates"] => certificates::run(&root, &mut show),
         // What `measure` starts to weigh a solve.
         ["peak", rest @ ..] => measure::own_peak(&root, rest).map(|kilobytes| println!("{kilobytes}")),
+        // What `measure --scale` starts for each line of its file.
+        ["alone", rest @ ..] => measure::scale::alone::line(rest).map(|line| println!("{line}")),
         ["measure", rest @ ..] => match measure::Wish::of(rest) {
             Some(wish) => measure::run(&root, wish, &mut show),
             None => return unknown(&arguments),

@@ -94,11 +94,12 @@ fn surveys_of_very_many_points() {
         text
     };
     folder.write("levels.csv", survey(200_000));
+    let run = folder.run("solve surveyed.toml --format json");
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "beam theory takes as many as there are");
     let start = Instant::now();
     let run = folder.run("solve surveyed.toml --method force --intervals 30");
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "a grid takes as many as there are");
     assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
-    insta::assert_snapshot!(folder.refused("solve surveyed.toml"), @"error: beam theory has no answer for this scene: a foundation given by points must have at most 20000 of them for an exact solution, but has 200001; choose another --method");
 }
 
 #[test]

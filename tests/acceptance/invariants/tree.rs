@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::text::{files, none, offenders, root, rust_files, words};
 
 /// Past this many lines a file holds two ideas. The guide says 150 for most; the longest match or test list needs more.
-const LONGEST_FILE: usize = 320;
+const LONGEST_FILE: usize = 400;
 
 fn all_rust_files() -> BTreeMap<String, String> {
     let mut all = rust_files("src");

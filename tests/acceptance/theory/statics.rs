@@ -92,6 +92,13 @@ fn judge(scene: &Scene, exact: &Exact, samples: u32) -> Result<(), String> {
     let at_rest = (1e-9 * bend).max(1e-6 * flat);
     let depth = state.deflection.max.abs().max(state.deflection.min.abs()).max(at_rest);
     let moment = state.moment.max.abs().max(state.moment.min.abs()).max(0.01 * force * l);
+    let load: f64 = scene.load().uniform() * l
+        + scene.load().linear().iter().map(|q| 0.5 * (q.start + q.end) * (q.to - q.from)).sum::<f64>()
+        + scene.load().point().iter().map(|p| p.force).sum::<f64>();
+    let rest = state.reactions.left + state.reactions.right + state.contact_force() - load;
+    if DIGITS * force < rest.abs() {
+        return Err(format!("equilibrium off by {rest:e}"));
+    }
     for i in 0..=samples {
         let x = l * f64::from(i) / f64::from(samples);
         let below = exact.deflection(x) - scene.depth(x);
@@ -99,7 +106,8 @@ fn judge(scene: &Scene, exact: &Exact, samples: u32) -> Result<(), String> {
             return Err(format!("penetration by {below:e} at {x}"));
         }
         let off = exact.moment(x) - moment_by_statics(scene, exact, x);
-        if DIGITS * moment < off.abs() {
+        // What is out of balance has a lever of up to the length.
+        if DIGITS * moment + l * rest.abs() < off.abs() {
             return Err(format!("moment off by {off:e} of {moment:e} at {x}"));
         }
         if exact.pressure(x) < -DIGITS * force / l {
@@ -116,13 +124,6 @@ fn judge(scene: &Scene, exact: &Exact, samples: u32) -> Result<(), String> {
         if ends.iter().any(|&f| f < -DIGITS * force) {
             return Err(format!("contact at {} pulls: {ends:?}", c.from));
         }
-    }
-    let load: f64 = scene.load().uniform() * l
-        + scene.load().linear().iter().map(|q| 0.5 * (q.start + q.end) * (q.to - q.from)).sum::<f64>()
-        + scene.load().point().iter().map(|p| p.force).sum::<f64>();
-    let rest = state.reactions.left + state.reactions.right + state.contact_force() - load;
-    if DIGITS * force < rest.abs() {
-        return Err(format!("equilibrium off by {rest:e}"));
     }
     Ok(())
 }
@@ -173,7 +174,8 @@ fn rough_scenes_are_solved_and_pass_statics() {
 /// upwards stands beside one downwards.
 #[test]
 fn scenes_that_took_a_search_are_solved_and_pass_statics() {
-    let rough = [2317, 2362, 3765, 4559, 6227, 6287, 6696, 6926, 10_214].map(random::rough);
+    let rough =
+        [2033, 2317, 2362, 2677, 3765, 3926, 4559, 6227, 6287, 6696, 6926, 7949, 10_214, 11_070].map(random::rough);
     let lattice = [26_900, 54_464, 59_383].map(random::on_lattice);
     for scene in rough.into_iter().chain(lattice).chain([random::scene(15_186)]) {
         let exact = solve(&scene).expect("an answer");
@@ -182,15 +184,10 @@ fn scenes_that_took_a_search_are_solved_and_pass_statics() {
     }
 }
 
-/// The two scenes for which no list passes, in a series of 12 000: surveys like saws with more than a hundred contacts, on ground a
-/// millionth as deep as the beam would sag.
-fn unsolved() -> [Scene; 2] {
-    [7949, 11_070].map(random::rough)
-}
-
+/// The scene for which no list passes, in a series of 12 000.
 #[test]
-fn scenes_that_are_not_solved_say_so() {
-    for scene in unsolved() {
+fn a_scene_that_is_not_solved_says_so() {
+    for scene in [9739].map(random::rough) {
         let exact = solve(&scene).expect("an answer");
         assert_ne!(exact.status, Status::Certified, "{} is solved now: strike it from the list", scene.title());
         assert!(!exact.violations.is_empty() && 0.0 < exact.residual, "{}", scene.title());

@@ -37,10 +37,15 @@ pub(crate) fn own_peak(root: &Path, arguments: &[&str]) -> Result<u64, String> {
         tolerance: tolerance.parse().map_err(|_| "no tolerance")?,
     };
     let outcome = solve(&scene, &settings).map_err(|error| error.to_string())?;
-    let status = fs::read_to_string("/proc/self/status").map_err(|error| error.to_string())?;
+    let peak = high_water_mark();
     // The answer is in memory until here.
     drop(outcome);
-    high_water(&status).ok_or_else(|| "the system does not say".to_owned())
+    peak.ok_or_else(|| "the system does not say".to_owned())
+}
+
+/// Kilobytes that this process has had in use at the most, if the system says.
+pub(super) fn high_water_mark() -> Option<u64> {
+    high_water(&fs::read_to_string("/proc/self/status").ok()?)
 }
 
 /// The line `VmHWM:   123456 kB`, the high-water mark of the resident set.

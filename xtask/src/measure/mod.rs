@@ -3,7 +3,8 @@
 //! A run can be stopped at any moment and goes on where it stopped: every result is a line of the file, written as soon as
 //! it is there. Results of another machine, compiler or dependency are not mixed: the file says where it comes from, and
 //! `--fresh` starts it again. `--only TEXT` measures what has the text in its line, `scene,route,intervals,tolerance`; with
-//! `--fresh` it measures that again and keeps the rest.
+//! `--fresh` it measures that again and keeps the rest. `--scale` measures surveys of up to a million points, into a file of
+//! their own.
 
 pub(crate) mod errors;
 mod job;
@@ -11,6 +12,8 @@ mod machine;
 mod memory;
 pub(crate) mod plan;
 mod reference;
+mod rows;
+pub(crate) mod scale;
 pub(crate) mod store;
 mod tridiagonal;
 
@@ -26,21 +29,27 @@ use plan::{Job, LIMIT, Route};
 use store::{Key, Line, Store};
 
 /// What is to be measured.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Wish<'a> {
     /// Again, whether it is in the file or not.
     pub(crate) fresh: bool,
     /// Lines that contain this text.
     pub(crate) only: &'a str,
+    /// Time and memory over the points of a survey, instead of the price of accuracy.
+    pub(crate) scale: bool,
+    /// Of these, surveys of at most so many points.
+    pub(crate) up_to: u32,
 }
 
 impl<'a> Wish<'a> {
     /// From the arguments of the command.
     pub(crate) fn of(arguments: &[&'a str]) -> Option<Self> {
         match arguments {
-            [] => Some(Self::default()),
+            [] => Some(Self { fresh: false, only: "", scale: false, up_to: u32::MAX }),
             ["--fresh", rest @ ..] => Some(Self { fresh: true, ..Self::of(rest)? }),
             ["--only", only, rest @ ..] => Some(Self { only, ..Self::of(rest)? }),
+            ["--scale", rest @ ..] => Some(Self { scale: true, ..Self::of(rest)? }),
+            ["--up-to", up_to, rest @ ..] => Some(Self { up_to: up_to.parse().ok()?, ..Self::of(rest)? }),
             _ => None,
         }
     }
@@ -48,6 +57,9 @@ impl<'a> Wish<'a> {
 
 /// Runs all jobs that are wanted and that the file does not have yet.
 pub(crate) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -> Result<(), String> {
+    if wish.scale {
+        return scale::run(root, wish, progress);
+    }
     let described = machine::describe(root);
     let wanted = |key: &str| key.contains(wish.only);
     let mut store = Store::open(root, &described, wish.fresh, wanted)?;
@@ -112,5 +124,7 @@ mod tests {
         assert_eq!(read(&["--only", "wave,force", "--fresh"]), Some((true, "wave,force".to_owned())));
         assert_eq!(read(&["--fresh", "--only", "wave"]), Some((true, "wave".to_owned())));
         assert_eq!([read(&["--only"]), read(&["--fast"])], [None, None], "no such wish");
+        let scale = Wish::of(&["--up-to", "1000", "--scale"]).map(|wish| (wish.scale, wish.up_to));
+        assert_eq!(scale, Some((true, 1000)));
     }
 }

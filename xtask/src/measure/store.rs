@@ -1,15 +1,10 @@
-//! The file of measurements: comments that say where they come from, a header, a line for each result.
-//!
-//! The file is always whole: each result writes it anew beside itself and then takes its place, which the system does at once
-//! or not at all. Whatever is killed whenever, the next run finds all results but the one that was under way.
-
-use std::fs;
-use std::path::{Path, PathBuf};
+//! The file of measurements: what a line of it is.
 
 use serde::{Deserialize, Serialize};
 
 use super::errors::Errors;
 use super::job::Measured;
+use super::rows::{Row, Rows, rounded};
 
 /// Where the file is, below the root.
 pub(crate) const PATH: &str = "report/data/measurements.csv";
@@ -69,11 +64,6 @@ pub(crate) struct Key {
     pub(crate) route: String,
     pub(crate) intervals: usize,
     pub(crate) tolerance: f64,
-}
-
-/// As many significant digits as a measurement has, and no number for what is none.
-fn rounded<const PLACES: usize>(value: f64) -> Option<f64> {
-    format!("{value:.PLACES$e}").parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 impl Line {
@@ -164,14 +154,14 @@ impl Line {
     pub(crate) fn digits(&self) -> Option<f64> {
         self.worst().filter(|worst| 0.0 < *worst).map(|worst| -worst.log10())
     }
+}
 
-    /// For `--only`: `scene,method/solver,intervals,tolerance`.
-    pub(super) fn name(&self) -> String {
+impl Row for Line {
+    const PATH: &'static str = PATH;
+
+    /// `scene,method/solver,intervals,tolerance`
+    fn name(&self) -> String {
         format!("{},{}/{},{},{:e}", self.scene, self.method, self.solver, self.intervals, self.tolerance)
-    }
-
-    fn has(&self, key: &Key) -> bool {
-        self.name() == key.name()
     }
 }
 
@@ -183,92 +173,12 @@ impl Key {
 }
 
 /// All lines, on disk and in memory.
-#[derive(Debug)]
-pub(crate) struct Store {
-    path: PathBuf,
-    /// The comments at the top, `name: value`.
-    pub(crate) described: Vec<String>,
-    /// The results.
-    pub(crate) lines: Vec<Line>,
-}
+pub(crate) type Store = Rows<Line>;
 
 impl Store {
-    /// Reads the file.
-    pub(crate) fn read(root: &Path) -> Result<Self, String> {
-        let path = root.join(PATH);
-        let text = fs::read_to_string(&path).map_err(|error| format!("{PATH}: {error}"))?;
-        Self::parse(path, &text)
-    }
-
-    /// The text of a file.
-    pub(crate) fn parse(path: PathBuf, text: &str) -> Result<Self, String> {
-        let comments = text.lines().filter_map(|line| line.strip_prefix("# ")).map(str::to_owned);
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-        let lines = reader.deserialize().collect::<Result<_, _>>().map_err(|error| format!("{PATH}: {error}"))?;
-        Ok(Self { path, described: comments.collect(), lines })
-    }
-
-    /// What a comment says.
-    pub(crate) fn description(&self, name: &str) -> &str {
-        let value = |line: &'_ String| line.strip_prefix(name)?.strip_prefix(": ").map(str::len);
-        let found = self.described.iter().find_map(|line| value(line).map(|length| &line[line.len() - length..]));
-        found.unwrap_or("unknown")
-    }
-
-    /// Opens the file to go on with it. With `fresh` what is `wanted` is forgotten, and everything if the file comes from
-    /// elsewhere.
-    pub(super) fn open(
-        root: &Path,
-        described: &[String],
-        fresh: bool,
-        wanted: impl Fn(&str) -> bool,
-    ) -> Result<Self, String> {
-        let begun = Self { path: root.join(PATH), described: described.to_vec(), lines: Vec::new() };
-        if !root.join(PATH).exists() {
-            begun.write()?;
-            return Ok(begun);
-        }
-        let read = Self::read(root);
-        match (read, fresh) {
-            (Ok(mut store), fresh) if store.described == described => {
-                store.lines.retain(|line| !fresh || !wanted(&line.name()));
-                store.write()?;
-                Ok(store)
-            }
-            (_, true) => {
-                begun.write()?;
-                Ok(begun)
-            }
-            (Ok(store), false) => {
-                Err(format!("{PATH} comes from elsewhere ({}): `--fresh` starts it again", store.described.join("; ")))
-            }
-            (Err(error), false) => Err(format!("{error}: `--fresh` starts it again")),
-        }
-    }
-
     /// The line of a key.
     pub(super) fn find(&self, key: &Key) -> Option<&Line> {
-        self.lines.iter().find(|line| line.has(key))
-    }
-
-    /// Adds a line, on disk as well.
-    pub(super) fn append(&mut self, line: Line) -> Result<(), String> {
-        self.lines.push(line);
-        self.write()
-    }
-
-    /// Beside the file, and then in its place.
-    fn write(&self) -> Result<(), String> {
-        let failed = |error: &dyn std::fmt::Display| format!("{PATH}: {error}");
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        for line in &self.lines {
-            writer.serialize(line).map_err(|error| failed(&error))?;
-        }
-        let rows = writer.into_inner().map_err(|error| failed(&error))?;
-        let mut text: Vec<u8> = self.described.iter().flat_map(|line| format!("# {line}\n").into_bytes()).collect();
-        text.extend(rows);
-        let beside = self.path.with_extension("csv.new");
-        fs::write(&beside, text).and_then(|()| fs::rename(&beside, &self.path)).map_err(|error| failed(&error))
+        self.named(&key.name())
     }
 }
 

@@ -22,6 +22,7 @@ mod problem;
 mod recommendation;
 mod regimes;
 mod reproduce;
+mod scale;
 mod scenes;
 mod sheet;
 mod sliders;
@@ -62,6 +63,7 @@ pub(super) const EVIDENCE: &[Subject] = &[
     ("claims", claims::evidence),
     ("recommendation", recommendation::evidence),
     ("cost", cost::evidence),
+    ("scale", scale::evidence),
     ("conditioning", conditioning::evidence),
     ("extremes", extremes::evidence),
     ("hostile", hostile::evidence),

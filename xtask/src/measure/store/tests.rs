@@ -1,6 +1,8 @@
 //! The file survives whatever happens to the program that writes it.
 
+use std::fs;
 use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use super::*;

@@ -1,15 +1,14 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
-use super::fault::Fault;
+use super::bernstein::lowest_below;
 use super::forces::{couple, forces, unbalanced};
 use super::given::Given;
 use super::list::{AtSupport, Kind, List};
-use super::measure::{Scale, TOLERANCE};
 use super::newton;
-use super::penetration::penetration;
-use super::piece::{Piece, pieces_of, pieces_of_zone};
+use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::pressure::mean_pull;
 use super::span::Span;
+use super::violation::Violation;
 
 /// A list with everything that follows from it.
 #[derive(Debug, Clone)]
@@ -22,11 +21,18 @@ pub(super) struct Checked {
     pub(super) forces: Vec<f64>,
     /// Shear force beside the left and the right support.
     pub(super) shear: [f64; 2],
-    /// Conditions that fail.
-    pub(super) faults: Vec<Fault>,
+    /// Conditions that fail, each with the index of its node, or of the node to the right of its stretch.
+    pub(super) faults: Vec<(usize, Violation)>,
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
     pub(super) worst: f64,
 }
+
+/// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
+pub(super) const TOLERANCE: f64 = 1e-12;
+
+/// Deflections, forces and moments are measured against their largest, but at least against this part of what the loads
+/// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
+const AT_REST: f64 = 1e-3;
 
 /// A contact that would have to move by less than this fraction of the beam is where it should be: a few units of the last
 /// place of its position, which for steep profiles may be a jump of the moment above its tolerance.
@@ -43,7 +49,7 @@ const CROWDED: f64 = 1e-3;
 const BALANCE: f64 = TOLERANCE / 1e-9;
 
 /// Checks `list`.
-pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Checked {
+pub(super) fn check(given: &Given, list: &List) -> Checked {
     let mut judge = Judge { faults: Vec::new(), worst: 0.0 };
     let zones: Vec<Zone> = (0..=list.nodes.len())
         .filter(|&i| list.in_zone_before(i))
@@ -51,29 +57,30 @@ pub(super) fn check(given: &Given, lifting: &[(f64, f64)], list: &List) -> Check
         .map(|(node, (from, to))| Zone { node, from, to })
         .collect();
     judge.places(given, list, &zones);
-    let spans = list.spans(given);
+    let spans: Vec<(usize, Span)> = list.spans(given).collect();
     let pieces = all_pieces(given, list, &spans, &zones);
     let (forces, shear) = forces(given, list, &spans);
     let scale = Scale::of(given, &pieces, &forces, &shear);
-    for (&force, node) in forces.iter().zip(0..) {
-        judge.measure(-force, scale.force, Fault::Tension { node, force });
+    for (i, (&force, node)) in forces.iter().zip(&list.nodes).enumerate() {
+        judge.measure(-force, scale.force, i, Violation::Tension { at: node.x, force: -force });
     }
     for (i, span) in &spans {
         judge.bends(list, *i, span, &scale);
         let (at, depth) = penetration(given, &pieces, span, &scale).unwrap_or((span.a.x, 0.0));
-        judge.measure(depth, scale.depth_at(given, at), Fault::Penetration { span: *i, at, depth });
+        judge.measure(depth, scale.depth_at(given, at), *i, Violation::Penetration { at, depth });
         judge.turns_at_supports(given, list, *i, span, &scale);
     }
     for zone in &zones {
-        judge.pulls(given, lifting, zone, &scale);
+        judge.pulls(given, zone, &scale);
     }
     for support in 0..2 {
         if let Some(moment) = couple(given, list, &spans, support) {
-            judge.measure(moment, scale.moment, Fault::Couple { support, moment });
+            let at = if support == 0 { 0.0 } else { given.length };
+            judge.measure(moment, scale.moment, support, Violation::Couple { at, moment });
         }
     }
     let force = unbalanced(given, list, &forces, &shear);
-    judge.measure(BALANCE * force.abs(), scale.force, Fault::Unbalanced { force });
+    judge.measure(BALANCE * force.abs(), scale.force, 0, Violation::Unbalanced { force });
     judge.equations(given, list, &scale);
     let Judge { faults, worst } = judge;
     Checked { pieces, spans, forces, shear, faults, worst }
@@ -109,24 +116,24 @@ fn all_pieces(given: &Given, list: &List, spans: &[(usize, Span)], zones: &[Zone
 
 /// Takes down what fails.
 struct Judge {
-    faults: Vec<Fault>,
+    faults: Vec<(usize, Violation)>,
     worst: f64,
 }
 
 impl Judge {
     /// A condition that may be violated by as much as rounding, as a share of `scale`.
-    fn measure(&mut self, violation: f64, scale: f64, fault: Fault) {
+    fn measure(&mut self, violation: f64, scale: f64, index: usize, fault: Violation) {
         // A NaN is a violation.
         if violation.is_nan() || TOLERANCE * scale < violation {
-            self.faults.push(fault);
+            self.faults.push((index, fault));
         }
         let scaled = if 0.0 < scale { violation / scale } else { violation };
         self.worst = self.worst.max(if scaled.is_nan() { f64::INFINITY } else { scaled });
     }
 
     /// A condition that holds or does not.
-    fn refuse(&mut self, fault: Fault) {
-        self.faults.push(fault);
+    fn refuse(&mut self, index: usize, fault: Violation) {
+        self.faults.push((index, fault));
         self.worst = f64::INFINITY;
     }
 
@@ -134,20 +141,18 @@ impl Judge {
     fn places(&mut self, given: &Given, list: &List, zones: &[Zone]) {
         for (start, pair) in list.nodes.windows(2).enumerate() {
             if pair[0].kind == Kind::ZoneStart && pair[1].x < pair[0].x {
-                self.refuse(Fault::Inverted { start });
+                self.refuse(start, Violation::Inverted { from: pair[0].x, to: pair[1].x });
             }
         }
         for (i, node) in list.nodes.iter().enumerate().filter(|(_, n)| !matches!(n.kind, Kind::Edge(_))) {
             let (from, to) = given.reach(node.cell);
             if node.x < from || to < node.x {
-                self.refuse(Fault::Astray { node: i });
+                self.refuse(i, Violation::Astray { at: node.x });
             }
         }
         for zone in zones {
-            let inside = |x: f64| zone.from < x && x < zone.to;
-            let broken = (0..given.joints.len()).find(|&j| given.breaks_at(j) && inside(given.joints[j].x));
-            if let Some(joint) = broken {
-                self.refuse(Fault::Broken { zone: zone.node, joint });
+            if let Some(joint) = given.joints_inside(zone.from, zone.to).find(|&joint| given.breaks_at(joint)) {
+                self.refuse(zone.node, Violation::Broken { at: given.joints[joint].x });
             }
         }
     }
@@ -155,8 +160,10 @@ impl Judge {
     /// At the smooth points beside span `i` the beam is bent no more than the profile.
     fn bends(&mut self, list: &List, i: usize, span: &Span, scale: &Scale) {
         for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(i), span.at_b[2])] {
-            if let Some(node) = node.filter(|&node| list.nodes.get(node).is_some_and(|n| n.kind == Kind::Smooth)) {
-                self.measure(-bend, scale.moment, Fault::Bulge { node, bend });
+            let point =
+                node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.kind == Kind::Smooth);
+            if let Some((i, node)) = point {
+                self.measure(-bend, scale.moment, i, Violation::Bulge { at: node.x, moment: -bend });
             }
         }
     }
@@ -171,22 +178,19 @@ impl Judge {
             if outer && list.supports[support] == AtSupport::Free && given.starts_at_zero(support) {
                 // As deep as the parabola `h = −turn t + h'' t²/2` goes.
                 let depth = turn * (turn / (2.0 * at[2].abs())).min(0.5 * span.length());
-                self.measure(
-                    turn * given.length,
-                    scale.beside[support],
-                    Fault::Penetration { span: i, at: end.x, depth },
-                );
+                let fault = Violation::Penetration { at: end.x, depth };
+                self.measure(turn * given.length, scale.beside[support], i, fault);
             }
         }
     }
 
-    /// A zone pulls nowhere; where it might is known (`lifting`).
-    fn pulls(&mut self, given: &Given, lifting: &[(f64, f64)], zone: &Zone, scale: &Scale) {
+    /// A zone pulls nowhere; where it might is known ([`Given::tension`]).
+    fn pulls(&mut self, given: &Given, zone: &Zone, scale: &Scale) {
         let &Zone { node, from, to } = zone;
-        for &(lo, hi) in lifting.iter().filter(|l| l.0 < to && (from < l.1 || from < l.0)) {
+        for &(lo, hi) in given.tension_between(from, to) {
             let (lo, hi) = (lo.max(from), hi.min(to));
             let pull = mean_pull(given, lo, hi);
-            self.measure(pull, scale.force / given.length, Fault::Pull { zone: node, from: lo, to: hi });
+            self.measure(pull, scale.force / given.length, node, Violation::Pull { from: lo, to: hi });
         }
     }
 
@@ -195,11 +199,83 @@ impl Judge {
         let newton::Residual { jump, step, crowded } = newton::residual(given, list);
         let fixed = list.nodes.iter().all(|n| matches!(n.kind, Kind::Edge(_)));
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
-        self.measure(rounded, scale.moment, Fault::Residual { jump });
+        self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
         let (part, span) = crowded;
         if CROWDED < part {
-            self.faults.push(Fault::Unresolved { span });
+            let from = span.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
+            let to = list.nodes.get(span).map_or(given.length, |n| n.x);
+            self.faults.push((span, Violation::Unresolved { from, to }));
             self.worst = self.worst.max(part);
         }
+    }
+}
+
+/// The deepest penetration in a span, if it is deeper than rounding: `(place, depth)`.
+fn penetration(given: &Given, pieces: &[Piece], span: &Span, scale: &Scale) -> Option<(f64, f64)> {
+    let first = pieces.partition_point(|p| p.hi <= span.a.x);
+    let mut taylor = vec![0.0; given.terms];
+    let mut worst: Option<(f64, f64)> = None;
+    for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
+        let bar =
+            |worst: Option<(f64, f64)>| worst.map_or(TOLERANCE * scale.depth_at(given, piece.lo), |(_, depth)| depth);
+        piece.clearance(given, &mut taylor);
+        piece.outwards(&mut taylor);
+        if let Some((s, value)) = lowest_below(&taylor, piece.width(), -bar(worst)) {
+            worst = Some((piece.place(s), -value));
+        }
+        // An edge at the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
+        let edge = given.joint_at(piece.hi).filter(|&joint| given.is_edge(joint) && piece.hi < span.b.x);
+        if edge.is_some() {
+            piece.deflection(given, &mut taylor);
+            let depth = derivatives(&taylor, piece.hi - piece.anchor)[0] - given.depth(piece.hi);
+            if bar(worst) < depth {
+                worst = Some((piece.hi, depth));
+            }
+        }
+    }
+    worst
+}
+
+/// What violations are measured against.
+struct Scale {
+    /// Largest deflection.
+    deflection: f64,
+    /// Largest deflection, or the rounding of the profile if that is larger, beside the left and the right support, where the profile may be known far better than elsewhere.
+    beside: [f64; 2],
+    /// Largest of all forces.
+    force: f64,
+    /// Largest curvature: a moment over `EI`.
+    moment: f64,
+}
+
+impl Scale {
+    /// Largest deflection, largest of all forces, and the moment that goes with them.
+    fn of(given: &Given, pieces: &[Piece], forces: &[f64], shear: &[f64; 2]) -> Self {
+        let mut taylor = vec![0.0; given.terms];
+        let (mut depth, mut moment) = (0.0_f64, 0.0_f64);
+        for piece in pieces {
+            piece.deflection(given, &mut taylor);
+            for t in [0.0, 0.5 * (piece.lo + piece.hi) - piece.anchor] {
+                let [v, _, v2, _] = derivatives(&taylor, t);
+                depth = depth.max(v.abs());
+                moment = moment.max(v2.abs());
+            }
+        }
+        let force = forces.iter().chain(shear).fold(0.0_f64, |most, f| most.max(f.abs()));
+        // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
+        let (l, load) = (given.length, AT_REST * given.total_load);
+        let deflection = depth.max(load * l * l * l / 384.0);
+        Self {
+            deflection,
+            beside: given.supports.map(|depths| deflection.max(AT_REST * depths.size)),
+            force: force.max(moment / l).max(load),
+            moment: moment.max(load * l / 8.0),
+        }
+    }
+
+    /// Largest deflection, and the rounding of the profile at a place: near a support a polynomial is known far better than
+    /// where its highest powers have grown.
+    fn depth_at(&self, given: &Given, x: f64) -> f64 {
+        self.deflection.max(AT_REST * given.magnitude_at(x))
     }
 }
