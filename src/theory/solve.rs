@@ -29,7 +29,9 @@ pub enum TheoryError {
         most: f64,
     },
     /// The profile has so many points that its pieces cannot be listed.
-    #[error("a foundation given by points must have at most {most} of them for an exact solution, but has {count}")]
+    #[error(
+        "a foundation given by points must have at most {most} of them for an exact solution, for which 4 GiB of memory are enough, but has {count}"
+    )]
     TooManyPoints {
         /// How many there are.
         count: usize,
