@@ -2,8 +2,7 @@
 
 use super::given::Given;
 use super::list::{Kind, Node};
-use super::span::End;
-use super::span::Span;
+use super::span::{End, Span};
 
 /// The ends of a zone from `from` to `to`, and of the gaps in it around every stretch where it would pull.
 pub(super) fn zones_between(given: &Given, [from, to]: [f64; 2]) -> Vec<Node> {
@@ -32,7 +31,7 @@ pub(super) fn zones_between(given: &Given, [from, to]: [f64; 2]) -> Vec<Node> {
 ///
 /// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
 /// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
-pub(super) fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
+fn gap_around(given: &Given, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
     /// Each try is wider by this factor, on the side that is too narrow.
     const WIDER: f64 = 1.3;
     /// From a thousand-millionth of the beam to the whole of it, on either side.

@@ -147,11 +147,6 @@ impl Given {
             || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)
     }
 
-    /// Kink of the profile at `x`, if `cell` starts there.
-    pub(super) fn kink_at(&self, cell: usize, x: f64) -> f64 {
-        if x <= self.cells[cell].lo { self.joints[cell].kink } else { 0.0 }
-    }
-
     /// How far the profile turns from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`;
     /// `a` and `b` lie in cells `first` and `last`, a step at either of them is on its higher side.
     pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {

@@ -22,7 +22,7 @@ pub(super) struct Samples {
 }
 
 /// A profile of more cells than this is sampled at the shallowest places of as many blocks first.
-const BLOCKS: usize = 4000;
+pub(super) const LONG: usize = 4000;
 /// Parts into which a link near a lift-off point is cut.
 const PARTS: u32 = 4;
 /// Parts of each cell where several cells were one link: a beam may touch at breaks, and in between.
@@ -34,7 +34,7 @@ impl Samples {
     pub(super) fn first(given: &Given, links: u32) -> Self {
         let mut samples = Self { x: Vec::new(), cell: Vec::new(), far: Vec::new() };
         let cells = given.cells.len();
-        if cells <= BLOCKS {
+        if cells <= LONG {
             let aim = given.length / f64::from(links);
             for (i, cell) in given.cells.iter().enumerate() {
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most `links`")]
@@ -43,7 +43,7 @@ impl Samples {
             }
         } else {
             samples.push(0.0, 0, false);
-            let block = cells.div_ceil(BLOCKS);
+            let block = cells.div_ceil(LONG);
             for first in (1..cells).step_by(block) {
                 let joints = first..cells.min(first + block);
                 let depth = |&i: &usize| given.depth_at_joint(i);
@@ -158,9 +158,10 @@ impl Samples {
             }
             if a <= given.cells[self.cell[i]].lo {
                 load[i] += given.joints[self.cell[i]].force;
+                bend[i] += given.joints[self.cell[i]].kink;
             }
             let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
-            bend[i] += start + given.kink_at(self.cell[i], a);
+            bend[i] += start;
             bend[i + 1] += end;
             if self.far[i] {
                 let (start, end) = (given.load(self.cell[i], a), given.load(last, b));

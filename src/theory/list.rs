@@ -191,7 +191,6 @@ pub(super) fn normalised(given: &Given, list: List) -> List {
     let mut inside = supports[0] == AtSupport::Zone;
     for node in list.nodes {
         let before = nodes.last().map_or(0.0, |n| n.x);
-        let last_x = before;
         let edge = |n: &Node| matches!(n.kind, Kind::Edge(_));
         let on_one_slope = !edge(&node) && nodes.last().is_some_and(|n| !edge(n));
         let gap = (if on_one_slope { closed } else { least }) < node.x - before;
@@ -210,7 +209,7 @@ pub(super) fn normalised(given: &Given, list: List) -> List {
                 last.kind = Kind::ZoneStart;
             }
             inside = true;
-            if node.kind == Kind::Smooth && last_x < node.x {
+            if node.kind == Kind::Smooth && before < node.x {
                 inside = false;
                 nodes.push(Node { kind: Kind::ZoneEnd, ..node });
             }

@@ -6,8 +6,7 @@
 
 use super::given::Given;
 use super::list::{Kind, List, Node};
-use super::span::Hold;
-use super::span::Span;
+use super::span::{Hold, Span};
 
 /// How it went.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

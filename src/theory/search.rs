@@ -7,7 +7,7 @@
 
 use super::check::{Checked, check};
 use super::given::Given;
-use super::guess::Samples;
+use super::guess::{LONG, Samples};
 use super::list::{List, normalised};
 use super::newton;
 use super::repair::repaired;
@@ -16,10 +16,9 @@ use super::repair::repaired;
 const LINKS: u32 = 12;
 /// A first chain of more samples than this is refined before its first list: what there is to find is finer than its links.
 const ENOUGH: usize = 40;
-/// Guesses at most, each with samples four times as fine; fewer for a profile of more than `LONG` pieces, which are fine.
+/// Guesses at most, each with samples four times as fine; fewer for a profile that is [`LONG`] and so fine already.
 const GUESSES: usize = 12;
 const GUESSES_OF_LONG: usize = 4;
-const LONG: usize = 4000;
 /// Samples of all guesses together at most, beside `MULTIPLE` times those of the first.
 const MOST_SAMPLES: usize = 200_000;
 const MULTIPLE: usize = 10;
@@ -88,43 +87,47 @@ pub(super) fn search(given: &Given) -> Found {
     let mut steps = 0;
     let mut lists = 1;
     let guesses = if given.cells.len() <= LONG { GUESSES } else { GUESSES_OF_LONG };
-    for _ in 0..guesses {
+    let mut places = Vec::new();
+    for turn in 0..guesses {
+        if 0 < turn {
+            samples = samples.refined(given, &guess.touches, &places);
+            if left < samples.count() {
+                break;
+            }
+            left -= samples.count();
+            guess = samples.chain(given);
+        }
         let mut list = samples.list(given, &guess);
         if list == List::free() {
             list.clone_from(&first);
         }
-        let mut places = Vec::new();
+        places.clear();
         let (mut strikes, mut fewest) = (0, usize::MAX);
         for _ in 0..ROUNDS {
             let run = newton::solve(given, &mut list);
             list = normalised(given, list);
             let checked = check(given, &list);
             (steps, lists) = (steps + run.steps, lists + 1);
-            let next = repaired(given, &list, &checked);
-            let faults = checked.faults.len();
+            let found = Found { list, checked, steps, lists, converged: run.converged };
+            if found.certified() {
+                return found;
+            }
+            let next = repaired(given, &found.list, &found.checked);
+            let faults = found.checked.faults.len();
             strikes += match (fewest <= faults, run.converged) {
                 (true, true) => 1,
                 (true, false) => 3,
                 _ => 0,
             };
             fewest = fewest.min(faults);
-            let ends = next == list || STRIKES <= strikes;
-            places.extend(checked.faults.iter().filter_map(|(_, fault)| fault.place()));
-            best = best.better(Found { list, checked, steps, lists, converged: run.converged });
-            if best.certified() {
-                return best;
-            }
+            let ends = next == found.list || STRIKES <= strikes;
+            places.extend(found.checked.faults.iter().filter_map(|(_, fault)| fault.place()));
+            best = best.better(found);
             if ends {
                 break;
             }
             list = next;
         }
-        samples = samples.refined(given, &guess.touches, &places);
-        if left < samples.count() {
-            break;
-        }
-        left -= samples.count();
-        guess = samples.chain(given);
     }
     Found { steps, lists, ..best }
 }
