@@ -30,7 +30,8 @@ pub enum TheoryError {
     },
     /// The profile has so many points that its pieces cannot be listed.
     #[error(
-        "a foundation given by points must have at most {most} of them for an exact solution, for which 4 GiB of memory are enough, but has {count}"
+        "a foundation given by points must have at most {most} of them for an exact solution, for which {memory} GiB of memory are enough, but has {count}",
+        memory = MEMORY >> 30
     )]
     TooManyPoints {
         /// How many there are.
