@@ -66,16 +66,14 @@
 //!   └──────────────────────────► theory ───────────────────────────┴─► witness ──┘
 //! ```
 //!
-//! [`solve()`] is the upper way, [`theory::solve`] the lower one. Around them stand the paper's figures and claims
-//! ([`paper`]), scenes with known answers ([`extremes`]), the judge on trial ([`trial`]), drawings ([`plot`]) and what the
-//! evidence is measured with ([`verification`]).
+//! [`solve()`] is the upper way, [`theory::solve`] the lower one. Beside them are drawings
+//! ([`plot`]). Claims and figures of the paper, faults and scenes with known answers are no part of the library: they are the
+//! evidence for it, the package `palkki-evidence`.
 
 pub mod certificate;
 pub mod dial;
-pub mod extremes;
 pub mod methods;
 mod nested;
-pub mod paper;
 pub mod plot;
 pub mod problem;
 pub mod route;
@@ -84,9 +82,7 @@ mod solve;
 pub mod solvers;
 pub mod state;
 pub mod theory;
-pub mod trial;
 pub mod verdict;
-pub mod verification;
 mod witness;
 
 pub use solve::{DEFAULT_TOLERANCE, Settings, solve};

@@ -21,6 +21,7 @@
 //! methods nor the judge know them.
 
 mod breaks;
+mod order;
 mod plan;
 mod request;
 
@@ -32,6 +33,7 @@ use crate::witness::Witness;
 
 use self::plan::{Next, Plan};
 
+pub use self::order::observed_order;
 pub use self::request::Request;
 
 /// One grid that was tried.

@@ -10,12 +10,12 @@
 //! search goes in steps: a prediction is no better than the order it rests on, and a coarse grid costs next to nothing
 //! compared with one that is too fine.
 
+use super::order::observed_order;
 use super::{End, Request, Try, breaks};
 use crate::route::Solver;
 use crate::scene::Scene;
 use crate::solve::DEFAULT_TOLERANCE;
 use crate::verdict::{Demand, Refusal};
-use crate::verification::observed_order;
 
 /// Intervals of the first grid, about.
 const START: usize = 8;
@@ -195,11 +195,13 @@ fn stalled(tries: &[Try]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::paper::example;
     use crate::route::Method;
+    use crate::scene::{Beam, Foundation, Load};
 
     fn plan(error: f64) -> Plan {
-        let scene = example().expect("the example is well posed");
+        let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("well posed");
         Plan::new(&scene, &Request::new(Method::Force, Solver::ActiveSet, error))
     }
 

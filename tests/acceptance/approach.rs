@@ -2,10 +2,10 @@
 //!
 //! The two share no line but the scene: a wrong exact solution would stop the errors from falling.
 
-use palkki::paper::approach::{Quantity, approach};
+use palkki::dial::observed_order;
 use palkki::route::{Method, Solver, Status};
 use palkki::theory::solve;
-use palkki::verification::observed_order;
+use palkki_evidence::paper::approach::{Quantity, approach};
 
 use crate::scenes::{run, scene};
 

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-use palkki::paper::claims::{Ledger, Verdict, four_step};
 use palkki::route::Method;
+use palkki_evidence::paper::claims::{Ledger, Verdict, four_step};
 
 /// The evidence. Measuring it takes seconds: once is enough.
 fn ledger() -> &'static Ledger {
@@ -192,7 +192,7 @@ fn every_claim_has_its_test() {
         .filter_map(|pair| pair[1].strip_prefix("fn ")?.strip_suffix("() {"))
         .filter(|name| !about_all.contains(name))
         .collect();
-    assert_eq!(claims, tests, "claims in src/paper/claims (left) and tests in this file (right)");
+    assert_eq!(claims, tests, "claims of the ledger (left) and tests in this file (right)");
 }
 
 #[test]

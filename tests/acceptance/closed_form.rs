@@ -37,7 +37,7 @@ const DIFFERENCES: f64 = 1e-9;
 
 #[test]
 fn the_numbers_of_the_example() {
-    let exact = palkki::paper::theory();
+    let exact = palkki_evidence::paper::theory();
     assert_eq!(exact.regime, Regime::Zone);
     close(exact.reaction, 1.182_177_011_253_97, TWELVE_DIGITS, "T");
     close(exact.end_force, 1.182_177_011_253_97, TWELVE_DIGITS, "point force");

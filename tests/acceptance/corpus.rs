@@ -6,11 +6,11 @@ mod dense;
 mod instances;
 
 use palkki::methods::Discrete;
-use palkki::paper::scene_over;
-use palkki::paper::uneven::{self, Unevenness};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::{Foundation, Scene};
-use palkki::verification::Random;
+use palkki_evidence::paper::scene_over;
+use palkki_evidence::paper::uneven::{self, Unevenness};
+use palkki_evidence::random::Random;
 
 use self::instances::{End, Instance, full_exchange};
 use crate::scenes::run;
@@ -129,7 +129,7 @@ fn a_fine_grid_loses_no_digits() {
     const REACTION: f64 = 1e-9;
     let outcome = run(&crate::scenes::example(), Method::Force, Solver::ActiveSet, 100_000);
     assert!(outcome.residual < RESIDUAL, "{:.1e}", outcome.residual);
-    let error = outcome.state.reactions.left - palkki::paper::theory().reaction;
+    let error = outcome.state.reactions.left - palkki_evidence::paper::theory().reaction;
     assert!(error.abs() < REACTION, "{error:.1e}");
     assert!(outcome.iterations < 1000, "{} solves, of which all but a few are of neighbourhoods", outcome.iterations);
 }

@@ -10,8 +10,8 @@ use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
 use palkki::state::Nodes;
 
-use crate::authority::rational::{Data, Exact, fraction, number};
 use crate::scenes::{apart, example, nodes, run, uniform};
+use palkki_evidence::authority::rational::{Data, Exact, fraction, number};
 
 /// The example of the paper on 30 intervals: `EI = 500/384 = 125/96`.
 fn paper() -> Data {

@@ -2,9 +2,6 @@
 
 mod support;
 
-#[path = "../authority/mod.rs"]
-mod authority;
-
 mod agreement;
 mod approach;
 mod bad_input;

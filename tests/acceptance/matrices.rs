@@ -1,10 +1,12 @@
 //! The matrices against each other, against (26), against beam formulas; structured solves against dense ones.
 
 use nalgebra::{DMatrix, DVector};
+use palkki::dial::observed_order;
 use palkki::methods::{Discrete, Method, flexibility};
-use palkki::problem::{Dense, Matrix, Programme};
+use palkki::problem::{Dense, Matrix, Programme, Sizes};
 use palkki::scene::{Foundation, Scene};
-use palkki::verification::{Random, observed_order};
+use palkki_evidence::paper::uneven::{Unevenness, scenes};
+use palkki_evidence::random::Random;
 
 use crate::scenes::{apart, example, largest, report, uniform};
 
@@ -183,6 +185,55 @@ fn eq_33_is_the_product_with_the_matrix() {
             let size = terms.amax() + largest(&programme.linear());
             let error = apart(&programme.gradient(&x), &expected) / size;
             assert!(error <= FEW_OPERATIONS * 23.0, "{name} {method}: gradient off by {error:.1e}");
+        }
+    }
+}
+
+/// Of the sizes: systems of condition number 3, and the end of what is felt from far away.
+const ROUNDED: f64 = 1e-11;
+
+/// Methods 1 and 2 on the same contact set by equations of their own, and parts of them.
+#[test]
+fn the_dual_has_the_same_points() {
+    let mut random = Random::new(4);
+    for scene in Unevenness::ALL.into_iter().flat_map(|kind| scenes(kind, 3, 7).expect("scenes")) {
+        let discrete = discrete(&scene, 400);
+        for method in [Method::Complementarity, Method::Displacement] {
+            let own = method.programme(&discrete);
+            let dual = own.dual().expect("method 3");
+            let unit = if method == Method::Complementarity { discrete.spacing } else { 1.0 };
+            for share in [2, 5, 40] {
+                let touching: Vec<bool> = (0..own.dimension()).map(|_| random.once_in(share)).collect();
+                let free: Vec<bool> = touching.iter().map(|touches| !touches).collect();
+                let point = own.stationary(&free).expect("definite");
+                let Sizes { x: depth, gradient: force } = discrete.sizes();
+                for range in [0..own.dimension(), 120..190, 300..301] {
+                    let near = dual.stationary_near(&touching, range.clone()).expect("definite");
+                    for (k, i) in range.enumerate() {
+                        // Held at random places the beam carries more than its load.
+                        let scale = 1.0 + point.gradient[i].abs() * unit / force + point.x[i].abs() / depth;
+                        let apart = ((near.x[k] - point.gradient[i] * unit) / force)
+                            .abs()
+                            .max(((near.gradient[k] - point.x[i]) / depth).abs());
+                        assert!(apart <= ROUNDED * scale, "{method}, node {}: {apart:.1e} of {scale:.1e}", i + 1);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// `A⁻¹` of method 1, up to the unit of its pressures.
+#[test]
+fn the_chain_has_the_inverse_matrix() {
+    let discrete = discrete(&example(), 12);
+    let own = Method::Complementarity.programme(&discrete);
+    let (a, c) = (own.matrix(), own.dual().expect("method 3").matrix());
+    for i in 0..own.dimension() {
+        for j in 0..own.dimension() {
+            let column: Vec<f64> = (0..own.dimension()).map(|k| a.entry(k, j) * discrete.spacing).collect();
+            let expected = f64::from(u8::from(i == j));
+            assert!((c.row_times(i, &column) - expected).abs() < ROUNDED, "row {i}, column {j}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Order of convergence on the example: what converges, how fast, and what does not.
 
-use palkki::paper::claims::usable;
-use palkki::paper::convergence::{Quantity, Series, series};
 use palkki::route::Method;
+use palkki_evidence::paper::claims::usable;
+use palkki_evidence::paper::convergence::{Quantity, Series, series};
 
 /// Grids of 24 to 400 intervals: many, because errors scatter with the place of the lift-off point between two nodes.
 #[track_caller]
@@ -56,9 +56,9 @@ fn the_energy_is_of_second_order_and_of_third_by_differences() {
 /// No grid knows where between two nodes the beam lifts off, and none is further from it than that.
 #[test]
 fn the_lift_off_point_is_found_within_one_interval() {
-    let theory = palkki::paper::theory();
+    let theory = palkki_evidence::paper::theory();
     let lift_off = theory.lift_off.expect("the example lifts off");
-    let length = palkki::paper::beam().expect("the example has a beam").length();
+    let length = palkki_evidence::paper::beam().expect("the example has a beam").length();
     for method in Method::ALL {
         for (intervals, error) in measured(method, Quantity::LiftOff).errors {
             let spacing = length / f64::from(u32::try_from(intervals).expect("a few hundred"));

@@ -8,7 +8,7 @@ mod uneven;
 mod units;
 
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
-use palkki::verification::Random;
+use palkki_evidence::random::Random;
 
 /// A random scene, made of numbers that a test can change one at a time.
 #[derive(Debug, Clone)]

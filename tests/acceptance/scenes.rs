@@ -63,7 +63,7 @@ pub(crate) fn report() -> Vec<(String, Scene)> {
 
 /// The example of the paper.
 pub(crate) fn example() -> Scene {
-    palkki::paper::example().expect("the example is well posed")
+    palkki_evidence::paper::example().expect("the example is well posed")
 }
 
 /// A beam of length `l` and stiffness `ei` under a uniform load.

@@ -2,7 +2,7 @@
 
 use insta::Snapshot;
 use insta::comparator::Comparator;
-use palkki::verification::numdiff;
+use palkki_evidence::numdiff::numdiff;
 
 /// Compares a table with its snapshot by [`numdiff`].
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,9 @@
 //! Surveys of many points, as a laser gives them: certified at a hundred thousand points, and in agreement with a fine grid where a
 //! grid can be fine enough.
 
-use palkki::extremes::{Ground, survey};
 use palkki::route::{Method, Solver, Status};
 use palkki::theory::{self, Exact};
+use palkki_evidence::extremes::{Ground, survey};
 
 use crate::scenes::run;
 

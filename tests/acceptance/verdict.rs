@@ -1,9 +1,9 @@
 //! What `certified` means: each way to lose the word, and what does not lose it.
 
-use palkki::paper::example;
 use palkki::route::{Method, Solver, Status};
 use palkki::verdict::{Demand, Refusal, Verdict};
 use palkki::{Settings, Witness, solve, theory};
+use palkki_evidence::paper::example;
 
 fn outcome(intervals: usize) -> palkki::route::Outcome {
     let scene = example().expect("the example is well posed");

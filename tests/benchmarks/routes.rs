@@ -8,10 +8,10 @@ mod random;
 use std::fmt;
 
 use divan::Bencher;
-use palkki::paper::{example, theory};
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::{Settings, solve};
+use palkki_evidence::paper::{example, theory};
 
 fn main() {
     divan::main();

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use palkki::paper::scene_over;
 use palkki::problem::{NotPositiveDefinite, Programme};
 use palkki::route::Method;
 use palkki::scene::{Foundation, Scene};
+use palkki_evidence::paper::scene_over;
 
 /// One line of `exchanges.csv`: the beam and load of the example over a foundation `cosine amplitude wavelength phase` with
 /// mean 1, or `polyline` through depths at equal distances.

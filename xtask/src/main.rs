@@ -1,9 +1,6 @@
 //! The tasks of the repository that need the library: `cargo xtask report`, `certificates`, `measure`, `fuzz` and `hostile`.
 #![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
-#[path = "../../tests/authority/mod.rs"]
-#[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
-mod authority;
 mod certificates;
 mod fuzz;
 mod hostile;

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use dashu_ratio::RBig;
 use palkki::certificate::Interval;
+use palkki_evidence::authority::RBig;
 use proptest::prelude::*;
 
 /// A finite number, exactly.

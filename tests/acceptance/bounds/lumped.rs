@@ -5,8 +5,8 @@ use palkki::certificate::{ContactLoad, Judged, Lumped, certify};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::Nodes;
-use palkki::trial::Truth;
 use palkki::verdict::accepts;
+use palkki_evidence::faults::Truth;
 
 use super::deflection;
 use crate::scenes::{example, nodes, report, run, uniform};

@@ -126,7 +126,7 @@ fn a_lift_off_point_that_is_off_is_off_by_the_square() {
     /// Of the depth: values at nodes that are known to a unit in the last place, and cubics between them.
     const ROUNDING: f64 = 1e-11;
     const INTERVALS: u32 = 10_000;
-    let scene = palkki::paper::example().expect("the example is well posed");
+    let scene = palkki_evidence::paper::example().expect("the example is well posed");
     let (ei, l) = (scene.beam().bending_stiffness(), scene.beam().length());
     // Deflection and moment under a unit load.
     let span = |a: f64, x: f64| {

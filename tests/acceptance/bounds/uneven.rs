@@ -1,9 +1,9 @@
 //! Against beam theory on uneven ground: the scenes of the report and random ones.
 
-use palkki::paper::uneven::{self, Unevenness};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::theory;
+use palkki_evidence::paper::uneven::{self, Unevenness};
 
 use super::{of_nodes, true_error};
 use crate::scenes::{nodes, report, run};

@@ -1,16 +1,16 @@
 //! A witness that is wrong costs sharpness and never truth. The truth is none of beam theory's: fractions where the beam touches
 //! corners only, closed forms in fractions and in integers of 256 binary places where it lies on the ground.
 
-use dashu_ratio::RBig;
 use palkki::certificate::{Certificate, Judged, certify};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::{Contact, Nodes};
-use palkki::trial::{CONTACT_FAULTS, SIZES};
+use palkki_evidence::authority::RBig;
+use palkki_evidence::faults::{CONTACT_FAULTS, SIZES};
 
-use crate::authority::number::{Fixed, Number};
 use crate::scenes::{nodes, run, uniform};
 use crate::theory::random::Random;
+use palkki_evidence::authority::number::{Fixed, Number};
 
 /// The true deflection and energy of a scene.
 struct Truth<T> {

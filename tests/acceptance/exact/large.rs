@@ -4,17 +4,17 @@
 //! (34) and (35) are checked at every node, without rounding or with all of it counted in. `A` is positive definite, so there
 //! is no other optimum, and floating-point answers are compared with this one.
 
-use dashu_ratio::RBig;
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::Bending;
+use palkki_evidence::authority::RBig;
 
-use crate::authority::clapeyron::{Problem, Solution};
-use crate::authority::forward::Forward;
-use crate::authority::given;
-use crate::authority::number::{Fixed, Number};
-use crate::authority::rational::fraction;
 use crate::scenes::{example, nodes, run, scene, uniform};
+use palkki_evidence::authority::clapeyron::{Problem, Solution};
+use palkki_evidence::authority::forward::Forward;
+use palkki_evidence::authority::given;
+use palkki_evidence::authority::number::{Fixed, Number};
+use palkki_evidence::authority::rational::fraction;
 
 /// What is asked of the force route: so much at n = 29, and so much at n = 9999 and below.
 const AT_29: f64 = 1e-14;

@@ -1,10 +1,10 @@
 //! Beam theory at the extremes: right to twelve digits, or not certified.
 
-use palkki::extremes::deep;
 use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::theory::{Violation, solve};
-use palkki::verification::Random;
+use palkki_evidence::extremes::deep;
+use palkki_evidence::random::Random;
 
 use super::all;
 

@@ -4,7 +4,7 @@ mod beam_theory;
 mod routes;
 mod scaling;
 
-use palkki::extremes::{Extreme, POWERS, borders, deep, sizes, units};
+use palkki_evidence::extremes::{Extreme, POWERS, borders, deep, sizes, units};
 
 /// Every extreme, whatever is extreme about it.
 fn all() -> Vec<Extreme> {

@@ -1,9 +1,9 @@
 //! Discretised routes at the extremes: the force method with the active set is right at all of them, and no route is wrong
 //! and certified.
 
-use palkki::extremes::{Extreme, borders, deep, sizes};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::{Settings, solve};
+use palkki_evidence::extremes::{Extreme, borders, deep, sizes};
 
 use super::all;
 

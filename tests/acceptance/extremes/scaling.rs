@@ -1,9 +1,9 @@
 //! Units: the same bits by our own solvers where units are powers of two, the same twelve digits where they are not.
 
 use palkki::Settings;
-use palkki::extremes::{Factors, units};
 use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
+use palkki_evidence::extremes::{Factors, units};
 
 /// Data that are rounded in new units, by half a unit in the last place each, times what 30 intervals amplify.
 const DIGITS: f64 = 1e-12;

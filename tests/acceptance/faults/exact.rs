@@ -4,7 +4,7 @@
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver};
 use palkki::state::Contact;
-use palkki::trial::{CONTACT_FAULTS, SIZES, Truth};
+use palkki_evidence::faults::{CONTACT_FAULTS, SIZES, Truth};
 
 use super::INTERVALS;
 use crate::scenes::{report, run};

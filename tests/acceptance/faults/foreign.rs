@@ -1,7 +1,7 @@
 //! Answers of other problems: of other ground, other loads, other grids, other scenes.
 
 use palkki::route::{Method, Solver};
-use palkki::trial::{Truth, every_second, scaled_ground, scaled_load};
+use palkki_evidence::faults::{Truth, every_second, scaled_ground, scaled_load};
 
 use super::{INTERVALS, bounded_truthfully, passes, passes_only_near};
 use crate::scenes::{example, report, run};

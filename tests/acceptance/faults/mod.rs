@@ -10,7 +10,7 @@ use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::state::ContactState;
-use palkki::trial::{Distance, Truth};
+use palkki_evidence::faults::{Distance, Truth};
 
 use crate::scenes::run;
 

@@ -1,7 +1,7 @@
 //! Faults in what a discretised answer says of its nodes.
 
 use palkki::route::{Method, Solver};
-use palkki::trial::{FAULTS, SIZES, Truth};
+use palkki_evidence::faults::{FAULTS, SIZES, Truth};
 
 use super::{INTERVALS, bounded_truthfully, distance, load, passes, passes_only_near, states};
 use crate::scenes::{example, report, run};

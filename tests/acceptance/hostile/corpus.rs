@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use palkki::verification::Random;
+use palkki_evidence::random::Random;
 
 use super::mutate::mutated;
 

@@ -1,6 +1,6 @@
 //! Scenes at the edges of what numbers can say: the ends of their range, borders between regimes, points that all but coincide.
 
-use palkki::verification::Random;
+use palkki_evidence::random::Random;
 
 use super::draft::{Draft, Ground};
 use super::scenes::{beam_with_loads, ordinary, power, sag, ties};

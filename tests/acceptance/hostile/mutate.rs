@@ -1,6 +1,6 @@
 //! Changes to texts that a parser may stumble over: of bytes, of words, of numbers, of whole lines.
 
-use palkki::verification::Random;
+use palkki_evidence::random::Random;
 
 /// Words that mean something, or used to.
 const WORDS: [&str; 40] = [

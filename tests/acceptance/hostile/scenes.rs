@@ -1,6 +1,6 @@
 //! Random and adversarial scenes: by families, each with its own idea of what could go wrong.
 
-use palkki::verification::Random;
+use palkki_evidence::random::Random;
 
 use super::draft::{Draft, Ground};
 use super::edges::{borders, extreme, spiky};

@@ -6,8 +6,8 @@ use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::theory;
 use palkki::verdict::{Demand, Verdict};
-use palkki::verification::Random;
 use palkki::{Settings, solve};
+use palkki_evidence::random::Random;
 
 use super::draft::Draft;
 use super::laws::{balanced, judge, overlap, same, within};

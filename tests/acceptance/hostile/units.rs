@@ -4,8 +4,8 @@ use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
-use palkki::verification::Random;
 use palkki::{Settings, solve};
+use palkki_evidence::random::Random;
 
 use super::draft::Draft;
 use super::laws::name;

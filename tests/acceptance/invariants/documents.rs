@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use palkki::scene::file::ReadProblem;
-use palkki::verification::numdiff;
+use palkki_evidence::numdiff::numdiff;
 
 use super::text::{files, root, rust_files, words};
 

@@ -125,6 +125,33 @@ fn the_kernel_is_short() {
 }
 
 #[test]
+fn the_library_has_no_evidence() {
+    let modules = |path: &str| -> Vec<String> {
+        let declared = |line: &str| {
+            let name = line.trim_start_matches("pub ").strip_prefix("mod ")?;
+            Some(name.trim_end_matches(';').to_owned())
+        };
+        files(path, "").get(path).into_iter().flat_map(|text| text.lines()).filter_map(declared).collect()
+    };
+    let (evidence, library) = (modules("tests/evidence/src/lib.rs"), modules("src/lib.rs"));
+    assert!(
+        evidence.contains(&"paper".to_owned()) && library.contains(&"scene".to_owned()),
+        "{evidence:?} {library:?}"
+    );
+    let both: Vec<_> = evidence.into_iter().filter(|name| library.contains(name)).collect();
+    none(&both, "a room of the evidence is one of the library");
+    let used = offenders(&room("src"), |line| code(line).contains("palkki_evidence").then(|| "uses it".to_owned()));
+    none(&used, "evidence is in tests/evidence, and the library does without");
+
+    let manifest = &files("Cargo.toml", "")["Cargo.toml"];
+    let needed = manifest.split("\n[").find(|table| table.starts_with("dependencies]")).unwrap_or_default();
+    assert!(needed.contains("clarabel"), "the dependencies of the library were read");
+    for only_tests in ["palkki-evidence", "dashu", "proptest", "insta", "divan"] {
+        assert!(!needed.contains(only_tests), "{only_tests} is a dependency of the library");
+    }
+}
+
+#[test]
 fn theory_uses_no_grid() {
     let found = offenders(&room("src/theory"), |line| {
         first_word_of(code(line), &["grid", "methods"]).map(|word| format!("uses `{word}`"))

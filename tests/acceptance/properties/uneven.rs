@@ -1,12 +1,12 @@
 //! Many random uneven foundations: the active set always ends, at a state that the judge certifies.
 
 use palkki::methods::Discrete;
-use palkki::paper::uneven::{Unevenness, scenes};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Foundation, Scene};
 use palkki::solvers::active_set_from;
 use palkki::state::Regime;
-use palkki::verification::Random;
+use palkki_evidence::paper::uneven::{Unevenness, scenes};
+use palkki_evidence::random::Random;
 
 use super::some;
 use crate::scenes::{apart, nodes, run, uniform};

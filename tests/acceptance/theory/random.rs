@@ -1,7 +1,7 @@
 //! Random scenes from a fixed seed: waves, polynomials, polylines with kinks and steps, loads of every kind.
 
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
-pub(crate) use palkki::verification::Random;
+pub(crate) use palkki_evidence::random::Random;
 
 /// Scene number `i` of the series.
 pub(crate) fn scene(i: u64) -> Scene {

@@ -3,8 +3,8 @@
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
-use palkki::trial::{Lie, THEORY, Truth};
 use palkki::{Settings, solve};
+use palkki_evidence::faults::{Lie, THEORY, Truth};
 
 use super::table;
 use crate::report::error::Cause;

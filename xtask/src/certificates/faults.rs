@@ -7,10 +7,10 @@ use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
-use palkki::trial::{
+use palkki::{Settings, solve};
+use palkki_evidence::faults::{
     CONTACT_FAULTS, Certified, Distance, FAULTS, SIZES, Truth, every_second, scaled_ground, scaled_load,
 };
-use palkki::{Settings, solve};
 
 use super::table;
 use crate::report::error::Cause;

@@ -12,9 +12,9 @@ use palkki::solvers::Solver;
 use palkki::state::Bending;
 use palkki::{Settings, solve};
 
-use crate::authority::forward::apart;
-use crate::authority::given;
-use crate::authority::number::{Fixed, Number};
+use palkki_evidence::authority::forward::apart;
+use palkki_evidence::authority::given;
+use palkki_evidence::authority::number::{Fixed, Number};
 
 /// The finest grid with a reference: seconds, and hundreds of megabytes.
 const FINEST: usize = 100_000;

@@ -8,9 +8,9 @@ pub(crate) mod alone;
 
 use std::path::Path;
 
-use palkki::extremes::Ground;
 use palkki::methods::Method;
 use palkki::solvers::Solver;
+use palkki_evidence::extremes::Ground;
 use serde::{Deserialize, Serialize};
 
 use super::rows::{Row, Rows};

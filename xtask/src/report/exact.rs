@@ -26,7 +26,7 @@ mod tests {
 
     #[test]
     fn the_example_is_flat_between_its_lift_off_points() {
-        let scene = palkki::paper::example().expect("the example is well posed");
+        let scene = palkki_evidence::paper::example().expect("the example is well posed");
         let exact = palkki::theory::solve(&scene).expect("it has an exact solution");
         let curves = Curves::exact(&scene, &exact);
         assert_eq!(curves.point_forces.len(), 2, "one force at each lift-off point");

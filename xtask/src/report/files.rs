@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use palkki::verification::{Difference, numdiff, numdiff_svg};
+use palkki_evidence::numdiff::{Difference, numdiff, numdiff_svg};
 
 use super::Rendered;
 use super::error::Error;
@@ -27,7 +27,7 @@ pub(crate) enum Stale {
 /// Compares what was rendered with the files.
 ///
 /// Not byte for byte: processors may round the last digit of a computation differently. Texts may differ by one unit of
-/// the last printed decimal, drawings also by one pixel; see [`palkki::verification`].
+/// the last printed decimal, drawings also by one pixel; see [`palkki_evidence::numdiff`].
 pub(super) fn compare(root: &Path, rendered: &Rendered) -> Result<Vec<Stale>, Error> {
     let mut stale = Vec::new();
     for (path, text) in rendered {

@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use palkki::paper::claims::Ledger;
 use palkki::scene::SceneError;
+use palkki_evidence::paper::claims::Ledger;
 
 use super::error::Cause;
 

@@ -6,12 +6,12 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use palkki::extremes::{Ground, survey};
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
 use palkki::{Settings, solve, theory};
+use palkki_evidence::extremes::{Ground, survey};
 
 use super::{Job, Line, REFUSED, Route, STOPPED};
 use crate::measure::memory;

@@ -3,18 +3,18 @@
 mod tolerance;
 
 use minijinja::context;
-use palkki::paper::{INTERVALS, example, theory};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::verdict::{Demand, Verdict};
 use palkki::{Settings, Witness, solve};
+use palkki_evidence::paper::{INTERVALS, example, theory};
 
 use self::tolerance::Tolerances;
-use crate::authority::rational::{Data, fraction, number};
 use crate::report::csv::{csv, fixed, scientific};
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
 use crate::report::study::Study;
 use crate::report::table::Table;
+use palkki_evidence::authority::rational::{Data, fraction, number};
 
 /// Exact results of one discrete model, as fractions and as the nearest numbers.
 struct Authority {

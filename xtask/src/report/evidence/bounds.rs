@@ -9,8 +9,8 @@ use palkki::certificate::ACCEPTED_ERROR;
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
-use palkki::trial::{THEORY, Truth};
 use palkki::{Settings, solve};
+use palkki_evidence::faults::{THEORY, Truth};
 
 use crate::report::csv::{csv, scientific};
 use crate::report::error::Cause;

@@ -3,9 +3,9 @@
 mod studies;
 
 use minijinja::{Value, context};
-use palkki::paper::claims::four_step::FINEST;
-use palkki::paper::claims::nsor::GRIDS;
-use palkki::paper::claims::{Claim, Verdict};
+use palkki_evidence::paper::claims::four_step::FINEST;
+use palkki_evidence::paper::claims::nsor::GRIDS;
+use palkki_evidence::paper::claims::{Claim, Verdict};
 
 pub(super) use self::studies::thousands;
 use crate::report::error::Cause;

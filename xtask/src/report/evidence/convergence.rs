@@ -1,11 +1,11 @@
 //! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
 
 use palkki::methods::Method;
-use palkki::paper::approach::{self, Approach};
-use palkki::paper::convergence::{Quantity, Series, all};
 use palkki::plot::significant;
 use palkki::plot::study::{Named, convergence};
 use palkki::theory;
+use palkki_evidence::paper::approach::{self, Approach};
+use palkki_evidence::paper::convergence::{Quantity, Series, all};
 
 use crate::report::csv::{csv, scientific};
 use crate::report::error::Cause;

@@ -11,10 +11,10 @@ mod stopping;
 use std::collections::BTreeMap;
 
 use minijinja::context;
-use palkki::paper::example;
 use palkki::route::{Method, Solver};
 use palkki::scene::SceneError;
 use palkki::{Settings, solve};
+use palkki_evidence::paper::example;
 
 use crate::measure::plan::{EXAMPLE, LIMIT, OTHERS, Route, all};
 use crate::measure::store::{self, Line, Store};

@@ -38,7 +38,8 @@ enum BlockError {
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut sources = BTreeMap::new();
-    for path in files::list(study.root, "src")?.into_iter().filter(|path| path.ends_with(".rs")) {
+    let places = [files::list(study.root, "src")?, files::list(study.root, "tests/evidence")?];
+    for path in places.into_iter().flatten().filter(|path| path.ends_with(".rs")) {
         let text = fs::read_to_string(study.root.join(&path))?;
         sources.insert(path, text);
     }

@@ -4,9 +4,9 @@ mod cases;
 mod map;
 
 use minijinja::context;
-use palkki::extremes::{Extreme, POWERS, borders, sizes, units};
 use palkki::route::{Method, Outcome, Solver, Status};
 use palkki::{Settings, solve, theory};
+use palkki_evidence::extremes::{Extreme, POWERS, borders, sizes, units};
 
 use crate::report::error::Cause;
 use crate::report::evidence::Evidence;
@@ -94,7 +94,7 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcom
         return Ok(Verdict::NotCertified);
     }
     let beside = Extreme {
-        truth: palkki::extremes::Truth {
+        truth: palkki_evidence::extremes::Truth {
             reactions: [reference.state.reactions.left, reference.state.reactions.right],
             contact_force: reference.state.contact_force(),
             energy: None,

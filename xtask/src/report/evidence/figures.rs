@@ -1,14 +1,14 @@
 //! Figures 4, 7 and 8 of the paper, drawn again.
 
 use palkki::methods::Method;
-use palkki::paper::convergence::Quantity;
-use palkki::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 use palkki::plot::PlotError;
 use palkki::plot::paper::{Nodal, Theory, contact as contact_forces, shape};
 use palkki::solvers::Solver;
 use palkki::state::{ContactState, Nodes};
 use palkki::theory::FlatSolution;
 use palkki::{Settings, solve};
+use palkki_evidence::paper::convergence::Quantity;
+use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 use serde::Serialize;
 
 use crate::report::csv::{csv, fixed};
@@ -65,7 +65,7 @@ struct Shape {
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let exact = theory();
     let printed = &study.ledger()?.printed;
-    let length = palkki::paper::beam()?.length();
+    let length = palkki_evidence::paper::beam()?.length();
     let lift_off = exact.lift_off.unwrap_or(0.0);
     let line: Vec<[f64; 2]> =
         (0..=SAMPLES).map(|i| length * f64::from(i) / f64::from(SAMPLES)).map(|x| [x, exact.deflection(x)]).collect();

@@ -1,11 +1,11 @@
 //! The first nodal contact force jumps from grid to grid; the resultant at the lift-off point converges.
 
 use palkki::methods::Method;
-use palkki::paper::convergence::Quantity;
-use palkki::paper::example;
 use palkki::plot::study::{Named, first_force};
 use palkki::solvers::Solver;
 use palkki::{Settings, solve};
+use palkki_evidence::paper::convergence::Quantity;
+use palkki_evidence::paper::example;
 
 use crate::report::csv::{csv, fixed};
 use crate::report::error::Cause;

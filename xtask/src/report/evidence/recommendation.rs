@@ -1,9 +1,9 @@
 //! The paper's advice, and what was measured of it.
 
 use minijinja::context;
-use palkki::paper::claims::four_step::{Count, SCENES};
-use palkki::paper::claims::usable::{Errors, errors};
 use palkki::scene::SceneError;
+use palkki_evidence::paper::claims::four_step::{Count, SCENES};
+use palkki_evidence::paper::claims::usable::{Errors, errors};
 
 use super::claims::thousands;
 use crate::report::error::Cause;

@@ -1,11 +1,11 @@
 //! The three regimes of a flat foundation as one picture: the end reaction over the depth.
 
-use palkki::paper::{INTERVALS, beam, example, scene_over};
 use palkki::plot::study::{Named, regimes};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Foundation;
 use palkki::state::Regime;
 use palkki::{Settings, solve, theory};
+use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
 use serde::Serialize;
 
 use crate::report::csv::{csv, fixed};

@@ -4,8 +4,8 @@
 mod drawn;
 
 use minijinja::{Value, context};
-use palkki::extremes::Ground;
 use palkki::solvers::Solver;
+use palkki_evidence::extremes::Ground;
 
 use crate::measure::scale::{LOADS, Line, PATH, Route, Scale};
 use crate::report::error::Cause;

@@ -23,7 +23,7 @@ use crate::report::table::Table;
 use crate::report::{exact, scenes};
 
 /// The paper's grid, on which every solver has a chance.
-const INTERVALS: usize = palkki::paper::INTERVALS;
+const INTERVALS: usize = palkki_evidence::paper::INTERVALS;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut overview = Table::new([

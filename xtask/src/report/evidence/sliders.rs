@@ -1,10 +1,10 @@
 //! Answers computed beforehand for the two sliders of `index.html`: beam theory over the depth of a flat ground, and the
 //! force method over the number of intervals.
 
-use palkki::paper::{beam, example, scene_over, theory};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Foundation;
 use palkki::{Settings, solve, theory};
+use palkki_evidence::paper::{beam, example, scene_over, theory};
 
 use crate::report::csv::{csv, fixed};
 use crate::report::error::Cause;

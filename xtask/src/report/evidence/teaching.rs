@@ -3,11 +3,11 @@
 use minijinja::{Value, context};
 use palkki::certificate::{Judged, certify};
 use palkki::methods::{Discrete, Method};
-use palkki::paper::approach::{Quantity, approach};
-use palkki::paper::{INTERVALS, example, theory};
 use palkki::route::{Solver, Status};
 use palkki::scene::Scene;
 use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
+use palkki_evidence::paper::approach::{Quantity, approach};
+use palkki_evidence::paper::{INTERVALS, example, theory};
 
 use crate::report::csv::fixed;
 use crate::report::error::Cause;

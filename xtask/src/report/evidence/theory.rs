@@ -26,13 +26,13 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let reactions = [closed.reactions[1], exact.state.reactions.right].map(|r| significant(r, 10));
         table = table.row([scene.title(), closed.form, &reactions[0], &reactions[1]]);
     }
-    let example = palkki::paper::theory();
+    let example = palkki_evidence::paper::theory();
     Ok(Evidence::new(context! {
         closed => table,
         count,
         most => numbers::bound(DIGITS),
         agree => worst <= DIGITS,
-        unknowns => theory::solve(&palkki::paper::example()?)?.unknowns,
+        unknowns => theory::solve(&palkki_evidence::paper::example()?)?.unknowns,
         lift_off => example.lift_off,
         reaction => example.reaction,
     }))

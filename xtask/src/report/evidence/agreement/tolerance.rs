@@ -2,9 +2,9 @@
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::{Discrete, Method};
-use palkki::paper::{INTERVALS, example};
 use palkki::route::Solver;
 use palkki::scene::SceneError;
+use palkki_evidence::paper::{INTERVALS, example};
 
 use crate::report::numbers::power;
 

@@ -4,13 +4,13 @@
 use palkki::certificate::bounds::{Violation, ViolationKind, violations, violations_at_nodes};
 use palkki::certificate::{ContactLoad, Judged, Lumped, certify};
 use palkki::methods::Method;
-use palkki::paper::{example, figure_4, figure_7, theory};
 use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
 use palkki::verdict::accepts;
 use palkki::{DEFAULT_TOLERANCE, Settings, solve};
+use palkki_evidence::paper::{example, figure_4, figure_7, theory};
 
 use super::springs;
 use crate::report::error::Cause;
@@ -128,7 +128,7 @@ pub(super) fn sags() -> Result<Table, Cause> {
     let scene = example()?;
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
     let mut table = Table::new(["intervals", "q Δ² l²/(96 EI)", "over the largest deflection", "violation found"]);
-    for intervals in [palkki::paper::INTERVALS, SPACED] {
+    for intervals in [palkki_evidence::paper::INTERVALS, SPACED] {
         let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals))?.state;
         let forces = of_nodes(&state.nodes.ok_or("an answer has nodes")?);
         let worst = violations(&scene, &ContactLoad::new(length, forces)?)?.into_iter().next();

@@ -1,7 +1,7 @@
 //! Two claims as curves: sweeps of NSOR, and how often the four steps end at the optimum, over the number of intervals.
 
-use palkki::paper::claims::{four_step, nsor};
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
+use palkki_evidence::paper::claims::{four_step, nsor};
 
 use crate::report::csv::{csv, fixed, scientific};
 use crate::report::numbers::as_number;

@@ -5,13 +5,13 @@
 //! with clearance the error goes like `μ`.
 
 use minijinja::{Value, context};
+use palkki::dial::observed_order;
 use palkki::methods::{Discrete, Method, free_beam};
-use palkki::paper::{INTERVALS, beam, example, scene_over};
 use palkki::plot::{Axis, Figure, Layer, Panel, Style};
 use palkki::route::{Solver, Status};
 use palkki::scene::{Foundation, Scene};
-use palkki::verification::observed_order;
 use palkki::{Settings, solve};
+use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
 
 use super::routes::exponent;
 use super::ten_to;

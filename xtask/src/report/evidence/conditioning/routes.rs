@@ -5,17 +5,17 @@
 
 use palkki::certificate::Kkt;
 use palkki::methods::Method;
-use palkki::paper::example;
 use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::{Settings, solve};
+use palkki_evidence::paper::example;
 
 use super::matrix;
-use crate::authority::given;
-use crate::authority::number::Number;
 use crate::report::error::Cause;
+use palkki_evidence::authority::given;
+use palkki_evidence::authority::number::Number;
 
 /// Grids of the table.
 const GRIDS: [usize; 8] = [10, 30, 100, 300, 1000, 3000, 10_000, 100_000];

@@ -1,8 +1,8 @@
 //! Scenes at the ends of sizes, borders between regimes, and units: every route on each of them.
 
 use minijinja::{Value, context};
-use palkki::extremes::Extreme;
 use palkki::route::{Method, Solver};
+use palkki_evidence::extremes::Extreme;
 
 use super::{Count, NSOR, Verdict, checked, exact, reference};
 use crate::report::csv::csv;

@@ -2,11 +2,11 @@
 
 use minijinja::{Value, context};
 use palkki::certificate::{Judged, certify};
-use palkki::extremes::{Extreme, POWERS, deep};
 use palkki::plot::table::{Cell, Tone, verdict_map};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::theory;
+use palkki_evidence::extremes::{Extreme, POWERS, deep};
 
 use super::{Count, NSOR, Verdict, checked, reference};
 use crate::report::csv::csv;

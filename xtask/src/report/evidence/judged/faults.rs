@@ -4,7 +4,7 @@ use std::fs;
 
 use minijinja::{Value, context};
 use palkki::theory;
-use palkki::trial::SIZES;
+use palkki_evidence::faults::SIZES;
 
 use crate::certificates::faults::{self, Row};
 use crate::report::csv::{csv, scientific};

@@ -1,7 +1,7 @@
 //! The figures: time and memory over the points of a survey, both logarithmic.
 
-use palkki::extremes::Ground;
 use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
+use palkki_evidence::extremes::Ground;
 
 use super::{ACTIVE_SET, EXACT, INTERIOR_POINT, Survey, bounds, certified, load_word, name};
 use crate::measure::scale::{LOADS, Line, Route, Scale};

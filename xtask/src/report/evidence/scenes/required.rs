@@ -11,7 +11,7 @@ use crate::report::numbers::count;
 /// Relative errors that are asked for: what an engineer needs, and what a reference needs.
 pub(super) const TARGETS: [f64; 2] = [1e-4, 1e-6];
 /// The first grid, of the paper; each further one has twice as many intervals.
-pub(super) const COARSEST: usize = palkki::paper::INTERVALS;
+pub(super) const COARSEST: usize = palkki_evidence::paper::INTERVALS;
 /// No grid has more unknowns.
 pub(super) const MOST: usize = 1_000_000;
 /// The methods: displacement and force method have the same answers.
