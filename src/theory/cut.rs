@@ -37,6 +37,7 @@ impl Given {
             terms,
             load_rule: Gauss::exact_to(if degree.is_some() { profile.saturating_sub(4).max(1) + 3 } else { profile }),
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
+            resultant: load.resultant(length) / stiffness,
             total_load: load.magnitude(length) / stiffness,
             magnitude: within_reach(foundation, length),
             supports: [0.0, length].map(|x| AtEnd::of(foundation, x, length)),

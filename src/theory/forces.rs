@@ -52,13 +52,9 @@ pub(super) fn zone_force(given: &Given, from: f64, to: f64) -> f64 {
 
 /// What is left of the load when reactions and contact forces are taken off.
 pub(super) fn unbalanced(given: &Given, list: &List, forces: &[f64], shear: &[f64; 2]) -> f64 {
-    let loads = (0..given.cells.len()).map(|cell| {
-        let c = &given.cells[cell];
-        0.5 * (given.load(cell, c.lo) + given.load(cell, c.hi)) * (c.hi - c.lo)
-    });
-    let inside = given.joints.get(1..given.cells.len()).unwrap_or_default().iter().map(|j| j.force);
     let zones = list.zones(given).into_iter().map(|(from, to)| zone_force(given, from, to));
-    loads.chain(inside).sum::<f64>() - shear[0] + shear[1] - forces.iter().sum::<f64>() - zones.sum::<f64>()
+    let at_supports = [given.joints.first(), given.joints.last()].into_iter().flatten().map(|j| j.force).sum::<f64>();
+    given.resultant - at_supports - shear[0] + shear[1] - forces.iter().sum::<f64>() - zones.sum::<f64>()
 }
 
 /// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.

@@ -61,6 +61,8 @@ pub(super) struct Given {
     pub(super) load_rule: Gauss,
     /// Exact for energies.
     pub(super) energy_rule: Gauss,
+    /// Resultant of all loads, those at the supports included.
+    pub(super) resultant: f64,
     /// Magnitudes of all loads together.
     pub(super) total_load: f64,
     /// The size of depths that carries their rounding where a beam may touch.

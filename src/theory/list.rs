@@ -40,8 +40,8 @@ pub(super) struct Node {
     pub(super) x: f64,
     /// Slope `v'` of the beam at an edge; not used elsewhere.
     pub(super) slope: f64,
-    /// What its place is beyond `x`, less than a unit in the last place of `x`: where contacts lie close together on a
-    /// curved profile, their forces feel it.
+    /// What its place is beyond `x`, and at an edge its slope beyond `slope`, less than a unit in the last place: where
+    /// contacts lie close together, their forces feel it.
     pub(super) rest: f64,
     /// A cell of the smooth piece of the profile on which it lies; for an edge the one to its right.
     pub(super) cell: usize,
@@ -104,7 +104,7 @@ impl List {
 
     fn left_end(&self, given: &Given, i: usize) -> End {
         let Some(node) = i.checked_sub(1).map(|i| &self.nodes[i]) else {
-            return support(given, 0.0, 0, self.supports[0]);
+            return support(0.0, 0, self.supports[0]);
         };
         let [cell, _] = node.cells(given);
         End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
@@ -112,7 +112,7 @@ impl List {
 
     fn right_end(&self, given: &Given, i: usize) -> End {
         let Some(node) = self.nodes.get(i) else {
-            return support(given, given.length, given.cells.len() - 1, self.supports[1]);
+            return support(given.length, given.cells.len() - 1, self.supports[1]);
         };
         let [_, cell] = node.cells(given);
         End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
@@ -131,6 +131,14 @@ impl Node {
         self.rest = rest - (self.x - x);
     }
 
+    /// Turns the beam at an edge.
+    pub(super) fn turn_by(&mut self, step: f64) {
+        let rest = self.rest + step;
+        let slope = self.slope + rest;
+        self.rest = rest - (slope - self.slope);
+        self.slope = slope;
+    }
+
     /// The cells to its right and to its left.
     fn cells(&self, given: &Given) -> [usize; 2] {
         match self.kind {
@@ -145,36 +153,31 @@ impl Node {
             Kind::Edge(joint) => {
                 // The lower side of a step lies below the beam, which rests on the upper one.
                 let step = given.joints[joint].step;
-                let height = if cell < joint { (-step).max(0.0) } else { step.max(0.0) };
-                Hold::Clamped {
-                    height,
-                    slope: given.derivative(cell, self.x, 1) - self.slope,
-                    turn: Some(self.slope),
-                    level: Some(given.depth_at_joint(joint)),
+                Hold::Edge {
+                    height: if cell < joint { (-step).max(0.0) } else { step.max(0.0) },
+                    level: given.depth_at_joint(joint),
+                    slope: [self.slope, self.rest],
                 }
             }
             // A node at the very end of its piece of the profile has the next one on its other side.
             _ if given.cells[cell].shape != given.cells[self.cell].shape => {
-                let turn = given.derivative(self.cell, self.x, 1);
-                Hold::Clamped {
-                    height: given.derivative(cell, self.x, 0) - given.derivative(self.cell, self.x, 0),
-                    slope: given.derivative(cell, self.x, 1) - turn,
-                    turn: Some(turn),
-                    level: Some(given.derivative(self.cell, self.x, 0)),
+                let level = given.derivative(self.cell, self.x, 0);
+                Hold::Edge {
+                    height: given.derivative(cell, self.x, 0) - level,
+                    level,
+                    slope: [given.derivative(self.cell, self.x, 1), 0.0],
                 }
             }
-            _ => Hold::RESTING,
+            _ => Hold::Resting,
         }
     }
 }
 
 /// How a support holds a span.
-fn support(given: &Given, x: f64, cell: usize, at: AtSupport) -> End {
+fn support(x: f64, cell: usize, at: AtSupport) -> End {
     let hold = match at {
-        AtSupport::Free | AtSupport::Zone => {
-            Hold::Hinged { height: given.derivative(cell, x, 0), curvature: given.derivative(cell, x, 2) }
-        }
-        AtSupport::Clamped => Hold::RESTING,
+        AtSupport::Free | AtSupport::Zone => Hold::Support,
+        AtSupport::Clamped => Hold::Resting,
     };
     End { x, rest: 0.0, cell, hold }
 }

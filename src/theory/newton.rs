@@ -83,7 +83,7 @@ fn response(list: &List, left: Option<usize>, right: Option<usize>, span: &Span)
     };
     let (turn_a, carry_a) = turn(left, &span.at_a);
     let (turn_b, carry_b) = turn(right, &span.at_b);
-    let hinged = |hold: Hold| matches!(hold, Hold::Hinged { .. });
+    let hinged = |hold: Hold| hold == Hold::Support;
     match (hinged(span.a.hold), hinged(span.b.hold)) {
         (false, false) => {
             [[carry_a - 4.0 * turn_a / l, -2.0 * turn_b / l], [2.0 * turn_a / l, carry_b + 4.0 * turn_b / l]]
@@ -274,7 +274,7 @@ fn apply(given: &Given, list: &mut List, step: &[f64], brackets: &mut [Bracket])
     for (i, &step) in step.iter().enumerate() {
         let node = list.nodes[i];
         if let Kind::Edge(_) = node.kind {
-            list.nodes[i].slope += step;
+            list.nodes[i].turn_by(step);
             continue;
         }
         let (mut lo, mut hi) = given.reach(node.cell);

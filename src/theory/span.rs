@@ -5,12 +5,13 @@
 //!
 //! ```text
 //! h'''' = g + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the joints inside
-//! h''(a) = −6 (η_a − η_b)/ℓ² − (4 φ_a + 2 φ_b)/ℓ + G_a,     G_a = ∫ g w_a + Σ (−S w_a''' + J w_a'' − P w_a)
-//! h''(b) =  6 (η_a − η_b)/ℓ² + (2 φ_a + 4 φ_b)/ℓ + G_b,     w_a = t (ℓ − t)²/ℓ²,  w_b = t² (ℓ − t)/ℓ²
+//! h''(a) = −(4 φ_a + 2 φ_b)/ℓ + G_a,     G_a = ∫ g w_a + Σ (−S w_a''' + J w_a'' − P w_a)
+//! h''(b) =  (2 φ_a + 4 φ_b)/ℓ + G_b,     w_a = t (ℓ − t)²/ℓ²,  w_b = t² (ℓ − t)/ℓ²
 //! ```
 //!
-//! with `η = h` and `φ = h'` at the two ends, `ℓ = b − a`, `t = x − a`: the slope-deflection equations, `G` the fixed-end
-//! moments.
+//! with `φ = h' − (h(b) − h(a))/ℓ` at the two ends, `ℓ = b − a`, `t = x − a`: the slope-deflection equations, `G` the
+//! fixed-end moments. Slopes count from the straight line through both ends, because over a short span they differ from it
+//! by far less than they are.
 
 use super::cosine;
 use super::given::Given;
@@ -18,52 +19,38 @@ use super::given::Given;
 /// How a span begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Hold {
-    /// `h` and `h'` are given: a contact, or a support at which the beam is clamped.
-    Clamped {
-        /// `h`.
+    /// On a smooth piece of the profile, or clamped to it: `h = h' = 0`.
+    Resting,
+    /// On a break of the profile: `v` and `v'` are given.
+    Edge {
+        /// `h`: at the lower side of a step its height.
         height: f64,
-        /// `h'`.
-        slope: f64,
-        /// `v'`, where it is that which is given: at an edge. Beside a cliff `u' − h'` would lose its digits.
-        turn: Option<f64>,
-        /// `v`, where a break of the profile is not as deep as what `h` counts from: at the edge of a deep step.
-        level: Option<f64>,
+        /// `v`.
+        level: f64,
+        /// `v'` is the sum of these two numbers. Contacts that are close together feel digits of it beyond the last one of
+        /// the first number.
+        slope: [f64; 2],
     },
-    /// `h` and `h''` are given: a simple support, `v = v'' = 0`.
-    Hinged {
-        /// `h`.
-        height: f64,
-        /// `h''`.
-        curvature: f64,
-    },
+    /// A simple support: `v = v'' = 0`.
+    Support,
 }
 
 impl Hold {
-    /// On a smooth piece of the profile, or clamped to it: `h = h' = 0`.
-    pub(super) const RESTING: Self = Self::Clamped { height: 0.0, slope: 0.0, turn: None, level: None };
-
-    /// The same for `v = u − h`, beside a profile that has been moved up by `h`.
-    pub(super) fn of_beam(self, profile: &[f64; 4]) -> Self {
+    /// `h`, where the profile is `depth` deep.
+    fn height(self, depth: f64) -> f64 {
         match self {
-            Self::Clamped { slope, turn, level, .. } => {
-                Self::Clamped { height: profile[0], slope: turn.unwrap_or(profile[1] - slope), turn, level }
-            }
-            Self::Hinged { curvature, .. } => Self::Hinged { height: profile[0], curvature: profile[2] - curvature },
+            Self::Resting => 0.0,
+            Self::Edge { height, .. } => height,
+            Self::Support => depth,
         }
     }
 
-    /// `v`, beside a profile at `depth`.
-    pub(super) fn level(self, depth: f64) -> f64 {
+    /// `v`, where the profile is `depth` deep.
+    fn level(self, depth: f64) -> f64 {
         match self {
-            Self::Clamped { level: Some(level), .. } => level,
-            _ => depth - self.height(),
-        }
-    }
-
-    /// `h`.
-    pub(super) fn height(self) -> f64 {
-        match self {
-            Self::Clamped { height, .. } | Self::Hinged { height, .. } => height,
+            Self::Resting => depth,
+            Self::Edge { level, .. } => level,
+            Self::Support => 0.0,
         }
     }
 }
@@ -84,7 +71,7 @@ pub(super) struct End {
 impl End {
     /// An end that rests on a smooth piece of the profile.
     pub(super) fn resting(x: f64, cell: usize) -> Self {
-        Self { x, rest: 0.0, cell, hold: Hold::RESTING }
+        Self { x, rest: 0.0, cell, hold: Hold::Resting }
     }
 }
 
@@ -114,37 +101,59 @@ impl Span {
     /// in `v`: `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
     pub(super) fn between(given: &Given, a: End, b: End) -> Self {
         let l = b.x - a.x;
-        let (profile_a, profile_b) = (given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x));
-        let (height_a, height_b) = (a.hold.height(), b.hold.height());
-        let (at_left, at_right) = (a.hold.level(profile_a[0]), b.hold.level(profile_b[0]));
-        let chord = |left: f64, right: f64| 6.0 * left.abs().max(right.abs()) / (l * l);
+        let profiles = [given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x)];
+        let ends = [&a, &b];
+        let heights = [0, 1].map(|i| ends[i].hold.height(profiles[i][0]));
+        let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
+        let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / (l * l);
         let in_clearance =
-            chord(height_a, height_b).max(profile_a[2].abs().max(profile_b[2].abs())).max(broken(given, &a, &b));
-        if chord(at_left, at_right) < in_clearance {
-            // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
+            chord(heights).max(profiles[0][2].abs().max(profiles[1][2].abs())).max(broken(given, &a, &b));
+        let in_beam = chord(levels) < in_clearance;
+        // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
+        let rise = if in_beam {
             let (from, to) = (given.cells[a.cell].shape, given.cells[b.cell].shape);
-            let resting = height_a == 0.0 && height_b == 0.0 && from == to;
-            let rise = if resting { given.shapes[from].rise(a.x, b.x) } else { at_right - at_left };
-            // Of the profile moved up to the beam: its height is that of the beam then. To add the clearance and take it off
-            // again would cost the digits of the beam over a cliff.
-            let beyond = |u: &[f64; 4], rest: f64, height: f64| [height + u[1] * rest, u[1] + u[2] * rest, u[2], u[3]];
-            let holds =
-                [a.hold.of_beam(&beyond(&profile_a, a.rest, 0.0)), b.hold.of_beam(&beyond(&profile_b, b.rest, rise))];
-            let [mut beam_a, mut beam_b] = solve(l, holds, &fixed_end(given, &a, &b, Drive::Load));
-            (beam_a[0], beam_b[0]) = (at_left, at_right);
-            let (mut at_a, mut at_b) = (difference(&profile_a, &beam_a), difference(&profile_b, &beam_b));
-            for (end, at) in [(&a, &mut at_a), (&b, &mut at_b)] {
-                // What is given is known without rounding.
-                match end.hold {
-                    Hold::Clamped { height, slope, .. } => (at[0], at[1]) = (height, slope),
-                    Hold::Hinged { height, curvature } => (at[0], at[2]) = (height, curvature),
-                }
+            let resting = a.hold == Hold::Resting && b.hold == Hold::Resting && from == to;
+            let rise = if resting { given.shapes[from].rise(a.x, b.x) } else { levels[1] - levels[0] };
+            let beyond = |i: usize| if ends[i].hold == Hold::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
+            rise + (beyond(1) - beyond(0))
+        } else {
+            heights[1] - heights[0]
+        };
+        let incline = rise / l;
+        let held = [0, 1].map(|i| match (ends[i].hold, in_beam) {
+            (Hold::Resting, true) => Held::Slope(profiles[i][1] + profiles[i][2] * ends[i].rest - incline),
+            (Hold::Resting, false) => Held::Slope(-incline),
+            (Hold::Edge { slope: [slope, rest], .. }, true) => Held::Slope(slope - incline + rest),
+            (Hold::Edge { slope: [slope, rest], .. }, false) => Held::Slope(profiles[i][1] - slope - rest - incline),
+            (Hold::Support, true) => Held::Curvature(0.0),
+            (Hold::Support, false) => Held::Curvature(profiles[i][2]),
+        });
+        let solved = solve(l, held, &fixed_end(given, &a, &b, if in_beam { Drive::Load } else { Drive::Clearance }));
+        let mut at = [[0.0; 4]; 2];
+        let mut beam = [[0.0; 4]; 2];
+        for i in 0..2 {
+            let [slope, curvature, third] = solved[i];
+            let profile = &profiles[i];
+            if in_beam {
+                beam[i] = [levels[i], slope + incline, curvature, third];
+                at[i] = difference(profile, &beam[i]);
+            } else {
+                at[i] = [heights[i], slope + incline, curvature, third];
+                beam[i] = difference(profile, &at[i]);
             }
-            return Self { a, b, at_a, at_b, beam_a, beam_b, in_beam: true };
+            // What is given is known without rounding.
+            at[i][0] = heights[i];
+            match ends[i].hold {
+                Hold::Resting => at[i][1] = 0.0,
+                Hold::Edge { slope: [slope, rest], .. } => {
+                    (at[i][1], beam[i][1]) = (profile[1] - slope - rest, slope);
+                }
+                Hold::Support => (at[i][2], beam[i][2]) = (profile[2], 0.0),
+            }
         }
-        let [at_a, at_b] = solve(l, [a.hold, b.hold], &fixed_end(given, &a, &b, Drive::Clearance));
-        let (beam_a, beam_b) = (difference(&profile_a, &at_a), difference(&profile_b, &at_b));
-        Self { a, b, at_a, at_b, beam_a, beam_b, in_beam: false }
+        let [at_a, at_b] = at;
+        let [beam_a, beam_b] = beam;
+        Self { a, b, at_a, at_b, beam_a, beam_b, in_beam }
     }
 
     /// Its length `ℓ`.
@@ -181,39 +190,39 @@ pub(super) fn difference(u: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
     [u[0] - v[0], u[1] - v[1], u[2] - v[2], u[3] - v[3]]
 }
 
-/// The slope-deflection equations: value and three derivatives at both ends of a span of length `l`.
-fn solve(l: f64, [a, b]: [Hold; 2], fixed: &FixedEnd) -> [[f64; 4]; 2] {
-    let (height_a, height_b) = (a.height(), b.height());
-    let chord = 6.0 * (height_a - height_b) / (l * l);
-    // h'' at the ends for φ_a = φ_b = 0.
-    let (rest_a, rest_b) = (fixed.moment[0] - chord, fixed.moment[1] + chord);
+/// What is given at an end of a span.
+#[derive(Debug, Clone, Copy)]
+enum Held {
+    /// The slope, counted from the straight line through both ends.
+    Slope(f64),
+    /// The second derivative.
+    Curvature(f64),
+}
+
+/// The slope-deflection equations: slope, counted from the straight line through both ends, second and third derivative at
+/// both ends of a span of length `l`.
+fn solve(l: f64, [a, b]: [Held; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
+    let [rest_a, rest_b] = fixed.moment;
     let (slope_a, slope_b) = match (a, b) {
-        (Hold::Clamped { slope: left, .. }, Hold::Clamped { slope: right, .. }) => (left, right),
-        (Hold::Hinged { curvature, .. }, Hold::Clamped { slope, .. }) => {
-            (0.25 * l * (rest_a - curvature) - 0.5 * slope, slope)
-        }
-        (Hold::Clamped { slope, .. }, Hold::Hinged { curvature, .. }) => {
-            (slope, 0.25 * l * (curvature - rest_b) - 0.5 * slope)
-        }
-        (Hold::Hinged { curvature: left, .. }, Hold::Hinged { curvature: right, .. }) => {
+        (Held::Slope(left), Held::Slope(right)) => (left, right),
+        (Held::Curvature(curvature), Held::Slope(slope)) => (0.25 * l * (rest_a - curvature) - 0.5 * slope, slope),
+        (Held::Slope(slope), Held::Curvature(curvature)) => (slope, 0.25 * l * (curvature - rest_b) - 0.5 * slope),
+        (Held::Curvature(left), Held::Curvature(right)) => {
             // 4 φ_a + 2 φ_b = ℓ (rest_a − left),  2 φ_a + 4 φ_b = ℓ (right − rest_b).
             let (first, second) = (l * (rest_a - left), l * (right - rest_b));
             ((2.0 * first - second) / 6.0, (2.0 * second - first) / 6.0)
         }
     };
     let curvature_a = match a {
-        Hold::Clamped { .. } => rest_a - (4.0 * slope_a + 2.0 * slope_b) / l,
-        Hold::Hinged { curvature, .. } => curvature,
+        Held::Slope(_) => rest_a - (4.0 * slope_a + 2.0 * slope_b) / l,
+        Held::Curvature(curvature) => curvature,
     };
     let curvature_b = match b {
-        Hold::Clamped { .. } => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
-        Hold::Hinged { curvature, .. } => curvature,
+        Held::Slope(_) => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
+        Held::Curvature(curvature) => curvature,
     };
     let across = (curvature_b - curvature_a) / l;
-    [
-        [height_a, slope_a, curvature_a, across - fixed.shear[0]],
-        [height_b, slope_b, curvature_b, across + fixed.shear[1]],
-    ]
+    [[slope_a, curvature_a, across - fixed.shear[0]], [slope_b, curvature_b, across + fixed.shear[1]]]
 }
 
 /// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
