@@ -76,6 +76,7 @@ pub mod extremes;
 pub mod methods;
 mod nested;
 pub mod paper;
+#[cfg(feature = "plot")]
 pub mod plot;
 pub mod problem;
 pub mod route;
