@@ -74,6 +74,7 @@ pub mod certificate;
 pub mod dial;
 pub mod methods;
 mod nested;
+#[cfg(feature = "plot")]
 pub mod plot;
 pub mod problem;
 pub mod route;

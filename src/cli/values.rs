@@ -61,7 +61,9 @@ impl ValueEnum for SolverArgument {
         &[
             Self(Solver::ActiveSet),
             Self(Solver::Nsor),
+            #[cfg(feature = "clarabel")]
             Self(Solver::Clarabel),
+            #[cfg(feature = "osqp")]
             Self(Solver::Osqp),
             Self(Solver::FourStep),
         ]
@@ -71,7 +73,9 @@ impl ValueEnum for SolverArgument {
         Some(PossibleValue::new(self.0.word()).help(match self.0 {
             Solver::ActiveSet => "exchanges nodes until the contact set is right; always ends at the optimum",
             Solver::Nsor => "projected over-relaxation, which the paper recommends for many unknowns",
+            #[cfg(feature = "clarabel")]
             Solver::Clarabel => "interior points, a library",
+            #[cfg(feature = "osqp")]
             Solver::Osqp => "operator splitting, a library",
             Solver::FourStep => "the paper's own four steps, for comparison; may stop short of the optimum",
         }))

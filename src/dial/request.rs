@@ -42,7 +42,14 @@ impl Request {
 
 /// Whether the solver stops at a tolerance; the others end at an optimum or not at all.
 fn iterates(solver: Solver) -> bool {
-    matches!(solver, Solver::Nsor | Solver::Clarabel | Solver::Osqp)
+    match solver {
+        Solver::ActiveSet | Solver::FourStep => false,
+        Solver::Nsor => true,
+        #[cfg(feature = "clarabel")]
+        Solver::Clarabel => true,
+        #[cfg(feature = "osqp")]
+        Solver::Osqp => true,
+    }
 }
 
 /// The finest grid of a solver. The active set needs seconds there; the libraries are no longer certified well before, and
@@ -50,7 +57,10 @@ fn iterates(solver: Solver) -> bool {
 fn most_intervals(solver: Solver) -> usize {
     match solver {
         Solver::ActiveSet => 1_000_000,
-        Solver::Clarabel | Solver::Osqp => 20_000,
+        #[cfg(feature = "clarabel")]
+        Solver::Clarabel => 20_000,
+        #[cfg(feature = "osqp")]
+        Solver::Osqp => 20_000,
         Solver::Nsor | Solver::FourStep => 2_000,
     }
 }

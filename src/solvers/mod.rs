@@ -2,11 +2,13 @@
 //! the programme only what [`Programme`] says.
 
 mod active_set;
+#[cfg(feature = "clarabel")]
 mod clarabel;
 mod descent;
 mod four_step;
 mod neighbourhood;
 mod nsor;
+#[cfg(feature = "osqp")]
 mod osqp;
 mod own_residual;
 mod solver;
@@ -14,7 +16,9 @@ mod solver;
 pub use own_residual::OwnResidual;
 pub use solver::Solver;
 
-use crate::problem::{Native, Programme};
+#[cfg(any(feature = "clarabel", feature = "osqp"))]
+use crate::problem::Native;
+use crate::problem::Programme;
 
 /// What a solver hands back. None of it is believed before the judge has seen it.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +62,9 @@ impl Solver {
             Self::FourStep => four_step::solve(programme),
             Self::ActiveSet => active_set::solve(programme),
             Self::Nsor => nsor::solve(programme, tolerance),
+            #[cfg(feature = "clarabel")]
             Self::Clarabel => clarabel::solve(programme, tolerance),
+            #[cfg(feature = "osqp")]
             Self::Osqp => osqp::solve(programme, tolerance),
         }
     }
@@ -89,7 +95,9 @@ impl Solver {
             Self::FourStep => "nothing to set; at most n + 1 rounds".to_owned(),
             Self::ActiveSet => active_set::words(),
             Self::Nsor => nsor::words(tolerance),
+            #[cfg(feature = "clarabel")]
             Self::Clarabel => clarabel::words(tolerance),
+            #[cfg(feature = "osqp")]
             Self::Osqp => osqp::words(tolerance),
         }
     }
@@ -103,6 +111,7 @@ const LARGEST_MATRIX: usize = 2000;
 ///
 /// Both libraries fail on a programme without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
 /// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
+#[cfg(any(feature = "clarabel", feature = "osqp"))]
 fn native(programme: &dyn Programme) -> Result<Native, String> {
     if programme.dimension() == 0 {
         return Err("not tried: the quadratic program has no unknowns".to_owned());
@@ -127,6 +136,7 @@ fn native(programme: &dyn Programme) -> Result<Native, String> {
 }
 
 /// What clarabel takes for infinite; osqp takes 1e30, and prints what it thinks of a factorisation that overflows.
+#[cfg(any(feature = "clarabel", feature = "osqp"))]
 const INFINITE: f64 = 1e20;
 
 /// Why a solver is not tried that would need a larger matrix, if it would.

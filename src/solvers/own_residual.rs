@@ -1,6 +1,8 @@
 //! What a library leaves of the problem that it was given, in the norm by which it decides to stop, computed again from its
 //! answer. Whether it did what it was asked is one question; whether its answer passes our check is another.
 
+#![cfg_attr(not(all(feature = "clarabel", feature = "osqp")), allow(dead_code, reason = "only libraries have one"))]
+
 use crate::problem::Native;
 
 /// The residual of a library in its own norm, dimensionless.

@@ -1,4 +1,4 @@
-//! The solvers, as names.
+//! The solvers, as names. A solver that is not part of a build has no name in it.
 
 use std::fmt;
 
@@ -11,18 +11,38 @@ pub enum Solver {
     ActiveSet,
     /// Projected successive over-relaxation, by hand.
     Nsor,
-    /// The interior-point solver `clarabel`.
+    /// The interior-point solver `clarabel`, with the feature of that name.
+    #[cfg(feature = "clarabel")]
     Clarabel,
-    /// The operator-splitting solver `osqp`.
+    /// The operator-splitting solver `osqp`, with the feature of that name.
+    #[cfg(feature = "osqp")]
     Osqp,
 }
 
+/// How many of the libraries are part of this build.
+const LIBRARIES: usize = cfg!(feature = "clarabel") as usize + cfg!(feature = "osqp") as usize;
+
 impl Solver {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::FourStep, Self::ActiveSet, Self::Nsor, Self::Clarabel, Self::Osqp];
+    pub const ALL: [Self; 3 + LIBRARIES] = [
+        Self::FourStep,
+        Self::ActiveSet,
+        Self::Nsor,
+        #[cfg(feature = "clarabel")]
+        Self::Clarabel,
+        #[cfg(feature = "osqp")]
+        Self::Osqp,
+    ];
 
-    /// The four that are meant to reach the optimum: all but the paper's four steps.
-    pub const OPTIMAL: [Self; 4] = [Self::ActiveSet, Self::Nsor, Self::Clarabel, Self::Osqp];
+    /// Those that are meant to reach the optimum: all but the paper's four steps.
+    pub const OPTIMAL: [Self; 2 + LIBRARIES] = [
+        Self::ActiveSet,
+        Self::Nsor,
+        #[cfg(feature = "clarabel")]
+        Self::Clarabel,
+        #[cfg(feature = "osqp")]
+        Self::Osqp,
+    ];
 
     /// The word that command line, JSON and report use.
     #[must_use]
@@ -31,7 +51,9 @@ impl Solver {
             Self::FourStep => "four-step",
             Self::ActiveSet => "active-set",
             Self::Nsor => "nsor",
+            #[cfg(feature = "clarabel")]
             Self::Clarabel => "clarabel",
+            #[cfg(feature = "osqp")]
             Self::Osqp => "osqp",
         }
     }

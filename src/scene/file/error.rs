@@ -2,8 +2,6 @@
 
 use std::fmt;
 
-use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
-
 use super::Problem;
 use super::table::Span;
 
@@ -43,34 +41,52 @@ impl FileError {
         Self { file: file.to_owned(), place: Some(Place::of(text, span)), problem }
     }
 
-    /// The message with its picture, in colours of a terminal if `colour`.
+    /// The message with its picture, in colours of a terminal if `colour`. Without the feature `cli` there is no picture.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
         // Names of files and keys may hold anything; what is not printable must not reach a terminal.
         let title = printable(&self.problem.to_string());
         let file = printable(&self.file);
-        let expected = self.problem.expected();
-        let title = Level::ERROR.primary_title(title);
-        let group = match &self.place {
-            Some(place) if place.text.len() <= LONGEST_LINE => title.element(
-                Snippet::source(&*place.text)
-                    .path(file)
-                    .line_start(place.line)
-                    .annotation(AnnotationKind::Primary.span(place.marked.clone()).label(expected)),
-            ),
-            Some(place) => note(title.element(Origin::path(file).line(place.line).char_column(place.column)), expected),
-            None => note(title.element(Origin::path(file)), expected),
-        };
-        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-        renderer.render(&[group])
+        picture(&title, &file, self.place.as_ref(), self.problem.expected(), colour)
     }
 }
 
-fn note<'a>(group: annotate_snippets::Group<'a>, text: Option<String>) -> annotate_snippets::Group<'a> {
-    match text {
-        Some(text) => group.element(Level::NOTE.message(text)),
-        None => group,
+/// The line in which the place is, with a caret below it.
+#[cfg(feature = "cli")]
+fn picture(title: &str, file: &str, place: Option<&Place>, expected: Option<String>, colour: bool) -> String {
+    use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+
+    /// Lines that are longer get no picture \[bytes\]: nobody would see the caret.
+    const LONGEST_LINE: usize = 4000;
+
+    fn note<'a>(group: Group<'a>, text: Option<String>) -> Group<'a> {
+        match text {
+            Some(text) => group.element(Level::NOTE.message(text)),
+            None => group,
+        }
     }
+
+    let title = Level::ERROR.primary_title(title);
+    let group = match place {
+        Some(place) if place.text.len() <= LONGEST_LINE => title.element(
+            Snippet::source(&*place.text)
+                .path(file)
+                .line_start(place.line)
+                .annotation(AnnotationKind::Primary.span(place.marked.clone()).label(expected)),
+        ),
+        Some(place) => note(title.element(Origin::path(file).line(place.line).char_column(place.column)), expected),
+        None => note(title.element(Origin::path(file)), expected),
+    };
+    let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+    renderer.render(&[group])
+}
+
+/// Where the place is, in numbers.
+#[cfg(not(feature = "cli"))]
+fn picture(title: &str, file: &str, place: Option<&Place>, expected: Option<String>, _: bool) -> String {
+    let place = place.map_or_else(String::new, |place| format!(":{}:{}", place.line, place.column));
+    let expected = expected.map_or_else(String::new, |expected| format!("\nnote: {expected}"));
+    format!("error: {title}\n --> {file}{place}{expected}")
 }
 
 impl fmt::Display for FileError {
@@ -80,9 +96,6 @@ impl fmt::Display for FileError {
 }
 
 impl std::error::Error for FileError {}
-
-/// Lines that are longer get no picture \[bytes\]: nobody would see the caret.
-const LONGEST_LINE: usize = 4000;
 
 impl Place {
     /// The line in which `span` starts, with what of it lies in `span`.

@@ -1,6 +1,7 @@
 //! The invariants of ARCHITECTURE.md, asked of the source text.
 
 mod arithmetic;
+mod dependencies;
 mod documents;
 mod layers;
 mod snapshots;
