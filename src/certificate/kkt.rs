@@ -1,10 +1,17 @@
-//! The optimality conditions of a discrete problem as four dimensionless numbers, and a fifth for what is said beside them.
+//! The residual of a discrete problem: how far nodal values are from (4), (5) and (8), as five dimensionless numbers.
+//!
+//! Loads and contact forces on the nodes bend the beam by statics and integration of `v'' = −M/EI`, both from left to right:
+//!
+//! ```text
+//! M_i = M_{i−1} + V_{i−1} Δ,   V_i = V_{i−1} − t_i,           t = q − p          M_0 = M_N = 0
+//! v_i = v_{i−1} + θ_{i−1} Δ,   θ_i = θ_{i−1} − (Δ/EI) c_i                        v_0 = v_N = 0
+//! ```
+//!
+//! with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. Both are
+//! the same [`DoubleSum`] with both ends at zero; no method and no solver is asked.
 
-use super::carried::Carried;
-use super::seen::Seen;
-use super::worst::{Worst, worst};
 use crate::scene::{Grid, Scene};
-use crate::state::{ContactState, Reactions};
+use crate::state::{Bending, ContactState, Reactions};
 
 /// A state whose worst residual is at most this is certified.
 ///
@@ -46,43 +53,50 @@ impl Kkt {
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
         let nodes = state.nodes.as_ref()?;
-        let n = nodes.contact_force.len();
-        let grid = Grid::uniform(scene, n + 1).ok()?;
-        if [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.moment].iter().any(|list| list.len() != n) {
+        let (x, v, h, p, moment) = (&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment);
+        let grid = Grid::uniform(scene, p.len() + 1).ok()?;
+        if [x, v, h, moment].iter().any(|list| list.len() != p.len()) {
             return None;
         }
+        let u = grid.depths(scene);
+        let caused = Equilibrium::of(scene, grid, p, nodes.bending);
+
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        let carried = Carried::new(scene, grid, nodes);
-        let idle = if carried.load == 0.0 { within_reach(&grid.depths(scene)) } else { 0.0 };
-        let force = nonzero(carried.load.max(carried.contact).max(idle / flexibility));
+        let idle = if caused.load == 0.0 { within_reach(&u) } else { 0.0 };
+        let force = nonzero(caused.load.max(caused.contact).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
-        let depth = nonzero(carried.moved.value().max(idle).max(ROUNDING * flexibility * force));
-        // Reactions that balance forces, and moments about the left support.
-        let mut balance = Worst::default();
-        let Reactions { left, right } = state.reactions;
-        balance.see((carried.total - left - right).abs());
-        balance.see((carried.right - right).abs());
+        let depth = nonzero(largest(v.iter().map(|v| v.abs())).max(idle).max(ROUNDING * flexibility * force));
 
-        let bent = carried.bent(scene.beam().bending_stiffness());
-        let seen = Seen::of(scene, &grid, nodes, bent, [force, depth]);
+        let [penetration, tension, complementarity, elastic, moments, clearances, out_of_place] =
+            largest_each((0..p.len()).map(|i| {
+                let clearance = u[i] - v[i];
+                [
+                    -clearance,
+                    -p[i],
+                    (clearance / depth).min(p[i] / force),
+                    (v[i] - caused.deflection[i]).abs(),
+                    (moment[i] - caused.moment[i]).abs(),
+                    mistaken(h[i], u[i], clearance),
+                    (x[i] - grid.place(i + 1)).abs(),
+                ]
+            }));
+        // Reactions that balance forces, and moments about the left support.
+        let Reactions { left, right } = state.reactions;
+        let balance = largest([(caused.total - left - right).abs(), (caused.right - right).abs()]);
         Some(Self {
-            penetration: seen.penetration.value() / depth,
-            tension: seen.tension.value() / force,
-            complementarity: seen.complementarity.value(),
-            equilibrium: (seen.elastic.value() / depth).max(balance.value() / force),
-            record: worst([
-                seen.moments.value() / (force * length),
-                seen.clearances.value() / depth,
-                seen.places.value() / length,
-            ]),
+            penetration: penetration / depth,
+            tension: tension / force,
+            complementarity,
+            equilibrium: (elastic / depth).max(balance / force),
+            record: largest([moments / (force * length), clearances / depth, out_of_place / length]),
         })
     }
 
     /// The worst of the five; infinite if any of them is NaN.
     #[must_use]
     pub fn residual(&self) -> f64 {
-        worst([self.penetration, self.tension, self.complementarity, self.equilibrium, self.record])
+        largest([self.penetration, self.tension, self.complementarity, self.equilibrium, self.record])
     }
 
     /// Whether the state passes.
@@ -90,6 +104,34 @@ impl Kkt {
     pub fn holds(&self) -> bool {
         self.residual() <= CERTIFIED_RESIDUAL
     }
+}
+
+/// The largest of some numbers, at least 0; infinite if one of them is NaN.
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    largest_each(values.into_iter().map(|value| [value]))[0]
+}
+
+/// The same of each column of a table.
+fn largest_each<const COLUMNS: usize>(rows: impl Iterator<Item = [f64; COLUMNS]>) -> [f64; COLUMNS] {
+    let mut most = [0.0; COLUMNS];
+    for row in rows {
+        for (most, value) in most.iter_mut().zip(row) {
+            // Most are not larger than one before, and for these a comparison is all.
+            if value > *most || value.is_nan() {
+                *most = if value.is_nan() { f64::INFINITY } else { value };
+            }
+        }
+    }
+    most
+}
+
+/// By how much a clearance is said wrong, beyond the rounding of the depth `u` that it was taken from.
+fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
+    // Where there is no foundation both are infinite.
+    if u == f64::INFINITY && said == f64::INFINITY {
+        return 0.0;
+    }
+    (said - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
 }
 
 /// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
@@ -102,4 +144,200 @@ fn within_reach(depths: &[f64]) -> f64 {
 /// A divisor: 1 where there is nothing to measure by.
 fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
+}
+
+/// The beam in equilibrium with the nodal loads of a scene and with contact forces at the inner nodes of a grid.
+pub(super) struct Equilibrium {
+    /// `M_i` at the inner nodes.
+    pub(super) moment: Vec<f64>,
+    /// `v_i` at the inner nodes.
+    pub(super) deflection: Vec<f64>,
+    /// Sum of all forces, those on the supports included \[force\].
+    total: f64,
+    /// What of it the right support carries \[force\].
+    right: f64,
+    /// Sum of the magnitudes of all loads, a size only \[force\].
+    load: f64,
+    /// The same of contact forces.
+    contact: f64,
+}
+
+impl Equilibrium {
+    /// Contact forces are as many as the grid has inner nodes.
+    pub(super) fn of(scene: &Scene, grid: Grid, contact_force: &[f64], bending: Bending) -> Self {
+        let magnitude = |sum: f64, force: &f64| sum + force.abs();
+        let [mut first, mut last] = [[0.0]; 2];
+        grid.loads(scene.load(), 0, &mut first);
+        grid.loads(scene.load(), grid.intervals(), &mut last);
+        let [first, last] = [first[0], last[0]];
+        let mut moment = vec![0.0; contact_force.len()];
+        grid.loads(scene.load(), 1, &mut moment);
+        let load = moment.iter().fold(first.abs() + last.abs(), magnitude);
+        let contact = contact_force.iter().fold(0.0, magnitude);
+
+        // t_i, which become M_i/Δ.
+        moment.iter_mut().zip(contact_force).for_each(|(q, p)| *q -= p);
+        let (left, inner) = DoubleSum::between_supports(&mut moment);
+        let (total, right) = (inner + first + last, (inner - left) + last);
+
+        // (Δ²/EI) c_i/Δ, which become v_i/Δ.
+        let unit = grid.spacing() * grid.spacing() / scene.beam().bending_stiffness();
+        let [own, beside] = match bending {
+            Bending::AtNodes => [unit, 0.0],
+            Bending::Between => [4.0 * (unit / 6.0), unit / 6.0],
+        };
+        let mut before = 0.0;
+        let after = moment.iter().skip(1).chain(&[0.0]);
+        let curvature = moment.iter().zip(after).map(|(&m, after)| {
+            let share = own * m + beside * (before + after);
+            before = m;
+            share
+        });
+        let mut deflection: Vec<f64> = curvature.collect();
+        DoubleSum::between_supports(&mut deflection);
+        for value in moment.iter_mut().chain(&mut deflection) {
+            *value *= grid.spacing();
+        }
+        Self { moment, deflection, total, right, load, contact }
+    }
+}
+
+/// Forces to moments, curvatures to deflections:
+///
+/// ```text
+/// y_i = y_{i−1} + s_{i−1},   s_i = s_{i−1} − f_i,      y_0 = 0, s_0 given
+/// ```
+///
+/// A million roundings of a slope would be a million times larger in the height. So within a short block slopes and heights
+/// count from its beginning, where they are small, and from block to block both sums keep what rounding takes from them, as
+/// in Kahan's and Neumaier's sums; the slope passes its share on.
+#[derive(Debug, Clone, Copy, Default)]
+struct DoubleSum {
+    height: Sum,
+    slope: Sum,
+}
+
+/// Nodes in a block: a power of two, so that the way which a slope rises over a block is exact.
+const BLOCK: usize = 16;
+
+impl DoubleSum {
+    /// From `f_1 … f_{N−1}` to `y_1 … y_{N−1}` with `y_0 = y_N = 0`; `s_0`, and the sum of all `f`.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    fn between_supports(falls: &mut [f64]) -> (f64, f64) {
+        // A shot from a horizontal start misses the right end by N times the slope that is looked for.
+        let mut shot = Self::default();
+        let mut heights = [0.0; BLOCK];
+        for block in falls.chunks(BLOCK) {
+            heights[..block.len()].copy_from_slice(block);
+            shot.along(&mut heights[..block.len()]);
+        }
+        let slope = -shot.next() / (falls.len() + 1) as f64;
+        let mut sums = Self { slope: Sum { value: slope, lost: 0.0 }, ..Self::default() };
+        sums.along(falls);
+        (slope, -shot.slope.total())
+    }
+
+    /// Over the next nodes: what the slope loses at each of them gives way to the height there.
+    fn along(&mut self, falls: &mut [f64]) {
+        let (blocks, rest) = falls.as_chunks_mut::<BLOCK>();
+        blocks.iter_mut().for_each(|block| self.block(block));
+        rest.as_chunks_mut::<1>().0.iter_mut().for_each(|single| self.block(single));
+    }
+
+    /// The same for a number of nodes that is a power of two.
+    #[inline]
+    #[expect(clippy::cast_precision_loss, reason = "a block is short")]
+    fn block<const NODES: usize>(&mut self, falls: &mut [f64; NODES]) {
+        let (from, rise) = (self.height.total(), self.slope.total());
+        // What falls in the block have taken from slope and height.
+        let (mut steep, mut deep) = (0.0, 0.0);
+        for (k, y) in falls.iter_mut().enumerate() {
+            let fall = *y;
+            deep += steep;
+            steep += fall;
+            *y = (from + (k + 1) as f64 * rise) - deep;
+        }
+        let nodes = NODES as f64;
+        self.height.add(nodes * self.slope.value);
+        self.height.lost += nodes * self.slope.lost;
+        self.height.add(-deep);
+        self.slope.add(-steep);
+    }
+
+    /// The height one node further on.
+    fn next(mut self) -> f64 {
+        let mut height = [0.0];
+        self.along(&mut height);
+        height[0]
+    }
+}
+
+/// A sum, and what rounding has taken from it.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sum {
+    value: f64,
+    lost: f64,
+}
+
+impl Sum {
+    /// Adds a number; `lost` gets the exact error of the addition (Knuth's two-sum).
+    fn add(&mut self, next: f64) {
+        let sum = self.value + next;
+        let of_next = sum - self.value;
+        self.lost += (self.value - (sum - of_next)) + (next - of_next);
+        self.value = sum;
+    }
+
+    fn total(self) -> f64 {
+        self.value + self.lost
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{DoubleSum, Sum, largest};
+
+    /// Falls of one, on a slope of 10¹⁶ that cannot be told from what they leave of it unless nothing is lost.
+    #[test]
+    fn nothing_is_lost() {
+        let mut sums = DoubleSum { slope: Sum { value: 1e16, lost: 0.0 }, ..DoubleSum::default() };
+        sums.along(&mut [1.0; 100]);
+        sums.along(&mut [1e16]);
+        // 101 intervals with the steep slope; the k-th fall of one is felt in the 102 − k nodes behind it.
+        let ones: f64 = (1..=100_i32).map(|k| f64::from(102 - k)).sum();
+        assert_eq!(sums.next().to_bits(), (101.0 * 1e16 - ones).to_bits());
+        assert_eq!(sums.slope.total().to_bits(), (-100.0_f64).to_bits());
+    }
+
+    /// Falls of a third between two supports: a parabola `y_i = f i (N − i)/2`, to a few units in the last place of its height,
+    /// on a grid of any size, with the slope `f (N − 1)/2` at the left support.
+    #[test]
+    fn uniform_falls_make_a_parabola() {
+        /// Of the slope that is found, of a sum of sixteen, of two products.
+        const UNITS: f64 = 4.0;
+        let fall = 1.0 / 3.0;
+        for n in [1, 15, 16, 17, 1000, 300_000_u32] {
+            let number = f64::from(n);
+            let mut heights = vec![fall; n as usize];
+            let (slope, sum) = DoubleSum::between_supports(&mut heights);
+            assert!((slope - fall * number / 2.0).abs() <= UNITS * f64::EPSILON * slope, "{slope} of {n}");
+            assert!((sum - fall * number).abs() <= UNITS * f64::EPSILON * sum, "{sum} of {n}");
+            let most = fall * (number + 1.0) * (number + 1.0) / 8.0;
+            for (i, y) in (1..).map(f64::from).zip(heights) {
+                let exact = fall * i * (number + 1.0 - i) / 2.0;
+                assert!((y - exact).abs() <= UNITS * f64::EPSILON * most, "{y} instead of {exact} at {i} of {n}");
+            }
+        }
+    }
+
+    #[test]
+    fn nan_is_the_largest_wherever_it_stands() {
+        assert_eq!(largest([-1.0, -2.0]).to_bits(), 0.0_f64.to_bits(), "at least zero");
+        assert_eq!(largest([1.0, 3.0, 2.0]).to_bits(), 3.0_f64.to_bits(), "the largest");
+        for place in 0..3 {
+            let mut values = [1.0, 3.0, 2.0];
+            values[place] = f64::NAN;
+            assert!(largest(values).is_infinite(), "NaN at {place}");
+        }
+    }
 }

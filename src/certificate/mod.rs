@@ -4,12 +4,8 @@
 //! statics and deflections by integration, and compares; from the scene it takes depths and loads anew.
 
 pub mod bounds;
-mod carried;
 mod interval;
 mod kkt;
-mod seen;
-mod twice;
-mod worst;
 
 pub use bounds::{ACCEPTED_ERROR, Certificate, ContactLoad, Judged, Lumped, certify};
 pub use interval::Interval;

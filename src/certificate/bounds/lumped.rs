@@ -10,7 +10,7 @@
 //! where `q` is uniform. Whoever lumped the load means the deflection without that: it is the one to be bounded then.
 
 use super::{ContactLoad, NotAForce};
-use crate::certificate::carried::{BATCH, Carried};
+use crate::certificate::kkt::Equilibrium;
 use crate::scene::{Grid, Scene, SceneError};
 use crate::state::{Bending, Nodes};
 
@@ -97,24 +97,17 @@ fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
     let count = forces.len();
     let grid = Grid::uniform(scene, count + 1)?;
     forces.iter_mut().for_each(|p| *p /= scale.force);
-    let mut nodes = Nodes {
-        bending: Bending::Between,
-        x: Grid::uniform(given, count + 1)?.interior_places(),
-        deflection: vec![0.0; count],
-        clearance: Vec::with_capacity(count),
-        contact_force: forces,
-        moment: Vec::with_capacity(count),
-    };
-    let mut deflection = Vec::with_capacity(count);
-    let carried = Carried::new(scene, grid, &nodes);
-    let mut beam = carried.bent(scene.beam().bending_stiffness());
-    let mut moment = Vec::with_capacity(count);
-    for first in (1..=count).step_by(BATCH) {
-        let (m, v) = beam.along(first, BATCH.min(count + 1 - first));
-        moment.extend(m.iter().map(|m| m * grid.spacing() * scale.moment()));
-        deflection.extend(v.iter().map(|v| v * grid.spacing() * scale.depth));
-    }
-    nodes.clearance = nodes.x.iter().zip(&deflection).map(|(&x, v)| given.depth(x) - v).collect();
-    nodes.contact_force.iter_mut().for_each(|p| *p *= scale.force);
-    Ok(Nodes { deflection, moment, ..nodes })
+    let bending = Bending::Between;
+    let Equilibrium { moment, deflection, .. } = Equilibrium::of(scene, grid, &forces, bending);
+    let times = |values: Vec<f64>, unit: f64| values.into_iter().map(|value| value * unit).collect::<Vec<_>>();
+    let x = Grid::uniform(given, count + 1)?.interior_places();
+    let deflection = times(deflection, scale.depth);
+    Ok(Nodes {
+        bending,
+        clearance: x.iter().zip(&deflection).map(|(&x, v)| given.depth(x) - v).collect(),
+        x,
+        deflection,
+        contact_force: times(forces, scale.force),
+        moment: times(moment, scale.moment()),
+    })
 }
