@@ -5,7 +5,7 @@
 use palkki::dial::observed_order;
 use palkki::route::{Method, Solver, Status};
 use palkki::theory::solve;
-use palkki_evidence::paper::approach::{Quantity, approach};
+use palkki_evidence::paper::convergence::{Quantity, of_scene};
 
 use crate::scenes::{run, scene};
 
@@ -25,7 +25,7 @@ fn check(name: &str, expected: [f64; 3]) {
     assert_eq!(exact.status, Status::Certified, "{name}");
     let grids: Vec<usize> = (0..OCTAVES).flat_map(|k| FIRST.map(|n| n << k)).collect();
     for method in [Method::Force, Method::Complementarity] {
-        let found = approach(&scene, &exact, method, &grids).expect("the scene is in range");
+        let found = of_scene(&scene, &exact, method, &grids).expect("the scene is in range");
         for (series, expected) in found.iter().zip(expected) {
             let worst: Vec<(f64, f64)> = series
                 .errors
@@ -69,7 +69,7 @@ fn a_hundred_thousand_intervals_come_close() {
     const INTERVALS: usize = 100_000;
     let scene = scene("wave");
     let exact = solve(&scene).expect("the scene is in range");
-    let found = approach(&scene, &exact, Method::Force, &[INTERVALS]).expect("the scene is in range");
+    let found = of_scene(&scene, &exact, Method::Force, &[INTERVALS]).expect("the scene is in range");
     for series in found {
         // A crest that is missed by half an interval is missed by 5·10⁻⁶ of the beam; reactions answer some ten times as
         // strongly, since their arms are parts of the beam. The energy has the square of it.

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use palkki::route::Method;
-use palkki_evidence::paper::claims::{Ledger, Verdict, four_step};
+use palkki_evidence::paper::claims::{Claim, Ledger, Verdict, four_step};
+
+use crate::support::assert_table;
 
 /// The evidence. Measuring it takes seconds: once is enough.
 fn ledger() -> &'static Ledger {
@@ -181,10 +183,25 @@ fn curved_beam() {
     assert!(e.difference < CONDITIONED && 0.0 < e.contact_force, "{e:?}");
 }
 
+/// What the report's ledger says of each claim; the tests above say why.
+#[test]
+fn verdicts_do_not_change_unnoticed() {
+    let row = |claim: &Claim| {
+        let reading = claim.reading.map_or_else(String::new, |reading| format!("  {reading}"));
+        format!("{:<28} {}{reading}\n", claim.name, claim.verdict.word())
+    };
+    let table: String = ledger().claims().iter().map(row).collect();
+    assert_table!("claims", "The claims of the paper, and what became of them", table);
+}
+
 #[test]
 fn every_claim_has_its_test() {
     let claims: BTreeSet<&str> = ledger().claims().iter().map(|claim| claim.name).collect();
-    let about_all = ["every_claim_has_its_test", "words_and_numbers_of_a_claim_belong_together"];
+    let about_all = [
+        "every_claim_has_its_test",
+        "verdicts_do_not_change_unnoticed",
+        "words_and_numbers_of_a_claim_belong_together",
+    ];
     let lines: Vec<&str> = include_str!("claims.rs").lines().collect();
     let tests: BTreeSet<&str> = lines
         .windows(2)

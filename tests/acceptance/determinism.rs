@@ -1,5 +1,7 @@
 //! The same scene gives the same bits: again, in several threads at once, in another process, in several processes at once.
 
+use std::fs;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread;
 
@@ -106,6 +108,22 @@ fn another_process_prints_the_same_bits() {
     for name in SCENES {
         let [a, b] = [(); 2].map(|()| process(name, &[])).map(printed);
         assert_eq!(a, b, "{name}, exact: two processes");
+    }
+}
+
+#[test]
+fn another_process_draws_the_same_figure() {
+    let intervals = INTERVALS.to_string();
+    for name in SCENES {
+        let figures = ["one", "other"]
+            .map(|which| Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("determinism-{name}-{which}.svg")));
+        let drawing = figures.each_ref().map(|path| {
+            let path = path.to_str().expect("a path in UTF-8");
+            process(name, &["--method", "force", "--intervals", &intervals, "--plot", path])
+        });
+        drawing.into_iter().for_each(|process| drop(printed(process)));
+        let [one, other] = figures.map(|path| fs::read_to_string(&path).expect("a figure"));
+        assert!(one.contains("<svg") && one == other, "{name}: two processes");
     }
 }
 

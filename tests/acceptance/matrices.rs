@@ -3,23 +3,13 @@
 use nalgebra::{DMatrix, DVector};
 use palkki::dial::observed_order;
 use palkki::methods::{Discrete, Method, flexibility};
-use palkki::problem::{Dense, Matrix, Programme, Sizes};
+use palkki::problem::{Dense, Programme, Sizes};
 use palkki::scene::{Foundation, Scene};
+use palkki_evidence::paper::claims::energy_methods::dense;
 use palkki_evidence::paper::uneven::{Unevenness, scenes};
 use palkki_evidence::random::Random;
 
 use crate::scenes::{apart, example, largest, report, uniform};
-
-/// A matrix as numbers in rows and columns.
-fn dense(programme: &dyn Programme) -> DMatrix<f64> {
-    match programme.matrix() {
-        Matrix::Dense(a) => a,
-        banded @ Matrix::Pentadiagonal(_) => {
-            let n = banded.dimension();
-            DMatrix::from_fn(n, n, |i, j| banded.entry(i, j))
-        }
-    }
-}
 
 fn discrete(scene: &Scene, intervals: usize) -> Discrete {
     let scaled = scene.scaled().expect("numbers in range");

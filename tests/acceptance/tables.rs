@@ -2,8 +2,11 @@
 
 use std::fmt::Write as _;
 
+use palkki::Witness;
+use palkki::dial::{End, Request, dial};
 use palkki::route::{Method, Solver, Status};
 use palkki::state::{Contact, ContactState, Extremes};
+use palkki::verdict::{Demand, Verdict};
 
 use crate::scenes::{example, nodes, report, run};
 use crate::support::assert_table;
@@ -105,4 +108,45 @@ fn routes_of_the_example() {
         }
     }
     assert_table!("routes", "The example on 30 intervals by every route: status and first contact force", table);
+}
+
+/// Beside them stand the true errors, in `bounds`: what is certified is at least the true error, and at most a tenth more.
+#[test]
+fn certified_errors_of_every_scene() {
+    let grids = [10, 30, 100, 300, 1000];
+    let mut table = format!("{:<30}", "scene, method, intervals");
+    table.extend(grids.map(|n| format!("{n:>9}")));
+    for (name, scene) in report() {
+        let witness = Witness::of(&scene);
+        for method in Method::ALL {
+            let _ = write!(table, "\n{:<30}", format!("{name} {method}"));
+            for intervals in grids {
+                let outcome = run(&scene, method, Solver::ActiveSet, intervals);
+                let verdict = Verdict::of_outcome(&outcome, &witness, &Demand::default());
+                let _ = write!(table, "{:>9.1e}", verdict.error);
+            }
+        }
+    }
+    table.push('\n');
+    assert_table!("errors", "Certified error of the deflection over the largest one, by the active set", table);
+}
+
+/// Beside it stands the true error of what is taken, in `dial`.
+#[test]
+fn grids_that_the_dial_takes() {
+    let errors = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
+    let mut table = format!("{:<30}", "scene, method, error demanded");
+    table.extend(errors.map(|error| format!("{error:>9.0e}")));
+    for (name, scene) in report() {
+        for method in Method::ALL {
+            let _ = write!(table, "\n{:<30}", format!("{name} {method}"));
+            for error in errors {
+                let taken = dial(&scene, &Request::new(method, Solver::ActiveSet, error)).expect("in range");
+                let intervals = taken.settings.intervals.to_string();
+                let _ = write!(table, "{:>9}", if taken.end == End::Reached { intervals } else { "–".to_owned() });
+            }
+        }
+    }
+    table.push('\n');
+    assert_table!("dial", "Intervals that the dial takes for a demanded error, by the active set", table);
 }

@@ -54,7 +54,7 @@ fn a_lumped_load_bends_the_free_beam_less_by_a_parabola() {
 }
 
 /// The nodal forces of the paper's example under the distributed load: `q Δ² l²/96 EI` into the ground at mid-span. Under the
-/// nodal loads the mid-span lies on it.
+/// nodal loads the mid-span false_bounds on it.
 #[test]
 fn under_the_distributed_load_nodal_forces_let_the_beam_into_the_ground() {
     let scene = example();
@@ -95,7 +95,7 @@ fn forces_of_our_own_answers_give_their_nodes_back() {
             same(&what, &lumped.nodes.moment, &own.moment);
             same(&what, &lumped.nodes.x, &own.x);
             let found = truth.nodes(&lumped.nodes).expect("numbers");
-            assert!(found.lies.is_empty(), "{what}: {found:?}");
+            assert!(found.false_bounds.is_empty(), "{what}: {found:?}");
             let error = found.certificate.deflection_error;
             let of_answer = super::of_nodes(&scene, own).deflection_error;
             assert!((error - of_answer).abs() <= 1e-9 * truth.deflection, "{what}: {error} and {of_answer}");

@@ -18,7 +18,7 @@ fn faults_in_exact_contacts_are_bounded_truthfully() {
             for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
                 let broken = fault.put_into(&truth.exact.state.contacts, size, scene.beam().length());
                 if let Some(judged) = broken.and_then(|broken| truth.contacts(&broken)) {
-                    assert!(judged.lies.is_empty(), "{name}: {}, {size:e}: {judged:?}", fault.name);
+                    assert!(judged.false_bounds.is_empty(), "{name}: {}, {size:e}: {judged:?}", fault.name);
                     judged_at_all += 1;
                 }
             }
@@ -43,7 +43,7 @@ fn faults_in_a_witness_cost_sharpness_and_never_truth() {
         let sound = truth.nodes(nodes).expect("numbers").certificate.deflection_error;
         let check = |what: &str, witness: &[Contact]| {
             let judged = truth.nodes_from(nodes, witness).expect("numbers");
-            assert!(judged.lies.is_empty(), "{name}: {what}: {judged:?}");
+            assert!(judged.false_bounds.is_empty(), "{name}: {what}: {judged:?}");
             let error = judged.certificate.deflection_error;
             assert!(error.is_finite(), "{name}: {what}: there is always a bound");
             assert!((1.0 - ROUNDING) * sound <= error, "{name}: {what}: {error:e} and not {sound:e}");

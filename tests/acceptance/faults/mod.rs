@@ -61,7 +61,7 @@ fn passes_only_near(what: &str, truth: &Truth<'_>, sound: &ContactState, state: 
 fn bounded_truthfully(what: &str, truth: &Truth<'_>, state: &ContactState) -> bool {
     let judged = state.nodes.as_ref().and_then(|nodes| truth.nodes(nodes));
     judged.is_some_and(|judged| {
-        assert!(judged.lies.is_empty(), "{what}: {:?} of {judged:?}", judged.lies);
+        assert!(judged.false_bounds.is_empty(), "{what}: {:?} of {judged:?}", judged.false_bounds);
         judged.certificate.deflection_error.is_finite()
     })
 }

@@ -10,6 +10,3 @@ pub mod faults;
 pub mod numdiff;
 pub mod paper;
 pub mod random;
-
-mod numeral;
-mod token;
