@@ -170,7 +170,7 @@ pub struct Nodes {
     pub x: Vec<f64>,
     /// Deflection `v`, positive downwards \[length\].
     pub deflection: Vec<f64>,
-    /// Clearance `h = u − v` \[length\]; infinite where there is no foundation.
+    /// Clearance `h = u − v` of (6) \[length\]; infinite where there is no foundation.
     pub clearance: Vec<f64>,
     /// Contact force, upwards, a force and not a density \[force\].
     pub contact_force: Vec<f64>,

@@ -91,8 +91,8 @@ impl Grid {
     /// Loads as forces on all `N + 1` nodes, supports included \[force\].
     ///
     /// Each part of the load between two nodes goes to these by the law of the lever, so that its resultant force and
-    /// moment are kept: `∫ q φ_i dx` with the hat function `φ_i`. For a uniform load `q_i = q₀Δ`, as in the paper, and
-    /// `q₀Δ/2` on each support.
+    /// moment are kept: `∫ q φ_i dx` with the hat function `φ_i`. For a uniform load `q_i = q₀Δ`, as in (27), and `q₀Δ/2`
+    /// on each support.
     #[must_use]
     pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
         let mut forces = vec![2.0 * self.half(load); self.intervals + 1];

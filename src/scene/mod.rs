@@ -86,7 +86,7 @@ impl Scene {
         &self.units
     }
 
-    /// Depth `u(x)` of the foundation \[length\]; infinite where there is none.
+    /// Depth `u(x)` of the foundation, from which (6) takes the clearance \[length\]; infinite where there is none.
     #[must_use]
     pub fn depth(&self, x: f64) -> f64 {
         self.foundation.as_ref().map_or(f64::INFINITY, |f| f.depth(x))

@@ -1,35 +1,13 @@
-//! The acceptance suite: one test binary, one file per kind of evidence.
+//! The acceptance suite: one test binary, one room for each subject.
 
+mod scenes;
 mod support;
 
-mod agreement;
-mod approach;
-mod bad_input;
-mod bounds;
-mod claims;
-mod closed_form;
+mod certificate;
 mod command_line;
-mod corpus;
-mod costs;
-mod determinism;
-mod dial;
-mod digits;
-mod exact;
-mod extremes;
-mod faults;
-mod hostile;
-mod invariants;
-mod judge;
-mod libraries;
-mod matrices;
-mod nodal_loads;
-mod order;
-mod properties;
-mod scene_file;
-mod scenes;
-mod surveys;
-mod tables;
+mod methods;
+mod paper;
+mod repository;
+mod robustness;
+mod solvers;
 mod theory;
-mod verdict;
-mod windows;
-mod words;

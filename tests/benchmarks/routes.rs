@@ -1,10 +1,6 @@
 //! Benchmarks: every method with every solver on the example with 30, 100 and 300 intervals, the active set on a million, and
 //! beam theory on the example and on random scenes, with its unknowns and Newton steps beside the time.
 
-#[path = "../acceptance/theory/random.rs"]
-#[expect(dead_code, reason = "the acceptance suite uses the rest of it")]
-mod random;
-
 use std::fmt;
 
 use divan::Bencher;
@@ -12,6 +8,7 @@ use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::{Settings, solve};
 use palkki_evidence::paper::{example, theory};
+use palkki_evidence::random;
 
 fn main() {
     divan::main();

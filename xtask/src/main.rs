@@ -30,7 +30,7 @@ fn main() -> ExitCode {
         ["fuzz"] => fuzz::run(&root, fuzz::RUNS, &mut show),
         ["fuzz", "--runs", runs] => count(runs).and_then(|runs| fuzz::run(&root, runs, &mut show)),
         ["hostile"] => hostile::run(&root, hostile::RUNS, &mut show),
-        ["hostile", "--seed", seed] => count(seed).map(|seed| println!("{}", hostile::scene(seed))),
+        ["hostile", "--seed", seed] => count(seed).map(|seed| println!("{}", palkki_evidence::hostile::scene(seed))),
         ["hostile", "--runs", runs] => count(runs).and_then(|runs| hostile::run(&root, runs, &mut show)),
         _ => return unknown(&arguments),
     };

@@ -4,12 +4,15 @@ mod certify;
 mod dial;
 mod exact;
 mod exit_codes;
+mod forces;
 mod hostile;
 mod input;
 mod json;
 mod output;
+mod scene_file;
 mod streams;
 mod tables;
+mod words;
 
 use std::fs;
 use std::path::{Path, PathBuf};

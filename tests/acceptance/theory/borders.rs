@@ -5,7 +5,7 @@ use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 use palkki::state::Regime;
 use palkki::theory::{TheoryError, solve};
 
-use super::random::{self, Random};
+use palkki_evidence::random::{self, Random};
 
 /// Two ways through the same numbers differ by rounding; close contacts magnify it.
 const DIGITS: f64 = 1e-9;

@@ -8,7 +8,7 @@ use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::theory::{Exact, solve};
 
-use super::random;
+use palkki_evidence::random;
 
 /// Certified answers keep every condition to 12 digits of the largest quantity; sums over the forces cost two or three.
 const DIGITS: f64 = 1e-9;

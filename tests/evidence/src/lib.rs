@@ -2,14 +2,17 @@
 //!
 //! [`paper`] has the example, the figures and the claims of the paper; [`faults`] puts faults into answers and compares
 //! what is certified with beam theory; [`extremes`] has scenes whose answer is known without a solver; [`authority`] solves
-//! discrete problems exactly. [`numdiff`] compares texts as printed numbers, [`random`] has numbers from a fixed seed.
+//! discrete problems exactly. [`random`] has numbers and scenes from a fixed seed, [`hostile`] runs of the whole program on
+//! random and adversarial ones. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what holds for
+//! any text that is read, and [`numdiff`] compares texts as printed numbers.
 
 pub mod authority;
+pub mod exchanges;
 pub mod extremes;
 pub mod faults;
+pub mod hostile;
+pub mod libraries;
 pub mod numdiff;
 pub mod paper;
 pub mod random;
-
-mod numeral;
-mod token;
+pub mod texts;

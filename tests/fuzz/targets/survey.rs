@@ -1,10 +1,6 @@
 //! Fuzz target: surveys.
 #![no_main]
 
-#[path = "../properties.rs"]
-#[expect(dead_code, reason = "each target needs one of them")]
-mod properties;
-
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
-    properties::survey(bytes);
+    palkki_evidence::texts::survey(bytes);
 });

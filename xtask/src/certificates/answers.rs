@@ -4,7 +4,7 @@ use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::{Settings, solve};
-use palkki_evidence::faults::{Lie, THEORY, Truth};
+use palkki_evidence::faults::{FalseBound, THEORY, Truth};
 
 use super::table;
 use crate::report::error::Cause;
@@ -56,7 +56,7 @@ fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals:
     let (word, error, certified) = match truth.nodes(&nodes) {
         None => (REFUSED, f64::INFINITY, f64::INFINITY),
         Some(judged) => {
-            let word = if judged.lies.is_empty() { BOUNDED } else { word(&judged.lies) };
+            let word = if judged.false_bounds.is_empty() { BOUNDED } else { word(&judged.false_bounds) };
             (word, judged.error / truth.deflection, judged.certificate.deflection_error / truth.deflection)
         }
     };
@@ -73,12 +73,12 @@ fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals:
     })
 }
 
-fn word(lies: &[Lie]) -> &'static str {
-    match lies.first() {
+fn word(false_bounds: &[FalseBound]) -> &'static str {
+    match false_bounds.first() {
         None => BOUNDED,
-        Some(Lie::Deflection) => "exception: deflection",
-        Some(Lie::EnergyLower | Lie::EnergyUpper) => "exception: energy",
-        Some(Lie::Reaction) => "exception: reaction",
+        Some(FalseBound::Deflection) => "exception: deflection",
+        Some(FalseBound::EnergyLower | FalseBound::EnergyUpper) => "exception: energy",
+        Some(FalseBound::Reaction) => "exception: reaction",
     }
 }
 

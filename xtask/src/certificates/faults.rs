@@ -81,7 +81,7 @@ impl Row {
     fn certified(&mut self, judged: Option<&Certified>) {
         match judged {
             None => self.no_numbers += 1,
-            Some(judged) if !judged.lies.is_empty() => self.exceptions += 1,
+            Some(judged) if !judged.false_bounds.is_empty() => self.exceptions += 1,
             Some(judged) if judged.certificate.deflection_error.is_finite() => self.bounded += 1,
             Some(_) => self.unbounded += 1,
         }

@@ -2,26 +2,11 @@
 //! the first few of the same runs.
 #![expect(clippy::print_stderr, reason = "progress of runs that take minutes")]
 
-#[path = "../../../tests/acceptance/hostile/draft.rs"]
-mod draft;
-#[path = "../../../tests/acceptance/hostile/edges.rs"]
-mod edges;
-#[path = "../../../tests/acceptance/hostile/laws.rs"]
-mod laws;
-#[path = "../../../tests/acceptance/hostile/scenes.rs"]
-mod scenes;
-#[path = "../../../tests/acceptance/hostile/tally.rs"]
-mod tally;
-#[path = "../../../tests/acceptance/hostile/trial.rs"]
-mod trial;
-#[path = "../../../tests/acceptance/hostile/units.rs"]
-mod units;
-
 use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use tally::{Count, Tally};
+use palkki_evidence::hostile::{Count, Tally};
 
 /// Runs if nothing else is asked for.
 pub(crate) const RUNS: u64 = 100_000;
@@ -35,14 +20,6 @@ const HEADER: &str = "family,runs,refused,theory_certified,theory_not_certified,
 
 /// Threads; each takes the next seed, and counts do not depend on who took it.
 const THREADS: u64 = 2;
-
-/// The scene file of a run, and what is wrong with it as comments.
-pub(crate) fn scene(seed: u64) -> String {
-    let (family, draft, _) = trial::draft(seed);
-    let (_, trial) = trial::run(seed);
-    let wrong: String = trial.wrong.iter().map(|what| format!("# {what}\n")).collect();
-    format!("# {}\n{wrong}{}", family.word(), draft.text())
-}
 
 /// Runs `0 … runs − 1`, and writes the counts; an error if anything is wrong.
 pub(crate) fn run(root: &Path, runs: u64, progress: &mut dyn FnMut(&str)) -> Result<(), String> {

@@ -106,7 +106,7 @@ fn stale_missing_and_left_over_files_are_named_and_repaired() {
     assert_eq!(
         scratch.stale(&wanted),
         [
-            "stale:     report/README.md, line 1: 1.14 became 1.18, more than one unit of the last printed place",
+            "stale:     report/README.md, line 1: `1.14` became `1.18`",
             "missing:   report/data/a.csv",
             "left over: report/figures/old.svg",
         ],

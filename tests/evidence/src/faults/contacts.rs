@@ -33,117 +33,73 @@ fn first(contacts: &mut [Contact], act: impl FnOnce(&mut Contact)) {
     }
 }
 
+const fn sized(name: &'static str, act: fn(&mut Vec<Contact>, f64, f64)) -> ContactFault {
+    ContactFault { name, sized: true, act }
+}
+
+const fn whole(name: &'static str, act: fn(&mut Vec<Contact>, f64, f64)) -> ContactFault {
+    ContactFault { name, sized: false, act }
+}
+
 /// All of them.
 pub const CONTACT_FAULTS: [ContactFault; 14] = [
-    ContactFault {
-        name: "the first place moved to the right, by a share of the length",
-        sized: true,
-        act: |contacts, size, length| {
-            first(contacts, |c| {
-                let point = c.to <= c.from;
-                c.from = (c.from + size * length).min(length);
-                c.to = if point { c.from } else { c.to };
-            });
-        },
-    },
-    ContactFault {
-        name: "all places moved to the right",
-        sized: true,
-        act: |contacts, size, length| {
-            contacts.iter_mut().for_each(|c| {
-                c.from = (c.from + size * length).min(length);
-                c.to = (c.to + size * length).min(length);
-            });
-        },
-    },
-    ContactFault {
-        name: "a point made a zone",
-        sized: true,
-        act: |contacts, size, length| {
-            if let Some(point) = contacts.iter_mut().find(|c| c.to <= c.from) {
-                point.from = (point.from - size * length).max(0.0);
-                point.to = (point.to + size * length).min(length);
-            }
-        },
-    },
-    ContactFault {
-        name: "a zone made shorter at its left end",
-        sized: true,
-        act: |contacts, size, length| {
-            if let Some(zone) = contacts.iter_mut().find(|c| c.from < c.to) {
-                zone.from = (zone.from + size * length).min(zone.to);
-            }
-        },
-    },
-    ContactFault {
-        name: "a contact added beside the first",
-        sized: true,
-        act: |contacts, size, length| {
-            if let Some(first) = contacts.first().copied() {
-                contacts.insert(0, Contact::at((first.from - size * length).max(0.0), first.force));
-            }
-        },
-    },
-    ContactFault {
-        name: "a contact added half way to the first",
-        sized: false,
-        act: |contacts, _, length| {
-            let first = contacts.first().map_or(length, |c| c.from);
-            contacts.insert(0, Contact::at(0.5 * first, 1.0));
-        },
-    },
-    ContactFault {
-        name: "the first two contacts merged",
-        sized: false,
-        act: |contacts, _, _| {
-            if let [first, second, ..] = contacts[..] {
-                contacts.splice(..2, [Contact { to: second.to, ..first }]);
-            }
-        },
-    },
-    ContactFault {
-        name: "zones made points at their ends",
-        sized: false,
-        act: |contacts, _, _| {
-            let ends = |c: &Contact| if c.from < c.to { vec![c.from, c.to] } else { vec![c.from] };
-            *contacts = contacts.iter().flat_map(ends).map(|x| Contact::at(x, 1.0)).collect();
-        },
-    },
-    ContactFault {
-        name: "the first contact dropped",
-        sized: false,
-        act: |contacts, _, _| {
-            if !contacts.is_empty() {
-                contacts.remove(0);
-            }
-        },
-    },
-    ContactFault { name: "all contacts dropped", sized: false, act: |contacts, _, _| contacts.clear() },
-    ContactFault {
-        name: "all contacts one zone",
-        sized: false,
-        act: |contacts, _, _| {
-            if let (Some(first), Some(last)) = (contacts.first().copied(), contacts.last().copied()) {
-                *contacts = vec![Contact { to: last.to, ..first }];
-            }
-        },
-    },
-    ContactFault {
-        name: "turned round",
-        sized: false,
-        act: |contacts, _, length| {
-            contacts.reverse();
-            contacts.iter_mut().for_each(|c| (c.from, c.to) = (length - c.to, length - c.from));
-        },
-    },
-    ContactFault {
-        name: "a place that is NaN",
-        sized: false,
-        act: |contacts, _, _| first(contacts, |c| (c.from, c.to) = (f64::NAN, f64::NAN)),
-    },
-    ContactFault {
-        name: "a place that is infinite",
-        sized: false,
-        act: |contacts, _, _| first(contacts, |c| c.to = f64::INFINITY),
-    },
+    sized("the first place moved to the right, by a share of the length", |contacts, size, length| {
+        first(contacts, |c| {
+            let point = c.to <= c.from;
+            c.from = (c.from + size * length).min(length);
+            c.to = if point { c.from } else { c.to };
+        });
+    }),
+    sized("all places moved to the right", |contacts, size, length| {
+        contacts.iter_mut().for_each(|c| {
+            c.from = (c.from + size * length).min(length);
+            c.to = (c.to + size * length).min(length);
+        });
+    }),
+    sized("a point made a zone", |contacts, size, length| {
+        if let Some(point) = contacts.iter_mut().find(|c| c.to <= c.from) {
+            point.from = (point.from - size * length).max(0.0);
+            point.to = (point.to + size * length).min(length);
+        }
+    }),
+    sized("a zone made shorter at its left end", |contacts, size, length| {
+        if let Some(zone) = contacts.iter_mut().find(|c| c.from < c.to) {
+            zone.from = (zone.from + size * length).min(zone.to);
+        }
+    }),
+    sized("a contact added beside the first", |contacts, size, length| {
+        if let Some(first) = contacts.first().copied() {
+            contacts.insert(0, Contact::at((first.from - size * length).max(0.0), first.force));
+        }
+    }),
+    whole("a contact added half way to the first", |contacts, _, length| {
+        let first = contacts.first().map_or(length, |c| c.from);
+        contacts.insert(0, Contact::at(0.5 * first, 1.0));
+    }),
+    whole("the first two contacts merged", |contacts, _, _| {
+        if let [first, second, ..] = contacts[..] {
+            contacts.splice(..2, [Contact { to: second.to, ..first }]);
+        }
+    }),
+    whole("zones made points at their ends", |contacts, _, _| {
+        let ends = |c: &Contact| if c.from < c.to { vec![c.from, c.to] } else { vec![c.from] };
+        *contacts = contacts.iter().flat_map(ends).map(|x| Contact::at(x, 1.0)).collect();
+    }),
+    whole("the first contact dropped", |contacts, _, _| {
+        if !contacts.is_empty() {
+            contacts.remove(0);
+        }
+    }),
+    whole("all contacts dropped", |contacts, _, _| contacts.clear()),
+    whole("all contacts one zone", |contacts, _, _| {
+        if let (Some(first), Some(last)) = (contacts.first().copied(), contacts.last().copied()) {
+            *contacts = vec![Contact { to: last.to, ..first }];
+        }
+    }),
+    whole("turned round", |contacts, _, length| {
+        contacts.reverse();
+        contacts.iter_mut().for_each(|c| (c.from, c.to) = (length - c.to, length - c.from));
+    }),
+    whole("a place that is NaN", |contacts, _, _| first(contacts, |c| (c.from, c.to) = (f64::NAN, f64::NAN))),
+    whole("a place that is infinite", |contacts, _, _| first(contacts, |c| c.to = f64::INFINITY)),
 ];

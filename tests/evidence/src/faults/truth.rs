@@ -1,8 +1,8 @@
-//! What is certified about an answer, beside beam theory.
+//! What is certified about an answer, beside beam theory, and how far it is from the solution of its discrete problem.
 
 use palkki::certificate::{Certificate, Judged, certify};
 use palkki::scene::Scene;
-use palkki::state::{Contact, Nodes};
+use palkki::state::{Contact, ContactState, Nodes};
 use palkki::theory::{self, Exact, TheoryError};
 
 /// Beam theory is right to twelve digits of the largest deflection, of the energy and of the reactions where it is certified;
@@ -26,7 +26,7 @@ pub struct Truth<'a> {
 
 /// What was certified about an answer and is not so.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Lie {
+pub enum FalseBound {
     /// `|v − v*|` is larger than the certified error.
     Deflection,
     /// `J*` is below its lower bound.
@@ -45,7 +45,7 @@ pub struct Certified {
     /// What was certified.
     pub certificate: Certificate,
     /// What of it is not so.
-    pub lies: Vec<Lie>,
+    pub false_bounds: Vec<FalseBound>,
 }
 
 impl<'a> Truth<'a> {
@@ -86,28 +86,28 @@ impl<'a> Truth<'a> {
     }
 
     fn beside(&self, certificate: Certificate, error: f64) -> Certified {
-        let mut lies = Vec::new();
+        let mut false_bounds = Vec::new();
         let state = &self.exact.state;
-        // Written so that NaN is a lie.
+        // Written so that NaN is a false bound.
         let holds = |least: f64, most: f64| least <= most;
         if !holds(error, certificate.deflection_error + THEORY * self.deflection) {
-            lies.push(Lie::Deflection);
+            false_bounds.push(FalseBound::Deflection);
         }
         let slack = THEORY * state.energy.abs();
         if !holds(certificate.energy_lower, state.energy + slack) {
-            lies.push(Lie::EnergyLower);
+            false_bounds.push(FalseBound::EnergyLower);
         }
         if !holds(state.energy - slack, certificate.energy_upper) {
-            lies.push(Lie::EnergyUpper);
+            false_bounds.push(FalseBound::EnergyUpper);
         }
         let slack = THEORY * self.scene.load().magnitude(self.scene.beam().length());
         for (reaction, bracket) in [state.reactions.left, state.reactions.right].into_iter().zip(certificate.reactions)
         {
             if bracket.is_some_and(|[least, most]| !(holds(least, reaction + slack) && holds(reaction - slack, most))) {
-                lies.push(Lie::Reaction);
+                false_bounds.push(FalseBound::Reaction);
             }
         }
-        Certified { error, certificate, lies }
+        Certified { error, certificate, false_bounds }
     }
 
     /// The largest difference from `v*` of the cubics that deflections and moments at the nodes make, `at` one place besides
@@ -137,4 +137,61 @@ fn drawn(nodes: &Nodes, x: f64, length: f64, stiffness: f64) -> f64 {
     let r = 1.0 - s;
     // With s from 0 to 1, r = 1 − s: v = v₀ r + v₁ s + Δ²/(6 EI) (M₀ r (1 − r²) + M₁ s (1 − s²)).
     v0 * r + v1 * s + width * width / (6.0 * stiffness) * (m0 * r * (1.0 - r * r) + m1 * s * (1.0 - s * s))
+}
+
+/// Largest differences of two answers of the same discrete problem, all dimensionless. Infinite for what is no number, or
+/// is not there.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Distance {
+    /// Of deflections, over the largest one.
+    pub deflection: f64,
+    /// Of clearances, over the largest deflection.
+    pub clearance: f64,
+    /// Of bending moments, over the load times the length.
+    pub moment: f64,
+    /// Of nodal contact forces, over the load.
+    pub force: f64,
+    /// Of reactions, over the load.
+    pub reaction: f64,
+    /// Of the places of nodes, over the length.
+    pub place: f64,
+}
+
+impl Distance {
+    /// From `sound` to `other`, both on a beam of some length under loads of some magnitude.
+    #[must_use]
+    pub fn between(sound: &ContactState, other: &ContactState, length: f64, load: f64) -> Self {
+        let none = Nodes::default();
+        let (a, b) = (sound.nodes.as_ref().unwrap_or(&none), other.nodes.as_ref().unwrap_or(&none));
+        let largest = nonzero(a.deflection.iter().fold(0.0, |most: f64, v| most.max(v.abs())));
+        let load = nonzero(load);
+        let (ra, rb) = (sound.reactions, other.reactions);
+        Self {
+            deflection: apart(&a.deflection, &b.deflection) / largest,
+            clearance: apart(&a.clearance, &b.clearance) / largest,
+            moment: apart(&a.moment, &b.moment) / (load * length),
+            force: apart(&a.contact_force, &b.contact_force) / load,
+            reaction: apart(&[ra.left, ra.right], &[rb.left, rb.right]) / load,
+            place: apart(&a.x, &b.x) / length,
+        }
+    }
+
+    /// The largest of all but the nodal forces, which the check of the discrete problem sees through the stiffness only.
+    #[must_use]
+    pub fn shape(&self) -> f64 {
+        [self.clearance, self.moment, self.reaction, self.place].into_iter().fold(self.deflection, f64::max)
+    }
+}
+
+fn nonzero(size: f64) -> f64 {
+    if 0.0 < size { size } else { 1.0 }
+}
+
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    if a.len() != b.len() {
+        return f64::INFINITY;
+    }
+    // Equal first: both may be infinite, as clearances without a foundation are.
+    let difference = |(a, b): (&f64, &f64)| if a.total_cmp(b).is_eq() { 0.0 } else { (a - b).abs() };
+    a.iter().zip(b).map(difference).fold(0.0, |most, d| if d.is_nan() { f64::INFINITY } else { most.max(d) })
 }

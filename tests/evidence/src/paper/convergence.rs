@@ -1,73 +1,88 @@
-//! How the methods converge to beam theory on the example, with the observed order.
+//! How the methods converge, with the observed order: on the example to its closed form, on any scene to its exact solution.
+//!
+//! The exact solution and a discrete one have nothing in common but the scene: one has a list of contacts and no grid, the
+//! other a grid and no list. That the second comes ever closer to the first confirms both.
 
-use super::{example, theory};
 use palkki::dial::observed_order;
 use palkki::methods::Method;
-use palkki::scene::SceneError;
+use palkki::scene::{Scene, SceneError};
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
+use palkki::theory::Exact;
 use palkki::{Settings, solve};
+
+use super::{example, theory};
 
 /// What converges. Nodal contact pressures do not: see [`super::claims`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// Reaction of the left support.
     EndReaction,
-    /// The first node in contact, which stands for the lift-off point: no grid resolves it better than its spacing.
-    LiftOff,
     /// Energy `J`.
     Energy,
-    /// Deflection at an eighth of the span, half-way to the lift-off point.
+    /// The largest deflection, on a grid that of a node.
+    LargestDeflection,
+    /// Of the example: the first node in contact, which stands for the lift-off point. No grid resolves it better than its
+    /// spacing.
+    LiftOff,
+    /// Of the example: deflection at an eighth of the span, half-way to the lift-off point.
     Deflection,
-    /// Resultant of the contact forces on one half of the beam minus `q₀ (l/2 − a)`: the point force at lift-off, which
-    /// neighbouring nodes share.
+    /// Of the example: resultant of the contact forces on one half of the beam minus `q₀ (l/2 − a)`. This is the point force
+    /// at lift-off, which neighbouring nodes share.
     PointForce,
 }
 
 impl Quantity {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::EndReaction, Self::LiftOff, Self::Energy, Self::Deflection, Self::PointForce];
+    /// Those that any scene has.
+    pub const OF_ANY_SCENE: [Self; 3] = [Self::EndReaction, Self::Energy, Self::LargestDeflection];
+
+    /// Those that are compared on the example.
+    pub const OF_THE_EXAMPLE: [Self; 5] =
+        [Self::EndReaction, Self::LiftOff, Self::Energy, Self::Deflection, Self::PointForce];
 
     /// Its name in tables.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
             Self::EndReaction => "end reaction",
-            Self::LiftOff => "lift-off point",
             Self::Energy => "energy",
+            Self::LargestDeflection => "largest deflection",
+            Self::LiftOff => "lift-off point",
             Self::Deflection => "deflection at l/8",
             Self::PointForce => "point force at lift-off",
         }
     }
 
-    /// Its value in a discrete state of the example.
+    /// Its value in a state; the last three mean something in a discrete state of the example only, and are NaN without nodes.
     #[must_use]
-    pub fn discrete(self, state: &ContactState) -> f64 {
-        let Some(nodes) = &state.nodes else { return f64::NAN };
+    pub fn of(self, state: &ContactState) -> f64 {
+        let nodes = state.nodes.as_ref();
         match self {
             Self::EndReaction => state.reactions.left,
-            Self::LiftOff => state.contacts.first().map_or(f64::NAN, |c| c.from),
             Self::Energy => state.energy,
+            Self::LargestDeflection => state.deflection.max,
+            Self::LiftOff => state.contacts.first().map_or(f64::NAN, |c| c.from),
             Self::Deflection => {
-                let node = ((nodes.x.len() + 1) / 8).checked_sub(1);
-                node.and_then(|k| nodes.deflection.get(k)).copied().unwrap_or(f64::NAN)
+                let at = |deflection: &Vec<f64>| deflection.get(((deflection.len() + 1) / 8).checked_sub(1)?).copied();
+                nodes.and_then(|nodes| at(&nodes.deflection)).unwrap_or(f64::NAN)
             }
-            Self::PointForce => {
+            Self::PointForce => nodes.map_or(f64::NAN, |nodes| {
                 // Half the contact, by symmetry, against what the pressure of beam theory carries.
                 let exact = theory();
                 0.5 * (nodes.contact_force.iter().sum::<f64>() - exact.contact_force) + exact.end_force
-            }
+            }),
         }
     }
 
-    /// Its value by beam theory.
+    /// Its value in the example by beam theory.
     #[must_use]
     pub fn exact(self) -> f64 {
         let exact = theory();
         match self {
             Self::EndReaction => exact.reaction,
-            Self::LiftOff => exact.lift_off.unwrap_or(f64::NAN),
             Self::Energy => exact.energy,
+            Self::LargestDeflection => exact.deflection(5.0),
+            Self::LiftOff => exact.lift_off.unwrap_or(f64::NAN),
             Self::Deflection => exact.deflection(1.25),
             Self::PointForce => exact.end_force,
         }
@@ -87,35 +102,40 @@ pub struct Series {
     pub order: f64,
 }
 
-/// Errors of every quantity on grids of `intervals`, each a multiple of 8.
+/// Errors of every quantity on the example, on grids of `intervals`, each a multiple of 8.
 ///
 /// # Errors
 ///
 /// None for the example on such grids; the type is that of [`solve`].
-pub fn all(method: Method, intervals: &[usize]) -> Result<Vec<Series>, SceneError> {
-    let states = intervals.iter().map(|&n| Ok((n, state(method, n)?))).collect::<Result<Vec<_>, SceneError>>()?;
-    Ok(Quantity::ALL.into_iter().map(|quantity| of(method, quantity, &states)).collect())
+pub fn of_the_example(method: Method, intervals: &[usize]) -> Result<Vec<Series>, SceneError> {
+    let quantities = Quantity::OF_THE_EXAMPLE.map(|quantity| (quantity, quantity.exact()));
+    errors(&example()?, &quantities, method, intervals)
 }
 
-/// Errors of one quantity on grids of `intervals`, each a multiple of 8.
+/// Errors of every quantity against `exact`, the exact solution of `scene`, on grids of `intervals` by the active set.
 ///
 /// # Errors
 ///
-/// As [`all`].
-pub fn series(method: Method, quantity: Quantity, intervals: &[usize]) -> Result<Series, SceneError> {
-    let states = intervals.iter().map(|&n| Ok((n, state(method, n)?))).collect::<Result<Vec<_>, SceneError>>()?;
-    Ok(of(method, quantity, &states))
+/// Those of [`solve`].
+pub fn of_scene(scene: &Scene, exact: &Exact, method: Method, intervals: &[usize]) -> Result<Vec<Series>, SceneError> {
+    let quantities = Quantity::OF_ANY_SCENE.map(|quantity| (quantity, quantity.of(&exact.state)));
+    errors(scene, &quantities, method, intervals)
 }
 
-fn state(method: Method, intervals: usize) -> Result<ContactState, SceneError> {
-    Ok(solve(&example()?, &Settings::new(method, Solver::ActiveSet, intervals))?.state)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
-fn of(method: Method, quantity: Quantity, states: &[(usize, ContactState)]) -> Series {
-    let exact = quantity.exact();
-    let errors: Vec<(usize, f64)> =
-        states.iter().map(|(n, state)| (*n, (quantity.discrete(state) - exact).abs() / exact.abs())).collect();
-    let pairs: Vec<(f64, f64)> = errors.iter().map(|&(n, e)| (1.0 / n as f64, e)).collect();
-    Series { method, quantity, order: observed_order(&pairs), errors }
+fn errors(
+    scene: &Scene,
+    quantities: &[(Quantity, f64)],
+    method: Method,
+    intervals: &[usize],
+) -> Result<Vec<Series>, SceneError> {
+    let state = |&n: &usize| Ok((n, solve(scene, &Settings::new(method, Solver::ActiveSet, n))?.state));
+    let states = intervals.iter().map(state).collect::<Result<Vec<_>, SceneError>>()?;
+    let of = |&(quantity, exact): &(Quantity, f64)| {
+        let error = |state: &ContactState| (quantity.of(state) - exact).abs() / exact.abs();
+        let errors: Vec<(usize, f64)> = states.iter().map(|(n, state)| (*n, error(state))).collect();
+        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+        let pairs: Vec<(f64, f64)> = errors.iter().map(|&(n, error)| (1.0 / n as f64, error)).collect();
+        Series { method, quantity, order: observed_order(&pairs), errors }
+    };
+    Ok(quantities.iter().map(of).collect())
 }

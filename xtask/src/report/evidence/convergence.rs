@@ -4,8 +4,7 @@ use palkki::methods::Method;
 use palkki::plot::significant;
 use palkki::plot::study::{Named, convergence};
 use palkki::theory;
-use palkki_evidence::paper::approach::{self, Approach};
-use palkki_evidence::paper::convergence::{Quantity, Series, all};
+use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
 
 use crate::report::csv::{csv, scientific};
 use crate::report::error::Cause;
@@ -27,22 +26,23 @@ const FINE_HALVINGS: u32 = 10;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // The force method has the same nodal values as the displacement method.
-    let (differences, energy) = (all(Method::Complementarity, &GRIDS)?, all(Method::Displacement, &GRIDS)?);
+    let (differences, energy) =
+        (of_the_example(Method::Complementarity, &GRIDS)?, of_the_example(Method::Displacement, &GRIDS)?);
     let fast = differences.iter().any(|s| s.quantity == Quantity::Energy && 2.5 < s.order);
     let first_force = study.ledger()?.usable.grids.iter().map(|grid| (grid.intervals, grid.first_force));
     let first_force: Vec<_> = first_force.map(|(intervals, error)| minijinja::context! { intervals, error }).collect();
 
     let grids: Vec<usize> = (0..=HALVINGS).map(|k| COARSEST << k).collect();
-    let mut found: Vec<(&str, Vec<Approach>)> = Vec::new();
+    let mut found: Vec<(&str, Vec<Series>)> = Vec::new();
     for (name, _) in SCENES {
         let scene = scenes::read(study.root, name)?;
         let exact = theory::solve(&scene)?;
-        let of = |method| approach::approach(&scene, &exact, method, &grids);
+        let of = |method| of_scene(&scene, &exact, method, &grids);
         found.push((name, [of(Method::Force)?, of(Method::Complementarity)?].concat()));
     }
     let (crests, every) =
         (scenes::read(study.root, "wave")?, (0..=FINE_HALVINGS).map(|k| COARSEST << k).collect::<Vec<usize>>());
-    let fine = approach::approach(&crests, &theory::solve(&crests)?, Method::Force, &every)?;
+    let fine = of_scene(&crests, &theory::solve(&crests)?, Method::Force, &every)?;
     let fine_rows: Vec<_> = fine
         .iter()
         .map(|a| minijinja::context! { quantity => a.quantity.word(), error => last(&a.errors), order => a.order })
@@ -126,7 +126,7 @@ fn example_csv(methods: &[&[Series]]) -> String {
 }
 
 /// Scene by scene by the force method: what it touches, the error of the end reaction, and three orders.
-fn uneven_table(found: &[(&str, Vec<Approach>)]) -> Table {
+fn uneven_table(found: &[(&str, Vec<Series>)]) -> Table {
     let reaction = "end reaction";
     Table::new([
         "scene".to_owned(),
@@ -138,14 +138,14 @@ fn uneven_table(found: &[(&str, Vec<Approach>)]) -> Table {
         "order of the deflection".to_owned(),
     ])
     .rows(found.iter().zip(SCENES).map(|((name, found), (_, contact))| {
-        let order = |k: usize| found.get(k).map_or_else(String::new, |a: &Approach| format!("{:.1}", a.order));
+        let order = |k: usize| found.get(k).map_or_else(String::new, |a: &Series| format!("{:.1}", a.order));
         let errors = found.first().map_or(&[][..], |a| a.errors.as_slice());
         let ends = [short(first(errors)), short(last(errors))];
         [vec![(*name).to_owned(), contact.to_owned()], ends.to_vec(), vec![order(0), order(1), order(2)]].concat()
     }))
 }
 
-fn uneven_figure(found: &[(&str, Vec<Approach>)]) -> Result<String, Cause> {
+fn uneven_figure(found: &[(&str, Vec<Series>)]) -> Result<String, Cause> {
     let (mut series, mut orders) = (Vec::new(), Vec::new());
     for ((_, found), (_, contact)) in found.iter().zip(SCENES) {
         // The first quantity of the first method is the end reaction of the force method.
@@ -160,7 +160,7 @@ fn uneven_figure(found: &[(&str, Vec<Approach>)]) -> Result<String, Cause> {
     )?)
 }
 
-fn uneven_csv(found: &[(&str, Vec<Approach>)]) -> String {
+fn uneven_csv(found: &[(&str, Vec<Series>)]) -> String {
     let rows = found.iter().flat_map(|(name, found)| {
         found.iter().flat_map(move |a| {
             a.errors.iter().map(move |(n, error)| {

@@ -152,7 +152,7 @@ fn compared(first: &str, method: &str, columns: &[(&str, f64, f64)]) -> Table {
 /// Contact at the left end, and the resultants.
 fn contact_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Table {
     let first = state.nodes.iter().flat_map(|nodes| &nodes.contact_force).copied().find(|p| 0.0 < *p);
-    let of = |name, quantity: Quantity| (name, quantity.exact(), quantity.discrete(state));
+    let of = |name, quantity: Quantity| (name, quantity.exact(), quantity.of(state));
     let columns = [
         of("contact begins at x", Quantity::LiftOff),
         ("first contact force", exact.end_force, first.unwrap_or(f64::NAN)),
@@ -177,7 +177,7 @@ fn shape_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Tabl
         ("deflection at l/5", fifth[0], fifth[1]),
         ("largest deflection", exact.deflection(exact.lift_off.unwrap_or_default()), state.deflection.max),
         ("largest moment", exact.end_force * exact.end_force / 2.0, state.moment.max),
-        ("energy J", Quantity::Energy.exact(), Quantity::Energy.discrete(state)),
+        ("energy J", Quantity::Energy.exact(), Quantity::Energy.of(state)),
     ];
     compared("shape", method, &columns)
 }

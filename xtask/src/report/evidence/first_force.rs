@@ -23,7 +23,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let (mut first, mut resultant) = (Vec::new(), Vec::new());
     for n in GRIDS {
         let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, usize::try_from(n)?))?.state;
-        let shared = Quantity::PointForce.discrete(&state) / theory;
+        let shared = Quantity::PointForce.of(&state) / theory;
         let nodes = state.nodes.ok_or("a discretised state has nodes")?;
         let force = nodes.contact_force.into_iter().find(|force| 0.0 < *force).unwrap_or_default() / theory;
         first.push([f64::from(n), force]);

@@ -1,14 +1,12 @@
 //! Hostile input, and libraries at the edge: rendered from the files of `cargo xtask fuzz` and `cargo xtask hostile`, which
 //! take minutes, and from the situations of the acceptance suite, which are run again.
 
-#[path = "../../../../tests/acceptance/libraries/situations.rs"]
-mod situations;
-
 use std::fs;
 use std::path::Path;
 
 use minijinja::{Value, context};
 use palkki::route::{Solver, Status};
+use palkki_evidence::libraries::ALL;
 
 use crate::report::csv::csv;
 use crate::report::error::Cause;
@@ -61,7 +59,7 @@ fn libraries() -> Result<(String, Value), Cause> {
     let header = ["situation", "clarabel says", "our check of it", "osqp says", "our check of that"];
     let (mut data, mut table) = (Vec::new(), Table::new(header));
     let (mut asked, mut solved, mut failed, mut good) = (0, 0, 0, 0);
-    for situation in situations::ALL {
+    for situation in ALL {
         let (mut row, mut all_good, mut any_asked) = (vec![situation.name.to_owned()], true, false);
         for library in [Solver::Clarabel, Solver::Osqp] {
             let outcome = situation.run(library)?;
@@ -84,7 +82,7 @@ fn libraries() -> Result<(String, Value), Cause> {
     }
     let values = context! {
         table => table.to_string(),
-        situations => situations::ALL.len(),
+        situations => ALL.len(),
         runs => data.len(),
         asked, solved, failed, good,
     };

@@ -2,8 +2,8 @@
 
 use minijinja::context;
 use palkki::scene::SceneError;
+use palkki_evidence::paper::claims::accuracy::{Errors, errors};
 use palkki_evidence::paper::claims::four_step::{Count, SCENES};
-use palkki_evidence::paper::claims::usable::{Errors, errors};
 
 use super::claims::thousands;
 use crate::report::error::Cause;

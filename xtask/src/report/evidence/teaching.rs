@@ -6,7 +6,7 @@ use palkki::methods::{Discrete, Method};
 use palkki::route::{Solver, Status};
 use palkki::scene::Scene;
 use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
-use palkki_evidence::paper::approach::{Quantity, approach};
+use palkki_evidence::paper::convergence::{Quantity, of_scene};
 use palkki_evidence::paper::{INTERVALS, example, theory};
 
 use crate::report::csv::fixed;
@@ -192,7 +192,7 @@ fn crest(scene: &Scene) -> Result<Value, Cause> {
         let row = [fixed(place, 4), fixed(apart, 4), fixed(error, 5), fixed(error / apart, 2), fixed(energy, 6)];
         table = table.row([n.to_string()].into_iter().chain(row));
     }
-    let found = approach(scene, &solution, Method::Force, &CREST)?;
+    let found = of_scene(scene, &solution, Method::Force, &CREST)?;
     let order = |quantity: Quantity| found.iter().find(|a| a.quantity == quantity).map(|a| a.order);
     Ok(context! {
         table,

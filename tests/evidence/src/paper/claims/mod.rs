@@ -1,20 +1,14 @@
 //! The claims ledger: what the paper says, what the numbers say now.
 //!
-//! A claim has one file: what is measured (a struct of numbers), the verdict that follows from it, and the words. Verdicts
-//! are computed; `tests/acceptance/claims.rs` asserts them and the numbers behind them. The one claim about the literature,
-//! [`novelty`], cannot be decided by computing and stays open.
+//! A claim has what is measured (a struct of numbers), the verdict that follows from it, and the words. Verdicts are
+//! computed; the acceptance tests assert them and the numbers behind them. The one claim about the literature, that the force
+//! method was new, cannot be decided by computing and stays open.
 
-pub mod bounds;
+pub mod accuracy;
+pub mod energy_methods;
 pub mod extensions;
 pub mod four_step;
-pub mod novelty;
 pub mod nsor;
-pub mod point_forces;
-pub mod printed;
-pub mod recommendation;
-pub mod same_result;
-pub mod usable;
-mod words;
 
 use palkki::scene::SceneError;
 
@@ -65,21 +59,21 @@ pub struct Claim {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ledger {
     /// The two printed numbers.
-    pub printed: printed::Evidence,
+    pub printed: accuracy::Printed,
     /// Force and displacement method against each other.
-    pub same_result: same_result::Evidence,
+    pub same_result: energy_methods::SameResult,
     /// Cubic elements under point forces.
-    pub point_forces: point_forces::Evidence,
+    pub point_forces: accuracy::PointForces,
     /// Shape and pressure on coarse grids.
-    pub usable: usable::Evidence,
+    pub usable: accuracy::Usable,
     /// The four steps, on many grids and foundations.
     pub four_step: four_step::Evidence,
     /// Sweeps of NSOR.
     pub nsor: nsor::Evidence,
     /// Digits with and without the matrices.
-    pub recommendation: recommendation::Evidence,
+    pub recommendation: energy_methods::Recommendation,
     /// Energies and penetration.
-    pub bounds: bounds::Evidence,
+    pub bounds: energy_methods::BothSides,
     /// A body that is no beam.
     pub any_body: extensions::Taut,
     /// Springs for a foundation.
@@ -98,14 +92,14 @@ impl Ledger {
     /// None for the scenes of the paper; the type is that of [`palkki::solve`].
     pub fn measure() -> Result<Self, SceneError> {
         Ok(Self {
-            printed: printed::measure()?,
-            same_result: same_result::measure()?,
-            point_forces: point_forces::measure()?,
-            usable: usable::measure()?,
+            printed: accuracy::printed()?,
+            same_result: energy_methods::same_result()?,
+            point_forces: accuracy::point_forces()?,
+            usable: accuracy::usable()?,
             four_step: four_step::measure()?,
             nsor: nsor::measure()?,
-            recommendation: recommendation::measure()?,
-            bounds: bounds::measure()?,
+            recommendation: energy_methods::recommendation()?,
+            bounds: energy_methods::both_sides()?,
             any_body: extensions::any_body(),
             elastic_foundation: extensions::elastic_foundation()?,
             unknown_rigid_motion: extensions::unknown_rigid_motion()?,
@@ -121,7 +115,7 @@ impl Ledger {
         vec![
             self.printed.claim(),
             self.same_result.claim(),
-            novelty::claim(),
+            energy_methods::novelty(),
             self.point_forces.claim(),
             shape,
             pressure,
@@ -138,11 +132,26 @@ impl Ledger {
     }
 }
 
-/// All claims, in the order of the paper's argument.
+/// A number of rounding size in words: a bound that holds, not digits that mean nothing and differ between machines.
 ///
-/// # Errors
-///
-/// As [`Ledger::measure`].
-pub fn all() -> Result<Vec<Claim>, SceneError> {
-    Ok(Ledger::measure()?.claims())
+/// `10ᵏ` as text, the power of ten that is at least three times `value`; `0` for zero.
+fn bound(value: f64) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = libm::ceil(libm::log10(3.0 * value.abs()));
+    let digits = format!("{:.0}", exponent.abs());
+    let raised: String = digits.chars().filter_map(|c| c.to_digit(10)).filter_map(|d| RAISED.get(d as usize)).collect();
+    format!("10{}{raised}", if exponent < 0.0 { "⁻" } else { "" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bound;
+
+    #[test]
+    fn bounds_are_above() {
+        assert_eq!([2e-12, 0.9e-9, 0.3, 20.0, 0.0].map(bound), ["10⁻¹¹", "10⁻⁸", "10⁰", "10²", "0"]);
+    }
 }

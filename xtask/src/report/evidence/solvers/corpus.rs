@@ -1,18 +1,14 @@
 //! What the four steps, plain full exchanges and the active set do on the instances that are hard for exchanges.
 
-#[path = "../../../../../tests/corpus/instances.rs"]
-#[expect(dead_code, reason = "the acceptance suite asserts what the table shows")]
-mod instances;
-
 use minijinja::{Value, context};
 use palkki::methods::Discrete;
 use palkki::route::{Solver, Status};
 use palkki::{Settings, solve};
 
-use self::instances::{End, Instance, corpus, full_exchange};
 use crate::report::csv::csv;
 use crate::report::error::Cause;
 use crate::report::table::Table;
+use palkki_evidence::exchanges::{End, Instance, corpus, full_exchange};
 
 /// Runs all three on all instances: a summary, and every run as data.
 pub(super) fn evidence() -> Result<(Value, String), Cause> {

@@ -1,0 +1,8 @@
+//! The methods against each other and against exact arithmetic: matrices, loads, digits, properties.
+
+mod agreement;
+mod digits;
+mod exact;
+mod matrices;
+mod nodal_loads;
+mod properties;

@@ -1,0 +1,6 @@
+//! Bad input, hostile input, the extremes of sizes and units, and the same bits again and elsewhere.
+
+mod bad_input;
+mod determinism;
+mod extremes;
+mod hostile;

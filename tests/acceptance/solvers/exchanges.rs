@@ -1,0 +1,121 @@
+//! What each algorithm does where full exchanges without a fallback go round in circles, and where contact is hard to find.
+
+use palkki::methods::Discrete;
+use palkki::route::{Method, Solver};
+use palkki::scene::Foundation;
+use palkki_evidence::paper::scene_over;
+use palkki_evidence::paper::uneven::{self, Unevenness};
+use palkki_evidence::random::Random;
+
+use super::ends;
+use crate::scenes::run;
+use palkki_evidence::exchanges::{self, End, Instance, full_exchange};
+
+fn corpus() -> Vec<Instance> {
+    exchanges::corpus().expect("every line is an instance")
+}
+
+#[test]
+fn full_exchanges_without_a_fallback_go_round_in_circles() {
+    for instance in corpus() {
+        let scaled = instance.scene.scaled().expect("in range");
+        let discrete = Discrete::new(&scaled.scene, instance.intervals).expect("enough intervals");
+        let programme = instance.method.programme(&discrete);
+        let end = full_exchange(programme.as_ref()).expect("definite");
+        assert!(matches!(end, End::Circle { period, .. } if period == instance.period), "{}: {end:?}", instance.line);
+    }
+}
+
+#[test]
+fn the_four_steps_end_there_at_the_optimum_or_not() {
+    for instance in corpus() {
+        let outcome = run(&instance.scene, instance.method, Solver::FourStep, instance.intervals);
+        assert_eq!(outcome.status.word(), instance.four_step, "{}", instance.line);
+    }
+}
+
+#[test]
+fn the_active_set_ends_there_at_the_optimum() {
+    for instance in corpus() {
+        ends(&instance.scene, instance.method, instance.intervals, 100);
+    }
+}
+
+/// Where ground is touched at hundreds of points, exchanges of one variable of each run go round in a few circles at a time, the
+/// common period of which is long, or find the optimum late.
+#[test]
+fn exchanges_go_round_in_circles_or_wander_in_dense_contact() {
+    for instance in exchanges::dense().expect("every line is an instance") {
+        let scaled = instance.scene.scaled().expect("in range");
+        let discrete = Discrete::new(&scaled.scene, instance.intervals).expect("enough intervals");
+        let programme = Method::Force.programme(&discrete);
+        let end = exchanges::exchange_of_runs(programme.as_ref()).expect("definite");
+        assert_eq!(end, instance.end, "{}", instance.line);
+    }
+}
+
+/// By every method, for the price of some dozen solves of the whole on whatever grid.
+#[test]
+fn the_active_set_ends_in_dense_contact() {
+    /// Solves of the whole, those on coarser grids and in windows counted by their variables; half as many are needed.
+    const WORTH: usize = 100;
+    for instance in exchanges::dense().expect("every line is an instance") {
+        for method in Method::ALL {
+            let outcome = ends(&instance.scene, method, instance.intervals, 500);
+            assert!(outcome.work <= WORTH * outcome.unknowns, "{method}, {}: {}", instance.line, outcome.work);
+        }
+    }
+}
+
+/// A hump of three straight lines: thousands of exchanges, since its flanks are lost and won again.
+#[test]
+fn the_triangular_hump_on_ten_thousand_intervals() {
+    for (rise, half) in [(0.5, 1.0), (0.1, 2.0), (0.9, 0.1), (0.5, 4.9)] {
+        let points = vec![[0.0, 1.0], [5.0 - half, 1.0], [5.0, 1.0 - rise], [5.0 + half, 1.0], [10.0, 1.0]];
+        let scene = scene_over(Foundation::Polyline { points }).expect("a hump");
+        ends(&scene, Method::Force, 10_000, 60_000);
+    }
+}
+
+#[test]
+fn random_foundations_on_grids_of_all_sizes() {
+    let mut numbers = Random::new(2);
+    for kind in Unevenness::ALL {
+        for scene in uneven::scenes(kind, 30, 3).expect("scenes") {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 501")]
+            let intervals = numbers.between(11.0, 501.0) as usize;
+            for method in Method::ALL {
+                ends(&scene, method, intervals, 5000);
+            }
+        }
+    }
+}
+
+/// Flat foundations at the two borders between the regimes, on them and a hair beside them.
+#[test]
+fn borders_between_regimes() {
+    let border = 1e4 / 500.0;
+    for share in [1.0, 1.0 - 1e-12, 1.0 + 1e-9, 5.0, 5.0 - 1e-12, 5.0 - 1e-6, 5.0 + 1e-12] {
+        let scene = scene_over(Foundation::Flat { depth: share * border }).expect("flat");
+        for intervals in [10, 30, 99, 1000] {
+            for method in Method::ALL {
+                ends(&scene, method, intervals, 500);
+            }
+        }
+    }
+}
+
+/// A hundred thousand intervals, verified: the end reaction of beam theory within the error of the grid, residual far below
+/// what is certified.
+#[test]
+fn a_fine_grid_loses_no_digits() {
+    /// The residual that the issue of this size is about.
+    const RESIDUAL: f64 = 1e-12;
+    /// The end reaction converges with the square of the spacing: 2.7e-6 on a thousand intervals.
+    const REACTION: f64 = 1e-9;
+    let outcome = run(&crate::scenes::example(), Method::Force, Solver::ActiveSet, 100_000);
+    assert!(outcome.residual < RESIDUAL, "{:.1e}", outcome.residual);
+    let error = outcome.state.reactions.left - palkki_evidence::paper::theory().reaction;
+    assert!(error.abs() < REACTION, "{error:.1e}");
+    assert!(outcome.iterations < 1000, "{} solves, of which all but a few are of neighbourhoods", outcome.iterations);
+}

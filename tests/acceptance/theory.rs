@@ -1,6 +1,0 @@
-//! Beam theory with free lift-off points: closed forms first, then its own conditions on scenes without one.
-
-mod borders;
-mod closed;
-pub(crate) mod random;
-mod statics;

@@ -1,0 +1,6 @@
+//! Beam theory with free lift-off points: closed forms first, then its own conditions on scenes without one.
+
+mod borders;
+mod closed;
+mod statics;
+mod surveys;

@@ -1,0 +1,127 @@
+//! One run of the whole program: text → scene → beam theory and one discretised route → certificates, all of them held to
+//! their laws.
+
+use crate::random::Random;
+use palkki::route::{Method, Solver, Status};
+use palkki::scene::Scene;
+use palkki::scene::file::{ReadProblem, parse};
+use palkki::theory;
+use palkki::verdict::{Demand, Verdict};
+use palkki::{Settings, solve};
+
+use super::draft::Draft;
+use super::laws::{balanced, judge, overlap, same, within};
+use super::scenes::Family;
+use super::units::in_other_units;
+
+/// Intervals of the finest grid.
+const MOST_INTERVALS: usize = 60;
+
+/// What became of one run.
+#[derive(Debug, Default)]
+pub(crate) struct Trial {
+    /// True if the text is a scene.
+    pub(crate) accepted: bool,
+    /// Verdict on beam theory, if it has an answer.
+    pub(crate) exact: Option<Status>,
+    /// Whether the program calls it certified in the end: its bounds are finite, and its deflection is that of its contacts.
+    pub(crate) bounded: bool,
+    /// Verdict on the reference on the same grid, force method or finite differences with the active set.
+    pub(crate) reference: Option<Status>,
+    /// Verdict on another route on that grid.
+    pub(crate) route: Option<Status>,
+    /// True if the route's solver says that it succeeded and the judge does not.
+    pub(crate) contradicted: bool,
+    /// True if an answer was compared with that in other units.
+    pub(crate) rescaled: bool,
+    /// Lists of contacts that theory tried, and iterations of the routes: the most.
+    pub(crate) work: [usize; 2],
+    /// What is wrong. Empty, or the program is.
+    pub(crate) wrong: Vec<String>,
+}
+
+/// The draft of a run.
+pub(crate) fn draft(seed: u64) -> (Family, Draft, Random) {
+    /// Seeds beside each other are spread over all 64 bits.
+    const SPREAD: u64 = 0x2545_f491_4f6c_dd1d;
+    let mut random = Random::new(seed.wrapping_mul(SPREAD));
+    let family = random.pick(&Family::ALL);
+    let draft = family.draft(&mut random);
+    (family, draft, random)
+}
+
+pub(super) fn read(text: &str) -> Option<Scene> {
+    parse("scene.toml", text, |_| Err(ReadProblem::Missing)).ok()
+}
+
+/// Run number `seed`.
+pub(crate) fn run(seed: u64) -> (Family, Trial) {
+    let (family, draft, mut random) = draft(seed);
+    let mut trial = Trial::default();
+    let Some(scene) = read(&draft.text()) else { return (family, trial) };
+    trial.accepted = true;
+
+    let exact = theory::solve(&scene).ok();
+    let bounds = exact.as_ref().and_then(|exact| {
+        trial.exact = Some(exact.status);
+        trial.work[0] = exact.lists;
+        let verdict = Verdict::of_exact(&scene, exact, &Demand::default());
+        trial.bounded = verdict.status == Status::Certified;
+        verdict.certificate
+    });
+    if let Some(exact) = exact.as_ref().filter(|exact| exact.status == Status::Certified) {
+        balanced(&mut trial, "theory", &scene, &exact.state);
+        if let Some(bounds) = &bounds {
+            within(&mut trial, "theory", exact, bounds, &scene);
+        }
+    }
+
+    let settings = settings(&mut random);
+    let reference = Settings { solver: Solver::ActiveSet, method: same_optimum(settings.method), ..settings };
+    let judged = |trial: &mut Trial, settings: &Settings| {
+        let outcome = solve(&scene, settings).ok()?;
+        let certificate = judge(trial, &scene, settings, &outcome, exact.as_ref());
+        if let (Some(a), Some(b)) = (&bounds, &certificate) {
+            overlap(trial, settings, a, b);
+        }
+        trial.contradicted |= outcome.solver_claims_success && outcome.status != Status::Certified;
+        trial.work[1] = trial.work[1].max(outcome.iterations);
+        Some(outcome)
+    };
+    let other = judged(&mut trial, &reference);
+    trial.reference = other.as_ref().map(|outcome| outcome.status);
+    if settings != reference
+        && let Some(outcome) = judged(&mut trial, &settings)
+    {
+        trial.route = Some(outcome.status);
+        if let Some(other) = other.as_ref().filter(|_| outcome.status == Status::Certified) {
+            same(&mut trial, &settings, &scene, &outcome.state, other);
+        }
+    }
+    if random.once_in(8) {
+        in_other_units(&mut trial, &draft, &scene, exact.as_ref(), &reference, &mut random);
+    }
+    (family, trial)
+}
+
+/// The method that has the same optimum as this one, and the best conditioned programme.
+fn same_optimum(method: Method) -> Method {
+    if method == Method::Complementarity { method } else { Method::Force }
+}
+
+fn settings(random: &mut Random) -> Settings {
+    let method = random.pick(&Method::ALL);
+    let solver = random.pick(&[
+        Solver::ActiveSet,
+        Solver::ActiveSet,
+        Solver::ActiveSet,
+        Solver::FourStep,
+        Solver::Clarabel,
+        Solver::Clarabel,
+        Solver::Osqp,
+        Solver::Nsor,
+    ]);
+    // Iterations of these two can be very many.
+    let most = if matches!(solver, Solver::Osqp | Solver::Nsor) { 12 } else { MOST_INTERVALS };
+    Settings::new(method, solver, 2 + random.below(most - 1))
+}

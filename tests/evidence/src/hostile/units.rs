@@ -1,0 +1,58 @@
+//! A scene in other units has the same answer, to the bit where the units are powers of two.
+
+use crate::random::Random;
+use palkki::route::Status;
+use palkki::scene::Scene;
+use palkki::state::ContactState;
+use palkki::theory::{self, Exact};
+use palkki::{Settings, solve};
+
+use super::draft::Draft;
+use super::laws::name;
+use super::trial::{Trial, read};
+
+/// The same bits in units that are powers of two, where neither scene leaves the range of 64-bit floating point on the way.
+pub(super) fn in_other_units(
+    trial: &mut Trial,
+    draft: &Draft,
+    scene: &Scene,
+    exact: Option<&Exact>,
+    settings: &Settings,
+    random: &mut Random,
+) {
+    let mut unit = || random.pick(&[0.25, 8.0, 1024.0, 0.000_976_562_5]);
+    let (length, force, depth) = (unit(), unit(), unit());
+    let there = draft.in_units(length, force, depth);
+    let back = there.in_units(1.0 / length, 1.0 / force, 1.0 / depth);
+    // Subnormal numbers lose bits on the way.
+    if back.text() != draft.text() {
+        return;
+    }
+    let Some(other) = read(&there.text()) else { return };
+    let exactly_scaled = scene.scaled().ok().zip(other.scaled().ok()).is_some_and(|(a, b)| a.scene == b.scene);
+    if !exactly_scaled {
+        return;
+    }
+    let bits = |state: &ContactState, unit: f64| {
+        [state.reactions.left, state.reactions.right, state.contact_force()].map(|f| (f * unit).to_bits())
+    };
+    let mut compare = |who: &str, a: (&ContactState, Status), b: (&ContactState, Status)| {
+        let subnormal = |state: &ContactState| {
+            let c = state.contacts.iter().map(|c| c.force);
+            [state.reactions.left, state.reactions.right].into_iter().chain(c).any(f64::is_subnormal)
+        };
+        if subnormal(a.0) || subnormal(b.0) {
+            return;
+        }
+        trial.rescaled = true;
+        if a.1 != b.1 || bits(a.0, force) != bits(b.0, 1.0) {
+            trial.wrong.push(format!("{who}: other units, other bits"));
+        }
+    };
+    if let (Some(a), Ok(b)) = (exact, theory::solve(&other)) {
+        compare("theory", (&a.state, a.status), (&b.state, b.status));
+    }
+    if let (Ok(a), Ok(b)) = (solve(scene, settings), solve(&other, settings)) {
+        compare(&name(settings), (&a.state, a.status), (&b.state, b.status));
+    }
+}

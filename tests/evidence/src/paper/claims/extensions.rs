@@ -1,0 +1,297 @@
+//! "The methods extend to any elastic body whose condensed stiffness or flexibility matrix can be computed, and to an elastic
+//! foundation; further study is needed where the rigid motion of the body is not known beforehand. A curved beam (a ski) on a
+//! straight base is almost the same problem."
+
+use nalgebra::{DMatrix, DVector};
+use palkki::methods::{Method, flexibility};
+use palkki::problem::{Dense, Programme, Sizes, residual};
+use palkki::scene::{Foundation, SceneError};
+use palkki::solvers::Solver;
+use palkki::{Settings, solve};
+
+use super::{Claim, Verdict, bound};
+use crate::paper::{INTERVALS, beam, scene_over};
+
+/// A taut string of span 10 under tension 10 and a unit load, above a flat foundation at depth 1: touched or not, the
+/// quadratic program (32) with another `K`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Taut {
+    /// Scaled residual of the optimality conditions.
+    pub residual: f64,
+    /// End reaction over that of the closed form `√(2 S q u₀)`, minus one, on 200 intervals.
+    pub end_reaction: f64,
+}
+
+/// Solves the string with the active set.
+///
+/// Closed form: `S v'' = −q` up to the lift-off point `b`, where `v = u₀`, `v' = 0`: `b² = 2 S u₀/q`, reaction `q b`.
+#[must_use]
+#[expect(clippy::cast_precision_loss, reason = "200 intervals")]
+pub fn any_body() -> Taut {
+    const INTERVALS: usize = 200;
+    let (length, tension, load, depth) = (10.0, 10.0, 1.0, 1.0_f64);
+    let n = INTERVALS - 1;
+    let spacing = length / INTERVALS as f64;
+    let stiffness = DMatrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
+        0 => 2.0 * tension / spacing,
+        1 => -tension / spacing,
+        _ => 0.0,
+    });
+    let depths = DVector::from_element(n, depth);
+    let loads = DVector::from_element(n, load * spacing);
+    let linear = &stiffness * &depths - &loads;
+    let programme = Dense { matrix: stiffness, linear, sizes: Sizes { x: depth, gradient: load * length } };
+    let answer = Solver::ActiveSet.run(&programme, 0.0);
+    let first = depth - answer.x[0];
+    let reaction = tension * first / spacing + 0.5 * load * spacing;
+    Taut {
+        residual: residual(programme.sizes, &answer.x, &answer.gradient),
+        end_reaction: reaction / (2.0 * tension * load * depth).sqrt() - 1.0,
+    }
+}
+
+impl Taut {
+    /// Whether the method works as it is: optimal, and within one per cent of the closed form.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        if self.residual <= 1e-9 && self.end_reaction.abs() <= 0.01 { Verdict::Confirmed } else { Verdict::Refuted }
+    }
+
+    pub(super) fn claim(&self) -> Claim {
+        Claim {
+            name: "any_elastic_body",
+            statement: "The methods extend to any elastic body whose stiffness or flexibility matrix can be computed.",
+            verdict: self.verdict(),
+            reading: None,
+            summary: format!("a taut string: end reaction within {} of its closed form", bound(self.end_reaction)),
+            evidence: format!(
+                "The solvers take any symmetric positive definite matrix. Tried on a body that is not a beam, a taut string on 200 \
+                 intervals: scaled residual below {}, end reaction within {} of its closed form √(2 S q u₀).",
+                bound(self.residual.max(f64::EPSILON)),
+                bound(self.end_reaction)
+            ),
+        }
+    }
+}
+
+/// The beam of the example on elastic springs that it touches from the start, `u = 0`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Springs {
+    /// Scaled residual of the optimality conditions.
+    pub residual: f64,
+    /// Deflection at mid-span over that of the series solution, minus one.
+    pub deflection: f64,
+}
+
+/// Foundation modulus `k` \[force / length²\].
+const MODULUS: f64 = 0.5;
+const SPRING_INTERVALS: usize = 60;
+
+/// Solves `min ½ pᵀ (C + I/(kΔ)) p − (C q)ᵀ p, p ≥ 0`: the clearance of a spring that carries `p` is `p/(kΔ)` larger.
+///
+/// Authority: `v(l/2) = Σ (4 q₀ / m π) sin(m π/2) / (EI (m π/l)⁴ + k)`, `m` odd (Hetényi 1946), while all springs are pressed.
+///
+/// # Errors
+///
+/// None; the type is that of [`beam`].
+#[expect(clippy::cast_precision_loss, reason = "60 intervals")]
+pub fn elastic_foundation() -> Result<Springs, SceneError> {
+    let beam = beam()?;
+    let (l, ei) = (beam.length(), beam.bending_stiffness());
+    let n = SPRING_INTERVALS - 1;
+    let spacing = l / SPRING_INTERVALS as f64;
+    let c = DMatrix::from_fn(n, n, |i, j| flexibility(l, ei, n, i + 1, j + 1));
+    let loads = DVector::from_element(n, spacing);
+    let linear = &c * &loads;
+    let matrix = &c + DMatrix::identity(n, n) / (MODULUS * spacing);
+    let programme = Dense { matrix, linear, sizes: Sizes { x: l, gradient: 1.0 / MODULUS } };
+    let answer = Solver::ActiveSet.run(&programme, 0.0);
+    let deflection = answer.x[n / 2] / (MODULUS * spacing);
+
+    let term = |m: usize| {
+        let wave = m as f64 * std::f64::consts::PI;
+        let sign = if m % 4 == 1 { 1.0 } else { -1.0 };
+        let ratio = wave / l;
+        4.0 / wave * sign / (ei * ratio * ratio * ratio * ratio + MODULUS)
+    };
+    let series: f64 = (0..500).rev().map(|k| term(2 * k + 1)).sum();
+    Ok(Springs {
+        residual: residual(programme.sizes, &answer.x, &answer.gradient),
+        deflection: deflection / series - 1.0,
+    })
+}
+
+impl Springs {
+    /// Whether the method works as it is: optimal, and within one per cent of the series.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        if self.residual <= 1e-9 && self.deflection.abs() <= 0.01 { Verdict::Confirmed } else { Verdict::Refuted }
+    }
+
+    pub(super) fn claim(&self) -> Claim {
+        Claim {
+            name: "elastic_foundation",
+            statement: "The methods extend to an elastic foundation.",
+            verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "springs: deflection at mid-span within {} of the series solution",
+                bound(self.deflection)
+            ),
+            evidence: format!(
+                "The force method with the flexibility of springs added to the diagonal of C, {SPRING_INTERVALS} intervals: scaled residual \
+                 below {}, deflection at mid-span within {} of the series solution of a beam on an elastic foundation (Hetényi 1946).",
+                bound(self.residual.max(f64::EPSILON)),
+                bound(self.deflection)
+            ),
+        }
+    }
+}
+
+/// The beam of the example with its supports taken away.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unsupported {
+    /// Eigenvalues of the stiffness that vanish beside the largest one: rigid motions.
+    pub rigid_motions: usize,
+    /// Whether step 1° of the paper's algorithm can be carried out.
+    pub first_step_works: bool,
+}
+
+/// The condensed stiffness of an unsupported beam with 29 inner nodes and two ends, and what step 1° makes of it.
+///
+/// Deflections of the ends are added to those of the supported beam: `K_free = Bᵀ K B` with `B v = v − chord of the ends`.
+///
+/// # Errors
+///
+/// None; the type is that of [`beam`].
+#[expect(clippy::cast_precision_loss, reason = "30 intervals")]
+pub fn unknown_rigid_motion() -> Result<Unsupported, SceneError> {
+    let beam = beam()?;
+    let n = 29;
+    let c = DMatrix::from_fn(n, n, |i, j| flexibility(beam.length(), beam.bending_stiffness(), n, i + 1, j + 1));
+    let chord = |i: usize, end: usize| {
+        let share = (i + 1) as f64 / (n + 1) as f64;
+        if end == 0 { 1.0 - share } else { share }
+    };
+    let relative = DMatrix::from_fn(n, n + 2, |i, j| match j {
+        0 => -chord(i, 0),
+        j if j == n + 1 => -chord(i, 1),
+        j => f64::from(u8::from(j == i + 1)),
+    });
+    let stiffness = c.try_inverse().unwrap_or_else(|| DMatrix::zeros(n, n));
+    let free = relative.transpose() * stiffness * &relative;
+    let eigenvalues = free.clone().symmetric_eigenvalues();
+    let largest = eigenvalues.max();
+    let programme = Dense {
+        linear: DVector::from_element(n + 2, 1.0),
+        sizes: Sizes { x: 1.0, gradient: 1.0 },
+        // Symmetric up to rounding, shifted by less than rounding of the largest entry: semidefinite, not definite.
+        matrix: (&free + free.transpose()) * 0.5 - DMatrix::identity(n + 2, n + 2) * (1e-12 * largest),
+    };
+    Ok(Unsupported {
+        rigid_motions: eigenvalues.iter().filter(|e| e.abs() <= 1e-9 * largest).count(),
+        first_step_works: programme.stationary(&vec![true; n + 2]).is_ok(),
+    })
+}
+
+impl Unsupported {
+    /// Confirmed if there are rigid motions and the algorithm does not even start.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        if self.rigid_motions == 2 && !self.first_step_works { Verdict::Confirmed } else { Verdict::Refuted }
+    }
+
+    pub(super) fn claim(&self) -> Claim {
+        Claim {
+            name: "unknown_rigid_motion",
+            statement: "Where the rigid motion of the body is not known beforehand, further study is needed.",
+            verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "without supports there are {} rigid motions, and step 1° {}",
+                self.rigid_motions,
+                if self.first_step_works { "has a solution" } else { "has no solution" },
+            ),
+            evidence: format!(
+                "Without supports the condensed stiffness has {} vanishing eigenvalues, the rigid motions, and C does not exist: \
+                 step 1° of the algorithm {}. The quadratic program is still convex; it needs other solvers.",
+                self.rigid_motions,
+                if self.first_step_works { "can be carried out" } else { "cannot be carried out" }
+            ),
+        }
+    }
+}
+
+/// "A curved beam (a ski) on a straight base is almost the same problem."
+///
+/// With the unloaded shape `w₀`, `w₀(0) = w₀(l) = 0`, the beam bends by `v`, `EI v'''' = q − p`, and touches where
+/// `w₀ + v = u`. Only `u − w₀` enters: a ski over a flat base, and the straight beam that is said to be the same problem.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curved {
+    /// Largest difference of a contact force, over the load.
+    pub difference: f64,
+    /// Resultant of the contact.
+    pub contact_force: f64,
+}
+
+/// Camber of the ski at mid-span, upwards: `w₀ = −4 · CAMBER x (l − x)/l²`.
+const CAMBER: f64 = 0.75;
+const DEPTH: f64 = 1.0;
+
+/// Solves the ski from `h = u − (w₀ + C (q − p)) ≥ 0` directly, and the straight beam over `u − w₀` as a scene.
+///
+/// # Errors
+///
+/// None; the type is that of [`solve`].
+#[expect(clippy::cast_precision_loss, reason = "30 intervals")]
+pub fn curved_beam() -> Result<Curved, SceneError> {
+    let beam = beam()?;
+    let l = beam.length();
+    let rise = 4.0 * CAMBER / l;
+    let foundation = Foundation::Polynomial { coefficients: vec![DEPTH, rise, -rise / l] };
+    let scene = scene_over(foundation)?;
+    let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
+    let contact_force = state.contact_force();
+    let straight = state.nodes.unwrap_or_default();
+
+    let n = INTERVALS - 1;
+    let c = DMatrix::from_fn(n, n, |i, j| flexibility(l, beam.bending_stiffness(), n, i + 1, j + 1));
+    let loads = DVector::from_element(n, l / INTERVALS as f64);
+    let shape = DVector::from_fn(n, |i, _| {
+        let x = l * (i + 1) as f64 / INTERVALS as f64;
+        -4.0 * CAMBER * x * (l - x) / (l * l)
+    });
+    let unloaded_gap = DVector::from_element(n, DEPTH) - shape;
+    let ski = Dense { linear: &c * &loads - unloaded_gap, matrix: c, sizes: Sizes { x: l, gradient: DEPTH } };
+    let answer = Solver::ActiveSet.run(&ski, 0.0);
+    let pairs = answer.x.iter().zip(&straight.contact_force);
+    Ok(Curved { difference: pairs.fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs())) / l, contact_force })
+}
+
+impl Curved {
+    /// Confirmed if the contact forces are the same up to rounding.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        if self.difference <= 1e-8 { Verdict::Confirmed } else { Verdict::Refuted }
+    }
+
+    pub(super) fn claim(&self) -> Claim {
+        Claim {
+            name: "curved_beam",
+            statement: "A curved beam (a ski) on a straight base is almost the same problem.",
+            verdict: self.verdict(),
+            reading: None,
+            summary: format!(
+                "contact forces differ by less than {} of the load: only u − w₀ enters",
+                bound(self.difference)
+            ),
+            evidence: format!(
+                "It is the same problem if its ends are supported, since only u − w₀ enters, w₀ being the unloaded shape. A ski with a camber of {CAMBER} u₀ over a flat base \
+                 and a straight beam over the equivalent foundation, {INTERVALS} intervals: contact forces differ by less than {} \
+                 of the load (resultant {:.4}).",
+                bound(self.difference),
+                self.contact_force
+            ),
+        }
+    }
+}
