@@ -5,6 +5,7 @@ mod support;
 #[path = "../authority/mod.rs"]
 mod authority;
 
+mod adaptive;
 mod agreement;
 mod approach;
 mod bad_input;
@@ -15,7 +16,6 @@ mod command_line;
 mod corpus;
 mod costs;
 mod determinism;
-mod dial;
 mod digits;
 mod exact;
 mod extremes;
