@@ -15,8 +15,7 @@
 //! ```
 //! use palkki::route::{Method, Solver, Status};
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
-//! use palkki::verdict::{Demand, Verdict};
-//! use palkki::{Settings, Witness, solve, theory};
+//! use palkki::{Settings, solve_exactly, solve_judged};
 //!
 //! // The example of the paper: a beam that would sag a hundred times as far as the ground lies below it.
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
@@ -24,21 +23,23 @@
 //! let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 }))?;
 //!
 //! // Beam theory: lift-off points that are found, and no grid.
-//! let exact = theory::solve(&scene)?;
-//! assert_eq!(exact.status, Status::Certified);
+//! let exact = solve_exactly(&scene)?;
+//! assert_eq!(exact.verdict.status, Status::Certified);
 //!
 //! // A method of the paper with a solver, on 300 equal intervals, and how far it can be from the truth.
-//! let outcome = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
-//! // The contacts of the exact solution are the witness from which the bounds are proven; any others would do, less sharply.
-//! let witness = Witness::known(&scene, &exact);
-//! let verdict = Verdict::of_outcome(&outcome, &witness, &Demand::default());
-//! let error = outcome.state.deflection.max - exact.state.deflection.max;
-//! assert!(verdict.certificate.is_some_and(|bounds| error.abs() <= bounds.deflection_error));
+//! let solution = solve_judged(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
+//! let error = solution.state.deflection.max - exact.state.deflection.max;
+//! assert!(solution.verdict.certificate.is_some_and(|bounds| error.abs() <= bounds.deflection_error));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A scene file is read by [`scene::file::parse`]; [`dial::dial`] chooses the grid for an error that is demanded;
-//! [`certificate::certify`] bounds the error of any deflection, from any list of contacts.
+//! | what | where |
+//! |---|---|
+//! | read a scene file | [`scene::file::parse`] |
+//! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve_judged`] |
+//! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
+//! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::status_of_forces`] |
+//! | draw | `plot::curves`, `plot::solution`, with the feature `plot` |
 //!
 //! # Notation
 //!
@@ -70,8 +71,8 @@
 //! ([`plot`]). Claims and figures of the paper, faults and scenes with known answers are no part of the library: they are the
 //! evidence for it, the package `palkki-evidence`.
 
+pub mod adaptive;
 pub mod certificate;
-pub mod dial;
 pub mod methods;
 mod nested;
 #[cfg(feature = "plot")]
@@ -82,9 +83,10 @@ pub mod scene;
 mod solve;
 pub mod solvers;
 pub mod state;
+pub mod text;
 pub mod theory;
 pub mod verdict;
 mod witness;
 
-pub use solve::{DEFAULT_TOLERANCE, Settings, solve};
+pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, solve, solve_exactly, solve_judged};
 pub use witness::Witness;

@@ -1,40 +1,10 @@
 //! A route: one of the paper's methods with one of the solvers. What a route ends with, and how it went.
 
-use std::fmt;
-
 pub use crate::methods::Method;
 use crate::solvers::OwnResidual;
 pub use crate::solvers::Solver;
 use crate::state::ContactState;
-
-/// Our own verdict on an answer. A solver's own word is never it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Status {
-    /// The answer passes our own check.
-    Certified,
-    /// An answer came back and fails it.
-    NotCertified,
-    /// The solver gave up, and what it had fails our check.
-    NotConverged,
-}
-
-impl Status {
-    /// The word that JSON and report use.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Certified => "certified",
-            Self::NotCertified => "not-certified",
-            Self::NotConverged => "not-converged",
-        }
-    }
-}
-
-impl fmt::Display for Status {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
-    }
-}
+pub use crate::verdict::Status;
 
 /// What a route hands back.
 #[derive(Debug, Clone)]

@@ -1,12 +1,15 @@
-//! One way through: scene → method and grid → programme (32) → solver → state → verdict.
+//! One way through: scene → method and grid → quadratic program (32) → solver → state → verdict.
 
 use crate::certificate::Kkt;
 use crate::methods::{self, Discrete};
 use crate::nested;
 use crate::route::{Method, Outcome, Solver, Status};
-use crate::scene::{Scale, Scene, SceneError};
+use crate::scene::{Scene, SceneError};
 use crate::solvers::Answer;
-use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions};
+use crate::state::ContactState;
+use crate::theory::{self, Exact, TheoryError};
+use crate::verdict::{Demand, Verdict};
+use crate::witness::Witness;
 
 /// What a discretised solution is asked to be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,9 +35,124 @@ impl Settings {
     }
 }
 
-/// Solves `scene` by one route.
+/// An answer, and what it is worth.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The beam in its final position, in the units of the scene.
+    pub state: ContactState,
+    /// Our verdict: certified or not, why not, and guaranteed bounds.
+    pub verdict: Verdict,
+    /// What the solver says of itself, in its own words. It does not count.
+    pub solver_status: String,
+    /// Of a method on a grid the KKT residual of its discrete problem, of beam theory the worst violation of its conditions;
+    /// dimensionless.
+    pub residual: f64,
+    /// Unknowns of what was solved.
+    pub unknowns: usize,
+    /// Steps, pivots, sweeps or iterations, in the solver's own count.
+    pub iterations: usize,
+    /// Of beam theory: the solution as functions of `x`.
+    pub exact: Option<Box<Exact>>,
+}
+
+/// Solves `scene` by one route, and judges the answer.
 ///
-/// A scene without a foundation needs no programme and no solver: the beam is a simple beam.
+/// ```
+/// use palkki::route::{Method, Solver, Status};
+/// use palkki::scene::{Beam, Foundation, Load, Scene};
+/// use palkki::{Settings, solve_judged};
+///
+/// let beam = Beam::new(10.0, 500.0 / 384.0)?;
+/// let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+/// for method in Method::ALL {
+///     let solution = solve_judged(&scene, &Settings::new(method, Solver::ActiveSet, 30))?;
+///     assert_eq!(solution.verdict.status, Status::Certified, "{method}: {:?}", solution.verdict.refusal);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// Those of [`solve`]. An answer that fails our check is none: its [`Verdict`] says why.
+pub fn solve_judged(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError> {
+    Ok(solve(scene, settings)?.judged(&Witness::of(scene), &Demand::default()))
+}
+
+/// Solves `scene` by beam theory, without a grid: the places where the beam lifts off are unknowns. And judges the answer.
+///
+/// ```
+/// use palkki::scene::{Beam, Foundation, Load, Scene};
+/// use palkki::solve_exactly;
+///
+/// let beam = Beam::new(10.0, 500.0 / 384.0)?;
+/// let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+/// let solution = solve_exactly(&scene)?;
+/// // On flat ground the beam lifts off at a = ⁴√(24 EI u / q) / √3, here 2.364 from the support, and presses with q a / 2 there.
+/// let zone = solution.state.contacts[0];
+/// assert!((zone.from - 2.364_354).abs() < 1e-6);
+/// assert!(zone.end_forces.is_some_and(|[left, _]| (left - 0.5 * zone.from).abs() < 1e-9));
+/// // The answer as functions of x.
+/// let exact = solution.exact.expect("beam theory has functions");
+/// assert!((exact.deflection(5.0) - 1.0).abs() < 1e-12, "it lies on the ground");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+///
+/// Those of [`theory::solve`].
+pub fn solve_exactly(scene: &Scene) -> Result<Solution, TheoryError> {
+    Ok(theory::solve(scene)?.judged(scene, &Demand::default()))
+}
+
+impl Outcome {
+    /// With our verdict. One witness serves all answers of a scene.
+    #[must_use]
+    pub fn judged(self, witness: &Witness<'_>, demand: &Demand) -> Solution {
+        let verdict = Verdict::of_outcome(&self, witness, demand);
+        Solution {
+            state: self.state,
+            verdict,
+            solver_status: self.solver_status,
+            residual: self.residual,
+            unknowns: self.unknowns,
+            iterations: self.iterations,
+            exact: None,
+        }
+    }
+}
+
+impl Exact {
+    /// With our verdict.
+    #[must_use]
+    pub fn judged(self, scene: &Scene, demand: &Demand) -> Solution {
+        Solution {
+            state: self.state.clone(),
+            verdict: Verdict::of_exact(scene, &self, demand),
+            solver_status: self.message(),
+            residual: self.residual,
+            unknowns: self.unknowns,
+            iterations: self.iterations,
+            exact: Some(Box::new(self)),
+        }
+    }
+
+    /// What beam theory says of its answer.
+    fn message(&self) -> String {
+        let lists = match self.lists {
+            1 => "1 list of contacts tried".to_owned(),
+            lists => format!("{lists} lists of contacts tried"),
+        };
+        if self.status == Status::Certified {
+            return format!("all conditions hold everywhere, {lists}");
+        }
+        let violations: Vec<String> = self.violations.iter().map(ToString::to_string).collect();
+        if violations.is_empty() { lists } else { format!("{}; {lists}", violations.join("; ")) }
+    }
+}
+
+/// Solves `scene` by one route, and does not judge the answer: its status is that of the discrete problem alone.
+///
+/// A scene without a foundation needs no quadratic program and no solver: the beam is a simple beam.
 ///
 /// # Errors
 ///
@@ -67,63 +185,18 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
     };
     let state = methods::contact_state(discrete, nodal);
 
-    let verdict = Kkt::of(&scaled.scene, &state);
+    let kkt = Kkt::of(&scaled.scene, &state);
     let state = state.in_units_of(&scaled.scale);
-    let status = match verdict {
-        Some(kkt) if kkt.holds() && state.is_finite() => Status::Certified,
-        _ if claims_success => Status::NotCertified,
-        _ => Status::NotConverged,
-    };
+    let status = Status::of(kkt.is_some_and(|kkt| kkt.holds()) && state.is_finite(), claims_success);
     Ok(Outcome {
         state,
         status,
         solver_status: words,
         solver_claims_success: claims_success,
         own_residual,
-        residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
+        residual: kkt.map_or(f64::INFINITY, |kkt| kkt.residual()),
         unknowns,
         iterations,
         work,
     })
-}
-
-impl ContactState {
-    /// A dimensionless state in the units of its scene. All factors are powers of two: only exponents change.
-    #[must_use]
-    pub fn in_units_of(self, scale: &Scale) -> Self {
-        let Scale { length, depth, force } = *scale;
-        // A unit of one is frequent, and a million products are not free.
-        let times = |values: Vec<f64>, unit: f64| match unit {
-            1.0 => values,
-            _ => values.into_iter().map(|v| v * unit).collect(),
-        };
-        let extremes = |e: Extremes, unit: f64| Extremes {
-            max: e.max * unit,
-            max_at: e.max_at * length,
-            min: e.min * unit,
-            min_at: e.min_at * length,
-        };
-        let contact = |c: Contact| Contact {
-            from: c.from * length,
-            to: c.to * length,
-            force: c.force * force,
-            end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
-        };
-        Self {
-            regime: self.regime,
-            reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
-            contacts: self.contacts.into_iter().map(contact).collect(),
-            deflection: extremes(self.deflection, depth),
-            moment: extremes(self.moment, scale.moment()),
-            energy: self.energy * scale.energy(),
-            nodes: self.nodes.map(|nodes| Nodes {
-                bending: nodes.bending,
-                x: times(nodes.x, length),
-                deflection: times(nodes.deflection, depth),
-                clearance: times(nodes.clearance, depth),
-                contact_force: times(nodes.contact_force, force),
-                moment: times(nodes.moment, scale.moment()),
-            }),
-        }
-    }
 }

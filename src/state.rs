@@ -2,8 +2,11 @@
 
 use std::ops::ControlFlow;
 
+use crate::scene::Scale;
+
 /// Upward forces of the two supports \[force\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Reactions {
     /// At `x = 0`.
     pub left: f64,
@@ -13,6 +16,7 @@ pub struct Reactions {
 
 /// How much of the foundation the beam touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Regime {
     /// Nowhere.
     None,
@@ -67,6 +71,7 @@ impl Contact {
 
 /// The greatest and the least value of a quantity along the beam, and where they are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Extremes {
     /// Greatest value.
     pub max: f64,
@@ -163,8 +168,10 @@ pub enum Bending {
 
 /// Values at the interior nodes of a grid, `x_1 … x_n`.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Nodes {
     /// How the beam bends between them.
+    #[cfg_attr(feature = "cli", serde(skip))]
     pub bending: Bending,
     /// Places \[length\].
     pub x: Vec<f64>,
@@ -202,6 +209,45 @@ impl ContactState {
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         self.contacts.iter().map(|c| c.force).sum()
+    }
+
+    /// A dimensionless state in the units of its scene. All factors are powers of two: only exponents change.
+    #[must_use]
+    pub fn in_units_of(self, scale: &Scale) -> Self {
+        let Scale { length, depth, force } = *scale;
+        // A unit of one is frequent, and a million products are not free.
+        let times = |values: Vec<f64>, unit: f64| match unit {
+            1.0 => values,
+            _ => values.into_iter().map(|v| v * unit).collect(),
+        };
+        let extremes = |e: Extremes, unit: f64| Extremes {
+            max: e.max * unit,
+            max_at: e.max_at * length,
+            min: e.min * unit,
+            min_at: e.min_at * length,
+        };
+        let contact = |c: Contact| Contact {
+            from: c.from * length,
+            to: c.to * length,
+            force: c.force * force,
+            end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
+        };
+        Self {
+            regime: self.regime,
+            reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
+            contacts: self.contacts.into_iter().map(contact).collect(),
+            deflection: extremes(self.deflection, depth),
+            moment: extremes(self.moment, scale.moment()),
+            energy: self.energy * scale.energy(),
+            nodes: self.nodes.map(|nodes| Nodes {
+                bending: nodes.bending,
+                x: times(nodes.x, length),
+                deflection: times(nodes.deflection, depth),
+                clearance: times(nodes.clearance, depth),
+                contact_force: times(nodes.contact_force, force),
+                moment: times(nodes.moment, scale.moment()),
+            }),
+        }
     }
 
     /// Whether reactions, contacts, extremes and energy are numbers: in the units of a scene they may overflow.

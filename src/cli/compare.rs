@@ -2,11 +2,14 @@
 
 use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
+use palkki::text::{magnitude, magnitude_at_most, result};
 use palkki::{Settings, Witness, verdict::Demand};
+use serde::Serialize;
 
 use super::answer::{Answer, Route};
-use super::failure::Failure;
 use super::input::Input;
+use super::output::Failure;
+use super::table::{Labels, Row, table};
 
 /// All answers for one scene and one grid.
 #[derive(Debug)]
@@ -26,7 +29,7 @@ pub(super) struct Compared {
 }
 
 /// Relative differences from a reference, infinite where the reference is zero and the answer is not.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub(super) struct Difference {
     /// Whose answer the reference is.
     pub(super) reference: String,
@@ -43,7 +46,7 @@ impl Comparison {
     pub(super) fn of(input: &Input, intervals: usize) -> Result<Self, Failure> {
         let exact = Answer::of(input, Route::Exact(Demand::default())).ok();
         // One witness for all of them.
-        let witness = match exact.as_ref().and_then(|answer| answer.exact.as_deref()) {
+        let witness = match exact.as_ref().and_then(|answer| answer.solution.exact.as_deref()) {
             Some(exact) => Witness::known(&input.scene, exact),
             None => Witness::of(&input.scene),
         };
@@ -82,12 +85,12 @@ fn reference(answers: &[(Method, Answer)], method: Method) -> Option<&Answer> {
         Method::Displacement | Method::Force => Method::Force,
     };
     let found = answers.iter().find(|(m, answer)| *m == method && answer.solver == Solver::ActiveSet.word());
-    found.map(|(_, answer)| answer).filter(|answer| answer.status == Status::Certified)
+    found.map(|(_, answer)| answer).filter(|answer| answer.solution.verdict.status == Status::Certified)
 }
 
 impl Difference {
     fn between(answer: &Answer, reference: &Answer) -> Self {
-        let (a, b): (&ContactState, &ContactState) = (&answer.state, &reference.state);
+        let (a, b): (&ContactState, &ContactState) = (&answer.solution.state, &reference.solution.state);
         let (left, right) = (a.reactions.left - b.reactions.left, a.reactions.right - b.reactions.right);
         Self {
             reference: format!("{}/{}", reference.method, reference.solver),
@@ -110,4 +113,55 @@ fn larger(a: f64, b: f64) -> f64 {
 
 fn relative(difference: f64, size: f64) -> f64 {
     if difference == 0.0 { 0.0 } else { difference.abs() / size.abs() }
+}
+
+/// The routes, one a row.
+pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
+    let error =
+        |difference: &Option<Difference>| difference.as_ref().map_or_else(|| "–".to_owned(), |d| magnitude(d.worst()));
+    let rows: Vec<Row> = comparison
+        .routes
+        .iter()
+        .map(|compared| {
+            let answer = &compared.answer;
+            vec![
+                answer.method.to_owned(),
+                answer.solver.to_owned(),
+                answer.solution.verdict.status.to_string(),
+                magnitude(answer.solution.residual),
+                answer.solution.iterations.to_string(),
+                magnitude(answer.seconds),
+                result(answer.solution.state.reactions.left),
+                certified(answer.solution.verdict.error),
+                error(&compared.solver_error),
+                error(&compared.model_error),
+            ]
+        })
+        .collect();
+    let reaction = Labels::of(input.scene.units()).force("left reaction");
+    let header = [
+        "method",
+        "solver",
+        "status",
+        "residual",
+        "iterations",
+        "seconds",
+        &reaction,
+        "certified error",
+        "solver error",
+        "model error",
+    ];
+    let title = format!("{}, {} intervals", input.title(), comparison.intervals);
+    let mut text = table(&title, &header, &rows).trim_start().to_owned();
+    text.push_str(
+        "\nCertified error: at most this far is the deflection from that of the beam, relative to its largest value.\n\
+         Solver error: against the active-set answer on the same grid; model error: against beam theory.\n\
+         These two are the worst relative difference among end reactions, energy and largest deflection.\n",
+    );
+    text
+}
+
+/// An error that is guaranteed, if there is one.
+fn certified(error: f64) -> String {
+    if error.is_finite() { magnitude_at_most(error) } else { "–".to_owned() }
 }

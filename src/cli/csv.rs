@@ -20,7 +20,7 @@ const INTERVALS: u32 = 240;
 /// One row for each interior node, or for each sample of the exact solution. Numbers read back as the same `f64`; the
 /// clearance to no foundation is left empty.
 pub(super) fn table(scene: &Scene, answer: &Answer) -> String {
-    match (&answer.exact, answer.nodes()) {
+    match (&answer.solution.exact, answer.nodes()) {
         (Some(exact), _) => of_samples(scene, exact),
         (None, Some(nodes)) => of_nodes(nodes),
         (None, None) => of_nodes(&Nodes::default()),

@@ -1,8 +1,7 @@
 //! What is given, in words: the scene as the program understood it, before any answer.
 
 use palkki::scene::{Foundation, Scene, Units};
-
-use super::number::result;
+use palkki::text::result;
 
 /// Lines `(name, value)`: beam, loads and foundation.
 pub(super) fn given(scene: &Scene) -> Vec<(&'static str, String)> {

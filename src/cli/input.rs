@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use palkki::scene::file::{FileError, Problem, ReadProblem, parse, parse_forces};
 use palkki::scene::{Scene, SceneError};
 
-use super::failure::Failure;
+use super::output::Failure;
 
 /// Bytes of the largest survey, or file of contact forces, that is read: it has some millions of rows.
 const LARGEST_TABLE: u64 = 64 * 1024 * 1024;

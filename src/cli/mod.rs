@@ -9,33 +9,25 @@ mod arguments;
 mod certify;
 mod compare;
 mod csv;
-mod exact;
-mod failure;
 mod given;
-mod grids;
 mod input;
 mod json;
-mod labels;
-mod number;
 mod output;
 mod table;
 mod text;
-mod values;
 
 use std::process::ExitCode;
 
 use clap::{CommandFactory as _, Parser as _};
-use palkki::dial::Request;
+use palkki::adaptive::Request;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
-use self::arguments::{Arguments, Command, Common, Solve};
-use self::failure::Failure;
+use self::arguments::{Arguments, Command, Common, Format, Solve};
 use self::input::Input;
-use self::output::Files;
-use self::values::Format;
+use self::output::{Failure, Files};
 
 const CERTIFIED: u8 = 0;
 const NOT_CERTIFIED: u8 = 1;
@@ -98,14 +90,14 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     };
     files.publish()?;
     output::print(&text)?;
-    Ok(if answer.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+    Ok(if answer.solution.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
 /// The figure of `--plot`.
 fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
-    let curves = match &answer.exact {
+    let curves = match &answer.solution.exact {
         Some(exact) => Curves::exact(&input.scene, exact),
-        None => Curves::of(&input.scene, &answer.state)?,
+        None => Curves::of(&input.scene, &answer.solution.state)?,
     };
     let subtitle = match answer.intervals {
         Some(intervals) => format!("{} method, {}, {intervals} intervals", answer.method, answer.solver),
@@ -119,10 +111,10 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let input = Input::read(scene)?;
     let comparison = compare::Comparison::of(&input, arguments.intervals)?;
     output::print(&match format {
-        Format::Text => text::compare(&input, &comparison),
+        Format::Text => compare::text(&input, &comparison),
         Format::Json => json::compare(&input, &comparison),
     })?;
-    let certified = comparison.routes.iter().any(|route| route.answer.status == Status::Certified);
+    let certified = comparison.routes.iter().any(|route| route.answer.solution.verdict.status == Status::Certified);
     Ok(if certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
@@ -131,7 +123,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let input = Input::read(scene)?;
     let finding = certify::Finding::of(&input, arguments)?;
     output::print(&match format {
-        Format::Text => text::certify(&input, &finding),
+        Format::Text => certify::text(&input, &finding),
         Format::Json => json::certify(&input, &finding),
     })?;
     Ok(if finding.status() == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
@@ -154,7 +146,7 @@ impl Solve {
         };
         let solver = self.solver.map_or(arguments::DEFAULT_SOLVER, |solver| solver.0);
         if let Self { intervals: None, tolerance: Some(error), .. } = *self {
-            return Ok(Route::Dialled(Request::new(method, solver, error)));
+            return Ok(Route::Adaptive(Request::new(method, solver, error)));
         }
         Ok(Route::Discretised(palkki::Settings {
             method,

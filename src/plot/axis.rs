@@ -1,8 +1,8 @@
 //! Axes: a label with its unit, linear or logarithmic, and which way its numbers grow.
 
 use super::error::{PlotError, finite};
-use super::number::power_of_ten;
 use super::ticks::{Tick, linear_ticks, log_ticks};
+use crate::text::power_of_ten;
 
 /// How numbers are spread over an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

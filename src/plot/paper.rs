@@ -6,9 +6,10 @@ use super::axis::Axis;
 use super::error::{PlotError, finite, same_length};
 use super::figure::Figure;
 use super::layer::{Arrow, Arrows, Layer, Place, Reference};
-use super::number::{DIGITS, significant};
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
+use crate::plot::DIGITS;
+use crate::text::significant;
 
 // Discrepancy: figures-redrawn
 //

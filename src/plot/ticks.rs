@@ -1,6 +1,6 @@
 //! Labelled places along an axis: round numbers, or decades.
 
-use super::number::{decade, fixed, power_of_ten, significant, ten_to};
+use crate::text::{decade, fixed, power_of_ten, significant, ten_to};
 
 /// A labelled place on an axis.
 #[derive(Debug, Clone, PartialEq)]

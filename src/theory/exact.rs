@@ -43,13 +43,7 @@ impl Exact {
     pub(super) fn new(given: Given, found: Found, scale: Scale, stiffness: f64, founded: bool) -> Self {
         let state = summary::state(&given, &found, &scale, stiffness);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
-        let status = if found.certified() && overflow.is_none() {
-            Status::Certified
-        } else if found.converged {
-            Status::NotCertified
-        } else {
-            Status::NotConverged
-        };
+        let status = Status::of(found.certified() && overflow.is_none(), found.converged);
         let Found { list, checked, steps, lists, .. } = found;
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();

@@ -10,6 +10,7 @@ use crate::scene::{Scene, SceneError};
 
 /// A condition of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum ViolationKind {
     /// `p ≥ 0`: a force pulls.
     Tension,
@@ -33,8 +34,10 @@ impl ViolationKind {
 
 /// The worst violation of one condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Violation {
     /// Which condition.
+    #[cfg_attr(feature = "cli", serde(rename = "condition"))]
     pub kind: ViolationKind,
     /// Where \[length\].
     pub at: f64,

@@ -1,9 +1,10 @@
 //! The foundation as it is drawn below the beam.
 
+use crate::plot::DIGITS;
 use crate::plot::curves::Curves;
 use crate::plot::layer::Place;
-use crate::plot::number::{DIGITS, significant};
 use crate::scene::{Foundation, Scene};
+use crate::text::significant;
 
 /// The foundation as far as it is drawn.
 pub(super) struct Ground {

@@ -1,7 +1,8 @@
 //! Units and numbers as they are printed.
 
-use crate::plot::number::{DIGITS, significant};
+use crate::plot::DIGITS;
 use crate::scene::Units;
+use crate::text::significant;
 
 /// Units as they are printed; `None` where the scene names none.
 pub(super) struct UnitLabels {

@@ -1,7 +1,7 @@
 //! The matrices against each other, against (26), against beam formulas; structured solves against dense ones.
 
 use nalgebra::{DMatrix, DVector};
-use palkki::dial::observed_order;
+use palkki::adaptive::observed_order;
 use palkki::methods::{Discrete, Method, flexibility};
 use palkki::problem::{Dense, Programme, Sizes};
 use palkki::scene::{Foundation, Scene};

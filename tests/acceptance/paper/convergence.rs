@@ -3,7 +3,7 @@
 //!
 //! An exact solution and a discrete one share no line but the scene: a wrong exact solution would stop the errors from falling.
 
-use palkki::dial::observed_order;
+use palkki::adaptive::observed_order;
 use palkki::route::{Method, Solver, Status};
 use palkki::theory::solve;
 use palkki_evidence::paper::claims::accuracy;

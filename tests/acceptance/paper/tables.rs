@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use palkki::Witness;
-use palkki::dial::{End, Request, dial};
+use palkki::adaptive::{End, Request, adapt};
 use palkki::route::{Method, Solver, Status};
 use palkki::state::{Contact, ContactState, Extremes};
 use palkki::verdict::{Demand, Verdict};
@@ -131,9 +131,9 @@ fn certified_errors_of_every_scene() {
     assert_table!("errors", "Certified error of the deflection over the largest one, by the active set", table);
 }
 
-/// Beside it stands the true error of what is taken, in `dial`.
+/// Beside it stands the true error of what is taken, in `solvers::adaptive`.
 #[test]
-fn grids_that_the_dial_takes() {
+fn grids_for_a_demanded_error() {
     let errors = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
     let mut table = format!("{:<30}", "scene, method, error demanded");
     table.extend(errors.map(|error| format!("{error:>9.0e}")));
@@ -141,12 +141,12 @@ fn grids_that_the_dial_takes() {
         for method in Method::ALL {
             let _ = write!(table, "\n{:<30}", format!("{name} {method}"));
             for error in errors {
-                let taken = dial(&scene, &Request::new(method, Solver::ActiveSet, error)).expect("in range");
+                let taken = adapt(&scene, &Request::new(method, Solver::ActiveSet, error)).expect("in range");
                 let intervals = taken.settings.intervals.to_string();
                 let _ = write!(table, "{:>9}", if taken.end == End::Reached { intervals } else { "–".to_owned() });
             }
         }
     }
     table.push('\n');
-    assert_table!("dial", "Intervals that the dial takes for a demanded error, by the active set", table);
+    assert_table!("adaptive", "Intervals that a demanded error takes, by the active set", table);
 }

@@ -167,6 +167,31 @@ fn plots_know_no_method_and_no_solver() {
     none(&found, "a figure draws what it is given");
 }
 
+/// What gives a status: a variant that is neither compared with nor matched.
+fn gives_a_status(line: &str) -> Option<String> {
+    let code = code(line).trim();
+    let variants = ["Status::Certified", "Status::NotCertified", "Status::NotConverged"];
+    variants.iter().find_map(|variant| {
+        let (before, after) = code.split_once(variant)?;
+        let compared = before.trim_end().ends_with("==") || before.trim_end().ends_with("!=");
+        let matched = after.contains("=>") || after.trim_start().starts_with('|');
+        (!compared && !matched).then(|| format!("gives `{variant}`"))
+    })
+}
+
+#[test]
+fn only_the_verdict_gives_a_status() {
+    let mut library = files("src", ".rs");
+    for text in library.values_mut() {
+        *text = text.split("#[cfg(test)]").next().unwrap_or_default().to_owned();
+    }
+    let verdict = library.remove("src/verdict.rs").expect("the verdict is there");
+    assert!(verdict.lines().any(|line| code(line).contains("Self::Certified")), "the verdict gives it");
+    none(&offenders(&library, gives_a_status), "an answer is certified in one place");
+    assert!(gives_a_status("        let status = Status::Certified;").is_some(), "a status that is given is found");
+    assert_eq!(gives_a_status("if exact.status == Status::Certified {"), None, "a comparison gives none");
+}
+
 /// Modules of the standard library that reach the world, and types that read a clock.
 const WORLD: [&str; 7] = ["fs", "io", "env", "net", "process", "time", "thread"];
 const CLOCKS: [&str; 2] = ["Instant", "SystemTime"];

@@ -1,7 +1,7 @@
-//! Solvers: where contact is hard to find, what they cost, what libraries do at the edge, which grid the dial takes.
+//! Solvers: where contact is hard to find, what they cost, what libraries do at the edge, which grid an accuracy asked for takes.
 
 mod costs;
-mod dial;
+mod adaptive;
 mod exchanges;
 mod libraries;
 mod windows;

@@ -3,8 +3,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use palkki::adaptive::{End, Request, adapt};
 use palkki::certificate::Kkt;
-use palkki::dial::{End, Request, dial};
 use palkki::methods::{Discrete, Method, contact_state};
 use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
@@ -137,15 +137,16 @@ fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
             })
         }
         Route::Adaptive(method, solver) => {
-            let found = dial(scene, &Request::new(method, solver, job.tolerance)).map_err(|error| error.to_string())?;
+            let found =
+                adapt(scene, &Request::new(method, solver, job.tolerance)).map_err(|error| error.to_string())?;
             Ok(Measured {
-                status: found.verdict.status,
+                status: found.solution.verdict.status,
                 claims_success: found.end == End::Reached,
-                residual: found.outcome.residual,
-                iterations: found.tries.iter().map(|tried| tried.iterations).sum(),
-                unknowns: found.outcome.unknowns,
-                adaptive: Some((found.settings.intervals, found.verdict.error)),
-                ..Measured::untimed(found.outcome.state)
+                residual: found.solution.residual,
+                iterations: found.trials.iter().map(|tried| tried.iterations).sum(),
+                unknowns: found.solution.unknowns,
+                adaptive: Some((found.settings.intervals, found.solution.verdict.error)),
+                ..Measured::untimed(found.solution.state)
             })
         }
         Route::Repair(solver) => repair(scene, solver, job).map_err(|error| error.to_string()),

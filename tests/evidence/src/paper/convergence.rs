@@ -3,7 +3,7 @@
 //! The exact solution and a discrete one have nothing in common but the scene: one has a list of contacts and no grid, the
 //! other a grid and no list. That the second comes ever closer to the first confirms both.
 
-use palkki::dial::observed_order;
+use palkki::adaptive::observed_order;
 use palkki::methods::Method;
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::Solver;

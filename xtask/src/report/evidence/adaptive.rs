@@ -1,7 +1,7 @@
 //! The adaptive grid: an error that is demanded, the grid that it takes, and the error that is true.
 
 use minijinja::context;
-use palkki::dial::{Dialled, End, Request, dial};
+use palkki::adaptive::{Adapted, End, Request, adapt};
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
@@ -42,7 +42,7 @@ struct Run {
     scene: &'static str,
     route: String,
     exponent: i32,
-    found: Dialled,
+    found: Adapted,
     /// The largest difference of a nodal deflection from the exact solution, over the largest deflection.
     truth: f64,
 }
@@ -54,7 +54,7 @@ impl Run {
 
     /// Unknowns that all solves went through, over all grids.
     fn work(&self) -> usize {
-        self.found.tries.iter().map(|tried| tried.work).sum()
+        self.found.trials.iter().map(|tried| tried.work).sum()
     }
 
     fn is_of(&self, scene: &str, (method, solver, _): (Method, Solver, usize)) -> bool {
@@ -70,7 +70,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         for (method, solver, most_intervals) in ROUTES {
             for exponent in DEMANDED {
                 let request = Request { most_intervals, ..Request::new(method, solver, 10_f64.powi(exponent)) };
-                let found = dial(&scene, &request)?;
+                let found = adapt(&scene, &request)?;
                 let truth = truth(&found, &exact)?;
                 let run = Run { scene: name, route: format!("{method}/{solver}"), exponent, found, truth };
                 // A smaller error ends in the same place.
@@ -90,17 +90,17 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         everywhere => everywhere.to_string(),
         most => MOST,
         runs => runs.len(),
-        truthful => runs.iter().filter(|run| run.truth <= run.found.verdict.error).count(),
+        truthful => runs.iter().filter(|run| run.truth <= run.found.solution.verdict.error).count(),
     })
     .figure("adaptive", svg, data)
     .data("adaptive-everywhere", everywhere_csv))
 }
 
-fn truth(found: &Dialled, exact: &Exact) -> Result<f64, Cause> {
-    let nodes = found.outcome.state.nodes.as_ref().ok_or("a discretised state has nodes")?;
+fn truth(found: &Adapted, exact: &Exact) -> Result<f64, Cause> {
+    let nodes = found.solution.state.nodes.as_ref().ok_or("a discretised state has nodes")?;
     let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
     // The same size as that of the certified error.
-    let deflection = found.outcome.state.deflection;
+    let deflection = found.solution.state.deflection;
     Ok(apart.fold(0.0, f64::max) / deflection.max.max(-deflection.min))
 }
 
@@ -108,8 +108,8 @@ fn truth(found: &Dialled, exact: &Exact) -> Result<f64, Cause> {
 fn steps(runs: &[Run]) -> Table {
     let ours = runs.iter().filter(|run| run.is_of(SCENES[0], ROUTES[0]));
     let rows = ours.map(|run| {
-        let grids: Vec<String> = run.found.tries.iter().map(|tried| tried.intervals.to_string()).collect();
-        let errors = [run.found.verdict.error, run.truth].map(|error| cell(Some(error), 2));
+        let grids: Vec<String> = run.found.trials.iter().map(|tried| tried.intervals.to_string()).collect();
+        let errors = [run.found.solution.verdict.error, run.truth].map(|error| cell(Some(error), 2));
         [power(run.exponent), grids.join(", "), errors[0].clone(), errors[1].clone(), count(run.work())]
     });
     Table::new(["EPS", "grids tried, intervals", "certified error", "true error", "unknowns gone through"]).rows(rows)
@@ -167,8 +167,8 @@ fn everywhere(study: &Study<'_>) -> Result<(Table, String), Cause> {
 
 fn demanded(scene: &Scene, exponent: i32) -> Result<(usize, Option<f64>, bool), Cause> {
     let request = Request::new(Method::Force, Solver::ActiveSet, 10_f64.powi(exponent));
-    let found = dial(scene, &Request { most_intervals: MOST, ..request })?;
-    let error = Some(found.verdict.error).filter(|error| error.is_finite());
+    let found = adapt(scene, &Request { most_intervals: MOST, ..request })?;
+    let error = Some(found.solution.verdict.error).filter(|error| error.is_finite());
     Ok((found.settings.intervals, error, found.end == End::Reached))
 }
 
@@ -182,7 +182,8 @@ fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
         ROUTES.into_iter().enumerate().fold(panel.with(demanded), |panel, (i, route)| {
             let reached = runs.iter().filter(|run| run.is_of(scene, route) && run.reached());
             // From small errors to large ones: names stand at the right.
-            let points = reached.rev().map(|run| [10_f64.powi(run.exponent), run.found.verdict.error]).collect();
+            let points =
+                reached.rev().map(|run| [10_f64.powi(run.exponent), run.found.solution.verdict.error]).collect();
             let label = format!("{}, {}", route.0, route.1);
             panel.with(Layer::Series { points, style: Style::of_series(i), label })
         })
@@ -194,7 +195,7 @@ fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
             format!("1e{}", run.exponent),
             if run.reached() { "reached" } else { "not reached" }.to_owned(),
             run.found.settings.intervals.to_string(),
-            scientific(run.found.verdict.error, 2),
+            scientific(run.found.solution.verdict.error, 2),
             scientific(run.truth.max(FLOOR), 2),
             run.work().to_string(),
         ]

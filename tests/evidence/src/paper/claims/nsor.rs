@@ -8,7 +8,7 @@
 
 use super::{Claim, Verdict};
 use crate::paper::{INTERVALS, example};
-use palkki::dial::observed_order;
+use palkki::adaptive::observed_order;
 use palkki::methods::Method;
 use palkki::scene::SceneError;
 use palkki::solvers::Solver;

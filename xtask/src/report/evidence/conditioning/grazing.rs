@@ -5,7 +5,7 @@
 //! with clearance the error goes like `μ`.
 
 use minijinja::{Value, context};
-use palkki::dial::observed_order;
+use palkki::adaptive::observed_order;
 use palkki::methods::{Discrete, Method, free_beam};
 use palkki::plot::{Axis, Figure, Layer, Panel, Style};
 use palkki::route::{Solver, Status};

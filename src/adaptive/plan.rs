@@ -11,7 +11,7 @@
 //! compared with one that is too fine.
 
 use super::order::observed_order;
-use super::{End, Request, Try, breaks};
+use super::{End, Request, Trial, breaks};
 use crate::route::Solver;
 use crate::scene::Scene;
 use crate::solve::DEFAULT_TOLERANCE;
@@ -95,9 +95,9 @@ impl Plan {
         (self.fitting(START).min(self.most), self.loose)
     }
 
-    /// What comes after these tries, of which there is at least one.
-    pub(super) fn next(&self, tries: &[Try]) -> Next {
-        let Some(last) = tries.last() else {
+    /// What comes after these trials, of which there is at least one.
+    pub(super) fn next(&self, trials: &[Trial]) -> Next {
+        let Some(last) = trials.last() else {
             let (intervals, tolerance) = self.start();
             return Next::Solve { intervals, tolerance };
         };
@@ -111,24 +111,25 @@ impl Plan {
         if unsolved || refusal == Refusal::NoNumbers {
             return Next::End(End::Failed { intervals: last.intervals, refusal });
         }
-        if stalled(tries) {
+        if stalled(trials) {
             return Next::End(End::Stalled { intervals: last.intervals });
         }
         let finest = self.finest();
         if finest <= last.intervals {
             return Next::End(End::Limit { intervals: last.intervals });
         }
-        let intervals = self.fitting(self.predicted(tries, last)).min(finest);
-        Next::Solve { intervals, tolerance: self.tolerance(tries, last) }
+        let intervals = self.fitting(self.predicted(trials, last)).min(finest);
+        Next::Solve { intervals, tolerance: self.tolerance(trials, last) }
     }
 
     /// The grid that the errors so far predict, at most a step away.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive number far below 2⁵³")]
-    fn predicted(&self, tries: &[Try], last: &Try) -> usize {
-        let aligned = |t: &&Try| t.intervals.is_multiple_of(self.common) == last.intervals.is_multiple_of(self.common);
-        let mut known: Vec<&Try> = Vec::new();
-        for t in tries.iter().rev().filter(aligned) {
-            // Of several tries on one grid the last is the best.
+    fn predicted(&self, trials: &[Trial], last: &Trial) -> usize {
+        let aligned =
+            |t: &&Trial| t.intervals.is_multiple_of(self.common) == last.intervals.is_multiple_of(self.common);
+        let mut known: Vec<&Trial> = Vec::new();
+        for t in trials.iter().rev().filter(aligned) {
+            // Of several trials on one grid the last is the best.
             if known.iter().all(|k| k.intervals != t.intervals) && known.len() < FITTED {
                 known.push(t);
             }
@@ -170,8 +171,8 @@ impl Plan {
     }
 
     /// A solver that had to be asked more strictly, and was better for it, is asked like that from now on.
-    fn tolerance(&self, tries: &[Try], last: &Try) -> f64 {
-        let first = tries.iter().find(|t| t.intervals == last.intervals).unwrap_or(last);
+    fn tolerance(&self, trials: &[Trial], last: &Trial) -> f64 {
+        let first = trials.iter().find(|t| t.intervals == last.intervals).unwrap_or(last);
         let helped = last.error < 0.5 * first.error || self.demand.residual < first.residual;
         if helped || first.tolerance < self.loose { last.tolerance } else { self.loose }
     }
@@ -183,13 +184,13 @@ fn as_number(intervals: usize) -> f64 {
 }
 
 /// Whether refinement by [`STALL`] has not even halved the error.
-fn stalled(tries: &[Try]) -> bool {
-    let least = |tries: &mut dyn Iterator<Item = &Try>| tries.map(|t| t.error).fold(f64::INFINITY, f64::min);
-    let finest = tries.last().map_or(0, |t| t.intervals);
-    let old = |t: &&Try| t.intervals <= finest / STALL;
-    let before = least(&mut tries.iter().filter(old));
-    let since = least(&mut tries.iter().filter(|t| !old(t)));
-    tries.iter().any(|t| old(&t)) && 0.5 * before <= since
+fn stalled(trials: &[Trial]) -> bool {
+    let least = |trials: &mut dyn Iterator<Item = &Trial>| trials.map(|t| t.error).fold(f64::INFINITY, f64::min);
+    let finest = trials.last().map_or(0, |t| t.intervals);
+    let old = |t: &&Trial| t.intervals <= finest / STALL;
+    let before = least(&mut trials.iter().filter(old));
+    let since = least(&mut trials.iter().filter(|t| !old(t)));
+    trials.iter().any(|t| old(&t)) && 0.5 * before <= since
 }
 
 #[cfg(test)]
@@ -206,11 +207,11 @@ mod tests {
     }
 
     /// A grid on which the error is `law(N)`.
-    fn tried(plan: &Plan, (intervals, tolerance): (usize, f64), law: impl Fn(f64) -> f64) -> Try {
+    fn tried(plan: &Plan, (intervals, tolerance): (usize, f64), law: impl Fn(f64) -> f64) -> Trial {
         let error = law(as_number(intervals));
         let refusal = (plan.error < error).then_some(Refusal::Error { share: error, most: plan.error });
         let (residual, contacts_proven, claims_success) = (0.0, true, true);
-        Try {
+        Trial {
             intervals,
             tolerance,
             unknowns: 0,
@@ -227,11 +228,11 @@ mod tests {
     /// The grids for a law, and how it ended.
     fn search(error: f64, law: impl Fn(f64) -> f64) -> (Vec<usize>, End) {
         let plan = plan(error);
-        let mut tries = vec![tried(&plan, plan.start(), &law)];
+        let mut trials = vec![tried(&plan, plan.start(), &law)];
         loop {
-            match plan.next(&tries) {
-                Next::Solve { intervals, tolerance } => tries.push(tried(&plan, (intervals, tolerance), &law)),
-                Next::End(end) => return (tries.iter().map(|t| t.intervals).collect(), end),
+            match plan.next(&trials) {
+                Next::Solve { intervals, tolerance } => trials.push(tried(&plan, (intervals, tolerance), &law)),
+                Next::End(end) => return (trials.iter().map(|t| t.intervals).collect(), end),
             }
         }
     }

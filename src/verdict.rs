@@ -15,18 +15,37 @@
 //! `deflection_error`. Where an error *is* demanded ([`crate::dial`]), the guaranteed error counts in what the solver left
 //! undone, and so the residual has to be no smaller than a tenth of what is demanded.
 //!
-//! [`Outcome::status`] is the first row alone: the verdict on the discrete problem.
+//! [`Outcome::status`] is the first row alone, and [`Exact::status`] that of beam theory: what they solved is their own problem.
+//!
+//! Contact forces from elsewhere are accepted if the deflection that they cause is certain to a hundredth of its largest value.
+//!
+//! ```
+//! use palkki::Witness;
+//! use palkki::certificate::{ContactLoad, Judged, certify};
+//! use palkki::route::Status;
+//! use palkki::scene::{Beam, Foundation, Load, Scene};
+//! use palkki::verdict::status_of_forces;
+//!
+//! let beam = Beam::new(10.0, 500.0 / 384.0)?;
+//! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! // What some program found: places, and forces of the foundation on the beam, upwards.
+//! let forces = ContactLoad::new(10.0, vec![(2.4, 1.45), (3.2, 0.9), (4.1, 0.9), (5.0, 1.1), (5.9, 0.9), (6.8, 0.9), (7.6, 1.45)])?;
+//! // Bounds are proven from a list of contacts: that of beam theory, if it has one.
+//! let witness = Witness::of(&scene);
+//! let certificate = certify(&scene, Judged::Forces(&forces), witness.contacts(7, &[]))?;
+//! assert!(certificate.energy_lower <= certificate.energy_upper);
+//! assert_eq!(status_of_forces(&certificate), Status::NotCertified, "off by up to {}", certificate.deflection_error);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-mod refusal;
+use std::fmt;
 
 use crate::certificate::{ACCEPTED_ERROR, CERTIFIED_RESIDUAL, Certificate, Judged, certify};
-use crate::route::{Outcome, Status};
+use crate::route::Outcome;
 use crate::scene::Scene;
 use crate::state::ContactState;
 use crate::theory::Exact;
 use crate::witness::Witness;
-
-pub use self::refusal::Refusal;
 
 /// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
 /// guaranteed error.
@@ -34,6 +53,46 @@ const ROUNDING: f64 = 1e-12;
 
 /// The same for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
 const ENERGY: f64 = 1e-9;
+
+/// Our own verdict on an answer. A solver's own word is never it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+pub enum Status {
+    /// The answer passes our own check.
+    Certified,
+    /// An answer came back and fails it.
+    NotCertified,
+    /// The solver gave up, and what it had fails our check.
+    NotConverged,
+}
+
+impl Status {
+    /// The only place that says certified: of an answer that passes its checks, whatever its solver reports. Of one that does not
+    /// it depends on whether the solver reports success.
+    pub(crate) fn of(passes: bool, reports_success: bool) -> Self {
+        match (passes, reports_success) {
+            (true, _) => Self::Certified,
+            (false, true) => Self::NotCertified,
+            (false, false) => Self::NotConverged,
+        }
+    }
+
+    /// The word that JSON and report use.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Certified => "certified",
+            Self::NotCertified => "not-certified",
+            Self::NotConverged => "not-converged",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
 
 /// What an answer has to be worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +120,77 @@ impl Demand {
     }
 }
 
+/// Why an answer is not certified.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Refusal {
+    /// It does not solve its own discrete problem.
+    #[error("the residual of its discrete problem is {residual:.1e}, more than {most:.0e}")]
+    Residual {
+        /// The worst of the KKT residuals.
+        residual: f64,
+        /// What was allowed.
+        most: f64,
+    },
+    /// It violates conditions of beam theory.
+    #[error(
+        "it violates a condition of beam theory by {residual:.1e}, relative to the largest deflection, force or moment"
+    )]
+    Theory {
+        /// The worst violation.
+        residual: f64,
+    },
+    /// Its contact forces are no numbers, so that nothing can be said about them.
+    #[error("its contact forces are not all numbers")]
+    NoNumbers,
+    /// Nothing could be proven for the continuous beam.
+    #[error("no finite bounds for the continuous beam could be proven from its contact forces")]
+    Unbounded,
+    /// The bounds contradict each other; there is no such certificate.
+    #[error(
+        "its bounds contradict each other: the energy lies above {lower:?} and below {upper:?}, with a gap of {gap:?}"
+    )]
+    Contradiction {
+        /// Lower bound of the energy.
+        lower: f64,
+        /// Upper bound.
+        upper: f64,
+        /// Bound on their distance.
+        gap: f64,
+    },
+    /// Its largest deflection is not the one that its contacts make.
+    #[error(
+        "its largest deflection is {own:?}, but its contacts make it {judged:?} with an error of at most {error:.1e}"
+    )]
+    Deflection {
+        /// Its own.
+        own: f64,
+        /// That of the contacts.
+        judged: f64,
+        /// The guaranteed error.
+        error: f64,
+    },
+    /// Its energy is not between the bounds that its contacts prove.
+    #[error("its energy is {own:?}, but its contacts prove that it lies between {lower:?} and {upper:?}")]
+    Energy {
+        /// Its own.
+        own: f64,
+        /// Lower bound.
+        lower: f64,
+        /// Upper bound.
+        upper: f64,
+    },
+    /// The guaranteed error is larger than what was demanded.
+    #[error(
+        "its guaranteed error is {share:.1e} of the largest deflection, more than the {most:.1e} that was demanded"
+    )]
+    Error {
+        /// Guaranteed error over the largest deflection.
+        share: f64,
+        /// What was demanded.
+        most: f64,
+    },
+}
+
 /// What the judge's measures come to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
@@ -80,8 +210,8 @@ impl Verdict {
     pub fn of_outcome(outcome: &Outcome, witness: &Witness<'_>, demand: &Demand) -> Self {
         let own = (!within(outcome.residual, demand.residual))
             .then_some(Refusal::Residual { residual: outcome.residual, most: demand.residual });
-        let failed = if outcome.solver_claims_success { Status::NotCertified } else { Status::NotConverged };
-        Self::new(certificate(&outcome.state, witness), &outcome.state, own, demand, failed)
+        let certificate = certificate(&outcome.state, witness);
+        Self::new(certificate, &outcome.state, own, demand, outcome.solver_claims_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.
@@ -93,8 +223,7 @@ impl Verdict {
             Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state)),
             Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
         };
-        let failed = if exact.status == Status::NotConverged { Status::NotConverged } else { Status::NotCertified };
-        Self::new(certificate, &exact.state, own, demand, failed)
+        Self::new(certificate, &exact.state, own, demand, exact.status != Status::NotConverged)
     }
 
     fn new(
@@ -102,13 +231,13 @@ impl Verdict {
         state: &ContactState,
         own: Option<Refusal>,
         demand: &Demand,
-        failed: Status,
+        reports_success: bool,
     ) -> Self {
         let error = certificate.as_ref().map_or(f64::INFINITY, |c| share(c.deflection_error, largest(state)));
         let refusal = own.or_else(|| certificate.as_ref().map_or(Some(Refusal::NoNumbers), flaw)).or_else(|| {
             demand.error.filter(|most| !within(error, *most)).map(|most| Refusal::Error { share: error, most })
         });
-        let status = if refusal.is_none() { Status::Certified } else { failed };
+        let status = Status::of(refusal.is_none(), reports_success);
         Self { status, certificate, error, refusal }
     }
 }
@@ -124,6 +253,12 @@ pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certif
         return None;
     }
     certify(witness.scene(), Judged::Nodes(nodes), witness.contacts(nodes.x.len(), &state.contacts)).ok()
+}
+
+/// Of forces from somebody who says nothing of a grid, see [`accepts`].
+#[must_use]
+pub fn status_of_forces(certificate: &Certificate) -> Status {
+    Status::of(accepts(certificate), true)
 }
 
 /// Whether forces from somebody who says nothing of a grid are accepted: their certificate is one, and the deflection that they

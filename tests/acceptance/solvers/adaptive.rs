@@ -1,6 +1,6 @@
-//! The dial: what is demanded is reached, truly and without waste, or it is said that it is not.
+//! Adaptive grids: what is demanded is reached, truly and without waste, or it is said that it is not.
 
-use palkki::dial::{Dialled, End, Request, dial};
+use palkki::adaptive::{Adapted, End, Request, adapt};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::theory;
@@ -8,24 +8,24 @@ use palkki::theory;
 use crate::scenes;
 
 /// The largest difference of the nodes from beam theory, over the largest deflection.
-fn true_error(scene: &Scene, dialled: &Dialled) -> f64 {
+fn true_error(scene: &Scene, adapted: &Adapted) -> f64 {
     let exact = theory::solve(scene).expect("the scenes of the report have exact solutions");
-    let nodes = dialled.outcome.state.nodes.as_ref().expect("a discretised state has nodes");
+    let nodes = adapted.solution.state.nodes.as_ref().expect("a discretised state has nodes");
     let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
-    let deflection = dialled.outcome.state.deflection;
+    let deflection = adapted.solution.state.deflection;
     apart.fold(0.0, f64::max) / deflection.max.max(-deflection.min)
 }
 
 /// Solves a scene of the report to an error that has to be reached.
 #[track_caller]
-fn reached(name: &str, request: &Request) -> Dialled {
+fn reached(name: &str, request: &Request) -> Adapted {
     let scene = scenes::scene(name);
-    let dialled = dial(&scene, request).expect("the scene can be scaled");
-    let told = || format!("{name}, {request:?}: {:?}", dialled.tries);
-    assert_eq!((dialled.end, dialled.verdict.status), (End::Reached, Status::Certified), "{}", told());
-    assert!(dialled.verdict.error <= request.error, "{}", told());
-    assert!(true_error(&scene, &dialled) <= dialled.verdict.error, "{}", told());
-    dialled
+    let adapted = adapt(&scene, request).expect("the scene can be scaled");
+    let told = || format!("{name}, {request:?}: {:?}", adapted.trials);
+    assert_eq!((adapted.end, adapted.solution.verdict.status), (End::Reached, Status::Certified), "{}", told());
+    assert!(adapted.solution.verdict.error <= request.error, "{}", told());
+    assert!(true_error(&scene, &adapted) <= adapted.solution.verdict.error, "{}", told());
+    adapted
 }
 
 #[test]
@@ -53,8 +53,8 @@ fn what_is_demanded_is_reached_by_the_other_solvers() {
 #[test]
 fn a_loose_demand_is_cheaper() {
     let work = |error| {
-        let dialled = reached("heinisuo-1984", &Request::new(Method::Displacement, Solver::Osqp, error));
-        dialled.tries.iter().map(|t| t.iterations).max().unwrap_or(0)
+        let adapted = reached("heinisuo-1984", &Request::new(Method::Displacement, Solver::Osqp, error));
+        adapted.trials.iter().map(|t| t.iterations).max().unwrap_or(0)
     };
     assert!(work(1e-1) < work(1e-3), "osqp iterates longer for more digits");
 }
@@ -64,13 +64,13 @@ fn a_loose_demand_is_cheaper() {
 fn no_more_than_necessary() {
     for error in [1e-2, 1e-4, 1e-6] {
         let request = Request::new(Method::Force, Solver::ActiveSet, error);
-        let dialled = reached("heinisuo-1984", &request);
-        let intervals = dialled.settings.intervals;
-        let all: usize = dialled.tries.iter().map(|t| t.intervals).sum();
-        assert!(all <= 2 * intervals, "{error}: {:?}", dialled.tries);
+        let adapted = reached("heinisuo-1984", &request);
+        let intervals = adapted.settings.intervals;
+        let all: usize = adapted.trials.iter().map(|t| t.intervals).sum();
+        assert!(all <= 2 * intervals, "{error}: {:?}", adapted.trials);
         let half = Request { most_intervals: intervals / 2, ..request };
         let scene = scenes::scene("heinisuo-1984");
-        let best = dial(&scene, &half).expect("the scene can be scaled");
+        let best = adapt(&scene, &half).expect("the scene can be scaled");
         assert_ne!(best.end, End::Reached, "{error} is reached with {} intervals", best.settings.intervals);
     }
 }
@@ -79,19 +79,19 @@ fn no_more_than_necessary() {
 fn what_cannot_be_reached_is_not_certified() {
     let scene = scenes::scene("ridge");
     let request = Request { most_intervals: 100, ..Request::new(Method::Force, Solver::ActiveSet, 1e-6) };
-    let dialled = dial(&scene, &request).expect("the scene can be scaled");
-    assert_eq!(dialled.end, End::Limit { intervals: 100 });
-    assert_eq!(dialled.verdict.status, Status::NotCertified);
-    let least = dialled.tries.iter().map(|t| t.error).fold(f64::INFINITY, f64::min);
-    assert_eq!(dialled.verdict.error.to_bits(), least.to_bits(), "the best answer comes back");
+    let adapted = adapt(&scene, &request).expect("the scene can be scaled");
+    assert_eq!(adapted.end, End::Limit { intervals: 100 });
+    assert_eq!(adapted.solution.verdict.status, Status::NotCertified);
+    let least = adapted.trials.iter().map(|t| t.error).fold(f64::INFINITY, f64::min);
+    assert_eq!(adapted.solution.verdict.error.to_bits(), least.to_bits(), "the best answer comes back");
 
     let request = Request::new(Method::Force, Solver::FourStep, 1e-6);
-    let dialled = dial(&scene, &request).expect("the scene can be scaled");
-    assert!(matches!(dialled.end, End::Failed { .. }), "{:?}", dialled.end);
+    let adapted = adapt(&scene, &request).expect("the scene can be scaled");
+    assert!(matches!(adapted.end, End::Failed { .. }), "{:?}", adapted.end);
 
     // Less than rounding: a beam that lifts off nowhere, so that finer grids cost little.
     let scene = scenes::scene("kink");
-    let dialled =
-        dial(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-15)).expect("the scene can be scaled");
-    assert_ne!((dialled.end, dialled.verdict.status), (End::Reached, Status::Certified));
+    let adapted =
+        adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-15)).expect("the scene can be scaled");
+    assert_ne!((adapted.end, adapted.solution.verdict.status), (End::Reached, Status::Certified));
 }

@@ -1,7 +1,5 @@
-//! Numbers as a reader wants them in a figure: few digits, a real minus sign, powers of ten as such.
-
-/// Digits of a value that is written beside the point that it belongs to.
-pub(super) const DIGITS: usize = 4;
+//! Numbers as text: for a reader of figures and documents, with a real minus sign and powers of ten as such, and for tables
+//! that another program may read as well.
 
 /// `value` to `digits` significant digits, without trailing zeros; `2.5·10⁻⁷` where that is shorter.
 #[must_use]
@@ -17,7 +15,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     if (-3..=5).contains(&exponent) {
         let decimals = usize::try_from(-exponent).map_or_else(
             |_| digits.saturating_sub(1).saturating_sub(exponent.unsigned_abs() as usize),
-            |small| digits - 1 + small,
+            |small| digits.saturating_sub(1) + small,
         );
         typeset(trimmed(&format!("{value:.decimals$}")))
     } else {
@@ -27,13 +25,13 @@ pub fn significant(value: f64, digits: usize) -> String {
 
 /// `value` with a fixed number of decimals, as the labels along an axis are written.
 #[must_use]
-pub(super) fn fixed(value: f64, decimals: usize) -> String {
+pub fn fixed(value: f64, decimals: usize) -> String {
     typeset(&format!("{value:.decimals$}"))
 }
 
 /// `10ⁿ`, with raised digits.
 #[must_use]
-pub(super) fn power_of_ten(exponent: i32) -> String {
+pub fn power_of_ten(exponent: i32) -> String {
     let digits = exponent.to_string();
     let raised = digits.chars().map(|c| match c {
         '-' => '⁻',
@@ -52,12 +50,14 @@ pub(super) fn power_of_ten(exponent: i32) -> String {
 }
 
 /// `10ⁿ` as the nearest `f64`. Reading it from text rounds correctly everywhere, which `powi` does not promise.
-pub(super) fn ten_to(exponent: i32) -> f64 {
+#[must_use]
+pub fn ten_to(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
 }
 
 /// The largest `n` with `10ⁿ ≤ |value|`, for a finite value that is not zero.
-pub(super) fn decade(value: f64) -> i32 {
+#[must_use]
+pub fn decade(value: f64) -> i32 {
     let scientific = format!("{value:e}");
     scientific.split_once('e').and_then(|(_, n)| n.parse().ok()).unwrap_or(0)
 }
@@ -74,6 +74,68 @@ fn typeset(text: &str) -> String {
         Some(rest) => format!("−{rest}"),
         None => text.to_owned(),
     }
+}
+
+/// Significant digits of a [`result`].
+const DIGITS: usize = 10;
+
+/// A result: ten significant digits, without trailing zeros.
+#[must_use]
+pub fn result(value: f64) -> String {
+    plain(value, DIGITS)
+}
+
+/// A residual, an error or a time: two digits and its order of magnitude.
+#[must_use]
+pub fn magnitude(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+/// A lower bound: as [`result`], but never above the number.
+#[must_use]
+pub fn at_least(value: f64) -> String {
+    bounding(value, result, -SLACK, |shown, value| shown <= value)
+}
+
+/// An upper bound: as [`result`], but never below the number.
+#[must_use]
+pub fn at_most(value: f64) -> String {
+    bounding(value, result, SLACK, |shown, value| value <= shown)
+}
+
+/// An upper bound of which only the size is of interest: as [`magnitude`], but never below the number.
+#[must_use]
+pub fn magnitude_at_most(value: f64) -> String {
+    /// A tenth of a unit in the second digit, or less.
+    const SLACK: f64 = 0.01;
+    bounding(value, magnitude, SLACK, |shown, value| value <= shown)
+}
+
+/// Steps of a tenth of a unit in the last of [`DIGITS`] digits, as a share, or less.
+const SLACK: f64 = 1e-10;
+
+/// The text of `value`, or of the next number in steps of `slack` whose text is a bound.
+fn bounding(value: f64, text: impl Fn(f64) -> String, slack: f64, bounds: impl Fn(f64, f64) -> bool) -> String {
+    /// A unit in the last digit is at most ten steps.
+    const STEPS: i32 = 12;
+    let mut shown = (0..STEPS).map(|k| text(value + f64::from(k) * slack * value.abs()));
+    shown.find(|shown| shown.parse().is_ok_and(|shown| bounds(shown, value))).unwrap_or_else(|| value.to_string())
+}
+
+/// `value` to `digits` significant digits, without trailing zeros; `2.5e-7` where a row of zeros would have to be counted.
+fn plain(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        // Also −0, which means nothing to a reader.
+        return if value == 0.0 { "0".to_owned() } else { value.to_string() };
+    }
+    let scientific = format!("{value:.*e}", digits - 1);
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if !(-4..9).contains(&exponent) {
+        return format!("{}e{exponent}", trimmed(mantissa));
+    }
+    let decimals = i32::try_from(digits).unwrap_or(i32::MAX) - 1 - exponent;
+    trimmed(&format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))).to_owned()
 }
 
 #[cfg(test)]

@@ -1,0 +1,275 @@
+//! Adaptive grids: how accurate an answer has to be chooses the grid, not the other way round.
+//!
+//! ```text
+//! deflection_error ≤ EPS · max |v|      guaranteed, for the continuous beam, with the least work
+//! ```
+//!
+//! Grids are refined until the certificate of the answer is good enough. Which grid that will be is predicted from the
+//! observed order of convergence (module `plan`), nodes are put where the scene breaks (module `breaks`), and an iterative
+//! solver is asked for no more than is of use. The guaranteed error has everything in it: that of the grid, of its
+//! nodal loads, of the solver and of rounding.
+//!
+//! ```text
+//! residual demanded     EPS/10, at least CERTIFIED_RESIDUAL     by the judge
+//! tolerance asked       EPS/100, at least DEFAULT_TOLERANCE     of an iterative solver
+//! ```
+//!
+//! If the answer to such a loose question fails the judge, or if its own contacts have to serve as a witness and cannot be
+//! proven, the solver is asked more strictly on the same grid before a finer one is tried.
+//!
+//! ```
+//! use palkki::adaptive::{Request, adapt};
+//! use palkki::route::{Method, Solver};
+//! use palkki::scene::{Beam, Foundation, Load, Scene};
+//!
+//! let beam = Beam::new(10.0, 500.0 / 384.0)?;
+//! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! // The deflection, certain to a thousandth of its largest value.
+//! let adapted = adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-3))?;
+//! assert!(adapted.solution.verdict.error <= 1e-3, "{}", adapted.end);
+//! // The grids that it took.
+//! let grids: Vec<usize> = adapted.trials.iter().map(|trial| trial.intervals).collect();
+//! assert_eq!(grids.last(), Some(&adapted.settings.intervals));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Grids are of equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but neither the
+//! methods nor the judge know them.
+
+mod breaks;
+mod order;
+mod plan;
+
+use crate::certificate::CERTIFIED_RESIDUAL;
+use crate::route::{Method, Outcome, Solver};
+use crate::scene::{Scene, SceneError};
+use crate::solve::{DEFAULT_TOLERANCE, Settings, Solution, solve};
+use crate::verdict::{Demand, Refusal, Verdict};
+use crate::witness::Witness;
+
+use self::plan::{Next, Plan};
+
+pub use self::order::observed_order;
+
+/// What is asked of a route.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Which of the paper's methods sets up the quadratic program.
+    pub method: Method,
+    /// Which solver solves it.
+    pub solver: Solver,
+    /// `EPS`: the guaranteed error of the deflection, as a share of the largest deflection.
+    pub error: f64,
+    /// The finest grid to be tried.
+    pub most_intervals: usize,
+}
+
+impl Request {
+    /// A request with the finest grid on which the solver still ends within seconds.
+    #[must_use]
+    pub fn new(method: Method, solver: Solver, error: f64) -> Self {
+        Self { method, solver, error, most_intervals: most_intervals(solver) }
+    }
+
+    /// What the judge is asked.
+    fn demand(&self) -> Demand {
+        Demand::of_error(self.error)
+    }
+
+    /// What an iterative solver is asked first: the same share of what is demanded as on a fixed grid.
+    fn tolerance(&self) -> f64 {
+        if iterates(self.solver) {
+            self.demand().residual * (DEFAULT_TOLERANCE / CERTIFIED_RESIDUAL)
+        } else {
+            DEFAULT_TOLERANCE
+        }
+    }
+}
+
+/// Whether the solver stops at a tolerance; the others end at an optimum or not at all.
+fn iterates(solver: Solver) -> bool {
+    match solver {
+        Solver::ActiveSet | Solver::FourStep => false,
+        Solver::Nsor => true,
+        #[cfg(feature = "clarabel")]
+        Solver::Clarabel => true,
+        #[cfg(feature = "osqp")]
+        Solver::Osqp => true,
+    }
+}
+
+/// The finest grid of a solver. The active set needs seconds there; the libraries are no longer certified well before, and
+/// the four steps solve `n` times.
+fn most_intervals(solver: Solver) -> usize {
+    match solver {
+        Solver::ActiveSet => 1_000_000,
+        #[cfg(feature = "clarabel")]
+        Solver::Clarabel => 20_000,
+        #[cfg(feature = "osqp")]
+        Solver::Osqp => 20_000,
+        Solver::Nsor | Solver::FourStep => 2_000,
+    }
+}
+
+/// One grid that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Trial {
+    /// `N`, the number of equal intervals.
+    pub intervals: usize,
+    /// What an iterative solver was asked for.
+    #[cfg_attr(feature = "cli", serde(rename = "solver_tolerance"))]
+    pub tolerance: f64,
+    /// Unknowns of the quadratic program.
+    pub unknowns: usize,
+    /// Iterations in the solver's own count.
+    pub iterations: usize,
+    /// Unknowns that these went through.
+    #[cfg_attr(feature = "cli", serde(skip))]
+    pub work: usize,
+    /// KKT residual of the discrete problem.
+    pub residual: f64,
+    /// Guaranteed error of the deflection, over the largest deflection.
+    pub error: f64,
+    /// Whether the contacts of the beam were proven.
+    #[cfg_attr(feature = "cli", serde(skip))]
+    pub contacts_proven: bool,
+    /// Whether the solver says that it succeeded.
+    #[cfg_attr(feature = "cli", serde(skip))]
+    pub claims_success: bool,
+    /// Why it is not enough; none if it is.
+    #[cfg_attr(feature = "cli", serde(skip))]
+    pub refusal: Option<Refusal>,
+}
+
+/// How the search ended.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum End {
+    /// With an answer that is good enough.
+    #[error("reached")]
+    Reached,
+    /// The next grid would be finer than the finest.
+    #[error("not reached: {intervals} intervals are the limit of this route")]
+    Limit {
+        /// The finest grid.
+        intervals: usize,
+    },
+    /// The route does not solve its own discrete problem well enough.
+    #[error("not reached: this route ends at {intervals} intervals, where its answer fails our check: {refusal}")]
+    Failed {
+        /// On this grid.
+        intervals: usize,
+        /// Why.
+        refusal: Refusal,
+    },
+    /// Finer grids do not make the error smaller: rounding, or something that cannot be proven.
+    #[error("not reached: up to {intervals} intervals, finer grids have stopped making the guaranteed error smaller")]
+    Stalled {
+        /// The finest grid that was tried.
+        intervals: usize,
+    },
+}
+
+/// The best answer, and what it took.
+#[derive(Debug, Clone)]
+pub struct Adapted {
+    /// Route, grid and tolerance of the answer.
+    pub settings: Settings,
+    /// The answer: certified if and only if what was asked for is reached.
+    pub solution: Solution,
+    /// All grids, in the order in which they were tried.
+    pub trials: Vec<Trial>,
+    /// How it ended.
+    pub end: End,
+}
+
+/// Chooses the grid for a scene and a route.
+///
+/// # Errors
+///
+/// A [`SceneError`] if the scene leaves the range of `f64`. An error that cannot be reached is none: the best answer comes
+/// back, not certified, with the [`End`] that says why.
+pub fn adapt(scene: &Scene, request: &Request) -> Result<Adapted, SceneError> {
+    let mut search = Search::new(scene, request);
+    loop {
+        let settings = search.settings();
+        let outcome = solve(scene, &settings)?;
+        if let Some(adapted) = search.record(settings, outcome) {
+            return Ok(adapted);
+        }
+    }
+}
+
+/// The search step by step, for a caller who looks at a clock in between.
+#[derive(Debug)]
+pub struct Search<'a> {
+    /// One for all grids.
+    witness: Witness<'a>,
+    request: Request,
+    plan: Plan,
+    next: (usize, f64),
+    trials: Vec<Trial>,
+    best: Option<(Settings, Solution)>,
+}
+
+impl<'a> Search<'a> {
+    /// Nothing is solved yet.
+    #[must_use]
+    pub fn new(scene: &'a Scene, request: &Request) -> Self {
+        let plan = Plan::new(scene, request);
+        Self {
+            witness: Witness::of(scene),
+            request: *request,
+            next: plan.start(),
+            plan,
+            trials: Vec::new(),
+            best: None,
+        }
+    }
+
+    /// What to solve next.
+    #[must_use]
+    pub fn settings(&self) -> Settings {
+        let (intervals, tolerance) = self.next;
+        Settings { method: self.request.method, solver: self.request.solver, intervals, tolerance }
+    }
+
+    /// Takes the answer for [`Search::settings`]; hands back the best one when the search has ended.
+    pub fn record(&mut self, settings: Settings, outcome: Outcome) -> Option<Adapted> {
+        let (work, claims_success) = (outcome.work, outcome.solver_claims_success);
+        let solution = outcome.judged(&self.witness, &self.request.demand());
+        let verdict = &solution.verdict;
+        self.trials.push(Trial {
+            intervals: settings.intervals,
+            tolerance: settings.tolerance,
+            unknowns: solution.unknowns,
+            iterations: solution.iterations,
+            work,
+            residual: solution.residual,
+            error: verdict.error,
+            contacts_proven: verdict.certificate.as_ref().is_some_and(|c| c.contacts_proven),
+            claims_success,
+            refusal: verdict.refusal,
+        });
+        let better = self.best.as_ref().is_none_or(|(_, best)| rank(verdict) <= rank(&best.verdict));
+        let (settings, solution) = if better { (settings, solution) } else { self.best.take()? };
+        match self.plan.next(&self.trials) {
+            Next::Solve { intervals, tolerance } => {
+                self.next = (intervals, tolerance);
+                self.best = Some((settings, solution));
+                None
+            }
+            Next::End(end) => Some(Adapted { settings, solution, trials: std::mem::take(&mut self.trials), end }),
+        }
+    }
+}
+
+/// What makes an answer better: that it is certified, that only its error is too large, and then a small error.
+fn rank(verdict: &Verdict) -> (u8, f64) {
+    let class = match verdict.refusal {
+        None => 0,
+        Some(Refusal::Error { .. }) => 1,
+        Some(_) => 2,
+    };
+    (class, if verdict.error.is_nan() { f64::INFINITY } else { verdict.error })
+}

@@ -1,0 +1,236 @@
+//! Answers as JSON. `serde_json` prints an `f64` with as many digits as it takes to read the same number back, and
+//! `null` for one that is not finite: the clearance where there is no foundation, a difference relative to zero.
+//!
+//! What has the same fields here as in the library is derived there; here is what the contract orders or names in another way.
+
+use palkki::adaptive::{End, Trial};
+use palkki::certificate::Certificate;
+use palkki::certificate::bounds::Violation;
+use palkki::route::Status;
+use palkki::state::{Contact, Extremes, Nodes, Reactions, Regime};
+use serde::Serialize;
+
+use super::answer::Answer;
+use super::certify::Finding;
+use super::compare::{Comparison, Difference};
+use super::input::Input;
+
+/// Grids with more intervals are printed without their nodes, unless these are asked for.
+pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
+
+/// The answer of `solve`.
+pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool) -> String {
+    #[derive(Debug, Serialize)]
+    struct SolveObject<'a> {
+        scene: &'a str,
+        #[serde(flatten)]
+        route: RouteObject<'a>,
+        nodes: Option<&'a Nodes>,
+    }
+    let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
+    let nodes = answer.nodes().filter(|_| few || all_nodes);
+    print(&SolveObject { scene: input.title(), route: answer.into(), nodes })
+}
+
+/// What `compare` found.
+pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
+    #[derive(Debug, Serialize)]
+    struct ComparisonObject<'a> {
+        scene: &'a str,
+        intervals: usize,
+        routes: Vec<ComparedObject<'a>>,
+    }
+    #[derive(Debug, Serialize)]
+    struct ComparedObject<'a> {
+        #[serde(flatten)]
+        route: RouteObject<'a>,
+        solver_error: Option<&'a Difference>,
+        model_error: Option<&'a Difference>,
+    }
+    let routes = comparison.routes.iter().map(|compared| ComparedObject {
+        route: (&compared.answer).into(),
+        solver_error: compared.solver_error.as_ref(),
+        model_error: compared.model_error.as_ref(),
+    });
+    print(&ComparisonObject { scene: input.title(), intervals: comparison.intervals, routes: routes.collect() })
+}
+
+/// What `certify` found.
+pub(super) fn certify(input: &Input, finding: &Finding) -> String {
+    #[derive(Debug, Serialize)]
+    struct FindingObject<'a> {
+        scene: &'a str,
+        /// Only where the load was lumped at nodes.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        intervals: Option<usize>,
+        status: Status,
+        certificate: CertificateObject,
+        violations: &'a [Violation],
+    }
+    // Of forces that somebody else computed, the own deflection may be far from the best one.
+    let best_deflection_error = Some(finding.certificate.best_deflection_error);
+    print(&FindingObject {
+        scene: input.title(),
+        intervals: finding.intervals,
+        status: finding.status(),
+        certificate: CertificateObject { best_deflection_error, ..(&finding.certificate).into() },
+        violations: &finding.violations,
+    })
+}
+
+fn print(value: &impl Serialize) -> String {
+    // Structs of numbers and texts have nothing that serialising could refuse.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}
+
+/// What `solve` and each route of `compare` have in common: how an answer was found, what it is worth, and what it says.
+#[derive(Debug, Serialize)]
+struct RouteObject<'a> {
+    method: &'a str,
+    solver: &'a str,
+    intervals: Option<usize>,
+    status: Status,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+    solver_status: &'a str,
+    residual: f64,
+    regime: Regime,
+    unknowns: usize,
+    iterations: usize,
+    seconds: f64,
+    reactions: Reactions,
+    contacts: Vec<ContactObject>,
+    contact_force: f64,
+    deflection: DeflectionObject,
+    moment: Extremes,
+    energy: f64,
+    certificate: Option<CertificateObject>,
+    /// What it took to find the grid; there if a tolerance was given and no grid.
+    #[serde(rename = "dial", skip_serializing_if = "Option::is_none")]
+    grids: Option<GridsObject<'a>>,
+}
+
+impl<'a> From<&'a Answer> for RouteObject<'a> {
+    fn from(answer: &'a Answer) -> Self {
+        let (solution, state, verdict) = (&answer.solution, &answer.solution.state, &answer.solution.verdict);
+        Self {
+            method: answer.method,
+            solver: answer.solver,
+            intervals: answer.intervals,
+            status: verdict.status,
+            reason: verdict.refusal.map(|refusal| refusal.to_string()),
+            solver_status: &solution.solver_status,
+            residual: solution.residual,
+            regime: state.regime,
+            unknowns: solution.unknowns,
+            iterations: solution.iterations,
+            seconds: answer.seconds,
+            reactions: state.reactions,
+            contacts: state.contacts.iter().map(ContactObject::from).collect(),
+            contact_force: state.contact_force(),
+            deflection: (&state.deflection).into(),
+            moment: state.moment,
+            energy: state.energy,
+            certificate: verdict.certificate.as_ref().map(CertificateObject::from),
+            grids: answer.grids.as_ref().map(|grids| GridsObject {
+                tolerance: grids.demanded,
+                reached: grids.end == End::Reached,
+                end: grids.end.to_string(),
+                error: verdict.error,
+                seconds: grids.seconds,
+                grids: grids.trials.iter().map(|(trial, seconds)| GridObject { trial, seconds: *seconds }).collect(),
+            }),
+        }
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct ContactObject {
+    from: f64,
+    to: f64,
+    force: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_from: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_to: Option<f64>,
+}
+
+impl From<&Contact> for ContactObject {
+    fn from(&Contact { from, to, force, end_forces }: &Contact) -> Self {
+        let [force_from, force_to] = end_forces.map_or([None, None], |ends| ends.map(Some));
+        Self { from, to, force, force_from, force_to }
+    }
+}
+
+/// Of the deflection the place of the largest value is simply `at`.
+#[derive(Debug, Serialize)]
+struct DeflectionObject {
+    max: f64,
+    at: f64,
+    min: f64,
+    min_at: f64,
+}
+
+impl From<&Extremes> for DeflectionObject {
+    fn from(&Extremes { max, max_at, min, min_at }: &Extremes) -> Self {
+        Self { max, at: max_at, min, min_at }
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct GridsObject<'a> {
+    tolerance: f64,
+    reached: bool,
+    end: String,
+    error: f64,
+    seconds: f64,
+    grids: Vec<GridObject<'a>>,
+}
+
+/// A grid that was tried; `error` is the guaranteed one, over the largest deflection, and `null` if there is none.
+#[derive(Debug, Serialize)]
+struct GridObject<'a> {
+    #[serde(flatten)]
+    trial: &'a Trial,
+    seconds: f64,
+}
+
+/// Two-sided bounds; `null` where there is none.
+#[derive(Debug, Serialize)]
+struct CertificateObject {
+    energy_lower: f64,
+    energy_upper: f64,
+    gap: f64,
+    deflection_error: f64,
+    deflection_error_at: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    best_deflection_error: Option<f64>,
+    reactions: BracketsObject,
+    stiffness: Option<[f64; 2]>,
+    /// There only where no list of contacts was proven to be that of the beam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    coarse: Option<bool>,
+}
+
+#[derive(Debug, Serialize)]
+struct BracketsObject {
+    left: Option<[f64; 2]>,
+    right: Option<[f64; 2]>,
+}
+
+impl From<&Certificate> for CertificateObject {
+    fn from(certificate: &Certificate) -> Self {
+        let [left, right] = certificate.reactions;
+        Self {
+            energy_lower: certificate.energy_lower,
+            energy_upper: certificate.energy_upper,
+            gap: certificate.gap,
+            deflection_error: certificate.deflection_error,
+            deflection_error_at: certificate.deflection_error_at,
+            best_deflection_error: None,
+            reactions: BracketsObject { left, right },
+            stiffness: certificate.stiffness,
+            coarse: (!certificate.contacts_proven).then_some(true),
+        }
+    }
+}

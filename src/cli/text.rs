@@ -1,0 +1,191 @@
+//! Answers as tables for a person.
+
+use palkki::certificate::Certificate;
+use palkki::route::Status;
+use palkki::state::{Contact, Extremes, Nodes};
+use palkki::text::{at_least, at_most, magnitude, magnitude_at_most, result};
+
+use super::answer::{Answer, Grids};
+use super::given::given;
+use super::input::Input;
+use super::table::{Labels, Row, list, table};
+
+/// The title of the scene, underlined.
+pub(super) fn heading(input: &Input) -> String {
+    let title = input.title();
+    format!("{title}\n{}\n\n", "=".repeat(title.chars().count()))
+}
+
+/// Where the witness of a certificate is not the list of contacts of the beam.
+const COARSE: &str = "These bounds hold and are coarse: no list of contacts was proven to be that of the beam.\n";
+
+/// What is guaranteed, rounded so that it stays so.
+pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
+    let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
+    let mut rows = vec![bracket(labels.moment("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
+    for (name, reaction) in ["left reaction", "right reaction"].into_iter().zip(certificate.reactions) {
+        rows.extend(reaction.map(|reaction| bracket(labels.force(name), reaction)));
+    }
+    rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.stiffness("stiffness D"), stiffness)));
+    let error = magnitude_at_most(certificate.deflection_error);
+    rows.push(vec![labels.length("error of the deflection"), String::new(), error]);
+    let table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
+    if certificate.contacts_proven { table } else { table + COARSE }
+}
+
+/// The answer of `solve`: how it was found, equilibrium, contacts, extremes, and what is guaranteed.
+pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
+    let labels = Labels::of(input.scene.units());
+    let mut text = heading(input);
+    text += &list(&given(&input.scene));
+    text.push('\n');
+    text += &how(answer);
+    if let Some(found) = &answer.grids {
+        text += &grids(answer, found);
+    }
+    text += &equilibrium(input, answer, &labels);
+    text += &contacts(&answer.solution.state.contacts, &labels);
+    text += &extremes(answer, &labels);
+    if let Some(certificate) = &answer.solution.verdict.certificate {
+        text += &bounds(certificate, &labels);
+    }
+    if nodes && let Some(nodes) = answer.nodes() {
+        text += &table_of_nodes(nodes, &labels);
+    }
+    text
+}
+
+fn how(answer: &Answer) -> String {
+    let (solution, verdict) = (&answer.solution, &answer.solution.verdict);
+    let method = match answer.intervals {
+        Some(intervals) => format!("{}, {intervals} intervals", answer.method),
+        None => answer.method.to_owned(),
+    };
+    let residual = format!(" (residual {})", magnitude(solution.residual));
+    let why = verdict.refusal.map_or_else(String::new, |refusal| format!(", {refusal}"));
+    let status = match verdict.status {
+        Status::Certified => format!("{}{residual}", verdict.status),
+        Status::NotCertified => format!("{}: the answer fails our check{residual}{why}", verdict.status),
+        Status::NotConverged => {
+            format!("{}: the solver gave up, and what it had fails our check{residual}{why}", verdict.status)
+        }
+    };
+    list(&[
+        ("method", method),
+        ("solver", format!("{}, which says: {}", answer.solver, solution.solver_status)),
+        ("status", status),
+        ("regime", solution.state.regime.word().to_owned()),
+        ("unknowns", solution.unknowns.to_string()),
+        ("iterations", solution.iterations.to_string()),
+        ("seconds", magnitude(answer.seconds)),
+    ])
+}
+
+/// What it took to find the grid.
+fn grids(answer: &Answer, found: &Grids) -> String {
+    let rows: Vec<Row> = found
+        .trials
+        .iter()
+        .map(|(t, seconds)| {
+            vec![
+                t.intervals.to_string(),
+                magnitude(t.tolerance),
+                t.iterations.to_string(),
+                magnitude(t.residual),
+                magnitude_at_most(t.error),
+                magnitude(*seconds),
+            ]
+        })
+        .collect();
+    let header = ["intervals", "solver asked for", "iterations", "residual", "error, relative", "seconds"];
+    let end = match answer.solution.verdict.error {
+        error if error.is_finite() => {
+            format!("{}, with {} on {} intervals", found.end, magnitude_at_most(error), answer.intervals.unwrap_or(0))
+        }
+        _ => format!("{}, with no bound on the error", found.end),
+    };
+    let demanded = format!("an error of the deflection of at most {} of its largest value", magnitude(found.demanded));
+    let seconds = format!("{} in all, bounds included", magnitude(found.seconds));
+    table("Grids tried", &header, &rows) + "\n" + &list(&[("demanded", demanded), ("end", end), ("seconds", seconds)])
+}
+
+fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
+    let state = &answer.solution.state;
+    let (load, reactions) = (input.scene.load().resultant(input.scene.beam().length()), state.reactions);
+    let contact = state.contact_force();
+    let remains = load - reactions.left - reactions.right - contact;
+    let rows = [
+        ("loads", load, "down"),
+        ("left support", reactions.left, "up"),
+        ("right support", reactions.right, "up"),
+        ("contact", contact, "up"),
+        ("what remains", remains, ""),
+    ];
+    let rows = rows.map(|(name, value, way)| vec![name.to_owned(), shown(name, value), way.to_owned()]);
+    table("Equilibrium", &["", &labels.force("force"), ""], &rows)
+}
+
+/// A force of the balance; what remains of it is rounding, of which only the size is of interest.
+fn shown(name: &str, value: f64) -> String {
+    if name == "what remains" { magnitude(value) } else { result(value) }
+}
+
+fn contacts(contacts: &[Contact], labels: &Labels) -> String {
+    if contacts.is_empty() {
+        return "\nContacts: none\n".to_owned();
+    }
+    let ends = contacts.iter().any(|contact| contact.end_forces.is_some());
+    let rows: Vec<Row> = contacts
+        .iter()
+        .map(|contact| {
+            let kind = if contact.from < contact.to { "zone" } else { "point" };
+            let mut row = vec![kind.to_owned(), result(contact.from), result(contact.to), result(contact.force)];
+            if ends {
+                row.extend(match contact.end_forces {
+                    Some(forces) => forces.map(result),
+                    None => [String::new(), String::new()],
+                });
+            }
+            row
+        })
+        .collect();
+    let (from, to, force) = (labels.length("from"), labels.length("to"), labels.force("force"));
+    let at_ends = [labels.force("force at from"), labels.force("force at to")];
+    let mut header = vec!["", &from, &to, &force];
+    if ends {
+        header.extend(at_ends.iter().map(String::as_str));
+    }
+    table("Contacts", &header, &rows)
+}
+
+fn extremes(answer: &Answer, labels: &Labels) -> String {
+    let state = &answer.solution.state;
+    let lines = |name: &str, extremes: &Extremes| {
+        [("largest", extremes.max, extremes.max_at), ("least", extremes.min, extremes.min_at)]
+            .map(|(which, value, at)| vec![format!("{which} {name}"), result(value), result(at)])
+    };
+    let mut rows = Vec::new();
+    rows.extend(lines(&labels.length("deflection"), &state.deflection));
+    rows.extend(lines(&labels.moment("moment"), &state.moment));
+    rows.push(vec![labels.moment("energy J"), result(state.energy), String::new()]);
+    table("Extremes", &["", "value", &labels.length("at")], &rows)
+}
+
+fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
+    let columns = [&nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];
+    let rows: Vec<Row> = (0..nodes.x.len())
+        .map(|i| {
+            let place = [(i + 1).to_string(), result(nodes.x[i])];
+            place.into_iter().chain(columns.iter().map(|c| c.get(i).map_or_else(String::new, |&v| result(v)))).collect()
+        })
+        .collect();
+    let header = [
+        "node".to_owned(),
+        labels.length("x"),
+        labels.length("deflection"),
+        labels.length("clearance"),
+        labels.force("contact force"),
+        labels.moment("moment"),
+    ];
+    table("Nodes", &header.each_ref().map(String::as_str), &rows)
+}
