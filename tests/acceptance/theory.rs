@@ -2,5 +2,6 @@
 
 mod borders;
 mod closed;
+mod near;
 pub(crate) mod random;
 mod statics;
