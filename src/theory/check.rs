@@ -20,6 +20,8 @@ pub(super) struct Checked {
     pub(super) forces: Vec<f64>,
     /// Shear force beside the left and the right support.
     pub(super) shear: [f64; 2],
+    /// Moments that foundation and support exert on the beam together, where the foundation holds its slope at a support.
+    pub(super) couples: [Option<f64>; 2],
     /// Conditions that fail, each with the index of its node, or of the node to the right of its stretch.
     pub(super) faults: Vec<(usize, Violation)>,
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
@@ -72,8 +74,9 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     for zone in &zones {
         judge.pulls(given, zone, &scale);
     }
+    let couples = [0, 1].map(|support| couple(given, list, &spans, support));
     for support in 0..2 {
-        if let Some(moment) = couple(given, list, &spans, support) {
+        if let Some(moment) = couples[support] {
             let at = if support == 0 { 0.0 } else { given.length };
             judge.measure(moment, scale.moment, support, Violation::Couple { at, moment });
         }
@@ -82,7 +85,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     judge.measure(BALANCE * force.abs(), scale.force, 0, Violation::Unbalanced { force });
     judge.equations(given, list, &spans, &scale);
     let Judge { faults, worst } = judge;
-    Checked { pieces, spans, forces, shear, faults, worst }
+    Checked { pieces, spans, forces, shear, couples, faults, worst }
 }
 
 /// A zone of the list.

@@ -1,7 +1,6 @@
 //! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: it has no
 //! nodes of its own.
 
-use super::list::AtSupport;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
@@ -54,16 +53,7 @@ impl Exact {
         let Found { list, checked, steps, lists, .. } = found;
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
-        let support_couples = [0, 1].map(|i| {
-            let span = match (list.supports[i], i) {
-                (AtSupport::Clamped, 0) => checked.spans.first().map(|(_, s)| s.at_a[2]),
-                (AtSupport::Clamped, _) => checked.spans.last().map(|(_, s)| s.at_b[2]),
-                (AtSupport::Zone, _) => Some(0.0),
-                (AtSupport::Free, _) => None,
-            };
-            let (cell, x) = if i == 0 { (0, 0.0) } else { (given.cells.len() - 1, given.length) };
-            span.map_or(0.0, |h2| (h2 - given.derivative(cell, x, 2)) * stiffness * scale.moment())
-        });
+        let support_couples = checked.couples.map(|couple| couple.unwrap_or(0.0) * stiffness * scale.moment());
         Self {
             state,
             status,
