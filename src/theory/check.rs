@@ -75,8 +75,8 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
         judge.pulls(given, zone, &scale);
     }
     let couples = [0, 1].map(|support| couple(given, list, &spans, support));
-    for support in 0..2 {
-        if let Some(moment) = couples[support] {
+    for (support, couple) in couples.into_iter().enumerate() {
+        if let Some(moment) = couple {
             let at = if support == 0 { 0.0 } else { given.length };
             judge.measure(moment, scale.moment, support, Violation::Couple { at, moment });
         }

@@ -60,7 +60,7 @@ impl Hold {
 pub(super) struct End {
     /// Where.
     pub(super) x: f64,
-    /// What its place is beyond `x`.
+    /// What its place is beyond `x`, where it rests on a smooth piece of the profile; not used at an edge, which cannot move.
     pub(super) rest: f64,
     /// The cell of the span that ends there.
     pub(super) cell: usize,
