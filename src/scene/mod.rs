@@ -8,6 +8,7 @@ pub mod file;
 mod foundation;
 mod grid;
 mod load;
+pub(crate) mod pieces;
 mod quantity;
 mod scale;
 

@@ -1,13 +1,12 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::bernstein::lowest_below;
-use super::forces::{couple, forces, unbalanced};
-use super::given::Given;
-use super::list::{AtSupport, Kind, List};
+use super::list::{AtSupport, Kind, List, Node};
 use super::newton;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
-use super::pressure::mean_pull;
+use super::piecewise::PiecewiseScene;
 use super::span::Span;
+use super::tension::mean_pull;
 use super::violation::Violation;
 
 /// A list with everything that follows from it.
@@ -21,6 +20,8 @@ pub(super) struct Checked {
     pub(super) forces: Vec<f64>,
     /// Shear force beside the left and the right support.
     pub(super) shear: [f64; 2],
+    /// Moments that foundation and support exert on the beam together, where the foundation holds its slope at a support.
+    pub(super) couples: [Option<f64>; 2],
     /// Conditions that fail, each with the index of its node, or of the node to the right of its stretch.
     pub(super) faults: Vec<(usize, Violation)>,
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
@@ -49,7 +50,7 @@ const CROWDED: f64 = 1e-3;
 const BALANCE: f64 = TOLERANCE / 1e-9;
 
 /// Checks `list`.
-pub(super) fn check(given: &Given, list: &List) -> Checked {
+pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     let mut judge = Judge { faults: Vec::new(), worst: 0.0 };
     let zones: Vec<Zone> = (0..=list.nodes.len())
         .filter(|&i| list.in_zone_before(i))
@@ -73,17 +74,18 @@ pub(super) fn check(given: &Given, list: &List) -> Checked {
     for zone in &zones {
         judge.pulls(given, zone, &scale);
     }
-    for support in 0..2 {
-        if let Some(moment) = couple(given, list, &spans, support) {
+    let couples = [0, 1].map(|support| couple(given, list, &spans, support));
+    for (support, couple) in couples.into_iter().enumerate() {
+        if let Some(moment) = couple {
             let at = if support == 0 { 0.0 } else { given.length };
             judge.measure(moment, scale.moment, support, Violation::Couple { at, moment });
         }
     }
     let force = unbalanced(given, list, &forces, &shear);
     judge.measure(BALANCE * force.abs(), scale.force, 0, Violation::Unbalanced { force });
-    judge.equations(given, list, &scale);
+    judge.equations(given, list, &spans, &scale);
     let Judge { faults, worst } = judge;
-    Checked { pieces, spans, forces, shear, faults, worst }
+    Checked { pieces, spans, forces, shear, couples, faults, worst }
 }
 
 /// A zone of the list.
@@ -95,7 +97,7 @@ struct Zone {
 }
 
 /// The beam by pieces, from support to support.
-fn all_pieces(given: &Given, list: &List, spans: &[(usize, Span)], zones: &[Zone]) -> Vec<Piece> {
+fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], zones: &[Zone]) -> Vec<Piece> {
     let mut pieces = Vec::with_capacity(2 * given.cells.len());
     let (mut next_span, mut next_zone) = (spans.iter(), zones.iter());
     for i in 0..=list.nodes.len() {
@@ -138,21 +140,23 @@ impl Judge {
     }
 
     /// Zones have a length and go over no break; contacts are on their piece of the profile.
-    fn places(&mut self, given: &Given, list: &List, zones: &[Zone]) {
+    fn places(&mut self, given: &PiecewiseScene, list: &List, zones: &[Zone]) {
         for (start, pair) in list.nodes.windows(2).enumerate() {
             if pair[0].kind == Kind::ZoneStart && pair[1].x < pair[0].x {
                 self.refuse(start, Violation::Inverted { from: pair[0].x, to: pair[1].x });
             }
         }
-        for (i, node) in list.nodes.iter().enumerate().filter(|(_, n)| !matches!(n.kind, Kind::Edge(_))) {
+        for (i, node) in list.nodes.iter().enumerate().filter(|(_, n)| !n.is_edge()) {
             let (from, to) = given.reach(node.cell);
             if node.x < from || to < node.x {
-                self.refuse(i, Violation::Astray { at: node.x });
+                self.refuse(i, Violation::OffPiece { at: node.x });
             }
         }
         for zone in zones {
-            if let Some(joint) = given.joints_inside(zone.from, zone.to).find(|&joint| given.breaks_at(joint)) {
-                self.refuse(zone.node, Violation::Broken { at: given.joints[joint].x });
+            if let Some(breakpoint) =
+                given.breakpoints_inside(zone.from, zone.to).find(|&breakpoint| given.breaks_at(breakpoint))
+            {
+                self.refuse(zone.node, Violation::Broken { at: given.breakpoints[breakpoint].x });
             }
         }
     }
@@ -163,14 +167,14 @@ impl Judge {
             let point =
                 node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.kind == Kind::Smooth);
             if let Some((i, node)) = point {
-                self.measure(-bend, scale.moment, i, Violation::Bulge { at: node.x, moment: -bend });
+                self.measure(-bend, scale.moment, i, Violation::CurvatureGap { at: node.x, moment: -bend });
             }
         }
     }
 
     /// Beside a support that the foundation starts at, the slope decides: how deep the beam is in a foundation that falls
     /// off steeply may be next to nothing, and what holds its slope is not.
-    fn turns_at_supports(&mut self, given: &Given, list: &List, i: usize, span: &Span, scale: &Scale) {
+    fn turns_at_supports(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span, scale: &Scale) {
         for (support, end, at, outer) in
             [(0, &span.a, &span.at_a, i == 0), (1, &span.b, &span.at_b, i == list.nodes.len())]
         {
@@ -184,8 +188,8 @@ impl Judge {
         }
     }
 
-    /// A zone pulls nowhere; where it might is known ([`Given::tension`]).
-    fn pulls(&mut self, given: &Given, zone: &Zone, scale: &Scale) {
+    /// A zone pulls nowhere; where it might is known ([`PiecewiseScene::tension`]).
+    fn pulls(&mut self, given: &PiecewiseScene, zone: &Zone, scale: &Scale) {
         let &Zone { node, from, to } = zone;
         for &(lo, hi) in given.tension_between(from, to) {
             let (lo, hi) = (lo.max(from), hi.min(to));
@@ -195,9 +199,9 @@ impl Judge {
     }
 
     /// The equations of the list hold, and its spans are long enough for them to have an answer.
-    fn equations(&mut self, given: &Given, list: &List, scale: &Scale) {
-        let newton::Residual { jump, step, crowded } = newton::residual(given, list);
-        let fixed = list.nodes.iter().all(|n| matches!(n.kind, Kind::Edge(_)));
+    fn equations(&mut self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], scale: &Scale) {
+        let newton::Residual { jump, step, crowded } = newton::residual(given, list, spans);
+        let fixed = list.nodes.iter().all(Node::is_edge);
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
         self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
         let (part, span) = crowded;
@@ -211,7 +215,7 @@ impl Judge {
 }
 
 /// The deepest penetration in a span, if it is deeper than rounding: `(place, depth)`.
-fn penetration(given: &Given, pieces: &[Piece], span: &Span, scale: &Scale) -> Option<(f64, f64)> {
+fn penetration(given: &PiecewiseScene, pieces: &[Piece], span: &Span, scale: &Scale) -> Option<(f64, f64)> {
     let first = pieces.partition_point(|p| p.hi <= span.a.x);
     let mut taylor = vec![0.0; given.terms];
     let mut worst: Option<(f64, f64)> = None;
@@ -224,7 +228,7 @@ fn penetration(given: &Given, pieces: &[Piece], span: &Span, scale: &Scale) -> O
             worst = Some((piece.place(s), -value));
         }
         // An edge at the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
-        let edge = given.joint_at(piece.hi).filter(|&joint| given.is_edge(joint) && piece.hi < span.b.x);
+        let edge = given.breakpoint_at(piece.hi).filter(|&breakpoint| given.is_edge(breakpoint) && piece.hi < span.b.x);
         if edge.is_some() {
             piece.deflection(given, &mut taylor);
             let depth = derivatives(&taylor, piece.hi - piece.anchor)[0] - given.depth(piece.hi);
@@ -250,7 +254,7 @@ struct Scale {
 
 impl Scale {
     /// Largest deflection, largest of all forces, and the moment that goes with them.
-    fn of(given: &Given, pieces: &[Piece], forces: &[f64], shear: &[f64; 2]) -> Self {
+    fn of(given: &PiecewiseScene, pieces: &[Piece], forces: &[f64], shear: &[f64; 2]) -> Self {
         let mut taylor = vec![0.0; given.terms];
         let (mut depth, mut moment) = (0.0_f64, 0.0_f64);
         for piece in pieces {
@@ -275,7 +279,63 @@ impl Scale {
 
     /// Largest deflection, and the rounding of the profile at a place: near a support a polynomial is known far better than
     /// where its highest powers have grown.
-    fn depth_at(&self, given: &Given, x: f64) -> f64 {
+    fn depth_at(&self, given: &PiecewiseScene, x: f64) -> f64 {
         self.deflection.max(AT_REST * given.magnitude_at(x))
+    }
+}
+
+/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
+fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> (Vec<f64>, [f64; 2]) {
+    // A profile with edges is made of straight lines: u''' is the same on both sides of every node, and h''' will do.
+    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x, node.cell)).collect();
+    let last = given.cells.len() - 1;
+    let mut shear = [-given.derivative(0, 0.0, 3), -given.derivative(last, given.length, 3)];
+    for (i, span) in spans {
+        match i.checked_sub(1) {
+            Some(left) => forces[left] += span.at_a[3],
+            None => shear[0] = -span.beam_a[3],
+        }
+        match forces.get_mut(*i) {
+            Some(force) => *force -= span.at_b[3],
+            None => shear[1] = -span.beam_b[3],
+        }
+    }
+    (forces, shear)
+}
+
+/// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
+pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
+    let (first, last) = (given.cell_from(from), given.cell_to(to));
+    let mut sum = 0.0;
+    for cell in first..=last.max(first) {
+        let c = &given.cells[cell];
+        let (lo, hi) = (c.lo.max(from), c.hi.min(to));
+        if lo < hi {
+            sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
+        }
+    }
+    sum += given.breakpoints_inside(from, to).map(|j| given.breakpoints[j].force).sum::<f64>();
+    sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
+}
+
+/// What is left of the load when reactions and contact forces are taken off.
+fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64], shear: &[f64; 2]) -> f64 {
+    let zones = list.zones(given).into_iter().map(|(from, to)| zone_force(given, from, to));
+    let at_supports =
+        [given.breakpoints.first(), given.breakpoints.last()].into_iter().flatten().map(|j| j.force).sum::<f64>();
+    given.resultant - at_supports - shear[0] + shear[1] - forces.iter().sum::<f64>() - zones.sum::<f64>()
+}
+
+/// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.
+fn couple(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], support: usize) -> Option<f64> {
+    let (cell, x) = if support == 0 { (0, 0.0) } else { (given.cells.len() - 1, given.length) };
+    let bend = given.derivative(cell, x, 2);
+    match list.supports[support] {
+        AtSupport::Free => None,
+        AtSupport::Zone => Some(-bend),
+        AtSupport::Clamped => {
+            let (_, span) = if support == 0 { spans.first()? } else { spans.last()? };
+            Some(if support == 0 { span.at_a[2] } else { span.at_b[2] } - bend)
+        }
     }
 }

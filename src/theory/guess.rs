@@ -6,9 +6,9 @@
 use std::ops::Range;
 
 use super::chain::{Chain, Guess};
-use super::gap::zones_between;
-use super::given::Given;
 use super::list::{AtSupport, Kind, List, Node, edge_node, normalised};
+use super::piecewise::PiecewiseScene;
+use super::tension::zones_between;
 
 /// Sampled places of the profile, from support to support.
 #[derive(Debug, Clone)]
@@ -29,9 +29,9 @@ const PARTS: u32 = 4;
 const PARTS_OF_CELL: u32 = 3;
 
 impl Samples {
-    /// All joints, and cells cut into parts no longer than a fraction 1/`links` of the beam; of a long survey the
-    /// shallowest joint of each block, and where the load changes.
-    pub(super) fn first(given: &Given, links: u32) -> Self {
+    /// All breakpoints, and cells cut into parts no longer than a fraction 1/`links` of the beam; of a long survey the
+    /// shallowest breakpoint of each block, and where the load changes.
+    pub(super) fn first(given: &PiecewiseScene, links: u32) -> Self {
         let mut samples = Self { x: Vec::new(), cell: Vec::new(), far: Vec::new() };
         let cells = given.cells.len();
         if cells <= LONG {
@@ -45,11 +45,11 @@ impl Samples {
             samples.push(0.0, 0, false);
             let block = cells.div_ceil(LONG);
             for first in (1..cells).step_by(block) {
-                let joints = first..cells.min(first + block);
-                let depth = |&i: &usize| given.depth_at_joint(i);
-                let shallowest = joints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
-                for i in joints.filter(|&i| Some(i) == shallowest || given.load_changes_at(i)) {
-                    samples.push(given.joints[i].x, i, false);
+                let breakpoints = first..cells.min(first + block);
+                let depth = |&i: &usize| given.depth_at_breakpoint(i);
+                let shallowest = breakpoints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
+                for i in breakpoints.filter(|&i| Some(i) == shallowest || given.load_changes_at(i)) {
+                    samples.push(given.breakpoints[i].x, i, false);
                 }
             }
         }
@@ -58,7 +58,7 @@ impl Samples {
     }
 
     /// More samples where the chain lifts off, and near `places`.
-    pub(super) fn refined(&self, given: &Given, touches: &[bool], places: &[f64]) -> Self {
+    pub(super) fn refined(&self, given: &PiecewiseScene, touches: &[bool], places: &[f64]) -> Self {
         let n = self.x.len();
         let touching = |i: usize| 0 < i && i + 1 < n && touches[i - 1];
         let mut near: Vec<bool> = (0..n).map(touching).collect();
@@ -117,7 +117,7 @@ impl Samples {
     }
 
     /// The right support.
-    fn end(&mut self, given: &Given) {
+    fn end(&mut self, given: &PiecewiseScene) {
         self.x.push(given.length);
         self.cell.push(given.cells.len() - 1);
         if self.x.len() < 3 {
@@ -133,7 +133,7 @@ impl Samples {
     }
 
     /// Which of the samples touch, and with what force.
-    pub(super) fn chain(&self, given: &Given) -> Guess {
+    pub(super) fn chain(&self, given: &PiecewiseScene) -> Guess {
         let n = self.x.len() - 2;
         let mut load = vec![0.0; n + 2];
         let mut bend = vec![0.0; n + 2];
@@ -151,14 +151,14 @@ impl Samples {
                 load[i] += force - lever / length;
                 load[i + 1] += lever / length;
                 if a < c.lo {
-                    let force = given.joints[cell].force;
+                    let force = given.breakpoints[cell].force;
                     load[i] += force * (b - c.lo) / length;
                     load[i + 1] += force * (c.lo - a) / length;
                 }
             }
             if a <= given.cells[self.cell[i]].lo {
-                load[i] += given.joints[self.cell[i]].force;
-                bend[i] += given.joints[self.cell[i]].kink;
+                load[i] += given.breakpoints[self.cell[i]].force;
+                bend[i] += given.breakpoints[self.cell[i]].kink;
             }
             let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
             bend[i] += start;
@@ -171,30 +171,29 @@ impl Samples {
             }
         }
         let ends = [given.derivative(0, 0.0, 0), given.derivative(given.cells.len() - 1, given.length, 0)];
-        let inner = |all: Vec<f64>| all[1..=n].to_vec();
-        Chain { x: self.x.clone(), bend: inner(bend), load: inner(load), beam: self.far.clone(), ends }.solve()
+        Chain { x: &self.x, bend: &bend[1..=n], load: &load[1..=n], beam: &self.far, ends }.solve()
     }
 
     /// The list that the chain suggests.
-    pub(super) fn list(&self, given: &Given, guess: &Guess) -> List {
+    pub(super) fn list(&self, given: &PiecewiseScene, guess: &Guess) -> List {
         let mut builder = Builder { given, samples: self, guess, list: List::free() };
         let n = self.x.len() - 2;
         // A run of touching samples falls apart at every break of the profile.
         let (mut first, mut beside_edge) = (None, false);
         for i in 1..=n + 1 {
             let touches = i <= n && guess.touches[i - 1];
-            let joint = self.cell[i.min(n)];
-            let breaks = i <= n && self.x[i] <= given.joints[joint].x && given.breaks_at(joint);
+            let breakpoint = self.cell[i.min(n)];
+            let breaks = i <= n && self.x[i] <= given.breakpoints[breakpoint].x && given.breaks_at(breakpoint);
             if touches && !breaks {
                 first.get_or_insert(i);
                 continue;
             }
-            let edge = touches && given.is_edge(joint);
+            let edge = touches && given.is_edge(breakpoint);
             if let Some(first) = first.take() {
                 builder.add(first..i, beside_edge || edge);
             }
             if edge {
-                builder.list.nodes.push(edge_node(given, joint));
+                builder.list.nodes.push(edge_node(given, breakpoint));
             }
             beside_edge = edge;
         }
@@ -204,7 +203,7 @@ impl Samples {
 
 /// A list under construction.
 struct Builder<'a> {
-    given: &'a Given,
+    given: &'a PiecewiseScene,
     samples: &'a Samples,
     guess: &'a Guess,
     list: List,
@@ -233,23 +232,10 @@ impl Builder<'_> {
 
     /// Where the force of a run acts.
     fn point(&self, run: Range<usize>) -> f64 {
-        let (given, x) = (self.given, &self.samples.x);
+        let x = &self.samples.x;
         let (force, moment) =
             run.fold((0.0, 0.0), |(f, m), i| (f + self.guess.force[i - 1], m + self.guess.force[i - 1] * x[i]));
-        let place = moment / force;
-        // Contact beside a support that lies just above the foundation, closer to it than any sample: from h'' linear
-        // between u'' at the support and as much again at the contact, depth = u'' x²/2.
-        let closest = |cell: usize, x: f64| {
-            let [depth, _, bend, _] = given.derivatives(cell, x);
-            if 0.0 < bend { (2.0 * depth / bend).sqrt() } else { f64::INFINITY }
-        };
-        if place <= x[2] {
-            place.min(closest(0, 0.0))
-        } else if x[x.len() - 3] <= place {
-            place.max(given.length - closest(given.cells.len() - 1, given.length))
-        } else {
-            place
-        }
+        moment / force
     }
 
     /// Where the concentrated force at the end of a zone acts, from the end samples of its run: what they have more than

@@ -8,7 +8,7 @@
 //! | edge (kink, step) | slope of the beam | `v = u`, position | `v''` the same on both sides |
 //! | start or end of a zone | position | `h = h' = 0` | `h'' = 0` in the span |
 
-use super::given::Given;
+use super::piecewise::PiecewiseScene;
 use super::span::{End, Hold, Span};
 
 /// What kind of node it is.
@@ -16,7 +16,7 @@ use super::span::{End, Hold, Span};
 pub(super) enum Kind {
     /// A point on a smooth piece of the profile.
     Smooth,
-    /// The joint of that index, an edge of the profile.
+    /// The breakpoint of that index, an edge of the profile.
     Edge(usize),
     /// Where a zone starts.
     ZoneStart,
@@ -74,17 +74,17 @@ impl List {
     }
 
     /// The spans with the number of nodes to their left.
-    pub(super) fn spans<'a>(&'a self, given: &'a Given) -> impl Iterator<Item = (usize, Span)> + 'a {
+    pub(super) fn spans<'a>(&'a self, given: &'a PiecewiseScene) -> impl Iterator<Item = (usize, Span)> + 'a {
         (0..=self.nodes.len()).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i)))
     }
 
     /// The span before node `i`, or before the right support.
-    pub(super) fn span(&self, given: &Given, i: usize) -> Span {
+    pub(super) fn span(&self, given: &PiecewiseScene, i: usize) -> Span {
         Span::between(given, self.left_end(given, i), self.right_end(given, i))
     }
 
     /// The zones, from where to where.
-    pub(super) fn zones(&self, given: &Given) -> Vec<(f64, f64)> {
+    pub(super) fn zones(&self, given: &PiecewiseScene) -> Vec<(f64, f64)> {
         (0..=self.nodes.len())
             .filter(|&i| self.in_zone_before(i))
             .map(|i| {
@@ -102,7 +102,7 @@ impl List {
         }
     }
 
-    fn left_end(&self, given: &Given, i: usize) -> End {
+    fn left_end(&self, given: &PiecewiseScene, i: usize) -> End {
         let Some(node) = i.checked_sub(1).map(|i| &self.nodes[i]) else {
             return support(0.0, 0, self.supports[0]);
         };
@@ -110,7 +110,7 @@ impl List {
         End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
     }
 
-    fn right_end(&self, given: &Given, i: usize) -> End {
+    fn right_end(&self, given: &PiecewiseScene, i: usize) -> End {
         let Some(node) = self.nodes.get(i) else {
             return support(given.length, given.cells.len() - 1, self.supports[1]);
         };
@@ -120,6 +120,11 @@ impl List {
 }
 
 impl Node {
+    /// True if it lies on a break of the profile and cannot move.
+    pub(super) fn is_edge(&self) -> bool {
+        matches!(self.kind, Kind::Edge(_))
+    }
+
     /// A node at `x`.
     pub(super) fn new(kind: Kind, x: f64, cell: usize) -> Self {
         Self { kind, x, slope: 0.0, rest: 0.0, cell }
@@ -140,22 +145,22 @@ impl Node {
     }
 
     /// The cells to its right and to its left.
-    fn cells(&self, given: &Given) -> [usize; 2] {
+    fn cells(&self, given: &PiecewiseScene) -> [usize; 2] {
         match self.kind {
-            Kind::Edge(joint) => [joint, joint - 1],
+            Kind::Edge(breakpoint) => [breakpoint, breakpoint - 1],
             _ => given.cells_at(self.x, self.cell),
         }
     }
 
     /// How the node holds a span that lies in `cell` beside it.
-    fn hold(&self, given: &Given, cell: usize) -> Hold {
+    fn hold(&self, given: &PiecewiseScene, cell: usize) -> Hold {
         match self.kind {
-            Kind::Edge(joint) => {
+            Kind::Edge(breakpoint) => {
                 // The lower side of a step lies below the beam, which rests on the upper one.
-                let step = given.joints[joint].step;
+                let step = given.breakpoints[breakpoint].step;
                 Hold::Edge {
-                    height: if cell < joint { (-step).max(0.0) } else { step.max(0.0) },
-                    level: given.depth_at_joint(joint),
+                    height: if cell < breakpoint { (-step).max(0.0) } else { step.max(0.0) },
+                    level: given.depth_at_breakpoint(breakpoint),
                     slope: [self.slope, self.rest],
                 }
             }
@@ -184,7 +189,7 @@ fn support(x: f64, cell: usize, at: AtSupport) -> End {
 
 /// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them.
-pub(super) fn normalised(given: &Given, list: List) -> List {
+pub(super) fn normalised(given: &PiecewiseScene, list: List) -> List {
     // A gap of this width between two contacts cannot be told from none; one between contacts on the same slope is more
     // likely the solution without a gap, which the equations have as well.
     let closed = 1e-11 * given.length;
@@ -194,15 +199,14 @@ pub(super) fn normalised(given: &Given, list: List) -> List {
     let mut inside = supports[0] == AtSupport::Zone;
     for node in list.nodes {
         let before = nodes.last().map_or(0.0, |n| n.x);
-        let edge = |n: &Node| matches!(n.kind, Kind::Edge(_));
-        let on_one_slope = !edge(&node) && nodes.last().is_some_and(|n| !edge(n));
+        let on_one_slope = !node.is_edge() && nodes.last().is_some_and(|n| !n.is_edge());
         let gap = (if on_one_slope { closed } else { least }) < node.x - before;
         // Two contacts on one smooth piece are one zone if it would press everywhere between them.
         if !inside
-            && !edge(&node)
+            && !node.is_edge()
             && node.kind != Kind::ZoneEnd
             && let Some(last) = nodes.last_mut()
-            && !edge(last)
+            && !last.is_edge()
             && given.cells[last.cell].shape == given.cells[node.cell].shape
             && given.tension_between(last.x, node.x).next().is_none()
         {
@@ -268,8 +272,8 @@ pub(super) fn normalised(given: &Given, list: List) -> List {
 }
 
 /// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
-pub(super) fn edge_node(given: &Given, joint: usize) -> Node {
-    let x = given.joints[joint].x;
-    let slope = 0.5 * (given.derivative(joint - 1, x, 1) + given.derivative(joint, x, 1));
-    Node { slope, ..Node::new(Kind::Edge(joint), x, joint) }
+pub(super) fn edge_node(given: &PiecewiseScene, breakpoint: usize) -> Node {
+    let x = given.breakpoints[breakpoint].x;
+    let slope = 0.5 * (given.derivative(breakpoint - 1, x, 1) + given.derivative(breakpoint, x, 1));
+    Node { slope, ..Node::new(Kind::Edge(breakpoint), x, breakpoint) }
 }

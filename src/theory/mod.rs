@@ -4,12 +4,12 @@
 //! `q − EI u''''`, a concentrated force at each end). Between them the beam is a polynomial that its two ends determine.
 //! Unknown are only the places where it lifts off:
 //!
-//! 1. `given`, `cut`, `shape`, `pressure`: profile and load as functions by pieces, and where a zone would pull.
+//! 1. `piecewise`, `breakpoints`, `shape`, `tension`: profile and load as functions by pieces, and where a zone would pull.
 //! 2. `chain`, `guess`: a first idea of the list, from a chain of links above samples of the profile.
 //! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for its lift-off positions.
-//! 4. `check`, `violation`, `forces`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
-//! 5. `repair`, `gap`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
-//! 6. `solve`, `exact`, `samples`, `summary`: the answer in the units of the scene.
+//! 4. `check`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
+//! 5. `repair`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
+//! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
@@ -18,33 +18,28 @@
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the programme (32).
 
 mod bernstein;
+mod breakpoints;
 mod chain;
 mod check;
 pub mod closed;
 mod cosine;
-mod cut;
 mod exact;
-mod flat;
-mod forces;
-mod gap;
 mod gauss;
-mod given;
 mod guess;
 mod list;
 mod newton;
 mod piece;
-mod pressure;
+mod piecewise;
 mod repair;
-mod samples;
 mod search;
 mod shape;
 mod solve;
 mod span;
 mod summary;
+mod tension;
 mod violation;
 
-pub use exact::Exact;
-pub use flat::{FlatSolution, flat};
-pub use samples::Sample;
+pub use closed::{FlatSolution, flat};
+pub use exact::{Exact, Sample};
 pub use solve::{TheoryError, solve};
 pub use violation::Violation;

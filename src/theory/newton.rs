@@ -4,8 +4,8 @@
 //! `h''` is read; turning an edge by `δv'` turns the end by `δh' = −δv'`. The other end answers by the slope-deflection
 //! equations of [`super::span`].
 
-use super::given::Given;
 use super::list::{Kind, List, Node};
+use super::piecewise::PiecewiseScene;
 use super::span::{Hold, Span};
 
 /// How it went.
@@ -27,45 +27,38 @@ const REFINED: usize = 1;
 const ROUNDING: f64 = 1e-15;
 /// A step below this one that shrinks no more is rounding too.
 const NEARLY: f64 = 1e-12;
-/// Where no node moves by this part of what some of them should, and these are at most one in `FEW`, the check decides.
-const STUCK: f64 = 1e-6;
-const FEW: usize = 100;
 /// Two neighbours that share a span may come this much closer in one step.
 const APPROACH: f64 = 0.45;
 
 /// Moves the nodes of `list` until all equations hold.
-pub(super) fn solve(given: &Given, list: &mut List) -> Run {
+pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     if list.nodes.is_empty() {
         return Run { steps: 0, converged: true };
     }
     let mut last = f64::INFINITY;
     let mut brackets = vec![Bracket::EVERYWHERE; list.nodes.len()];
-    let mut answers = answers(given, list);
-    let mut settled = vec![0; list.nodes.len()];
+    let mut spans = Vec::with_capacity(list.nodes.len() + 1);
     let mut rests = 0;
     // Report: newton
     for steps in 0..STEPS {
+        spans.clear();
+        spans.extend(list.spans(given));
         // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
-        let rows = equations(given, list, &answers);
+        let rows = equations(given, list, &spans);
         if QUADRATIC <= steps {
-            brackets.iter_mut().zip(&list.nodes).zip(&rows).for_each(|((b, node), (_, jump))| b.narrow(node.x, *jump));
+            brackets.iter_mut().zip(&list.nodes).zip(&rows).for_each(|((b, node), row)| b.narrow(node.x, row.jump));
         }
         // Derivatives · step = −jumps: a tridiagonal system.
-        let Some(mut step) = newton_step(list, rows, given.length) else {
+        let Some(step) = newton_step(list, rows) else {
             return Run { steps, converged: false };
         };
-        settle(given, list, &mut step, &mut settled);
         // No further than to the end of a smooth piece of the ground, or to the next contact.
-        let Applied { size, moved, limited } = apply(given, list, &step, &mut brackets);
+        let Applied { size, limited } = apply(given, list, &step, &mut brackets);
         // Report: end
-        update(given, list, &step, &mut answers);
-        let at_rest = limited == 0 && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size));
+        let at_rest = !limited && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size));
         rests = if at_rest { rests + 1 } else { 0 };
         if REFINED < rests {
             return Run { steps: steps + 1, converged: true };
-        }
-        if 0 < limited && FEW * limited <= list.nodes.len() && moved <= STUCK * size {
-            return Run { steps: steps + 1, converged: false };
         }
         last = size;
     }
@@ -73,12 +66,12 @@ pub(super) fn solve(given: &Given, list: &mut List) -> Run {
 }
 
 /// How `h''` at the two ends of a span answers to the two nodes beside it: `[end][node]`.
-fn response(list: &List, left: Option<usize>, right: Option<usize>, span: &Span) -> [[f64; 2]; 2] {
+fn response([left, right]: [Option<&Node>; 2], span: &Span) -> [[f64; 2]; 2] {
     let l = span.length();
     // δh' of each end for a unit of its unknown, and how fast h'' changes under a moving end.
-    let turn = |node: Option<usize>, end: &[f64; 4]| match node.map(|i| list.nodes[i].kind) {
+    let turn = |node: Option<&Node>, end: &[f64; 4]| match node {
         None => (0.0, 0.0),
-        Some(Kind::Edge(_)) => (-1.0, 0.0),
+        Some(node) if node.is_edge() => (-1.0, 0.0),
         Some(_) => (-end[2], end[3]),
     };
     let (turn_a, carry_a) = turn(left, &span.at_a);
@@ -94,71 +87,41 @@ fn response(list: &List, left: Option<usize>, right: Option<usize>, span: &Span)
     }
 }
 
-/// What a span says to the equations of the nodes at its ends.
+/// The equation of a node, `h''(x−) − h''(x+) = 0` with zero for the side of a zone; beside an edge the profile is straight,
+/// and `h''` is `−v''`.
 #[derive(Debug, Clone, Copy)]
-struct Answer {
-    /// `h''` at both ends; beside an edge `−v''`.
-    bend: [f64; 2],
-    /// `v''` at both ends, if it was solved in `v`.
-    beam: Option<[f64; 2]>,
-    /// How `bend` depends on the nodes at both ends: `[end][node]`.
-    response: [[f64; 2]; 2],
+struct Row {
+    /// How the jump depends on the node to the left, this node and the node to the right.
+    derivative: [f64; 3],
+    /// `h''(x−) − h''(x+)`.
+    jump: f64,
 }
 
-impl Answer {
-    fn of(given: &Given, list: &List, i: usize) -> Self {
-        let span = list.span(given, i);
-        let (left, right) = (i.checked_sub(1), (i < list.nodes.len()).then_some(i));
-        let curvature = |node: Option<usize>, cell| node.map_or(0.0, |node| profile_curvature(given, list, node, cell));
-        Self {
-            bend: [span.at_a[2] - curvature(left, span.a.cell), span.at_b[2] - curvature(right, span.b.cell)],
-            beam: span.in_beam.then_some([span.beam_a[2], span.beam_b[2]]),
-            response: response(list, left, right, &span),
-        }
-    }
-}
-
-/// The answers of all spans, [`None`] for zones.
-fn answers(given: &Given, list: &List) -> Vec<Option<Answer>> {
-    (0..=list.nodes.len()).map(|i| (!list.in_zone_before(i)).then(|| Answer::of(given, list, i))).collect()
-}
-
-/// The equations of all nodes, `h''(x−) − h''(x+) = 0` with zero for the side of a zone (and `−v''` for `h''` at an edge),
-/// and how they depend on the nodes to the left, here, to the right.
+/// The equations of all nodes.
 ///
-/// At the solution the middle one is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
-fn equations(given: &Given, list: &List, answers: &[Option<Answer>]) -> Vec<([f64; 3], f64)> {
-    let equation = |(i, node): (usize, &Node)| {
-        let (mut row, mut value) = ([0.0; 3], 0.0);
+/// At the solution the middle derivative is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
+fn equations(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Row> {
+    let row = |node: &Node| {
         // A load just here is in neither span, but moving on in either direction would put it into one of them.
-        if !matches!(node.kind, Kind::Edge(_)) {
-            row[1] -= given.force_at(node.x, node.cell).max(0.0);
-        }
-        if let Some(Answer { bend, response, .. }) = answers[i] {
-            row[0] += response[1][0];
-            row[1] += response[1][1];
-            value += bend[1];
-        }
-        if let Some(Answer { bend, response, .. }) = answers[i + 1] {
-            row[1] -= response[0][0];
-            row[2] -= response[0][1];
-            value -= bend[0];
-        }
-        let beam = |answer: &Option<Answer>| answer.and_then(|answer| answer.beam);
-        if let (Some(left), Some(right)) = (beam(&answers[i]), beam(&answers[i + 1])) {
-            value = right[0] - left[1];
-        }
-        (row, value)
+        let load = if node.is_edge() { 0.0 } else { given.force_at(node.x, node.cell).max(0.0) };
+        Row { derivative: [0.0, -load, 0.0], jump: 0.0 }
     };
-    list.nodes.iter().enumerate().map(equation).collect()
-}
-
-/// `u''` beside an edge, where `v''` has to be compared; elsewhere `h''` will do.
-fn profile_curvature(given: &Given, list: &List, node: usize, cell: usize) -> f64 {
-    match list.nodes[node].kind {
-        Kind::Edge(_) => given.derivative(cell, list.nodes[node].x, 2),
-        _ => 0.0,
+    let mut rows: Vec<Row> = list.nodes.iter().map(row).collect();
+    for (right, span) in spans {
+        let left = right.checked_sub(1);
+        let [at_a, at_b] = response([left.and_then(|i| list.nodes.get(i)), list.nodes.get(*right)], span);
+        if let Some(i) = left {
+            rows[i].derivative[1] -= at_a[0];
+            rows[i].derivative[2] -= at_a[1];
+            rows[i].jump -= span.at_a[2];
+        }
+        if let Some(row) = rows.get_mut(*right) {
+            row.derivative[0] += at_b[0];
+            row.derivative[1] += at_b[1];
+            row.jump += span.at_b[2];
+        }
     }
+    rows
 }
 
 /// How far the equations are from holding.
@@ -172,20 +135,19 @@ pub(super) struct Residual {
     pub(super) crowded: (f64, usize),
 }
 
-/// The residual of the equations of `list`.
-pub(super) fn residual(given: &Given, list: &List) -> Residual {
+/// The residual of the equations of `list` with its `spans`.
+pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Residual {
     // A NaN is never small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
-    let rows = equations(given, list, &answers(given, list));
-    let jump = rows.iter().map(|(_, r)| *r).fold(0.0, most);
-    let steps = newton_step(list, rows, given.length).unwrap_or_default();
-    if steps.len() < list.nodes.len() {
+    let rows = equations(given, list, spans);
+    let jump = rows.iter().map(|row| row.jump).fold(0.0, most);
+    let Some(steps) = newton_step(list, rows) else {
         return Residual { jump, step: f64::INFINITY, crowded: (0.0, 0) };
-    }
-    let moving = |i: &usize| list.nodes.get(*i).is_some_and(|n| !matches!(n.kind, Kind::Edge(_)));
+    };
+    let moving = |i: &usize| list.nodes.get(*i).is_some_and(|node| !node.is_edge());
     let step = (0..steps.len()).filter(moving).map(|i| steps[i] / given.length).fold(0.0, most);
     let mut crowded = (0.0, 0);
-    for (i, span) in list.spans(given) {
+    for &(i, span) in spans {
         for node in i.checked_sub(1).into_iter().chain([i]).filter(moving) {
             let part = steps[node].abs() / span.length();
             if crowded.0 < part {
@@ -197,63 +159,36 @@ pub(super) fn residual(given: &Given, list: &List) -> Residual {
 }
 
 /// Newton's step; [`None`] if the system is singular.
-fn newton_step(list: &List, mut rows: Vec<([f64; 3], f64)>, length: f64) -> Option<Vec<f64>> {
+fn newton_step(list: &List, mut rows: Vec<Row>) -> Option<Vec<f64>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
-    let n = rows.len();
-    for ((row, value), _) in rows.iter_mut().zip(&list.nodes).filter(|(_, node)| !matches!(node.kind, Kind::Edge(_))) {
-        // The wrong sign leads to a root that pulls or penetrates: uphill from there. Beside a stretch without load the
-        // slope may vanish; no step is longer than the beam.
-        let slope = row[1].abs().max(value.abs() / length);
-        row[1] = if slope == 0.0 { -1.0 } else { -slope };
+    for (row, _) in rows.iter_mut().zip(&list.nodes).filter(|(_, node)| !node.is_edge()) {
+        // The wrong sign leads to a root that pulls or penetrates: uphill from there. Without load there is no slope.
+        let slope = row.derivative[1].abs();
+        row.derivative[1] = if slope == 0.0 { -1.0 } else { -slope };
     }
-    for i in 0..n {
-        let ([_, pivot, upper], value) = rows[i];
+    for i in 0..rows.len() {
+        let Row { derivative: [_, pivot, upper], jump } = rows[i];
         if pivot == 0.0 || !pivot.is_finite() {
             return None;
         }
-        if i + 1 < n {
-            let (row, right) = &mut rows[i + 1];
-            let factor = row[0] / pivot;
-            row[1] -= factor * upper;
-            *right -= factor * value;
+        if let Some(next) = rows.get_mut(i + 1) {
+            let factor = next.derivative[0] / pivot;
+            next.derivative[1] -= factor * upper;
+            next.jump -= factor * jump;
         }
     }
-    let mut step = vec![0.0; n];
-    for i in (0..n).rev() {
-        let ([_, pivot, upper], value) = rows[i];
-        let beyond = if i + 1 < n { upper * step[i + 1] } else { 0.0 };
-        step[i] = -(value + beyond) / pivot;
-        if !step[i].is_finite() {
+    let mut step = vec![0.0; rows.len()];
+    let mut beyond = 0.0;
+    for (step, row) in step.iter_mut().zip(&rows).rev() {
+        let [_, pivot, upper] = row.derivative;
+        *step = -(row.jump + upper * beyond) / pivot;
+        if !step.is_finite() {
             return None;
         }
+        beyond = *step;
     }
     Some(step)
-}
-
-/// Nodes that have come to rest stay where they are while others still move.
-fn settle(given: &Given, list: &List, step: &mut [f64], settled: &mut [u8]) {
-    /// Steps at the level of rounding after which a node is at rest.
-    const ENOUGH: u8 = 2;
-    for ((step, settled), node) in step.iter_mut().zip(settled).zip(&list.nodes) {
-        if matches!(node.kind, Kind::Edge(_)) || ROUNDING * given.length < step.abs() {
-            *settled = 0;
-        } else if *settled == ENOUGH {
-            *step = 0.0;
-        } else {
-            *settled += 1;
-        }
-    }
-}
-
-/// The answers of the spans beside nodes that have moved.
-fn update(given: &Given, list: &List, step: &[f64], answers: &mut [Option<Answer>]) {
-    let moved = |i: usize| step.get(i).is_some_and(|step| *step != 0.0);
-    for (i, answer) in answers.iter_mut().enumerate() {
-        if answer.is_some() && (moved(i) || i.checked_sub(1).is_some_and(moved)) {
-            *answer = Some(Answer::of(given, list, i));
-        }
-    }
 }
 
 /// What became of a step.
@@ -261,19 +196,17 @@ fn update(given: &Given, list: &List, step: &[f64], answers: &mut [Option<Answer
 struct Applied {
     /// Its largest part, as a share of the beam.
     size: f64,
-    /// How far nodes moved at most, as a share of the beam.
-    moved: f64,
-    /// How many were kept from moving as far as they should.
-    limited: usize,
+    /// True if a node was kept from moving as far as it should.
+    limited: bool,
 }
 
 /// Takes the step as far as every node stays on its piece of the profile and spans keep a length.
-fn apply(given: &Given, list: &mut List, step: &[f64], brackets: &mut [Bracket]) -> Applied {
+fn apply(given: &PiecewiseScene, list: &mut List, step: &[f64], brackets: &mut [Bracket]) -> Applied {
     let places: Vec<f64> = list.nodes.iter().map(|n| n.x).collect();
     let mut applied = Applied::default();
     for (i, &step) in step.iter().enumerate() {
         let node = list.nodes[i];
-        if let Kind::Edge(_) = node.kind {
+        if node.is_edge() {
             list.nodes[i].turn_by(step);
             continue;
         }
@@ -297,14 +230,13 @@ fn apply(given: &Given, list: &mut List, step: &[f64], brackets: &mut [Bracket])
         let wanted = x + step;
         let bounded = brackets[i].keep(wanted, ROUNDING * given.length).max(lo.min(x)).min(hi.max(x));
         let short = ROUNDING * given.length < (bounded - wanted).abs();
-        applied.limited += usize::from(short);
+        applied.limited |= short;
         if short {
             list.nodes[i].move_to(bounded, 0.0);
         } else {
             list.nodes[i].move_to(x, node.rest + step);
         }
         applied.size = applied.size.max(step.abs() / given.length);
-        applied.moved = applied.moved.max((list.nodes[i].x - x).abs() / given.length);
     }
     applied
 }

@@ -1,6 +1,6 @@
 //! The beam by pieces: over each part of a cell it is one polynomial, and so is (or nearly so, for a cosine) the clearance.
 
-use super::given::Given;
+use super::piecewise::PiecewiseScene;
 use super::span::{Span, difference};
 
 /// A part of a cell over which the beam is one polynomial.
@@ -29,7 +29,7 @@ pub(super) struct State {
 
 impl Piece {
     /// Taylor coefficients of the clearance `h` at the anchor.
-    pub(super) fn clearance(&self, given: &Given, out: &mut [f64]) {
+    pub(super) fn clearance(&self, given: &PiecewiseScene, out: &mut [f64]) {
         let Some(State { clearance: [h, h1, h2, h3], .. }) = self.state else {
             return out.fill(0.0);
         };
@@ -40,7 +40,7 @@ impl Piece {
     }
 
     /// Taylor coefficients of the deflection `v` at the anchor.
-    pub(super) fn deflection(&self, given: &Given, out: &mut [f64]) {
+    pub(super) fn deflection(&self, given: &PiecewiseScene, out: &mut [f64]) {
         let Some(State { beam, .. }) = self.state else {
             return given.profile(self.cell, self.anchor, out);
         };
@@ -80,12 +80,12 @@ pub(super) fn derivatives(taylor: &[f64], t: f64) -> [f64; 4] {
 }
 
 /// Taylor coefficients of a beam under the load of `cell` at `x`.
-fn beam_taylor(given: &Given, cell: usize, x: f64, [v, v1, v2, v3]: &[f64; 4]) -> [f64; 6] {
+fn beam_taylor(given: &PiecewiseScene, cell: usize, x: f64, [v, v1, v2, v3]: &[f64; 4]) -> [f64; 6] {
     [*v, *v1, v2 / 2.0, v3 / 6.0, given.load(cell, x) / 24.0, given.cells[cell].load_slope / 120.0]
 }
 
 /// The pieces of a span, from left to right: computed from both ends up to its middle.
-pub(super) fn pieces_of(given: &Given, span: &Span, out: &mut Vec<Piece>) {
+pub(super) fn pieces_of(given: &PiecewiseScene, span: &Span, out: &mut Vec<Piece>) {
     let middle = 0.5 * (span.a.x + span.b.x);
     let mut state = State { beam: span.beam_a, clearance: span.at_a };
     let mut cell = span.a.cell;
@@ -98,7 +98,7 @@ pub(super) fn pieces_of(given: &Given, span: &Span, out: &mut Vec<Piece>) {
         if last {
             break;
         }
-        state = carried(given, &state, [from, to], [cell, cell + 1], given.joints[cell + 1].force);
+        state = carried(given, &state, [from, to], [cell, cell + 1], given.breakpoints[cell + 1].force);
         cell += 1;
         from = to;
     }
@@ -114,23 +114,23 @@ pub(super) fn pieces_of(given: &Given, span: &Span, out: &mut Vec<Piece>) {
         if last {
             break;
         }
-        state = carried(given, &state, [to, from], [right, right - 1], -given.joints[right].force);
+        state = carried(given, &state, [to, from], [right, right - 1], -given.breakpoints[right].force);
         right -= 1;
         to = from;
     }
     out[meeting..].reverse();
 }
 
-/// The state carried on through a cell to its other end, and over the joint there into the next cell; `v'''` jumps by the
-/// load on the joint.
-fn carried(given: &Given, state: &State, [from, to]: [f64; 2], [cell, next]: [usize; 2], jump: f64) -> State {
+/// The state carried on through a cell to its other end, and over the breakpoint there into the next cell; `v'''` jumps by the
+/// load on the breakpoint.
+fn carried(given: &PiecewiseScene, state: &State, [from, to]: [f64; 2], [cell, next]: [usize; 2], jump: f64) -> State {
     let mut beam = derivatives(&beam_taylor(given, cell, from, &state.beam), to - from);
     beam[3] += jump;
     State { beam, clearance: difference(&given.derivatives(next, to), &beam) }
 }
 
 /// The pieces of a zone, in which the beam is the profile.
-pub(super) fn pieces_of_zone(given: &Given, from: f64, to: f64, out: &mut Vec<Piece>) {
+pub(super) fn pieces_of_zone(given: &PiecewiseScene, from: f64, to: f64, out: &mut Vec<Piece>) {
     for cell in given.cell_from(from)..=given.cell_to(to) {
         let (lo, hi) = (given.cells[cell].lo.max(from), given.cells[cell].hi.min(to));
         if lo < hi {

@@ -4,24 +4,21 @@
 //! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::list::normalised`]).
 
 use super::check::Checked;
-use super::gap::zones_between;
-use super::given::Given;
 use super::list::{AtSupport, Kind, List, Node, edge_node, normalised};
+use super::piecewise::PiecewiseScene;
 use super::span::Span;
+use super::tension::zones_between;
 use super::violation::Violation;
 
 /// The list with its faults repaired as far as each of them says how.
-pub(super) fn repaired(given: &Given, list: &List, checked: &Checked) -> List {
+pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked) -> List {
     let (supports, keep) = (list.supports, vec![true; list.nodes.len()]);
     let mut repair = Repair { given, list, checked, supports, keep, added: Vec::new() };
     for &(i, fault) in &checked.faults {
         match fault {
-            Violation::Inverted { from, to } => {
-                (repair.keep[i], repair.keep[i + 1]) = (false, false);
-                repair.touch(0.5 * (from + to));
-            }
+            Violation::Inverted { .. } => (repair.keep[i], repair.keep[i + 1]) = (false, false),
             Violation::Tension { .. } => repair.tension(i),
-            Violation::Bulge { moment, .. } => repair.bulge(i, moment),
+            Violation::CurvatureGap { .. } => repair.curvature_gap(i),
             Violation::Pull { .. } => repair.pull(i),
             Violation::Unresolved { .. } => repair.unresolved(i),
             Violation::Couple { .. } => repair.couple(i),
@@ -38,7 +35,7 @@ pub(super) fn repaired(given: &Given, list: &List, checked: &Checked) -> List {
 
 /// A list and what becomes of it.
 struct Repair<'a> {
-    given: &'a Given,
+    given: &'a PiecewiseScene,
     list: &'a List,
     checked: &'a Checked,
     supports: [AtSupport; 2],
@@ -62,7 +59,7 @@ impl Repair<'_> {
     }
 
     /// The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
-    fn bulge(&mut self, i: usize, moment: f64) {
+    fn curvature_gap(&mut self, i: usize) {
         let Node { x, cell, .. } = self.list.nodes[i];
         if !self.keep[i] || self.given.tension_between(x, x).next().is_some() {
             return;
@@ -72,9 +69,7 @@ impl Repair<'_> {
         let (lo, hi) = self.given.reach(cell);
         let left = i.checked_sub(1).map_or(lo, |i| nodes[i].x.max(lo));
         let right = nodes.get(i + 1).map_or(hi, |n| n.x.min(hi));
-        // The moment falls to that of the profile over this length.
-        let falls = 2.0 * moment / self.checked.forces[i].abs();
-        let half = falls.min(0.3 * (x - left).min(right - x));
+        let half = 0.3 * (x - left).min(right - x);
         self.added.push(Node::new(Kind::ZoneStart, x - half, cell));
         self.added.push(Node::new(Kind::ZoneEnd, x + half, cell));
     }
@@ -99,7 +94,7 @@ impl Repair<'_> {
         let nodes = &self.list.nodes;
         let beside = [i.checked_sub(1), (i < nodes.len()).then_some(i)];
         if beside.iter().flatten().any(|&node| nodes[node].kind.is_of_zone()) {
-            for node in beside.into_iter().flatten().filter(|&node| matches!(nodes[node].kind, Kind::Edge(_))) {
+            for node in beside.into_iter().flatten().filter(|&node| nodes[node].is_edge()) {
                 self.keep[node] = false;
             }
         }
@@ -127,52 +122,27 @@ impl Repair<'_> {
         };
         let (given, list) = (self.given, self.list);
         let (_, span) = &self.checked.spans[index];
-        if let Some(joint) = edge_at(given, span, at) {
-            self.added.push(edge_node(given, joint));
+        if let Some(breakpoint) = edge_at(given, span, at) {
+            self.added.push(edge_node(given, breakpoint));
             return;
         }
-        let n = list.nodes.len();
-        let beside = |x: f64| (at - x).abs() < 0.5 * span.length();
-        // A support at the level of the foundation, which the beam leaves too steeply.
-        for (support, end, turn) in [(0, span.a, span.at_a[1]), (1, span.b, -span.at_b[1])] {
-            let here = if support == 0 { i == 0 } else { i == n };
-            let held = list.supports[support] == AtSupport::Clamped;
-            let steep = list.supports[support] == AtSupport::Free && given.starts_at_zero(support) && turn < 0.0;
-            if here && (steep || held && beside(end.x)) {
-                self.supports[support] = AtSupport::Clamped;
-                if held || given.derivative(end.cell, end.x, 2) <= 0.0 {
-                    self.start_zone_at_support(support, 0.1 * span.length());
-                }
-                return;
-            }
-        }
-        let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), ((i < n).then_some(i), span.b.x, -span.at_b[1])];
+        // The beam leaves an edge beside it on the wrong side: it touches the slope there instead.
+        let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
         for (node, x, turn) in neighbours {
-            let Some(node) = node.filter(|_| beside(x)) else { continue };
-            if matches!(list.nodes[node].kind, Kind::Edge(_)) && turn < 0.0 {
-                // The beam leaves the edge on the wrong side: it touches the slope beside it instead.
+            if let Some(node) = node.filter(|&node| node < list.nodes.len())
+                && list.nodes[node].is_edge()
+                && (at - x).abs() < 0.5 * span.length()
+                && turn < 0.0
+            {
                 self.keep[node] = false;
-            } else if !self.keep[node] || list.nodes[node].kind.is_of_zone() && self.checked.forces[node] < 0.0 {
-                // A point that goes or becomes a zone, or the end of a zone that will move.
-                return;
             }
         }
         self.touch(at);
     }
-
-    /// A zone from a support over `length`.
-    fn start_zone_at_support(&mut self, support: usize, length: f64) {
-        self.supports[support] = AtSupport::Zone;
-        self.added.push(if support == 0 {
-            Node::new(Kind::ZoneEnd, length, 0)
-        } else {
-            Node::new(Kind::ZoneStart, self.given.length - length, self.given.cells.len() - 1)
-        });
-    }
 }
 
 /// The edge at `at` in a span, if there is one.
-fn edge_at(given: &Given, span: &Span, at: f64) -> Option<usize> {
+fn edge_at(given: &PiecewiseScene, span: &Span, at: f64) -> Option<usize> {
     let near = 1e-6 * span.length();
-    given.joints_inside(at - near, at + near).find(|&j| span.a.cell < j && j <= span.b.cell && given.is_edge(j))
+    given.breakpoints_inside(at - near, at + near).find(|&j| span.a.cell < j && j <= span.b.cell && given.is_edge(j))
 }

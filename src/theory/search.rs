@@ -6,10 +6,10 @@
 //! cycles, and no scene needs another kind of search.
 
 use super::check::{Checked, check};
-use super::given::Given;
 use super::guess::{LONG, Samples};
 use super::list::{List, normalised};
 use super::newton;
+use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
 
 /// Links of the first chain, more at the breaks of the profile: enough for most scenes.
@@ -46,10 +46,7 @@ pub(super) struct Found {
 impl Found {
     /// True if every condition holds.
     pub(super) fn certified(&self) -> bool {
-        /// Newton's method creeps towards a double root (the end of a zone at an edge that carries nothing) and may not
-        /// say that it is there; conditions that hold to a few units of rounding say so.
-        const ROUNDING: f64 = 1e-14;
-        self.checked.faults.is_empty() && (self.converged || self.checked.worst <= ROUNDING)
+        self.checked.faults.is_empty() && self.converged
     }
 
     /// The better of two: one that is certified, one that converged, the one that violates less.
@@ -61,7 +58,7 @@ impl Found {
 }
 
 /// The beam without contact.
-pub(super) fn free(given: &Given) -> Found {
+pub(super) fn free(given: &PiecewiseScene) -> Found {
     let list = List::free();
     let checked = check(given, &list);
     Found { list, checked, steps: 0, lists: 1, converged: true }
@@ -71,12 +68,11 @@ pub(super) fn free(given: &Given) -> Found {
 ///
 /// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
 /// piece of the scene.
-pub(super) fn search(given: &Given) -> Found {
+pub(super) fn search(given: &PiecewiseScene) -> Found {
     let mut best = free(given);
     if best.certified() {
         return best;
     }
-    let first = repaired(given, &best.list, &best.checked);
     let mut samples = Samples::first(given, LINKS);
     let mut guess = samples.chain(given);
     if ENOUGH < samples.count() {
@@ -98,9 +94,6 @@ pub(super) fn search(given: &Given) -> Found {
             guess = samples.chain(given);
         }
         let mut list = samples.list(given, &guess);
-        if list == List::free() {
-            list.clone_from(&first);
-        }
         places.clear();
         let (mut strikes, mut fewest) = (0, usize::MAX);
         for _ in 0..ROUNDS {

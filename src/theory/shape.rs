@@ -71,37 +71,12 @@ impl Shape {
         Self::Line { origin, depth, slope: (u1 - u0) / (x1 - x0) }
     }
 
-    /// The depth from which it is interpolated: where its powers start, or the mean of its waves.
-    pub(super) fn start(&self) -> f64 {
-        match self {
-            Self::Line { depth, .. } => *depth,
-            Self::Polynomial { coefficients, .. } => coefficients.first().copied().unwrap_or(0.0),
-            Self::Cosine { mean, .. } => *mean,
-        }
-    }
-
     /// The degree, if it is a polynomial.
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
             Self::Line { .. } => Some(1),
             Self::Polynomial { coefficients, .. } => Some(coefficients.len().saturating_sub(1)),
             Self::Cosine { .. } => None,
-        }
-    }
-
-    /// `u(b) − u(a)` without the rounding of the depths themselves.
-    pub(super) fn rise(&self, a: f64, b: f64) -> f64 {
-        match self {
-            Self::Line { slope, .. } => slope * (b - a),
-            Self::Polynomial { coefficients, .. } => {
-                let mut taylor = vec![0.0; coefficients.len()];
-                self.taylor(a, &mut taylor);
-                taylor.iter().skip(1).rev().fold(0.0, |sum, c| (sum + c) * (b - a))
-            }
-            &Self::Cosine { amplitude, wavelength, phase, .. } => {
-                let (middle, half) = (FULL * (0.5 * (a + b) / wavelength) + phase, FULL * (0.5 * (b - a) / wavelength));
-                -2.0 * amplitude * libm::sin(middle) * libm::sin(half)
-            }
         }
     }
 
@@ -190,7 +165,6 @@ mod tests {
             shape.taylor(1.2, &mut here);
             let mut continued = vec![0.0; 22];
             shifted(&there, 0.2, &mut continued);
-            assert!((shape.rise(1.0, 1.2) - (here[0] - there[0])).abs() <= ROUNDING);
             for j in 0..5 {
                 assert!((continued[j] - here[j]).abs() <= ROUNDING * 1e3_f64.max(here[j].abs()), "order {j}");
             }

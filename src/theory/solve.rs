@@ -1,8 +1,8 @@
 //! The entrance: a scene in its own units to its exact solution.
 
-use super::cut::MOST_CELLS;
+use super::breakpoints::MOST_CELLS;
 use super::exact::Exact;
-use super::given::Given;
+use super::piecewise::PiecewiseScene;
 use super::search;
 use crate::scene::{Foundation, Scene, SceneError};
 
@@ -78,13 +78,13 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     let stiffness = scaled.scene.beam().bending_stiffness();
     let (given, found) = match foundation {
         Some(foundation) => {
-            let given = Given::new(&scaled.scene, foundation);
+            let given = PiecewiseScene::new(&scaled.scene, foundation);
             let found = search::search(&given);
             (given, found)
         }
         None => {
             // Clearances are then measured from the line of the supports and asked of nobody.
-            let given = Given::new(&scaled.scene, &Foundation::Flat { depth: 0.0 });
+            let given = PiecewiseScene::new(&scaled.scene, &Foundation::Flat { depth: 0.0 });
             let mut found = search::free(&given);
             found.checked.faults.clear();
             found.checked.worst = 0.0;
@@ -92,57 +92,4 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
         }
     };
     Ok(Exact::new(given, found, scaled.scale, stiffness, foundation.is_some()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::flat;
-    use super::*;
-    use crate::route::Status;
-    use crate::scene::{Beam, Load};
-    use crate::state::Regime;
-
-    /// Twelve digits are asked for; rounding leaves more.
-    const DIGITS: f64 = 1e-12;
-
-    /// Forces and energies that fade out at a border are measured by this part of the load and its work.
-    const LEAST: f64 = 1e-3;
-
-    #[track_caller]
-    fn check(found: f64, expected: f64) {
-        assert!((found - expected).abs() <= DIGITS * expected.abs().max(LEAST), "{found} instead of {expected}");
-    }
-
-    #[test]
-    fn a_flat_foundation_is_the_closed_form_in_every_regime() {
-        let (l, ei, q) = (10.0, 500.0 / 384.0, 1.0);
-        for share in [1e-8, 1e-4, 0.01, 0.3, 0.999, 1.001, 3.0, 4.99, 5.01, 7.0] {
-            let depth = share * q * l * l * l * l / (384.0 * ei);
-            let beam = Beam::new(l, ei).expect("a beam");
-            let load = Load::uniform_on(&beam, q).expect("a load");
-            let scene = Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("a scene");
-            let exact = solve(&scene).expect("an answer");
-            let closed = flat(l, ei, depth, q);
-            assert_eq!(
-                (exact.status, exact.state.regime),
-                (Status::Certified, closed.regime),
-                "share {share}: {:?}",
-                exact.violations
-            );
-            check(exact.state.reactions.left, closed.reaction);
-            check(exact.state.reactions.right, closed.reaction);
-            check(exact.state.contact_force(), closed.contact_force);
-            check(exact.state.energy, closed.energy);
-            if closed.regime == Regime::Zone {
-                let a = closed.lift_off.unwrap_or(f64::NAN);
-                check(exact.state.contacts[0].from, a);
-                check(l - exact.state.contacts[0].to, a);
-            }
-            for i in 0..=20 {
-                let x = 0.5 * f64::from(i);
-                assert!((exact.deflection(x) - closed.deflection(x)).abs() <= DIGITS * closed.deflection(0.5 * l));
-                assert!((exact.moment(x) - closed.moment(x)).abs() <= DIGITS * 0.1 * q * l * l);
-            }
-        }
-    }
 }

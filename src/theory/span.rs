@@ -4,7 +4,7 @@
 //! exactly, so that even a tiny gap between two contacts is resolved to its last digits. With `g = u'''' − q`,
 //!
 //! ```text
-//! h'''' = g + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the joints inside
+//! h'''' = g + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the breakpoints inside
 //! h''(a) = −(4 φ_a + 2 φ_b)/ℓ + G_a,     G_a = ∫ g w_a + Σ (−S w_a''' + J w_a'' − P w_a)
 //! h''(b) =  (2 φ_a + 4 φ_b)/ℓ + G_b,     w_a = t (ℓ − t)²/ℓ²,  w_b = t² (ℓ − t)/ℓ²
 //! ```
@@ -14,7 +14,7 @@
 //! by far less than they are.
 
 use super::cosine;
-use super::given::Given;
+use super::piecewise::PiecewiseScene;
 
 /// How a span begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +60,7 @@ impl Hold {
 pub(super) struct End {
     /// Where.
     pub(super) x: f64,
-    /// What its place is beyond `x`.
+    /// What its place is beyond `x`, where it rests on a smooth piece of the profile; not used at an edge, which cannot move.
     pub(super) rest: f64,
     /// The cell of the span that ends there.
     pub(super) cell: usize,
@@ -90,8 +90,6 @@ pub(super) struct Span {
     pub(super) beam_a: [f64; 4],
     /// `v, v', v'', v'''` at the right end.
     pub(super) beam_b: [f64; 4],
-    /// True if it was solved in `v`: the derivatives of `v` are the accurate ones then, those of `h` are differences.
-    pub(super) in_beam: bool,
 }
 
 impl Span {
@@ -99,7 +97,7 @@ impl Span {
     ///
     /// The equations are the same in `v` with `v'''' = q`, and over many waves or cliffs of a profile they have to be solved
     /// in `v`: `h''` there is of the size of `u''`, and so would be the rounding of `v''`.
-    pub(super) fn between(given: &Given, a: End, b: End) -> Self {
+    pub(super) fn between(given: &PiecewiseScene, a: End, b: End) -> Self {
         let l = b.x - a.x;
         let profiles = [given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x)];
         let ends = [&a, &b];
@@ -109,13 +107,9 @@ impl Span {
         let in_clearance =
             chord(heights).max(profiles[0][2].abs().max(profiles[1][2].abs())).max(broken(given, &a, &b));
         let in_beam = chord(levels) < in_clearance;
-        // Depths count from that at the left end, so that contacts beside each other at a great depth lose nothing.
         let rise = if in_beam {
-            let (from, to) = (given.cells[a.cell].shape, given.cells[b.cell].shape);
-            let resting = a.hold == Hold::Resting && b.hold == Hold::Resting && from == to;
-            let rise = if resting { given.shapes[from].rise(a.x, b.x) } else { levels[1] - levels[0] };
             let beyond = |i: usize| if ends[i].hold == Hold::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
-            rise + (beyond(1) - beyond(0))
+            levels[1] - levels[0] + (beyond(1) - beyond(0))
         } else {
             heights[1] - heights[0]
         };
@@ -153,7 +147,7 @@ impl Span {
         }
         let [at_a, at_b] = at;
         let [beam_a, beam_b] = beam;
-        Self { a, b, at_a, at_b, beam_a, beam_b, in_beam }
+        Self { a, b, at_a, at_b, beam_a, beam_b }
     }
 
     /// Its length `ℓ`.
@@ -164,10 +158,10 @@ impl Span {
 
 /// What kinks and steps inside a span do to `h''`, taken one by one: over a cliff that goes down and up again they are
 /// huge and cancel, and so `h` is not what to compute there.
-fn broken(given: &Given, a: &End, b: &End) -> f64 {
+fn broken(given: &PiecewiseScene, a: &End, b: &End) -> f64 {
     let l = b.x - a.x;
-    let joints = given.joints_between(a.cell, b.cell).iter();
-    joints.fold(0.0_f64, |most, j| most.max((4.0 * j.kink.abs() + 6.0 * j.step.abs() / l) / l))
+    let breakpoints = given.breakpoints_between(a.cell, b.cell).iter();
+    breakpoints.fold(0.0_f64, |most, j| most.max((4.0 * j.kink.abs() + 6.0 * j.step.abs() / l) / l))
 }
 
 /// Which fourth derivative.
@@ -226,7 +220,7 @@ fn solve(l: f64, [a, b]: [Held; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
 }
 
 /// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
-fn fixed_end(given: &Given, a: &End, b: &End, of: Drive) -> FixedEnd {
+fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;
     let (mut moment, mut shear) = ([0.0; 2], [0.0; 2]);
     let mut add = |x: f64, force: f64| {
@@ -252,18 +246,18 @@ fn fixed_end(given: &Given, a: &End, b: &End, of: Drive) -> FixedEnd {
             }
         }
     }
-    for joint in given.joints_between(a.cell, b.cell) {
-        if joint.force != 0.0 {
-            add(joint.x, sign * joint.force);
+    for breakpoint in given.breakpoints_between(a.cell, b.cell) {
+        if breakpoint.force != 0.0 {
+            add(breakpoint.x, sign * breakpoint.force);
         }
     }
     if of == Drive::Load {
         return FixedEnd { moment, shear };
     }
-    for joint in given.joints_between(a.cell, b.cell) {
-        let s = (joint.x - a.x) / l;
-        moment[0] += (joint.kink * (6.0 * s - 4.0) - 6.0 * joint.step / l) / l;
-        moment[1] += (joint.kink * (2.0 - 6.0 * s) + 6.0 * joint.step / l) / l;
+    for breakpoint in given.breakpoints_between(a.cell, b.cell) {
+        let s = (breakpoint.x - a.x) / l;
+        moment[0] += (breakpoint.kink * (6.0 * s - 4.0) - 6.0 * breakpoint.step / l) / l;
+        moment[1] += (breakpoint.kink * (2.0 - 6.0 * s) + 6.0 * breakpoint.step / l) / l;
     }
     if let Some(wave) = wave {
         let (g, q) = cosine::fixed_end(wave.amplitude, wave.number, wave.angle(0.5 * (a.x + b.x)), l);

@@ -1,19 +1,19 @@
 //! Reactions, contacts, extremes and energy of a list, in the units of the scene.
 
 use super::bernstein::{range, sign_changes};
-use super::forces::zone_force;
-use super::given::Given;
+use super::check::zone_force;
 use super::list::List;
 use super::piece::{Piece, derivatives};
+use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use crate::scene::Scale;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime};
 
 /// The state of the beam.
-pub(super) fn state(given: &Given, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
+pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
     let force = |f: f64| f * stiffness * scale.force;
     let pieces = &found.checked.pieces;
-    let ends = [given.joints.first(), given.joints.last()].map(|j| j.map_or(0.0, |j| j.force));
+    let ends = [given.breakpoints.first(), given.breakpoints.last()].map(|j| j.map_or(0.0, |j| j.force));
     let contacts = contacts(given, found)
         .into_iter()
         .map(|c| Contact {
@@ -50,7 +50,7 @@ pub(super) fn state(given: &Given, found: &Found, scale: &Scale, stiffness: f64)
 }
 
 /// The contacts from left to right.
-fn contacts(given: &Given, found: &Found) -> Vec<Contact> {
+fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
@@ -82,7 +82,7 @@ fn on_the_beam(x: f64, length: f64) -> f64 {
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.
-fn energy(given: &Given, pieces: &[Piece]) -> f64 {
+fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     let mut taylor = vec![0.0; given.terms];
     let mut sum = 0.0;
     for piece in pieces {
@@ -92,17 +92,17 @@ fn energy(given: &Given, pieces: &[Piece]) -> f64 {
             0.5 * v2 * v2 - given.load(piece.cell, x) * v
         });
     }
-    for joint in given.joints.iter().filter(|j| j.force != 0.0) {
-        let i = pieces.partition_point(|p| p.hi < joint.x).min(pieces.len() - 1);
+    for breakpoint in given.breakpoints.iter().filter(|j| j.force != 0.0) {
+        let i = pieces.partition_point(|p| p.hi < breakpoint.x).min(pieces.len() - 1);
         let piece = &pieces[i];
         piece.deflection(given, &mut taylor);
-        sum -= joint.force * derivatives(&taylor, joint.x.max(piece.lo).min(piece.hi) - piece.anchor)[0];
+        sum -= breakpoint.force * derivatives(&taylor, breakpoint.x.max(piece.lo).min(piece.hi) - piece.anchor)[0];
     }
     sum
 }
 
 /// Extremes of `v` and of `v''`: at the ends of pieces and at the roots of their derivatives.
-fn extremes(given: &Given, pieces: &[Piece]) -> (Extremes, Extremes) {
+fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     let mut taylor = vec![0.0; given.terms];
     // Inside a piece only where it may go beyond what the ends of all pieces have.
     let none = [f64::INFINITY, f64::NEG_INFINITY];

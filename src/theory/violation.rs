@@ -23,7 +23,7 @@ pub enum Violation {
     },
     /// At a point of contact the foundation is bent less than the beam.
     #[error("the moment at the contact at x = {at:?} is {moment:?} less than the foundation can leave room for")]
-    Bulge {
+    CurvatureGap {
         /// Where \[length\].
         at: f64,
         /// `EI (v'' − u'')`, positive \[force · length\].
@@ -61,7 +61,7 @@ pub enum Violation {
     },
     /// A contact is not where the piece of the foundation is that it was computed for.
     #[error("the contact at x = {at:?} was computed for a piece of the foundation that does not reach there")]
-    Astray {
+    OffPiece {
         /// Where \[length\].
         at: f64,
     },
@@ -101,12 +101,12 @@ impl Violation {
         match self {
             Self::Penetration { at, depth } => Self::Penetration { at: place(at), depth: depth * scale.depth },
             Self::Tension { at, force: pull } => Self::Tension { at: place(at), force: force(pull) },
-            Self::Bulge { at, moment: lack } => Self::Bulge { at: place(at), moment: moment(lack) },
+            Self::CurvatureGap { at, moment: lack } => Self::CurvatureGap { at: place(at), moment: moment(lack) },
             Self::Pull { from, to } => Self::Pull { from: place(from), to: place(to) },
             Self::Broken { at } => Self::Broken { at: place(at) },
             Self::Inverted { from, to } => Self::Inverted { from: place(from), to: place(to) },
             Self::Couple { at, moment: couple } => Self::Couple { at: place(at), moment: moment(couple) },
-            Self::Astray { at } => Self::Astray { at: place(at) },
+            Self::OffPiece { at } => Self::OffPiece { at: place(at) },
             Self::Unresolved { from, to } => Self::Unresolved { from: place(from), to: place(to) },
             Self::Overflow => Self::Overflow,
             Self::Unbalanced { force: rest } => Self::Unbalanced { force: force(rest) },
@@ -117,9 +117,10 @@ impl Violation {
     /// Where it is, if it is at one place.
     pub(super) fn place(self) -> Option<f64> {
         match self {
-            Self::Penetration { at, .. } | Self::Tension { at, .. } | Self::Bulge { at, .. } | Self::Astray { at } => {
-                Some(at)
-            }
+            Self::Penetration { at, .. }
+            | Self::Tension { at, .. }
+            | Self::CurvatureGap { at, .. }
+            | Self::OffPiece { at } => Some(at),
             Self::Pull { from, .. } | Self::Inverted { from, .. } => Some(from),
             _ => None,
         }

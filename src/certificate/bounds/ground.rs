@@ -15,11 +15,6 @@ pub(super) struct Ground<'a> {
     level: [Option<Interval>; 2],
 }
 
-/// A depth at a support is zero but for rounding if it is at most this share of the numbers that add up to it there. The
-/// formula of a scene file is decimal, and known no better: with a depth of `−10⁻¹⁷` the scene would have no solution, with
-/// `10⁻¹⁷` the beam would lift off just beside the support.
-const LEVEL: f64 = 16.0 * f64::EPSILON;
-
 /// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
 const MOST_CELLS: f64 = 1e5;
 /// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
@@ -33,9 +28,8 @@ impl<'a> Ground<'a> {
         if matches!(foundation, Foundation::Flat { .. } | Foundation::Polyline { .. }) {
             return given;
         }
-        // At the left support a polynomial is its first coefficient, which is given and not rounded, however large the others.
         let level = [0.0, length].map(|x| {
-            let nothing = LEVEL * foundation.magnitude_at(x).min(foundation.magnitude(length));
+            let nothing = foundation.level_within(x, length);
             Some(given.cell(x, x).at(Interval::ZERO)).filter(|u| u.lo() <= nothing && -nothing <= u.hi())
         });
         Self { level, ..given }

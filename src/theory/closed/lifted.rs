@@ -1,6 +1,6 @@
 //! A flat foundation from which a force at mid-span lifts the beam: two zones and a gap between them.
 
-use crate::theory::flat;
+use super::flat;
 
 /// Beam theory for a beam that is lifted off a flat foundation at mid-span; made by [`lifted`].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,4 +13,4 @@ mod parabola;
 
 pub use incline::{Incline, incline};
 pub use lifted::{Lifted, lifted};
-pub use parabola::{Parabola, parabola};
+pub use parabola::{FlatSolution, flat, parabola};

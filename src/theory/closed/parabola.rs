@@ -1,80 +1,238 @@
-//! A parabolic dish or crest under a uniform load.
+//! A flat foundation, the paper's own reference solution, and a parabolic dish or crest, under a uniform load.
+//!
+//! Derivation. The foundation `u = u₀ + 4 rise x (l − x)/l²` has the curvature `w = u'' = −8 rise/l²`, which is zero if it is
+//! flat. A zone is pressed with `q`, since `u'''' = 0`. Let `s` be the distance from a lift-off point towards its support and
+//! `h = u − v` the clearance over the length `a` that is lifted off, with `h = h' = h'' = 0` at the lift-off point and the
+//! concentrated force `R` there; at the support `v'' = 0`, so `h'' = w`, and `h = u₀`:
+//!
+//! ```text
+//! h = R s³/(6 EI) − q s⁴/(24 EI),     R a/EI − q a²/(2 EI) = w,     R a³/(6 EI) − q a⁴/(24 EI) = u₀
+//! R = q a/2 + EI w/a,     q a⁴/(24 EI) + w a²/6 = u₀,     T = q a − R = q a/2 − EI w/a,     M = x (T − q x/2)
+//! J = q² a⁵/(30 EI) + EI w² (l/2 − 2a/3) − q l (u₀ + 2 rise/3)
+//! ```
+//!
+//! a quadratic equation for `a²`, on flat ground `a⁴ = 24 EI u₀/q`. It needs `a ≤ l/2`. Beyond that the beam touches at
+//! mid-span only, with the force that brings the free beam back to the foundation, until that vanishes and the beam is free:
+//!
+//! ```text
+//! F = 5 q l/8 − 48 EI (u₀ + rise)/l³,     T = (q l − F)/2,     J = −q² l⁵/(240 EI) + F² l³/(96 EI)
+//! ```
 
 use crate::state::Regime;
 
-/// Beam theory for a parabolic foundation; made by [`parabola`].
+/// Beam theory for a flat or parabolic foundation and a uniform load; made by [`flat`] and [`parabola`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parabola {
-    /// Which regime.
+pub struct FlatSolution {
+    length: f64,
+    bending_stiffness: f64,
+    depth: f64,
+    rise: f64,
+    load: f64,
+    /// Which of the three regimes.
     pub regime: Regime,
-    /// Length that is lifted off at each end; half of the beam with contact at mid-span, [`None`] without contact \[length\].
+    /// Length `a` that is lifted off at each end; `l/2` with contact at mid-span, [`None`] without contact \[length\].
     pub lift_off: Option<f64>,
-    /// Reaction of each support \[force\].
+    /// Reaction `T` of each support, upwards \[force\].
     pub reaction: f64,
-    /// Resultant of the contact \[force\].
+    /// Resultant of the contact, upwards \[force\].
     pub contact_force: f64,
-    /// Concentrated force at each lift-off point of a zone, zero without one \[force\].
+    /// Concentrated force at each lift-off point, `R`; zero unless the regime is [`Regime::Zone`] \[force\].
     pub end_force: f64,
     /// `J(v)` of (17) \[force · length\].
     pub energy: f64,
 }
 
-/// A beam above `u = depth + 4 rise x (l − x)/l²`, `depth` ≥ 0: a dish for `rise` > 0, a crest for `rise` < 0, under a
-/// uniform `load` ≥ 0.
-///
-/// The foundation has the curvature `w = u'' = −8 rise/l²`. A zone is pressed with `q`, since `u'''' = 0`; at the support
-/// `v'' = 0`, so `h'' = w` there:
-///
-/// ```text
-/// R a/EI − q a²/(2 EI) = w,     R a³/(6 EI) − q a⁴/(24 EI) = depth
-/// R = q a/2 + EI w/a,     q a⁴/(24 EI) + w a²/6 = depth,     T = q a − R = q a/2 − EI w/a
-/// ```
-///
-/// a quadratic equation for `a²`; a dish that starts at the supports (`depth` = 0) has `a² = −4 EI w/q`. For `a > l/2` the
-/// beam touches at mid-span only, with `F = 48 EI/l³ (5 q l⁴/(384 EI) − depth − rise)`, or not at all.
+/// The exact solution for a beam of `length` \[length\] and `bending_stiffness` \[force · length²\], both positive, above a
+/// flat foundation at `depth` ≥ 0 \[length\], under a uniform load \[force / length\], positive downwards.
 #[must_use]
-pub fn parabola(length: f64, bending_stiffness: f64, depth: f64, rise: f64, load: f64) -> Parabola {
-    let (l, ei, d, q) = (length, bending_stiffness, depth, load);
-    let w = -8.0 * rise / (l * l);
-    let free_energy = -q * q * l * l * l * l * l / (240.0 * ei);
-    let force = 48.0 * ei / (l * l * l) * (5.0 * q * l * l * l * l / (384.0 * ei) - d - rise);
+pub fn flat(length: f64, bending_stiffness: f64, depth: f64, load: f64) -> FlatSolution {
+    parabola(length, bending_stiffness, depth, 0.0, load)
+}
+
+/// The same above `u = depth + 4 rise x (l − x)/l²`, `depth` ≥ 0: a dish for `rise` > 0, a crest for `rise` < 0, under a
+/// uniform `load` ≥ 0. A crest that starts at the supports (`depth` = 0) would clamp the beam and has no closed form here.
+#[must_use]
+pub fn parabola(length: f64, bending_stiffness: f64, depth: f64, rise: f64, load: f64) -> FlatSolution {
+    let (l, ei, q) = (length, bending_stiffness, load);
+    let free = FlatSolution {
+        length,
+        bending_stiffness,
+        depth,
+        rise,
+        load,
+        regime: Regime::None,
+        lift_off: None,
+        reaction: 0.5 * q * l,
+        contact_force: 0.0,
+        end_force: 0.0,
+        energy: -q * q * l * l * l * l * l / (240.0 * ei),
+    };
+    // Multiplied out so that a beam without load needs no division, and the force factored so that it fades out without
+    // cancellation at the border to the free beam.
+    let unit = q * l * l * l * l;
+    let force = (5.0 * unit - 384.0 * ei * (depth + rise)) / (8.0 * l * l * l);
     if force <= 0.0 {
-        return Parabola {
-            regime: Regime::None,
-            lift_off: None,
-            reaction: 0.5 * q * l,
-            contact_force: 0.0,
-            end_force: 0.0,
-            energy: free_energy,
-        };
+        return free;
     }
-    let root = (w * w / 36.0 + q * d / (6.0 * ei)).sqrt();
+    let w = -8.0 * rise / (l * l);
+    let root = (w * w / 36.0 + q * depth / (6.0 * ei)).sqrt();
     // The positive root a², in the form that does not cancel.
-    let square = if 0.0 < w { 2.0 * d / (w / 6.0 + root) } else { 12.0 * ei / q * (root - w / 6.0) };
+    let square = if 0.0 < w { 2.0 * depth / (w / 6.0 + root) } else { 12.0 * ei / q * (root - w / 6.0) };
     let a = square.sqrt();
-    // A crest that starts at the supports would clamp the beam there.
-    if 0.0 < a && a <= 0.5 * l {
-        let r = 0.5 * q * a + ei * w / a;
-        let t = 0.5 * q * a - ei * w / a;
-        // ∫ v''², with v'' = w − R s/EI + q s²/(2 EI), and ∫ h over one end.
-        let bent = w * w * a - w * (r * a * a - q * a * a * a / 3.0) / ei
-            + (r * r * a * a * a / 3.0 - r * q * a * a * a * a / 4.0 + q * q * a * a * a * a * a / 20.0) / (ei * ei);
-        let gap = (r * a * a * a * a / 24.0 - q * a * a * a * a * a / 120.0) / ei;
-        return Parabola {
+    if 128.0 * ei * (3.0 * depth + rise) <= unit && (0.0 < a || w <= 0.0) {
+        let curved = if w == 0.0 { 0.0 } else { ei * w / a };
+        let reaction = 0.5 * q * a - curved;
+        return FlatSolution {
             regime: Regime::Zone,
             lift_off: Some(a),
-            reaction: t,
-            contact_force: q * l - 2.0 * t,
-            end_force: r,
-            energy: ei * (bent + 0.5 * w * w * (l - 2.0 * a)) - q * l * (d + 2.0 * rise / 3.0) + 2.0 * q * gap,
+            reaction,
+            contact_force: q * l - 2.0 * reaction,
+            end_force: 0.5 * q * a + curved,
+            energy: q * q * a * a * a * a * a / (30.0 * ei) + ei * w * w * (0.5 * l - 2.0 * a / 3.0)
+                - q * l * (depth + 2.0 * rise / 3.0),
+            ..free
         };
     }
-    Parabola {
+    FlatSolution {
         regime: Regime::Points,
         lift_off: Some(0.5 * l),
         reaction: 0.5 * (q * l - force),
         contact_force: force,
-        end_force: 0.0,
-        energy: free_energy + force * force * l * l * l / (96.0 * ei),
+        energy: free.energy + force * force * l * l * l / (96.0 * ei),
+        ..free
+    }
+}
+
+impl FlatSolution {
+    /// `v(x)`, positive downwards \[length\].
+    #[must_use]
+    pub fn deflection(&self, x: f64) -> f64 {
+        if self.regime == Regime::Zone {
+            return self.ground(x) - self.clearance(x);
+        }
+        // From M = T x − q x²/2 and v'(l/2) = 0.
+        let x = self.nearer_support(x);
+        let (l, t, q) = (self.length, self.reaction, self.load);
+        let slope = t * l * l / 8.0 - q * l * l * l / 48.0;
+        x * (slope - x * x * (t / 6.0 - q * x / 24.0)) / self.bending_stiffness
+    }
+
+    /// `h(x) = u(x) − v(x)` \[length\].
+    #[must_use]
+    pub fn clearance(&self, x: f64) -> f64 {
+        match (self.regime, self.lift_off) {
+            (Regime::Zone, Some(a)) => {
+                let s = (a - self.nearer_support(x)).max(0.0);
+                s * s * s * (4.0 * self.end_force - self.load * s) / (24.0 * self.bending_stiffness)
+            }
+            _ => self.ground(x) - self.deflection(x),
+        }
+    }
+
+    /// `M(x) = −EI v''`, positive with the underside in tension \[force · length\].
+    #[must_use]
+    pub fn moment(&self, x: f64) -> f64 {
+        let x = self.nearer_support(x);
+        match (self.regime, self.lift_off) {
+            (Regime::Zone, Some(a)) if a <= x => 8.0 * self.bending_stiffness * self.rise / (self.length * self.length),
+            _ => x * (self.reaction - 0.5 * self.load * x),
+        }
+    }
+
+    /// Contact pressure `p(x)` without the concentrated forces: `q` inside the zone \[force / length\].
+    #[must_use]
+    pub fn pressure(&self, x: f64) -> f64 {
+        match (self.regime, self.lift_off) {
+            (Regime::Zone, Some(a)) if a <= self.nearer_support(x) => self.load,
+            _ => 0.0,
+        }
+    }
+
+    /// `u(x)`.
+    fn ground(&self, x: f64) -> f64 {
+        self.depth + 4.0 * self.rise * (x / self.length) * (1.0 - x / self.length)
+    }
+
+    /// Distance of `x` from the nearer support: the solution is symmetric.
+    fn nearer_support(&self, x: f64) -> f64 {
+        x.min(self.length - x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half a unit of the last printed digit of the energy, and a margin.
+    const PRINTED: f64 = 1e-9;
+
+    /// Rounding of a handful of multiplications.
+    const ROUNDING: f64 = 1e-14;
+
+    #[track_caller]
+    fn check(found: f64, expected: f64) {
+        assert!((found - expected).abs() <= ROUNDING * expected.abs().max(1.0), "{found} instead of {expected}");
+    }
+
+    #[test]
+    fn the_example_of_the_paper() {
+        let solution = flat(10.0, 500.0 / 384.0, 1.0, 1.0);
+        assert_eq!(solution.regime, Regime::Zone);
+        check(solution.lift_off.unwrap_or(f64::NAN), 2.364_354_022_507_94);
+        check(solution.reaction, 1.182_177_011_253_97);
+        assert!((solution.energy - -8.108_516_782).abs() < PRINTED, "{}", solution.energy);
+        check(2.0 * solution.reaction + solution.contact_force, 10.0);
+    }
+
+    #[test]
+    fn the_two_borders_are_the_same_from_both_sides() {
+        let (l, ei, q) = (7.0, 3.0, 2.0);
+        let unit = q * l * l * l * l / (384.0 * ei);
+        for border in [unit, 5.0 * unit] {
+            let (below, above) = (flat(l, ei, border * (1.0 - 1e-15), q), flat(l, ei, border * (1.0 + 1e-15), q));
+            assert_ne!(below.regime, above.regime);
+            check(below.reaction, above.reaction);
+            check(below.contact_force, above.contact_force);
+            check(below.energy, above.energy);
+            for x in [0.5, 1.5, 3.0, 3.5, 6.0] {
+                check(below.deflection(x), above.deflection(x));
+                check(below.moment(x), above.moment(x));
+            }
+        }
+    }
+
+    #[test]
+    fn the_beam_meets_its_conditions_in_every_regime() {
+        let (l, ei, q) = (4.0, 2.0, 3.0);
+        for share in [0.3, 1.0, 2.5, 7.0] {
+            let u = share * q * l * l * l * l / (384.0 * ei);
+            let solution = flat(l, ei, u, q);
+            check(solution.deflection(0.0), 0.0);
+            check(solution.moment(0.0), 0.0);
+            check(2.0 * solution.reaction + solution.contact_force, q * l);
+            for i in 0..=40 {
+                let x = 0.1 * f64::from(i);
+                assert!(-ROUNDING <= solution.clearance(x), "penetration at {x}");
+                check(solution.deflection(x), solution.deflection(l - x));
+            }
+        }
+    }
+
+    #[test]
+    fn energy_is_the_integral_it_is_said_to_be() {
+        // J = ½∫M²/EI − ∫qv by the trapezium rule; its error falls with the square of the step.
+        const QUADRATURE: f64 = 1e-6;
+        let (l, ei, q, n) = (4.0, 2.0, 3.0, 4000_u32);
+        let unit = q * l * l * l * l / (384.0 * ei);
+        for (share, rise) in [(0.3, 0.0), (2.5, 0.0), (7.0, 0.0), (0.3, 0.2), (0.3, -0.1), (2.5, 0.5)] {
+            let solution = parabola(l, ei, share * unit, rise * unit, q);
+            let step = l / f64::from(n);
+            let sum: f64 = (1..n)
+                .map(|i| step * f64::from(i))
+                .map(|x| 0.5 * solution.moment(x) * solution.moment(x) / ei - q * solution.deflection(x))
+                .sum();
+            let relative = (sum * step / solution.energy - 1.0).abs();
+            assert!(relative < QUADRATURE, "energy {} by formula, off by {relative}", solution.energy);
+        }
     }
 }

@@ -37,6 +37,13 @@ fn flat_in_three_regimes_and_at_their_borders() {
         // At the borders both neighbours are right, and the contact force may be zero up to rounding.
         let error = (exact.state.contact_force() - closed.contact_force).abs();
         assert!(error <= DIGITS * q * l, "contact force off by {error:e} for {share}");
+        for i in 0..=20 {
+            let x = 0.05 * l * f64::from(i);
+            let deflection = (exact.deflection(x) - closed.deflection(x)).abs();
+            assert!(deflection <= DIGITS * closed.deflection(0.5 * l), "deflection off by {deflection:e} at {x}");
+            let moment = (exact.moment(x) - closed.moment(x)).abs();
+            assert!(moment <= DIGITS * 0.1 * q * l * l, "moment off by {moment:e} at {x}");
+        }
         if closed.regime == Regime::Zone && share < 1.0 {
             let contact = exact.state.contacts[0];
             check("lift-off", contact.from, closed.lift_off.expect("a zone"));

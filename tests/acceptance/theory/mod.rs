@@ -2,5 +2,6 @@
 
 mod borders;
 mod closed;
+mod near;
 mod statics;
 mod surveys;

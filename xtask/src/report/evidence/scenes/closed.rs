@@ -13,8 +13,7 @@ const ENDS: [&str; 2] = ["forces at the ends of zone 1", "forces at the ends of 
 const CONTACT: &str = "contact force, total";
 const ENERGY: &str = "energy";
 
-/// The closed form of a scene of the gallery, if it has one, and what follows from it. Derivations: `src/theory/flat.rs` and
-/// `src/theory/closed`.
+/// The closed form of a scene of the gallery, if it has one, and what follows from it. Derivations: `src/theory/closed`.
 pub(super) fn closed(name: &str, scene: &Scene) -> Option<(&'static str, Values)> {
     let (l, ei, q) = (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform());
     let depth = |x: f64| scene.depth(x);

@@ -1,4 +1,4 @@
-//! What is given, by pieces: profile and load between breakpoints ("cells"), and what happens at the breakpoints ("joints").
+//! Profile and load by pieces: between breakpoints ("cells"), and what happens at the breakpoints.
 //!
 //! Everything is dimensionless and divided by `EI`, so that the beam's equation is `v'''' = q − p` and a moment is `−v''`.
 
@@ -12,7 +12,7 @@ pub(super) struct Cell {
     pub(super) lo: f64,
     /// Right end.
     pub(super) hi: f64,
-    /// Which smooth piece of the profile: index into [`Given::shapes`].
+    /// Which smooth piece of the profile: index into [`PiecewiseScene::shapes`].
     pub(super) shape: usize,
     /// Load at `lo`.
     pub(super) load: f64,
@@ -22,7 +22,7 @@ pub(super) struct Cell {
 
 /// A breakpoint, and the two ends of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Joint {
+pub(super) struct Breakpoint {
     /// Where.
     pub(super) x: f64,
     /// Point load.
@@ -44,13 +44,13 @@ pub(super) struct AtEnd {
 
 /// Profile and load of a scene by pieces.
 #[derive(Debug, Clone)]
-pub(super) struct Given {
+pub(super) struct PiecewiseScene {
     /// Length of the beam.
     pub(super) length: f64,
     /// From support to support.
     pub(super) cells: Vec<Cell>,
-    /// One more than cells: joint `i` is the left end of cell `i`.
-    pub(super) joints: Vec<Joint>,
+    /// One more than cells: breakpoint `i` is the left end of cell `i`.
+    pub(super) breakpoints: Vec<Breakpoint>,
     /// The smooth pieces of the profile.
     pub(super) shapes: Vec<Shape>,
     /// Where they end, but the last.
@@ -74,7 +74,7 @@ pub(super) struct Given {
     pub(super) tension: Vec<(f64, f64)>,
 }
 
-impl Given {
+impl PiecewiseScene {
     /// Taylor coefficients of the profile of `cell` at `x`.
     pub(super) fn profile(&self, cell: usize, x: f64, out: &mut [f64]) {
         self.shapes[self.cells[cell].shape].taylor(x, out);
@@ -109,14 +109,14 @@ impl Given {
         profile - self.load(cell, x)
     }
 
-    /// The cell in which `x` lies; at a joint the one to its right, at the right support the last one.
+    /// The cell in which `x` lies; at a breakpoint the one to its right, at the right support the last one.
     pub(super) fn cell_from(&self, x: f64) -> usize {
-        self.joints.partition_point(|j| j.x <= x).saturating_sub(1).min(self.cells.len() - 1)
+        self.breakpoints.partition_point(|j| j.x <= x).saturating_sub(1).min(self.cells.len() - 1)
     }
 
-    /// The cell in which `x` lies; at a joint the one to its left, at the left support the first one.
+    /// The cell in which `x` lies; at a breakpoint the one to its left, at the left support the first one.
     pub(super) fn cell_to(&self, x: f64) -> usize {
-        self.joints.partition_point(|j| j.x < x).saturating_sub(1).min(self.cells.len() - 1)
+        self.breakpoints.partition_point(|j| j.x < x).saturating_sub(1).min(self.cells.len() - 1)
     }
 
     /// The cells to the right and to the left of `x`, which most likely lies in cell `near`.
@@ -132,28 +132,29 @@ impl Given {
         if left == right { depth } else { depth.min(self.derivative(right, x, 0)) }
     }
 
-    /// Depth at joint `i`; at a step the smaller one.
-    pub(super) fn depth_at_joint(&self, i: usize) -> f64 {
-        let x = self.joints[i].x;
+    /// Depth at breakpoint `i`; at a step the smaller one.
+    pub(super) fn depth_at_breakpoint(&self, i: usize) -> f64 {
+        let x = self.breakpoints[i].x;
         self.derivative(i - 1, x, 0).min(self.derivative(i, x, 0))
     }
 
-    /// True if the load is not one straight line across joint `i`.
+    /// True if the load is not one straight line across breakpoint `i`.
     pub(super) fn load_changes_at(&self, i: usize) -> bool {
         /// Rounding of a line that is evaluated in two cells.
         const ROUNDING: f64 = 1e-9;
-        let (left, right, x) = (&self.cells[i - 1], &self.cells[i], self.joints[i].x);
+        let (left, right, x) = (&self.cells[i - 1], &self.cells[i], self.breakpoints[i].x);
         let jump = (self.load(i - 1, x) - right.load).abs();
         let turn = (left.load_slope - right.load_slope).abs() * self.length;
-        self.joints[i].force != 0.0
+        self.breakpoints[i].force != 0.0
             || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)
     }
 
     /// How far the profile turns from its slope at `a` to the chord from `a` to `b`, and from the chord to its slope at `b`;
     /// `a` and `b` lie in cells `first` and `last`, a step at either of them is on its higher side.
     pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
-        let stepped =
-            |joint: usize, x: f64| self.joints[joint].x.total_cmp(&x).is_eq() && self.joints[joint].step != 0.0;
+        let stepped = |breakpoint: usize, x: f64| {
+            self.breakpoints[breakpoint].x.total_cmp(&x).is_eq() && self.breakpoints[breakpoint].step != 0.0
+        };
         let shape = &self.shapes[self.cells[first].shape];
         if self.cells[first].shape == self.cells[last].shape && !stepped(first, a) && !stepped(last + 1, b) {
             return [shape.bow(a, b - a, even), shape.bow(b, a - b, even)];
@@ -186,10 +187,10 @@ impl Given {
         self.tension[next..].iter().take_while(move |&&(lo, _)| lo < b)
     }
 
-    /// The joints between `a` and `b`, neither of them included.
-    pub(super) fn joints_inside(&self, a: f64, b: f64) -> std::ops::Range<usize> {
-        let first = self.joints.partition_point(|j| j.x <= a);
-        first..self.joints.partition_point(|j| j.x < b).max(first)
+    /// The breakpoints between `a` and `b`, neither of them included.
+    pub(super) fn breakpoints_inside(&self, a: f64, b: f64) -> std::ops::Range<usize> {
+        let first = self.breakpoints.partition_point(|j| j.x <= a);
+        first..self.breakpoints.partition_point(|j| j.x < b).max(first)
     }
 
     /// How far to the left a zone that starts at `x` may be extended, and how far to the right one that ends there: to the
@@ -201,10 +202,10 @@ impl Given {
         if x <= hi { [lo, hi] } else { [0.0, self.length] }
     }
 
-    /// The joint at `x`, if there is one.
-    pub(super) fn joint_at(&self, x: f64) -> Option<usize> {
-        let joint = self.joints.partition_point(|j| j.x < x);
-        self.joints.get(joint).filter(|j| j.x <= x).map(|_| joint)
+    /// The breakpoint at `x`, if there is one.
+    pub(super) fn breakpoint_at(&self, x: f64) -> Option<usize> {
+        let breakpoint = self.breakpoints.partition_point(|j| j.x < x);
+        self.breakpoints.get(breakpoint).filter(|j| j.x <= x).map(|_| breakpoint)
     }
 
     /// True if the foundation starts at the level of a support (0: left, 1: right), up to the rounding of its depth.
@@ -215,21 +216,25 @@ impl Given {
     /// Point load exactly at `x`, which most likely lies in cell `near`.
     pub(super) fn force_at(&self, x: f64, near: usize) -> f64 {
         let c = &self.cells[near];
-        if c.lo < x && x < c.hi { 0.0 } else { self.joint_at(x).map_or(0.0, |joint| self.joints[joint].force) }
+        if c.lo < x && x < c.hi {
+            0.0
+        } else {
+            self.breakpoint_at(x).map_or(0.0, |breakpoint| self.breakpoints[breakpoint].force)
+        }
     }
 
-    /// The joints between cell `first` and cell `last`.
-    pub(super) fn joints_between(&self, first: usize, last: usize) -> &[Joint] {
-        self.joints.get(first + 1..=last).unwrap_or_default()
+    /// The breakpoints between cell `first` and cell `last`.
+    pub(super) fn breakpoints_between(&self, first: usize, last: usize) -> &[Breakpoint] {
+        self.breakpoints.get(first + 1..=last).unwrap_or_default()
     }
 
-    /// True if the smooth piece of the profile ends at joint `i`.
+    /// True if the smooth piece of the profile ends at breakpoint `i`.
     pub(super) fn breaks_at(&self, i: usize) -> bool {
         0 < i && i < self.cells.len() && self.cells[i - 1].shape != self.cells[i].shape
     }
 
-    /// True if the beam can rest on joint `i`: an edge, or a kink that points upwards.
+    /// True if the beam can rest on breakpoint `i`: an edge, or a kink that points upwards.
     pub(super) fn is_edge(&self, i: usize) -> bool {
-        self.breaks_at(i) && (self.joints[i].step != 0.0 || 0.0 < self.joints[i].kink)
+        self.breaks_at(i) && (self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink)
     }
 }

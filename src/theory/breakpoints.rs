@@ -1,9 +1,10 @@
-//! A scene cut into cells and joints, [`Given`].
+//! A scene cut into cells and breakpoints, [`PiecewiseScene`].
 
 use super::gauss::Gauss;
-use super::given::{AtEnd, Cell, Given, Joint};
-use super::pressure::tension_intervals;
+use super::piecewise::{AtEnd, Breakpoint, Cell, PiecewiseScene};
 use super::shape::Shape;
+use super::tension::tension_intervals;
+use crate::scene::pieces::without_collinear_points;
 use crate::scene::{Foundation, Load, Scene};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
@@ -13,25 +14,26 @@ const CELL_ANGLE: f64 = 0.8;
 const COSINE_TERMS: usize = 22;
 /// Ten-point Gauss quadrature over such a cell is exact to rounding.
 const COSINE_DEGREE: usize = 19;
-/// A beam by pieces is a polynomial of degree 5 between joints: load of degree 1, integrated four times.
+/// A beam by pieces is a polynomial of degree 5 between breakpoints: load of degree 1, integrated four times.
 const BEAM_TERMS: usize = 6;
 
-impl Given {
+impl PiecewiseScene {
     /// Profile and load of a dimensionless scene with a foundation.
     pub(super) fn new(scene: &Scene, foundation: &Foundation) -> Self {
         let length = scene.beam().length();
         let stiffness = scene.beam().bending_stiffness();
-        let (shapes, ends) = shapes_of(foundation, length);
+        let (shapes, breaks) = shapes_of(foundation, length);
+        let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
-        let places = breakpoints(foundation, load, length, &ends);
+        let places = places(foundation, load, length, &ends);
         let cells = cells(load, stiffness, &places, &ends);
-        let joints = joints(load, stiffness, &places, &cells, &shapes);
+        let breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
         let (terms, profile) = degree.map_or((COSINE_TERMS, COSINE_DEGREE), |d| ((d + 1).max(BEAM_TERMS), d));
         let mut given = Self {
             length,
             cells,
-            joints,
+            breakpoints,
             shapes,
             ends,
             terms,
@@ -40,7 +42,10 @@ impl Given {
             resultant: load.resultant(length) / stiffness,
             total_load: load.magnitude(length) / stiffness,
             magnitude: within_reach(foundation, length),
-            supports: [0.0, length].map(|x| AtEnd::of(foundation, x, length)),
+            supports: [0.0, length].map(|x| AtEnd {
+                size: foundation.rounded_size(x, length),
+                level: foundation.depth(x) <= foundation.level_within(x, length),
+            }),
             tension: Vec::new(),
         };
         given.tension = tension_intervals(&given);
@@ -49,7 +54,7 @@ impl Given {
 }
 
 /// Breakpoints of profile and load from support to support; the smooth pieces of the profile end at `ends`.
-fn breakpoints(foundation: &Foundation, load: &Load, length: f64, ends: &[f64]) -> Vec<f64> {
+fn places(foundation: &Foundation, load: &Load, length: f64, ends: &[f64]) -> Vec<f64> {
     let mut places = ends.to_vec();
     places.extend(load.linear().iter().flat_map(|q| [q.from, q.to]));
     places.extend(load.point().iter().map(|p| p.at));
@@ -82,34 +87,30 @@ fn cells(load: &Load, stiffness: f64, places: &[f64], ends: &[f64]) -> Vec<Cell>
 }
 
 /// What is at the breakpoints.
-fn joints(load: &Load, stiffness: f64, places: &[f64], cells: &[Cell], shapes: &[Shape]) -> Vec<Joint> {
-    let mut joints: Vec<Joint> = places.iter().map(|&x| Joint { x, ..Joint::default() }).collect();
+fn breakpoints(
+    load: &Load,
+    stiffness: f64,
+    places: &[f64],
+    cells: &[Cell],
+    shapes: &[Shape],
+    breaks: &[Break],
+) -> Vec<Breakpoint> {
+    let mut breakpoints: Vec<Breakpoint> = places.iter().map(|&x| Breakpoint { x, ..Breakpoint::default() }).collect();
     for i in 1..cells.len() {
         let (left, right) = (cells[i - 1].shape, cells[i].shape);
         if left != right {
             let (mut a, mut b) = ([0.0; 2], [0.0; 2]);
             shapes[left].taylor(places[i], &mut a);
             shapes[right].taylor(places[i], &mut b);
-            joints[i].step = snapped(b[0] - a[0], shapes[left].start().abs().max(b[0].abs()));
-            joints[i].kink = b[1] - a[1];
+            breakpoints[i].step = breaks[left].step;
+            breakpoints[i].kink = b[1] - a[1];
         }
     }
     for p in load.point() {
-        let i = places.partition_point(|&x| x < p.at).min(joints.len() - 1);
-        joints[i].force += p.force / stiffness;
+        let i = places.partition_point(|&x| x < p.at).min(breakpoints.len() - 1);
+        breakpoints[i].force += p.force / stiffness;
     }
-    joints
-}
-
-impl AtEnd {
-    fn of(foundation: &Foundation, x: f64, length: f64) -> Self {
-        const ROUNDING: f64 = 4.0 * f64::EPSILON;
-        let size = match foundation {
-            Foundation::Polyline { .. } | Foundation::Flat { .. } => 0.0,
-            smooth => smooth.magnitude_at(x).min(smooth.magnitude(length)),
-        };
-        Self { size, level: foundation.depth(x) <= ROUNDING * size }
-    }
+    breakpoints
 }
 
 /// Cuts between `lo` and `hi` into equal parts no longer than `most`.
@@ -136,13 +137,15 @@ fn within_reach(foundation: &Foundation, length: f64) -> f64 {
     }
 }
 
-/// A step of the depth; none if it is the rounding of an interpolation between depths of a `size`, which may meet at zero.
-fn snapped(step: f64, size: f64) -> f64 {
-    if step.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { step }
+/// Where one smooth piece of a foundation ends and the next begins.
+struct Break {
+    x: f64,
+    /// Jump of the depth.
+    step: f64,
 }
 
-/// Smooth pieces of a foundation, and the places where one ends and the next begins.
-fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<f64>) {
+/// Smooth pieces of a foundation, and the breaks between them.
+fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
         Foundation::Flat { depth } => (vec![Shape::Polynomial { origin: 0.0, coefficients: vec![*depth] }], Vec::new()),
         Foundation::Polynomial { coefficients } => {
@@ -152,41 +155,16 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<f64>) {
         &Foundation::Cosine { mean, amplitude, wavelength, phase } => {
             (vec![Shape::Cosine { mean, amplitude, wavelength, phase }], Vec::new())
         }
-        Foundation::Polyline { points } => lines_of(&without_straight_points(points), length),
+        Foundation::Polyline { points } => lines_of(&without_collinear_points(points), length),
     }
 }
 
 /// The segments of a polyline; a step is no segment.
-fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<f64>) {
+fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
     let segments = || points.windows(2).filter(|w| w[0][0] < w[1][0] && w[0][0] < length && 0.0 < w[1][0]);
     let shapes = segments().map(|w| Shape::line(w[0], w[1])).collect();
-    (shapes, segments().skip(1).map(|w| w[0][0]).collect())
-}
-
-/// A polyline without the points at which it goes straight on up to rounding: they are no kinks.
-fn without_straight_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    /// The rounding of a decimal depth, twice, and that of the interpolation.
-    const ROUNDING: f64 = 8.0 * f64::EPSILON;
-    // A step of no height is no step.
-    let mut points = points.to_vec();
-    points.dedup();
-    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(points.len());
-    for (i, &p) in points.iter().enumerate() {
-        if let (Some(&before), Some(&after)) = (kept.last(), points.get(i + 1))
-            && before[0] < p[0]
-            && p[0] < after[0]
-        {
-            let s = (p[0] - before[0]) / (after[0] - before[0]);
-            let straight = before[1] + (after[1] - before[1]) * s;
-            // Of the numbers that make up the depth at that place: a point far below rounds nothing elsewhere.
-            let magnitude = p[1].abs().max((before[1] * (1.0 - s)).abs()).max((after[1] * s).abs());
-            if (p[1] - straight).abs() <= ROUNDING * magnitude {
-                continue;
-            }
-        }
-        kept.push(p);
-    }
-    kept
+    let breaks = segments().zip(segments().skip(1)).map(|(a, b)| Break { x: b[0][0], step: b[0][1] - a[1][1] });
+    (shapes, breaks.collect())
 }
 
 #[cfg(test)]
@@ -202,28 +180,16 @@ mod tests {
         let points = vec![[0.0, 1.0], [1.0, 1.0], [2.0, 0.0], [2.0, 0.5], [4.0, 2.5]];
         let foundation = Foundation::Polyline { points };
         let scene = Scene::new(beam, load, Some(foundation.clone())).expect("a scene");
-        let given = Given::new(&scene, &foundation);
-        let places: Vec<f64> = given.joints.iter().map(|j| j.x).collect();
+        let given = PiecewiseScene::new(&scene, &foundation);
+        let places: Vec<f64> = given.breakpoints.iter().map(|j| j.x).collect();
         assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 4.0]);
         assert_eq!(given.cells.iter().map(|c| c.shape).collect::<Vec<_>>(), [0, 1, 2, 2]);
-        assert_eq!(given.joints[1], Joint { x: 1.0, force: 0.0, step: 0.0, kink: -1.0 });
-        assert_eq!(given.joints[2], Joint { x: 2.0, force: 2.5, step: 0.5, kink: 2.0 });
+        assert_eq!(given.breakpoints[1], Breakpoint { x: 1.0, force: 0.0, step: 0.0, kink: -1.0 });
+        assert_eq!(given.breakpoints[2], Breakpoint { x: 2.0, force: 2.5, step: 0.5, kink: 2.0 });
         // q = 1 + 2 + 2 (x − 1), over EI.
         let found = [given.load(1, 1.5), given.load(3, 3.5), given.depth(2.0)];
         assert_eq!(found.map(f64::to_bits), [2.0_f64, 0.5, 0.0].map(f64::to_bits));
         assert_eq!(given.reach(3), (2.0, 4.0));
         assert!(given.is_edge(2) && !given.is_edge(1));
-    }
-
-    #[test]
-    fn points_on_a_line_are_no_kinks() {
-        let points: Vec<[f64; 2]> = (0..=10).map(|i| [0.1 * f64::from(i), 0.3 + 0.07 * f64::from(i)]).collect();
-        assert_eq!(without_straight_points(&points).len(), 2);
-    }
-
-    #[test]
-    fn a_point_far_below_does_not_straighten_a_ridge() {
-        let points = [[0.0, 1e-16], [1.0, 1e-7], [2.0, -1e-16], [3.0, 1e-16], [4.0, 1e9]];
-        assert_eq!(without_straight_points(&points), points);
     }
 }

@@ -1,0 +1,138 @@
+//! Where a zone of contact is possible, and where not: its pressure `q − u''''` must not be negative. Around a stretch where
+//! it would pull, the beam lifts off a foundation that it follows on both sides.
+
+use super::bernstein::{lowest_below, sign_changes};
+use super::list::{Kind, Node};
+use super::piecewise::PiecewiseScene;
+use super::span::{End, Span};
+
+/// Taylor coefficients of the pressure of a zone at the left end of `cell`.
+pub(super) fn pressure(given: &PiecewiseScene, cell: usize) -> Vec<f64> {
+    let c = &given.cells[cell];
+    let mut taylor = vec![0.0; given.terms.max(6)];
+    given.profile(cell, c.lo, &mut taylor);
+    let mut pressure: Vec<f64> = taylor
+        .iter()
+        .enumerate()
+        .skip(4)
+        .map(|(j, c)| {
+            #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+            let j = j as f64;
+            -c * j * (j - 1.0) * (j - 2.0) * (j - 3.0)
+        })
+        .collect();
+    pressure[0] += c.load;
+    pressure[1] += c.load_slope;
+    pressure
+}
+
+/// Stretches in which a zone would pull at the beam, from left to right; a point load that does so is one without length.
+pub(super) fn tension_intervals(given: &PiecewiseScene) -> Vec<(f64, f64)> {
+    /// Rounding of `q` and `u''''` against each other.
+    const ROUNDING: f64 = 1e-13;
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    let mut add = |from: f64, to: f64| match found.last_mut() {
+        Some(last) if from <= last.1 => last.1 = last.1.max(to),
+        _ => found.push((from, to)),
+    };
+    for (i, cell) in given.cells.iter().enumerate() {
+        if given.breakpoints[i].force < 0.0 {
+            add(cell.lo, cell.lo);
+        }
+        let width = cell.hi - cell.lo;
+        let straight = given.shapes[cell.shape].degree().is_some_and(|degree| degree < 4);
+        if straight && 0.0 <= cell.load && 0.0 <= cell.load + cell.load_slope * width {
+            continue;
+        }
+        let p = pressure(given, i);
+        let fourth = given.derivative(i, cell.lo, 4).abs();
+        let size = fourth + cell.load.abs() + (cell.load_slope * width).abs();
+        if lowest_below(&p, width, -ROUNDING * size).is_some() {
+            let mut ends = vec![0.0];
+            ends.extend(sign_changes(&p, width));
+            ends.push(width);
+            for w in ends.windows(2) {
+                if super::bernstein::value(&p, 0.5 * (w[0] + w[1])) < 0.0 {
+                    add(cell.lo + w[0], if w[1] < width { cell.lo + w[1] } else { cell.hi });
+                }
+            }
+        }
+    }
+    found
+}
+
+/// How much a zone would pull on the average between `lo` and `hi`, or at these two; a point load that pulls, spread over
+/// the beam, if there is one.
+pub(super) fn mean_pull(given: &PiecewiseScene, lo: f64, hi: f64) -> f64 {
+    let (first, last) = (given.cell_from(lo), given.cell_to(hi).max(given.cell_from(lo)));
+    let from = given.breakpoints.partition_point(|j| j.x < lo);
+    let inside = given.breakpoints[from..].iter().take_while(|j| j.x <= hi);
+    let point = -inside.map(|j| j.force.min(0.0)).sum::<f64>() / given.length;
+    if hi <= lo {
+        return point;
+    }
+    let mut sum = 0.0;
+    for cell in first..=last {
+        let c = &given.cells[cell];
+        let (from, to) = (c.lo.max(lo), c.hi.min(hi));
+        if from < to {
+            sum += given.load_rule.integral(from, to, |x| given.drive(cell, x).max(0.0));
+        }
+    }
+    point.max(sum / (hi - lo)).max(given.drive(first, lo)).max(given.drive(last, hi))
+}
+
+/// The ends of a zone from `from` to `to`, and of the gaps in it around every stretch where it would pull.
+pub(super) fn zones_between(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Vec<Node> {
+    let mut nodes = Vec::new();
+    let mut add = |start: f64, end: f64| {
+        if start < end {
+            nodes.push(Node::new(Kind::ZoneStart, start, given.cell_from(start)));
+            nodes.push(Node::new(Kind::ZoneEnd, end, given.cell_to(end)));
+        }
+    };
+    let mut start = from;
+    for &(lo, hi) in given.tension_between(from, to) {
+        if hi < start {
+            continue;
+        }
+        let inside = start < lo && hi < to;
+        let [end, next] = if inside { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
+        add(start, end);
+        start = next;
+    }
+    add(start, to);
+    nodes
+}
+
+/// A gap that is somewhat too wide, around a stretch that lifts the beam off between two zones.
+///
+/// With `h = h' = h'' = 0` at both ends the fixed-end moments of the gap vanish. In a gap that is too narrow they would
+/// open it, and Newton's method closes it altogether: no gap is a solution of the equations as well.
+fn gap_around(given: &PiecewiseScene, [lo, hi]: [f64; 2], [least, most]: [f64; 2]) -> [f64; 2] {
+    /// Each try is wider by this factor, on the side that is too narrow.
+    const WIDER: f64 = 1.3;
+    /// From a thousand-millionth of the beam to the whole of it, on either side.
+    const TRIES: u32 = 150;
+    let mut margin = [(0.1 * (hi - lo)).max(1e-9 * given.length); 2];
+    let mut gap = [lo, hi];
+    for _ in 0..TRIES {
+        gap = [(lo - margin[0]).max(least), (hi + margin[1]).min(most)];
+        let span = across(given, gap);
+        let narrow = [0.0 < span.at_a[2] && least < gap[0], 0.0 < span.at_b[2] && gap[1] < most];
+        if narrow == [false; 2] {
+            break;
+        }
+        for side in 0..2 {
+            if narrow[side] {
+                margin[side] *= WIDER;
+            }
+        }
+    }
+    gap
+}
+
+/// The span that bridges a gap, resting on the profile at both ends.
+fn across(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Span {
+    Span::between(given, End::resting(from, given.cell_from(from)), End::resting(to, given.cell_to(to)))
+}

@@ -1,0 +1,71 @@
+//! Places that nearly coincide: a load beside a kink, a step or a place of contact, from the last bit to a millionth of the
+//! beam away from it.
+
+use palkki::route::Status;
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
+use palkki::theory::{Exact, solve};
+
+const LENGTH: f64 = 12.0;
+
+/// A load that moves by a share of the beam changes the energy by some hundred times this share of it.
+const SENSITIVITY: f64 = 1e3;
+/// Digits of the energy that rounding leaves.
+const DIGITS: f64 = 1e-11;
+
+/// A ridge by points, a step, waves and a bowl.
+fn foundations() -> [Foundation; 4] {
+    let ridge = [0.45, 0.3844, 0.3375, 0.3094, 0.3, 0.3094, 0.3375, 0.3844, 0.45];
+    let places = (0..9).map(|i| 1.5 * f64::from(i));
+    let step = [[0.0, 0.4], [6.0, 0.4], [6.0, 0.3], [9.0, 0.3], [9.0, 0.5], [12.0, 0.5]];
+    [
+        Foundation::Polyline { points: places.zip(ridge).map(|(x, depth)| [x, depth]).collect() },
+        Foundation::Polyline { points: step.to_vec() },
+        Foundation::Cosine { mean: 0.3, amplitude: 0.05, wavelength: 4.0, phase: 0.3 },
+        Foundation::Polynomial { coefficients: vec![0.05, 0.08, -0.08 / LENGTH] },
+    ]
+}
+
+/// Loads that act or end at a place: one that presses, one that lifts, and the end of a distributed one.
+fn loads(beam: &Beam, at: f64) -> [Load; 3] {
+    let point = |force: f64| Load::new(beam, 10.0, Vec::new(), vec![PointLoad { at, force }]).expect("a load");
+    let linear = LinearLoad { from: at - 2.0, to: at, start: 200.0, end: 100.0 };
+    [point(300.0), point(-20.0), Load::new(beam, 10.0, vec![linear], Vec::new()).expect("a load")]
+}
+
+fn solved(beam: Beam, load: Load, foundation: &Foundation) -> Exact {
+    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("a scene");
+    solve(&scene).expect("an answer")
+}
+
+#[test]
+fn a_load_may_lie_beside_any_place() {
+    let beam = Beam::new(LENGTH, 400.0).expect("a beam");
+    let shares = [1e-15, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6];
+    for foundation in foundations() {
+        for at in [4.0, 6.0, 9.0_f64] {
+            let here = loads(&beam, at).map(|load| solved(beam, load, &foundation).state.energy);
+            let mut places = vec![at, at.next_up(), at.next_down()];
+            places.extend(shares.iter().flat_map(|share| [at - share * LENGTH, at + share * LENGTH]));
+            for x in places {
+                for (load, energy) in loads(&beam, x).into_iter().zip(here) {
+                    let beside = solved(beam, load, &foundation);
+                    let what = format!("{foundation:?}, load at {x:?} beside {at}");
+                    assert_eq!(beside.status, Status::Certified, "{what}: {:?}", beside.violations);
+                    let allowed = DIGITS + SENSITIVITY * (x - at).abs() / LENGTH;
+                    assert!((beside.state.energy / energy - 1.0).abs() <= allowed, "{what}: {}", beside.state.energy);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_force_beside_a_kink_has_the_energy_of_one_on_it() {
+    let beam = Beam::new(LENGTH, 400.0).expect("a beam");
+    let [ridge, ..] = foundations();
+    for at in [9.0, 9.000_000_000_000_01] {
+        let [force, ..] = loads(&beam, at);
+        let energy = solved(beam, force, &ridge).state.energy;
+        assert!((energy - -127.265_820_8).abs() < 1e-6, "{energy} for a force at {at}");
+    }
+}
