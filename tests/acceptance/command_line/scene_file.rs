@@ -1,7 +1,5 @@
 //! Scene files: what is written is what is read, whatever way it is written.
 
-mod any_text;
-
 use std::collections::BTreeSet;
 
 use palkki::scene::file::parse;

@@ -116,7 +116,7 @@ fn refused(text: &str, error: &FileError) {
         None => assert!(matches!(error.problem, Problem::Empty), "no place: {}", error.problem),
     }
     let plain = error.to_string();
-    assert!(plain.starts_with("error: "), "{plain}");
+    assert!(plain.starts_with("error: ") && plain.contains(&error.file), "{plain}");
     assert!(!plain.chars().any(|c| c.is_control() && c != '\n'), "control characters in {plain:?}");
     assert!(plain.len() <= LONGEST_MESSAGE, "a message of {} bytes", plain.len());
     // The same with escape sequences; it takes as long, so not always.
