@@ -71,12 +71,6 @@ fn a_solution_is_titled_and_escaped() {
 }
 
 #[test]
-fn the_same_data_give_the_same_bytes() {
-    let (scene, state) = (scene(flat()), state(&FEW, 0.25));
-    assert_eq!(solution(&scene, &state).expect("a figure"), solution(&scene, &state).expect("a figure"));
-}
-
-#[test]
 fn a_long_contact_is_drawn_by_its_resultants() {
     // Fifteen nodes half a length unit apart: at either end two forces make one arrow, in between there is pressure.
     let mut forces = vec![0.0; 15];
