@@ -36,7 +36,7 @@
 //! | what | where |
 //! |---|---|
 //! | read a scene file | [`scene::file::parse`] |
-//! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve_judged`] |
+//! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve_judged()`] |
 //! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
 //! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::status_of_forces`] |
 //! | draw | `plot::curves`, `plot::solution`, with the feature `plot` |

@@ -12,7 +12,7 @@
 //! | the error | only if demanded: `deflection_error` ≤ `EPS` × largest deflection | the same |
 //!
 //! A coarse grid that nobody asked to be finer is not punished for its model error: that error stands beside the answer as
-//! `deflection_error`. Where an error *is* demanded ([`crate::dial`]), the guaranteed error counts in what the solver left
+//! `deflection_error`. Where an error *is* demanded ([`crate::adaptive`]), the guaranteed error counts in what the solver left
 //! undone, and so the residual has to be no smaller than a tenth of what is demanded.
 //!
 //! [`Outcome::status`] is the first row alone, and [`Exact::status`] that of beam theory: what they solved is their own problem.

@@ -1,25 +1,17 @@
-//! The sheet of paper: lines, areas and words in drawing units, by way of plotters' SVG backend.
+//! The sheet of paper: lines, areas and words in drawing units, as elements of SVG.
 //!
 //! No system font is read, so the size of text is an estimate, on the generous side.
 
-use plotters::backend::SVGBackend;
-use plotters::coord::Shift;
-use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::element::{Circle, PathElement, Polygon, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
+use std::fmt::Write as _;
 
-use super::error::{PlotError, finite};
+use super::figure::escaped;
 use super::palette::{Color, Dash, Marker};
-use super::trace::{Point, dashes, simplified};
+use super::{PlotError, finite};
 
 /// Width of the shaft of an arrow.
 pub(super) const SHAFT: u32 = 7;
 /// Size of ordinary text \[drawing units\]: 8 pixels on a telephone, 18 where the drawing is 900 pixels wide.
 pub(super) const TEXT: f64 = 48.0;
-
-/// The backend divides a font size by this before it writes it; we multiply, so that sizes are as we say.
-const BACKEND_FONT_FACTOR: f64 = 1.24;
 
 /// Where a text lies relative to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,44 +37,67 @@ impl Type {
     pub(super) const TITLE: Self = Self { size: 58.0, ..Self::BOLD };
 }
 
-/// What is drawn on.
-pub(super) struct Canvas<'a> {
-    area: DrawingArea<SVGBackend<'a>, Shift>,
+/// What is drawn on: elements of SVG, one a line, without what is the default of the document.
+#[derive(Debug)]
+pub(super) struct Canvas {
+    written: String,
+    /// Look of the path that the next line may go on with.
+    open: Option<String>,
 }
 
-impl<'a> Canvas<'a> {
-    /// A white sheet of `size` drawing units that writes to `buffer`.
-    pub(super) fn new(buffer: &'a mut String, size: (u32, u32)) -> Result<Self, PlotError> {
-        let area = SVGBackend::with_string(buffer, size).into_drawing_area();
-        area.fill(&rgb(Color::WHITE))?;
-        Ok(Self { area })
+impl Canvas {
+    /// A white sheet of `size` drawing units.
+    pub(super) fn new([width, height]: [u32; 2]) -> Self {
+        let white = hex(Color::WHITE);
+        let written = format!("<rect x=\"0\" y=\"0\" width=\"{width}\" height=\"{height}\" fill=\"{white}\"/>\n");
+        Self { written, open: None }
     }
 
-    /// Ends the drawing; without it an error in the last step would be lost.
-    pub(super) fn present(self) -> Result<(), PlotError> {
-        Ok(self.area.present()?)
+    /// The elements.
+    pub(super) fn finish(mut self) -> String {
+        self.end_path();
+        self.written
     }
 
-    /// A line through `points`.
-    pub(super) fn line(&self, points: &[Point], color: Color, width: u32, dash: Dash) -> Result<(), PlotError> {
-        for stroke in dashes(&simplified(points)?, dash.pattern()) {
-            let path: Vec<_> = stroke.iter().map(|&p| pixel(p)).collect::<Result<_, _>>()?;
-            if 1 < path.len() {
-                self.area.draw(&PathElement::new(path, ShapeStyle::from(&rgb(color)).stroke_width(width)))?;
+    fn end_path(&mut self) {
+        if self.open.take().is_some() {
+            self.written.push_str("\"/>\n");
+        }
+    }
+
+    fn element(&mut self, element: &str) {
+        self.end_path();
+        self.written.push_str(element);
+        self.written.push('\n');
+    }
+
+    /// A line through `points`. Lines of one look that follow each other are one path.
+    pub(super) fn line(&mut self, points: &[Point], color: Color, width: u32, dash: Dash) -> Result<(), PlotError> {
+        for stroke in dashes(&simplified(points)?, dash.pattern()).iter().filter(|stroke| 1 < stroke.len()) {
+            let look = format!(" fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", hex(color));
+            let path = pixels(stroke)?;
+            if self.open.as_ref() != Some(&look) {
+                self.end_path();
+                // Writing to a string does not fail.
+                let _ = write!(self.written, "<path{look} d=\"");
+                self.open = Some(look);
             }
+            let _ = write!(self.written, "M{path}");
         }
         Ok(())
     }
 
     /// A filled polygon.
-    pub(super) fn fill(&self, points: &[Point], color: Color, opacity: f64) -> Result<(), PlotError> {
-        let path: Vec<_> = simplified(points)?.into_iter().map(pixel).collect::<Result<_, _>>()?;
-        Ok(self.area.draw(&Polygon::new(path, rgb(color).mix(opacity)))?)
+    pub(super) fn fill(&mut self, points: &[Point], color: Color, opacity: f64) -> Result<(), PlotError> {
+        let path = pixels(&simplified(points)?)?;
+        let opacity = if opacity < 1.0 { format!(" opacity=\"{opacity}\"") } else { String::new() };
+        self.element(&format!("<polygon{opacity} fill=\"{}\" points=\"{path}\"/>", hex(color)));
+        Ok(())
     }
 
     /// A filled rectangle between two opposite corners.
     pub(super) fn rectangle(
-        &self,
+        &mut self,
         [x0, y0]: Point,
         [x1, y1]: Point,
         color: Color,
@@ -92,16 +107,15 @@ impl<'a> Canvas<'a> {
     }
 
     /// A marker at `at`.
-    pub(super) fn mark(&self, at: Point, marker: Marker, color: Color) -> Result<(), PlotError> {
+    pub(super) fn mark(&mut self, at: Point, marker: Marker, color: Color) -> Result<(), PlotError> {
         /// Half the size of a marker.
         const R: f64 = 13.0;
         let [x, y] = at;
-        let stroke = |a: Point, b: Point| self.line(&[a, b], color, 6, Dash::Solid);
         match marker {
             Marker::Circle => self.disc(at, R, color),
             Marker::OpenCircle => {
-                let style = ShapeStyle::from(&rgb(color)).stroke_width(5);
-                Ok(self.area.draw(&Circle::new(pixel(at)?, units(R)?, style))?)
+                let stroke = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"5\"", hex(color));
+                self.circle(at, R, &stroke)
             }
             Marker::Square => self.rectangle([x - R, y - R], [x + R, y + R], color, 1.0),
             Marker::Triangle => self.fill(&[[x, y - 1.3 * R], [x + 1.2 * R, y + R], [x - 1.2 * R, y + R]], color, 1.0),
@@ -109,12 +123,12 @@ impl<'a> Canvas<'a> {
                 self.fill(&[[x, y - 1.4 * R], [x + 1.4 * R, y], [x, y + 1.4 * R], [x - 1.4 * R, y]], color, 1.0)
             }
             Marker::Cross => {
-                stroke([x - R, y - R], [x + R, y + R])?;
-                stroke([x - R, y + R], [x + R, y - R])
+                self.line(&[[x - R, y - R], [x + R, y + R]], color, 6, Dash::Solid)?;
+                self.line(&[[x - R, y + R], [x + R, y - R]], color, 6, Dash::Solid)
             }
             Marker::Plus => {
-                stroke([x - 1.2 * R, y], [x + 1.2 * R, y])?;
-                stroke([x, y - 1.2 * R], [x, y + 1.2 * R])
+                self.line(&[[x - 1.2 * R, y], [x + 1.2 * R, y]], color, 6, Dash::Solid)?;
+                self.line(&[[x, y - 1.2 * R], [x, y + 1.2 * R]], color, 6, Dash::Solid)
             }
             Marker::Star => {
                 /// Directions of the ten corners in tenths of a turn from the top, for an outer radius of one.
@@ -136,12 +150,25 @@ impl<'a> Canvas<'a> {
     }
 
     /// A filled circle.
-    pub(super) fn disc(&self, at: Point, radius: f64, color: Color) -> Result<(), PlotError> {
-        Ok(self.area.draw(&Circle::new(pixel(at)?, units(radius)?, ShapeStyle::from(&rgb(color)).filled()))?)
+    pub(super) fn disc(&mut self, at: Point, radius: f64, color: Color) -> Result<(), PlotError> {
+        self.circle(at, radius, &format!("fill=\"{}\" stroke-width=\"1\"", hex(color)))
+    }
+
+    fn circle(&mut self, at: Point, radius: f64, look: &str) -> Result<(), PlotError> {
+        let ([x, y], [radius, _]) = (pixel(at)?, pixel([radius, 0.0])?);
+        self.element(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {look}/>"));
+        Ok(())
     }
 
     /// An arrow from `tail` to `tip`; its head never is longer than the arrow.
-    pub(super) fn arrow(&self, tail: Point, tip: Point, color: Color, width: u32, dash: Dash) -> Result<(), PlotError> {
+    pub(super) fn arrow(
+        &mut self,
+        tail: Point,
+        tip: Point,
+        color: Color,
+        width: u32,
+        dash: Dash,
+    ) -> Result<(), PlotError> {
         let (dx, dy) = (tip[0] - tail[0], tip[1] - tail[1]);
         let length = (dx * dx + dy * dy).sqrt();
         if length < 1.0 {
@@ -160,24 +187,31 @@ impl<'a> Canvas<'a> {
     }
 
     /// Words on one line, centred across it at `at`.
-    pub(super) fn text(&self, text: &str, at: Point, align: Align, kind: Type) -> Result<(), PlotError> {
+    pub(super) fn text(&mut self, text: &str, at: Point, align: Align, kind: Type) -> Result<(), PlotError> {
         if text.is_empty() {
             return Ok(());
         }
-        let style = if kind.bold { FontStyle::Bold } else { FontStyle::Normal };
-        let turn = if kind.turned { FontTransform::Rotate270 } else { FontTransform::None };
-        let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style).transform(turn);
-        let across = match align {
-            Align::Left => HPos::Left,
-            Align::Center => HPos::Center,
-            Align::Right => HPos::Right,
-        };
-        let color = rgb(kind.color);
-        let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
-        // The backend's "centre" puts the base line half an x-height below the point; a digit is taller than an x.
+        // The "middle" of a line is half an x-height above its base line; a digit is taller than an x.
         let lower = 0.09 * kind.size;
-        let at = if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] };
-        Ok(self.area.draw(&Text::new(text, pixel(at)?, style))?)
+        let [x, y] = pixel(if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] })?;
+        let mut look = String::new();
+        match align {
+            Align::Left => {}
+            Align::Center => look.push_str(" text-anchor=\"middle\""),
+            Align::Right => look.push_str(" text-anchor=\"end\""),
+        }
+        if kind.size.to_bits() != TEXT.to_bits() {
+            let _ = write!(look, " font-size=\"{}\"", kind.size);
+        }
+        let _ = write!(look, " fill=\"{}\"", hex(kind.color));
+        if kind.bold {
+            look.push_str(" font-weight=\"bold\"");
+        }
+        if kind.turned {
+            let _ = write!(look, " transform=\"rotate(270, {x}, {y})\"");
+        }
+        self.element(&format!("<text x=\"{x}\" y=\"{y}\" dy=\"0.5ex\"{look}>{}</text>", escaped(text)));
+        Ok(())
     }
 }
 
@@ -203,19 +237,145 @@ pub(super) fn wrapped(text: &str, width: f64, kind: Type) -> Vec<String> {
     lines
 }
 
-fn rgb(Color(r, g, b): Color) -> RGBColor {
-    RGBColor(r, g, b)
+fn hex(Color(red, green, blue): Color) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// The nearest whole drawing unit; a place off the sheet stays off it, without overflow.
+/// The nearest whole drawing units; a place off the sheet stays off it, without overflow.
 #[expect(clippy::cast_possible_truncation, reason = "the value is finite and clamped to what an i32 holds")]
-fn pixel([x, y]: Point) -> Result<(i32, i32), PlotError> {
+fn pixel([x, y]: Point) -> Result<[i32; 2], PlotError> {
     let whole = |value: f64| -> Result<i32, PlotError> {
         Ok(finite("a place on the drawing", value)?.clamp(-1e6, 1e6).round() as i32)
     };
-    Ok((whole(x)?, whole(y)?))
+    Ok([whole(x)?, whole(y)?])
 }
 
-fn units(length: f64) -> Result<u32, PlotError> {
-    Ok(pixel([length, 0.0])?.0.unsigned_abs())
+/// Places as SVG has them, `1,2 3,4`.
+fn pixels(points: &[Point]) -> Result<String, PlotError> {
+    let places = points.iter().map(|&point| pixel(point).map(|[x, y]| format!("{x},{y}")));
+    Ok(places.collect::<Result<Vec<_>, _>>()?.join(" "))
+}
+
+/// A place on the drawing, `[right, down]`.
+pub(super) type Point = [f64; 2];
+
+/// Distance of the points that stand for a line when labels are placed.
+pub(super) const INK: f64 = 9.0;
+
+/// How far a line may pass beside a point that is left out \[drawing units\].
+const BESIDE: f64 = 0.6;
+
+/// The line through fewer of its points, none of the others farther from it than [`BESIDE`]
+/// (Douglas and Peucker 1973).
+pub(super) fn simplified(line: &[Point]) -> Result<Vec<Point>, PlotError> {
+    for &[x, y] in line {
+        finite("a place on the drawing", x)?;
+        finite("a place on the drawing", y)?;
+    }
+    let Some(last) = line.len().checked_sub(1) else { return Ok(Vec::new()) };
+    let mut kept = vec![false; line.len()];
+    (kept[0], kept[last]) = (true, true);
+    let mut pending = vec![(0, last)];
+    while let Some((from, to)) = pending.pop() {
+        let distance = |k: usize| (k, from_segment(line[k], line[from], line[to]));
+        let farthest = (from + 1..to).map(distance).fold((from, BESIDE), |far, k| if far.1 < k.1 { k } else { far });
+        if farthest.0 != from {
+            kept[farthest.0] = true;
+            pending.extend([(from, farthest.0), (farthest.0, to)]);
+        }
+    }
+    Ok(line.iter().zip(kept).filter(|(_, kept)| *kept).map(|(&point, _)| point).collect())
+}
+
+/// Distance of a point from the segment between `a` and `b`.
+fn from_segment([x, y]: Point, a: Point, b: Point) -> f64 {
+    let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+    let square = dx * dx + dy * dy;
+    let s = if 0.0 < square { (((x - a[0]) * dx + (y - a[1]) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
+    libm::hypot(x - a[0] - s * dx, y - a[1] - s * dy)
+}
+
+/// The strokes of a dashed line; the line itself if the pattern is empty.
+pub(super) fn dashes(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
+    let Some(&first) = line.first().filter(|_| !pattern.is_empty()) else {
+        return vec![line.to_vec()];
+    };
+    let mut strokes = Vec::new();
+    let mut stroke = vec![first];
+    let (mut phase, mut left) = (0, pattern[0]);
+    for pair in line.windows(2) {
+        let ([mut x, mut y], [to_x, to_y]) = (pair[0], pair[1]);
+        loop {
+            let (dx, dy) = (to_x - x, to_y - y);
+            let distance = libm::hypot(dx, dy);
+            if distance < left {
+                left -= distance;
+                if phase % 2 == 0 {
+                    stroke.push([to_x, to_y]);
+                }
+                break;
+            }
+            (x, y) = (x + dx * left / distance, y + dy * left / distance);
+            if phase % 2 == 0 {
+                stroke.push([x, y]);
+                strokes.push(std::mem::take(&mut stroke));
+            } else {
+                stroke = vec![[x, y]];
+            }
+            phase += 1;
+            left = pattern[phase % pattern.len()];
+        }
+    }
+    if 1 < stroke.len() {
+        strokes.push(stroke);
+    }
+    strokes
+}
+
+/// Points along a line, at most `step` apart: what a label should not cover.
+pub(super) fn sampled(line: &[Point], step: f64) -> Vec<Point> {
+    let mut points: Vec<Point> = line.first().copied().into_iter().collect();
+    for pair in line.windows(2) {
+        let ([x, y], [to_x, to_y]) = (pair[0], pair[1]);
+        let distance = libm::hypot(to_x - x, to_y - y);
+        let mut done = step;
+        while done < distance {
+            points.push([x + (to_x - x) * done / distance, y + (to_y - y) * done / distance]);
+            done += step;
+        }
+        points.push([to_x, to_y]);
+    }
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Canvas, Color, Dash, PlotError, dashes, simplified};
+
+    #[test]
+    fn lines_of_one_look_become_one_path() {
+        let mut canvas = Canvas::new([9, 9]);
+        for y in [1.0, 2.0] {
+            canvas.line(&[[0.0, y], [9.0, y]], Color::BLACK, 1, Dash::Solid).expect("finite places");
+        }
+        let paths = "<path fill=\"none\" stroke=\"#000000\" stroke-width=\"1\" d=\"M0,1 9,1M0,2 9,2\"/>\n";
+        assert!(canvas.finish().ends_with(paths), "one path of two lines");
+    }
+
+    #[test]
+    fn dashes_follow_the_line_round_a_corner() {
+        let strokes = dashes(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]], &[8.0, 4.0]);
+        assert_eq!(strokes, [vec![[0.0, 0.0], [8.0, 0.0]], vec![[10.0, 2.0], [10.0, 10.0]]]);
+    }
+
+    #[test]
+    fn a_line_keeps_its_corners_and_its_extremes() {
+        let mut line: Vec<[f64; 2]> = (0..1000).map(|i| [f64::from(i) * 0.1, 0.0]).collect();
+        line[400][1] = -7.0;
+        line[600][1] = 9.0;
+        let kept = simplified(&line).expect("finite places");
+        assert!(kept.len() < 10, "{} points are left", kept.len());
+        assert!(kept.contains(&[40.0, -7.0]) && kept.contains(&[60.0, 9.0]), "{kept:?}");
+        assert!(matches!(simplified(&[[0.0, 0.0], [1.0, f64::NAN]]), Err(PlotError::NotFinite { .. })), "NaN");
+    }
 }

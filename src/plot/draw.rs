@@ -1,17 +1,15 @@
-//! From a layer to lines on the drawing.
+//! From a layer to lines on the drawing; a load is a block for what is distributed, and arrows for point loads.
 
 use super::axis::Axes;
-use super::canvas::{Canvas, SHAFT, TEXT};
-use super::error::{PlotError, finite};
+use super::canvas::{Canvas, INK, Point, SHAFT, TEXT, sampled};
 use super::label::{Frame, Label, Labels};
-use super::layer::{Arrows, Layer, Place, Reference};
-use super::load::load;
+use super::layer::{Arrows, Layer, LoadSketch, Place, Reference};
 use super::palette::{Color, Dash, Style};
-use super::trace::{INK, Point, sampled};
+use super::{PlotError, finite};
 
 /// Draws `layer`, and asks for the labels that it wants.
 pub(super) fn draw(
-    canvas: &Canvas<'_>,
+    canvas: &mut Canvas,
     layer: &Layer,
     axes: &Axes,
     frame: &Frame,
@@ -54,7 +52,7 @@ fn placed(points: &[Place], axes: &Axes) -> Vec<Point> {
 }
 
 fn series(
-    canvas: &Canvas<'_>,
+    canvas: &mut Canvas,
     line: &[Point],
     style: Style,
     name: &str,
@@ -85,7 +83,7 @@ fn series(
     Ok(())
 }
 
-fn arrows(canvas: &Canvas<'_>, layer: &Arrows, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
+fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
     for arrow in &layer.arrows {
         let force = finite("the force of an arrow", arrow.force)?;
         if force == 0.0 {
@@ -107,7 +105,7 @@ fn arrows(canvas: &Canvas<'_>, layer: &Arrows, axes: &Axes, labels: &mut Labels)
 }
 
 /// A line, and a light colour between it and the level `base`.
-fn area(canvas: &Canvas<'_>, line: &[Point], base: f64, color: Color, labels: &mut Labels) -> Result<(), PlotError> {
+fn area(canvas: &mut Canvas, line: &[Point], base: f64, color: Color, labels: &mut Labels) -> Result<(), PlotError> {
     if let (Some(first), Some(last)) = (line.first(), line.last()) {
         let ends = [[last[0], base], [first[0], base]];
         let outline: Vec<Point> = line.iter().copied().chain(ends).collect();
@@ -120,7 +118,7 @@ fn area(canvas: &Canvas<'_>, line: &[Point], base: f64, color: Color, labels: &m
 
 /// A dotted line across the frame.
 fn reference(
-    canvas: &Canvas<'_>,
+    canvas: &mut Canvas,
     at: Reference,
     text: &str,
     axes: &Axes,
@@ -144,7 +142,7 @@ fn reference(
 }
 
 /// Ground below a line, with short strokes along it as on a drawing board.
-fn foundation(canvas: &Canvas<'_>, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
+fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
     let (Some(first), Some(last)) = (line.first(), line.last()) else {
         return Ok(());
     };
@@ -166,7 +164,7 @@ fn foundation(canvas: &Canvas<'_>, line: &[Point], frame: &Frame, labels: &mut L
     Ok(())
 }
 
-fn zone(canvas: &Canvas<'_>, from: Point, to: Point) -> Result<(), PlotError> {
+fn zone(canvas: &mut Canvas, from: Point, to: Point) -> Result<(), PlotError> {
     if to[0] - from[0] < 14.0 {
         canvas.disc([0.5 * (from[0] + to[0]), from[1]], 13.0, Color::VERMILLION)
     } else {
@@ -175,10 +173,82 @@ fn zone(canvas: &Canvas<'_>, from: Point, to: Point) -> Result<(), PlotError> {
 }
 
 /// A support: a triangle, and below the one that can roll a second line.
-fn support(canvas: &Canvas<'_>, [x, y]: Point, rolls: bool) -> Result<(), PlotError> {
+fn support(canvas: &mut Canvas, [x, y]: Point, rolls: bool) -> Result<(), PlotError> {
     let triangle = [[x, y], [x + 26.0, y + 42.0], [x - 26.0, y + 42.0]];
     canvas.fill(&triangle, Color::WHITE, 1.0)?;
     canvas.line(&[triangle[0], triangle[1], triangle[2], triangle[0]], Color::BLACK, 4, Dash::Solid)?;
     let ground = if rolls { y + 52.0 } else { y + 42.0 };
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
+}
+
+/// Draws the load, and asks for the labels that it wants.
+fn load(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
+    distributed(canvas, sketch, axes, labels)?;
+    point_loads(canvas, sketch, axes, labels)
+}
+
+fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
+    /// Height of the greatest intensity, distance from the beam, distance of the arrows.
+    const BLOCK: f64 = 90.0;
+    const CLEAR: f64 = 16.0;
+    const APART: f64 = 80.0;
+    let mut most: f64 = 0.0;
+    let mut least: f64 = 0.0;
+    for p in &sketch.intensity {
+        let q = finite("the intensity of a load", p[1])?;
+        (least, most) = (least.min(q), most.max(q));
+    }
+    let largest = most.max(-least);
+    let beam = axes.y.place(sketch.level);
+    if 0.0 < largest {
+        // A load that acts upwards hangs below the base line, which makes room for it.
+        let base = beam - CLEAR - BLOCK * (-least / largest);
+        let edge = |[x, q]: Place| [axes.x.place(x), base - BLOCK * (q / largest)];
+        let outline: Vec<Point> = sketch.intensity.iter().map(|&p| edge(p)).collect();
+        if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
+            let closed: Vec<Point> = outline.iter().copied().chain([[last[0], base], [first[0], base]]).collect();
+            canvas.fill(&closed, Color::SKY, 0.3)?;
+            canvas.line(&outline, Color::BLUE, 3, Dash::Solid)?;
+            canvas.line(&[[first[0], base], [last[0], base]], Color::BLUE, 3, Dash::Solid)?;
+        }
+        for pair in outline.windows(2) {
+            let ([from, y], [to, to_y]) = (pair[0], pair[1]);
+            let mut x = (from / APART).ceil() * APART;
+            while x < to {
+                let height = y + (to_y - y) * (x - from) / (to - from);
+                if 20.0 < (height - base).abs() {
+                    canvas.arrow([x, height], [x, base], Color::BLUE, 3, Dash::Solid)?;
+                    labels.avoid(sampled(&[[x, height], [x, base]], INK));
+                }
+                x += APART;
+            }
+        }
+        for (x, q, text) in &sketch.values {
+            let at = edge([*x, q.max(0.0)]);
+            labels.ask(Label { text: text.clone(), at, color: Color::BLUE, optional: false, below: false });
+        }
+        labels.avoid(sampled(&outline, INK));
+    }
+    Ok(())
+}
+
+fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
+    /// Length of the greatest point load, and of the shortest arrow.
+    const POINT: f64 = 170.0;
+    const SHORTEST: f64 = 60.0;
+    let beam = axes.y.place(sketch.level);
+    let mut greatest: f64 = 0.0;
+    for p in &sketch.points {
+        greatest = greatest.max(finite("a point load", p.1)?.abs());
+    }
+    for (x, force, text) in sketch.points.iter().filter(|p| p.1 != 0.0) {
+        let length = (POINT * (force.abs() / greatest)).max(SHORTEST);
+        let x = axes.x.place(*x);
+        let (near, far) = ([x, beam - 6.0], [x, beam - 6.0 - length]);
+        let (tail, tip) = if 0.0 < *force { (far, near) } else { (near, far) };
+        canvas.arrow(tail, tip, Color::BLACK, SHAFT, Dash::Solid)?;
+        labels.avoid(sampled(&[near, far], INK));
+        labels.ask(Label { text: text.clone(), at: far, color: Color::BLACK, optional: false, below: false });
+    }
+    Ok(())
 }

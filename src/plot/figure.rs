@@ -1,9 +1,10 @@
-//! A figure: a title, a description for those who cannot see it, and panels.
+//! A figure: a title, a description for those who cannot see it, and panels; and the SVG document that it becomes, with a nominal
+//! size, colours for dark surroundings, and few words for each element.
 
-use super::canvas::{Align, Type, wrapped};
-use super::error::PlotError;
+use super::canvas::{Align, Canvas, TEXT, Type, wrapped};
+use super::palette::dark_rules;
 use super::panel::Panel;
-use super::svg::{WIDTH, document};
+use super::{PlotError, count};
 
 /// Panels under one title, in rows from left to right.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +21,7 @@ pub struct Figure {
 
 /// Around the figure, and between the lines of its title \[drawing units\].
 pub(super) const MARGIN: f64 = 40.0;
-pub(super) const TITLE_LINE: f64 = 74.0;
+const TITLE_LINE: f64 = 74.0;
 
 impl Figure {
     /// A figure with its panels one below the other.
@@ -38,8 +39,8 @@ impl Figure {
             return Err(PlotError::Empty { what: "a figure" });
         }
         let sheet = f64::from(WIDTH);
-        let title = wrapped(&self.title, sheet - 2.0 * MARGIN, Type::TITLE);
-        let mut top = MARGIN + TITLE_LINE * count(title.len()) + 0.7 * MARGIN;
+        let heading = Heading::of(&self.title);
+        let mut top = heading.bottom + 0.7 * MARGIN;
         let rows = self.rows();
         let mut places = Vec::new();
         for row in &rows {
@@ -58,10 +59,7 @@ impl Figure {
             top += height;
         }
         document(&self.title, &self.description, whole(top), |canvas| {
-            for (i, line) in title.iter().enumerate() {
-                let y = MARGIN + TITLE_LINE * (count(i) + 0.5);
-                canvas.text(line, [MARGIN, y], Align::Left, Type::TITLE)?;
-            }
+            heading.draw(canvas)?;
             for (panel, corner, width, margins) in places {
                 panel.draw(canvas, corner, width, margins)?;
             }
@@ -84,8 +82,26 @@ impl Figure {
     }
 }
 
-fn count(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
+/// A title in as many lines as it needs, and where it ends.
+pub(super) struct Heading {
+    lines: Vec<String>,
+    pub(super) bottom: f64,
+}
+
+impl Heading {
+    pub(super) fn of(title: &str) -> Self {
+        let lines = wrapped(title, f64::from(WIDTH) - 2.0 * MARGIN, Type::TITLE);
+        let bottom = MARGIN + TITLE_LINE * count(lines.len());
+        Self { lines, bottom }
+    }
+
+    pub(super) fn draw(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
+        for (i, line) in self.lines.iter().enumerate() {
+            let y = MARGIN + TITLE_LINE * (count(i) + 0.5);
+            canvas.text(line, [MARGIN, y], Align::Left, Type::TITLE)?;
+        }
+        Ok(())
+    }
 }
 
 /// A height in whole drawing units.
@@ -94,15 +110,65 @@ pub(super) fn whole(height: f64) -> u32 {
     height.ceil().clamp(1.0, 1e6) as u32
 }
 
+/// Width of every drawing \[drawing units\]; places are whole units, so there are many.
+pub(super) const WIDTH: u32 = 2400;
+
+/// Drawing units for one pixel of the nominal size.
+const UNITS_PER_PIXEL: u32 = 3;
+
+/// A drawing of `height` as a document that stands alone.
+pub(super) fn document(
+    title: &str,
+    description: &str,
+    height: u32,
+    draw: impl FnOnce(&mut Canvas) -> Result<(), PlotError>,
+) -> Result<String, PlotError> {
+    // Whole pixels, or the last row of them would be half empty.
+    let height = height.div_ceil(UNITS_PER_PIXEL) * UNITS_PER_PIXEL;
+    let mut canvas = Canvas::new([WIDTH, height]);
+    draw(&mut canvas)?;
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {WIDTH} {height}\" \
+         role=\"img\" aria-labelledby=\"title desc\" font-family=\"sans-serif\" font-size=\"{TEXT}\">\n\
+         <title id=\"title\">{}</title>\n\
+         <desc id=\"desc\">{}</desc>\n\
+         <style>@media (prefers-color-scheme: dark) {{ {} }}</style>\n\
+         {}</svg>\n",
+        WIDTH / UNITS_PER_PIXEL,
+        height / UNITS_PER_PIXEL,
+        escaped(title),
+        escaped(description),
+        dark_rules(""),
+        canvas.finish(),
+    ))
+}
+
+/// `text` as XML character data. Control characters, which XML cannot hold at all, become spaces.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '&' => out.push_str("&amp;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&apos;"),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Figure, PlotError};
+    use super::{Figure, PlotError, document, escaped};
     use crate::plot::{Axis, Layer, Panel, Style};
 
     fn panel(i: usize) -> Panel {
         let label = format!("series {i}");
         let points = vec![[0.0, 0.0], [1.0, 1.0]];
-        Panel::new(Axis::new("x"), Axis::new("y")).with(Layer::Series { points, style: Style::of_series(i), label })
+        Panel::new(Axis::new("x"), Axis::new("y")).with(Layer::named(points, Style::of_series(i), label))
     }
 
     #[test]
@@ -135,5 +201,19 @@ mod tests {
                 assert!(a.color != b.color && a.marker != b.marker, "{a:?} and {b:?}");
             }
         }
+    }
+
+    #[test]
+    fn xml_is_escaped() {
+        assert_eq!(escaped("a < b & \"c\" > 'd'\u{7}"), "a &lt; b &amp; &quot;c&quot; &gt; &apos;d&apos; ");
+    }
+
+    #[test]
+    fn a_document_has_title_description_role_and_dark_colours() {
+        let svg = document("p ≥ 0 & h ≥ 0", "a < b", 300, |_| Ok(())).expect("an empty sheet");
+        assert!(svg.contains("<title id=\"title\">p ≥ 0 &amp; h ≥ 0</title>"), "{svg}");
+        assert!(svg.contains("<desc id=\"desc\">a &lt; b</desc>"), "{svg}");
+        assert!(svg.contains("prefers-color-scheme: dark"), "{svg}");
+        assert!(svg.starts_with("<svg ") && svg.contains("role=\"img\"") && svg.ends_with("</svg>\n"), "{svg}");
     }
 }

@@ -1,9 +1,8 @@
 //! Where labels go: near their point, inside the panel, off each other and off the lines.
 
-use super::canvas::{Align, Canvas, TEXT, Type, text_width};
-use super::error::PlotError;
+use super::canvas::{Align, Canvas, Point, TEXT, Type, text_width};
 use super::palette::{Color, Dash};
-use super::trace::Point;
+use super::{PlotError, count};
 
 /// A label that asks for a place.
 #[derive(Debug, Clone)]
@@ -87,7 +86,7 @@ impl Labels {
     }
 
     /// Writes the labels, first come first served, those that must be written before those that may be left out.
-    pub(super) fn write(mut self, canvas: &Canvas<'_>, bounds: &Frame) -> Result<(), PlotError> {
+    pub(super) fn write(mut self, canvas: &mut Canvas, bounds: &Frame) -> Result<(), PlotError> {
         self.names.sort_by(|a, b| a.at[1].total_cmp(&b.at[1]));
         let heights = apart(&self.names.iter().map(|name| name.at[1]).collect::<Vec<_>>(), bounds);
         for (name, y) in self.names.iter().zip(heights) {
@@ -197,10 +196,6 @@ fn apart(wanted: &[f64], bounds: &Frame) -> Vec<f64> {
 /// `value` between `lo` and `hi`; in the middle if there is nothing between them.
 fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
     if lo <= hi { value.clamp(lo, hi) } else { 0.5 * (lo + hi) }
-}
-
-fn count(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
 #[cfg(test)]

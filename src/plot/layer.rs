@@ -121,6 +121,17 @@ impl LoadSketch {
 }
 
 impl Layer {
+    /// A line, markers, or both, without a name.
+    #[must_use]
+    pub fn line(points: Vec<Place>, style: Style) -> Self {
+        Self::named(points, style, "")
+    }
+
+    /// A line, markers, or both, with a name.
+    pub fn named(points: Vec<Place>, style: Style, label: impl Into<String>) -> Self {
+        Self::Series { points, style, label: label.into() }
+    }
+
     /// Numbers on the x axis that the layer needs.
     pub(super) fn xs(&self) -> Vec<f64> {
         match self {

@@ -1,13 +1,12 @@
 //! A panel: a vertical axis on the left, one for forces on the right if there are arrows, a light grid, and layers.
 
-use super::axis::{Axes, Axis, Resolved};
+use super::axis::{Axes, Axis, Resolved, Tick};
 use super::canvas::{Align, Canvas, TEXT, Type, text_width, wrapped};
 use super::draw::draw;
-use super::error::PlotError;
 use super::label::{BESIDE, Frame, Labels};
 use super::layer::Layer;
 use super::palette::{Color, Dash};
-use super::ticks::Tick;
+use super::{PlotError, count};
 
 /// Axes and what is drawn between them.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,7 +124,7 @@ impl Panel {
     /// Draws the panel with its upper left corner at `(left, top)`.
     pub(super) fn draw(
         &self,
-        canvas: &Canvas<'_>,
+        canvas: &mut Canvas,
         [left, top]: [f64; 2],
         width: f64,
         margins: [f64; 2],
@@ -166,7 +165,7 @@ impl Panel {
     }
 
     /// Grid lines, numbers, frame and the label of the horizontal axis.
-    fn grid(&self, canvas: &Canvas<'_>, frame: &Frame, axes: &Axes, width: f64) -> Result<(), PlotError> {
+    fn grid(&self, canvas: &mut Canvas, frame: &Frame, axes: &Axes, width: f64) -> Result<(), PlotError> {
         for tick in &axes.x.ticks {
             let x = axes.x.place(tick.value);
             canvas.line(&[[x, frame.top], [x, frame.bottom + 12.0]], Color::GRID, 2, Dash::Solid)?;
@@ -201,8 +200,4 @@ impl Panel {
         }
         Ok(())
     }
-}
-
-fn count(n: usize) -> f64 {
-    f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }

@@ -2,13 +2,13 @@
 //!
 //! Plain numbers in, a drawing out: nothing here solves anything.
 
+use super::DIGITS;
 use super::axis::Axis;
-use super::error::{PlotError, finite, same_length};
 use super::figure::Figure;
 use super::layer::{Arrow, Arrows, Layer, Place, Reference};
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
-use crate::plot::DIGITS;
+use super::{PlotError, finite, same_length};
 use crate::text::significant;
 
 // Discrepancy: figures-redrawn
@@ -106,10 +106,8 @@ fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, window: Optio
     let axis = Axis { padding: 0.02, ..Axis::new(name).including(&[0.0, most]) };
     let label =
         if all { format!("beam theory: q₀Δ = {} and T", significant(level, DIGITS)) } else { "q₀Δ".to_owned() };
-    let words = |at: Place, color: Color, label: &str| Layer::Series {
-        points: vec![at],
-        style: Style { color, dash: None, marker: None, width: 0 },
-        label: label.to_owned(),
+    let words = |at: Place, color: Color, label: &str| {
+        Layer::named(vec![at], Style { color, dash: None, marker: None, width: 0 }, label)
     };
     let mut panel = Panel::new(along([from, to]), axis)
         .tall(620.0)
@@ -117,11 +115,7 @@ fn forces_panel(theory: &Theory<'_>, nodal: &Nodal<'_>, step: f64, window: Optio
         .with(beam([from, to]))
         .with(arrows(theory_arrows, Color::GRAY, Dash::Dashed))
         .with(arrows(forces, Color::BLUE, Dash::Solid))
-        .with(Layer::Series {
-            points: vec![[a.max(from), level], [(l - a).min(to), level]],
-            style: Style::theory(),
-            label: String::new(),
-        });
+        .with(Layer::line(vec![[a.max(from), level], [(l - a).min(to), level]], Style::theory()));
     if all {
         panel = panel.with(words([0.5 * l, 2.4 * level], Color::BLUE, nodal.label)).with(words(
             [0.5 * l, 1.4 * level],
@@ -148,8 +142,8 @@ fn sum_panel(theory: &Theory<'_>, nodal: &Nodal<'_>) -> Panel {
     let style = Style { color: Color::BLACK, ..Style::theory() };
     Panel::new(along([0.0, l]), Axis::new("their sum from the left end"))
         .tall(620.0)
-        .with(Layer::Series { points: steps, style: Style::solid(Color::BLUE), label: String::new() })
-        .with(Layer::Series { points: dashed, style, label: String::new() })
+        .with(Layer::line(steps, Style::solid(Color::BLUE)))
+        .with(Layer::line(dashed, style))
 }
 
 /// Deflection by one or more methods beside beam theory, and the difference: Figure 8.
@@ -170,7 +164,7 @@ pub fn shape(title: &str, description: &str, theory: &Theory<'_>, nodal: &[Nodal
         .with(Layer::Foundation { points: vec![[0.0, theory.depth], [l, theory.depth]] })
         .with(beam([0.0, l]))
         .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
-        .with(Layer::Series { points: theory.deflection.to_vec(), style: Style::theory(), label: String::new() });
+        .with(Layer::line(theory.deflection.to_vec(), Style::theory()));
     let mut differences = Panel::new(along([0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
         .tall(460.0)
         .with(beam([0.0, l]));
@@ -185,12 +179,8 @@ pub fn shape(title: &str, description: &str, theory: &Theory<'_>, nodal: &[Nodal
         };
         let points_off = points.iter().map(off).collect::<Result<_, _>>()?;
         name[1] += 0.25 * theory.depth;
-        shapes = shapes.with(Layer::Series { points, style, label: String::new() }).with(Layer::Series {
-            points: vec![name],
-            style,
-            label: nodal.label.to_owned(),
-        });
-        differences = differences.with(Layer::Series { points: points_off, style, label: String::new() });
+        shapes = shapes.with(Layer::line(points, style)).with(Layer::named(vec![name], style, nodal.label));
+        differences = differences.with(Layer::line(points_off, style));
     }
     for (x, name) in [(a, "a"), (l - a, "l − a")] {
         let text = format!("{name} = {}", significant(x, DIGITS));
@@ -217,7 +207,7 @@ fn along(range: [f64; 2]) -> Axis {
 /// The line of the unloaded beam.
 fn beam([from, to]: [f64; 2]) -> Layer {
     let style = Style { width: 3, ..Style::solid(Color::BLACK) };
-    Layer::Series { points: vec![[from, 0.0], [to, 0.0]], style, label: String::new() }
+    Layer::line(vec![[from, 0.0], [to, 0.0]], style)
 }
 
 #[cfg(test)]

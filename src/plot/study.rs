@@ -2,11 +2,11 @@
 //! nodal force jumps from grid to grid, and what a digit costs.
 
 use super::axis::Axis;
-use super::error::{PlotError, finite};
 use super::figure::Figure;
 use super::layer::{Layer, Place, Reference};
 use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
+use super::{PlotError, finite};
 
 /// Points with a name, written at the last of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,14 +33,14 @@ pub fn convergence(title: &str, description: &str, series: &[Named<'_>]) -> Resu
         all.extend_from_slice(&points);
         if !points.is_empty() {
             let (style, label) = (Style::of_series(i), series.label.to_owned());
-            panel = panel.with(Layer::Series { points, style, label });
+            panel = panel.with(Layer::named(points, style, label));
         }
     }
     for order in [1_i32, 2] {
         if let Some(points) = slope(&all, f64::from(order)) {
             let style = Style { width: 4, ..Style::solid(Color::PALE) };
             let label = format!("order {order}");
-            panel.layers.insert(0, Layer::Series { points, style: Style { color: Color::GRAY, ..style }, label });
+            panel.layers.insert(0, Layer::named(points, Style { color: Color::GRAY, ..style }, label));
         }
     }
     let mut description = format!("{description} Grey lines fall with order 1 and order 2.");
@@ -102,15 +102,9 @@ pub fn regimes(
         panel = panel.with(Layer::Note { at: [0.5 * (pair[0] + pair[1]), 0.55], text: text.to_owned(), dot: false });
     }
     let marks = Style::marks(Color::BLUE, Marker::OpenCircle);
-    panel = panel
-        .with(Layer::Series { points: theory, style: Style::theory(), label: String::new() })
-        .with(Layer::Series { points: computed.0, style: marks, label: computed.1.to_owned() });
+    panel = panel.with(Layer::line(theory, Style::theory())).with(Layer::named(computed.0, marks, computed.1));
     for at in example {
-        panel = panel.with(Layer::Series {
-            points: vec![at],
-            style: Style::marks(Color::VERMILLION, Marker::Star),
-            label: name.to_owned(),
-        });
+        panel = panel.with(Layer::named(vec![at], Style::marks(Color::VERMILLION, Marker::Star), name));
     }
     Figure::new(title, description, vec![panel]).svg()
 }
@@ -125,8 +119,6 @@ pub struct Price<'a> {
     pub lines: Vec<Named<'a>>,
     /// `[digits, milliseconds]` of beam theory.
     pub exact: Place,
-    /// A sentence in the panel; empty for none.
-    pub remark: &'a str,
 }
 
 /// Time over correct digits, one panel for each kind of ground, side by side and on the same axes.
@@ -139,19 +131,16 @@ pub struct Price<'a> {
 pub fn price(title: &str, description: &str, digits: &str, grounds: &[Price<'_>]) -> Result<String, PlotError> {
     let all = || grounds.iter().flat_map(|g| g.lines.iter().flat_map(|s| &s.points).chain([&g.exact]));
     let [digits_range, times]: [Vec<f64>; 2] = [0, 1].map(|k| all().map(|p| p[k]).collect());
-    let least = times.iter().copied().fold(f64::INFINITY, f64::min);
     let panels = grounds.iter().map(|ground| {
         let x = Axis::new(digits).including(&digits_range).including(&[0.0]);
         let y = Axis::new(format!("{}: time", ground.ground)).unit(Some("ms".to_owned()));
         let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
         for (i, solver) in ground.lines.iter().enumerate().filter(|(_, solver)| !solver.points.is_empty()) {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(i) };
-            panel = panel.with(Layer::Series { points: solver.points.clone(), style, label: solver.label.to_owned() });
+            panel = panel.with(Layer::named(solver.points.clone(), style, solver.label));
         }
         let star = Style::marks(Color::BLACK, Marker::Star);
-        panel
-            .with(Layer::Series { points: vec![ground.exact], style: star, label: "exact".to_owned() })
-            .with(Layer::Note { at: [0.5 * ground.exact[0], least], text: ground.remark.to_owned(), dot: false })
+        panel.with(Layer::named(vec![ground.exact], star, "exact"))
     });
     let figure = Figure::new(title, description, panels.collect());
     Figure { columns: 2, ..figure }.svg()
@@ -176,22 +165,14 @@ pub fn first_force(
     let y = Axis::new("force / T, where T is the point force of beam theory at lift-off").including(&[0.0]);
     let x = Axis { padding: 0.02, ..Axis::new("intervals N").including(&[0.0]) };
     // The name of the scattered circles stands beside the frame, off them.
-    let name = Layer::Series {
-        points: vec![[to[0], 0.5]],
-        style: Style::solid(Color::VERMILLION),
-        label: first.label.to_owned(),
-    };
+    let name = Layer::named(vec![[to[0], 0.5]], Style::solid(Color::VERMILLION), first.label);
     let circles = Style::marks(Color::VERMILLION, Marker::OpenCircle);
     let panel = Panel::new(x, y)
         .tall(900.0)
-        .with(Layer::Series { points: first.points.clone(), style: circles, label: String::new() })
+        .with(Layer::line(first.points.clone(), circles))
         .with(name)
-        .with(Layer::Series {
-            points: resultant.points.clone(),
-            style: Style::solid(Color::BLUE),
-            label: resultant.label.to_owned(),
-        })
-        .with(Layer::Series { points: theory, style: Style::theory(), label: String::new() });
+        .with(Layer::named(resultant.points.clone(), Style::solid(Color::BLUE), resultant.label))
+        .with(Layer::line(theory, Style::theory()));
     Figure::new(title, description, vec![panel]).svg()
 }
 
@@ -243,16 +224,14 @@ mod tests {
                 named("NSOR", &[[1.7, 0.003], [2.7, 0.31], [3.8, 38.0]]),
             ],
             exact: [14.0, 0.017],
-            remark: "one digit more: ×2.5 time",
         };
         let uneven = Price {
             ground: "uneven ground",
             lines: vec![named("active set", &[[1.3, 0.004], [4.3, 1.2], [6.1, 80.0]]), named("clarabel", &[])],
             exact: [14.0, 0.11],
-            remark: "",
         };
         let svg = price("One more digit", "Two panels.", "correct digits", &[flat, uneven]).expect("a figure");
-        for text in ["flat ground: time [ms]", "uneven ground: time [ms]", ">NSOR<", "×2.5 time"] {
+        for text in ["flat ground: time [ms]", "uneven ground: time [ms]", ">NSOR<"] {
             assert!(svg.contains(text), "`{text}` is missing");
         }
         assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");

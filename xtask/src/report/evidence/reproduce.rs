@@ -14,7 +14,7 @@ use crate::report::study::Study;
 use crate::report::table::Table;
 
 /// The crates whose versions can change a number or a line of the report.
-const NUMERICAL: [&str; 6] = ["nalgebra", "clarabel", "osqp", "libm", "plotters", "insta"];
+const NUMERICAL: [&str; 5] = ["nalgebra", "clarabel", "osqp", "libm", "insta"];
 
 /// The part of `Cargo.lock` that is read.
 #[derive(Debug, Deserialize)]

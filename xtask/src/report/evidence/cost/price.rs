@@ -147,7 +147,7 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
         let points = |front: &[Point<'_>]| front.iter().map(|p| [p.digits, milliseconds(p.line)]).collect();
         let lines = fronts.iter().zip(SOLVERS).map(|(front, label)| Named { label, points: points(front) });
-        study::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)], remark: "" }
+        study::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)] }
     });
     study::price(
         "The active set buys a digit for little time; the exact solution needs no grid",

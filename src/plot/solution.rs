@@ -1,17 +1,105 @@
-//! The panels of a solution, one below the other.
+//! A beam in its final position: shape and foundation, clearance, contact forces, moment, shear.
 
-use super::ground::{Ground, foundation_line};
-use super::sketch::sketch;
-use super::units::{UnitLabels, with_unit};
-use crate::plot::axis::Axis;
-use crate::plot::canvas::TEXT;
-use crate::plot::curves::{Curves, PointForce};
-use crate::plot::error::{PlotError, finite};
-use crate::plot::layer::{Arrow, Arrows, Layer, Place};
-use crate::plot::palette::{Color, Dash, Style};
-use crate::plot::panel::Panel;
+use super::axis::Axis;
+use super::canvas::TEXT;
+use super::curves::{Curves, PointForce};
+use super::figure::Figure;
+use super::layer::{Arrow, Arrows, Layer, Place};
+use super::palette::{Color, Dash, Style};
+use super::panel::Panel;
+use super::sketch::{Ground, UnitLabels, foundation_line, sketch, with_unit};
+use super::{PlotError, finite, same_length};
 use crate::scene::Scene;
-use crate::state::Extremes;
+use crate::state::{ContactState, Extremes};
+
+/// Draws a discretised solution.
+///
+/// # Errors
+///
+/// Those of [`Curves::of`] and of [`curves`].
+pub fn solution(scene: &Scene, state: &ContactState) -> Result<String, PlotError> {
+    curves(scene, &Curves::of(scene, state)?, "")
+}
+
+/// Draws a solution given as curves; `subtitle`, the method for example, follows the title of the scene.
+///
+/// # Errors
+///
+/// A [`PlotError`] for lists of unequal length and for numbers that are not finite; a clearance may be infinite.
+pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, PlotError> {
+    same_length("the deflections", &curves.deflection, &curves.x)?;
+    same_length("the clearances", &curves.clearance, &curves.x)?;
+    same_length("the moments", &curves.moment, &curves.x)?;
+    let units = UnitLabels::of(scene.units());
+    let foundation = foundation_line(scene, curves);
+    let title = if scene.title().is_empty() { "A beam above a foundation" } else { scene.title() };
+    let title = if subtitle.is_empty() { title.to_owned() } else { format!("{title}: {subtitle}") };
+    let mut panels = vec![shape(scene, curves, &foundation, &units)?];
+    panels.extend(clearance(scene, curves, &units)?);
+    panels.push(forces(scene, curves, &units));
+    panels.push(moment(scene, curves, &units)?);
+    panels.push(shear(scene, curves, &units)?);
+    if let Some(last) = panels.last_mut() {
+        "x".clone_into(&mut last.x.label);
+    }
+    Figure::new(title, description(curves, &foundation, &units), panels).svg()
+}
+
+/// Small pictures of many solutions, four in a row: ground, beam, contact zones as thick lines and concentrated contact forces
+/// as arrows, all without numbers.
+///
+/// # Errors
+///
+/// As [`curves`].
+pub fn sheet<'a>(
+    title: &str,
+    description: &str,
+    solutions: impl IntoIterator<Item = (&'a str, &'a Scene, &'a Curves)>,
+) -> Result<String, PlotError> {
+    let panels = solutions.into_iter().map(|(name, scene, curves)| small(name, scene, curves)).collect();
+    Figure { columns: 4, ..Figure::new(title, description, panels) }.svg()
+}
+
+/// The figure in words.
+fn description(curves: &Curves, ground: &Ground, units: &UnitLabels) -> String {
+    let length = units.length.as_ref();
+    let mut parts = vec![format!(
+        "From top to bottom: deflected beam{}, contact forces, bending moment and shear force along the beam; deflection \
+         and moment are positive downwards.",
+        if ground.pieces.is_empty() { "" } else { " above its foundation, clearance" }
+    )];
+    parts.extend(ground.remark.clone());
+    let v = &curves.deflection_extremes;
+    parts.push(format!("Largest deflection {} at {}.", with_unit(v.max, length), with_unit(v.max_at, length)));
+    if curves.contacts.is_empty() {
+        parts.push("The beam touches nowhere.".to_owned());
+    } else {
+        let stretches: Vec<String> = curves
+            .contacts
+            .iter()
+            .take(12)
+            .map(|&[from, to]| {
+                let from_text = with_unit(from, length);
+                if from < to { format!("{from_text} to {}", with_unit(to, length)) } else { from_text }
+            })
+            .collect();
+        let more = if stretches.len() < curves.contacts.len() { ", and further places" } else { "" };
+        parts.push(format!("It touches at {}{more}.", stretches.join(", ")));
+    }
+    let m = &curves.moment_extremes;
+    let unit = units.moment.as_ref();
+    parts.push(format!(
+        "Bending moment from {} at {} to {} at {}.",
+        with_unit(m.min, unit),
+        with_unit(m.min_at, length),
+        with_unit(m.max, unit),
+        with_unit(m.max_at, length)
+    ));
+    let r = curves.reactions;
+    let force = units.force.as_ref();
+    parts.push(format!("Reactions {} left and {} right.", with_unit(r.left, force), with_unit(r.right, force)));
+    parts.join(" ")
+}
 
 fn zip(x: &[f64], y: &[f64]) -> Vec<Place> {
     x.iter().zip(y).map(|(&x, &y)| [x, y]).collect()
@@ -48,7 +136,7 @@ fn extremes(name: &str, e: &Extremes, unit: Option<&String>, length: Option<&Str
 fn zero_line(scene: &Scene) -> Layer {
     let points = vec![[0.0, 0.0], [scene.beam().length(), 0.0]];
     let style = Style { width: 3, ..Style::solid(Color::BLACK) };
-    Layer::Series { points, style, label: String::new() }
+    Layer::line(points, style)
 }
 
 /// Room for ground below the lowest line; none where the ground is cut off, which would look like its end.
@@ -56,7 +144,7 @@ fn footroom(ground: &Ground) -> f64 {
     if ground.below.is_empty() { 40.0 } else { 0.0 }
 }
 
-pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) -> Result<Panel, PlotError> {
+fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) -> Result<Panel, PlotError> {
     let length = scene.beam().length();
     let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(640.0);
@@ -76,11 +164,7 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
     };
     panel = panel
         .with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] })
-        .with(Layer::Series {
-            points: zip(&curves.x, &curves.deflection),
-            style: Style { width: 9, ..Style::solid(Color::BLACK) },
-            label: String::new(),
-        })
+        .with(Layer::line(zip(&curves.x, &curves.deflection), Style { width: 9, ..Style::solid(Color::BLACK) }))
         .room(headroom, footroom(ground));
     if load {
         panel = panel.with(Layer::Load(sketch));
@@ -92,7 +176,7 @@ pub(super) fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &Uni
 }
 
 /// Shape and contact of a scene at a glance.
-pub(super) fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
+fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let length = scene.beam().length();
     let beam = zip(&curves.x, &curves.deflection);
     let ground = foundation_line(scene, curves);
@@ -116,16 +200,14 @@ pub(super) fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let thick = |width: u32, color: Color| Style { width, ..Style::solid(color) };
     panel = panel.with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] });
     for points in zones {
-        panel = panel.with(Layer::Series { points, style: thick(18, Color::VERMILLION), label: String::new() });
+        panel = panel.with(Layer::line(points, thick(18, Color::VERMILLION)));
     }
-    panel
-        .with(Layer::Series { points: beam, style: thick(7, Color::BLACK), label: String::new() })
-        .with(Layer::Arrows(arrows))
+    panel.with(Layer::line(beam, thick(7, Color::BLACK))).with(Layer::Arrows(arrows))
 }
 
 /// No panel where there is no foundation; a second one where the beam leaves the ground so little between its contacts that
 /// the first does not show it.
-pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<Panel>, PlotError> {
+fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<Panel>, PlotError> {
     /// Below this part of the largest clearance a smaller one is drawn again on a scale of its own.
     const SMALL: f64 = 0.1;
     if scene.foundation().is_none() {
@@ -140,7 +222,7 @@ pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> R
         let panel = Panel::new(along(scene, units), y)
             .tall(380.0)
             .room(84.0, 20.0)
-            .with(Layer::Series { points, style: Style::solid(Color::BLUE), label: String::new() })
+            .with(Layer::line(points, Style::solid(Color::BLUE)))
             .with(Layer::Zones { intervals: curves.contacts.clone(), level: 0.0 });
         // A beam that lies on the ground from end to end has no clearance to name.
         let note = extreme("h", at, value, units.length.as_ref(), units.length.as_ref());
@@ -164,7 +246,7 @@ pub(super) fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> R
     Ok(panels)
 }
 
-pub(super) fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
+fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
     /// Height that all arrows share \[drawing units\].
     const HEIGHT: f64 = 480.0;
     let length = scene.beam().length();
@@ -211,7 +293,7 @@ fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
     arrows
 }
 
-pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
+fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
     let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(470.0).room(84.0, 84.0).with(zero_line(scene));
     panel = panel.with(Layer::Area { points: zip(&curves.x, &curves.moment), level: 0.0, color: Color::BLUE });
@@ -221,7 +303,7 @@ pub(super) fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Resu
     Ok(panel)
 }
 
-pub(super) fn shear(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
+fn shear(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
     let y = Axis::new("shear force V = dM/dx").unit(units.force.clone()).including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(470.0).room(84.0, 84.0).with(zero_line(scene));
     panel = panel.with(Layer::Area { points: curves.shear.clone(), level: 0.0, color: Color::GREEN });

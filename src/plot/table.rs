@@ -1,11 +1,17 @@
 //! A map of verdicts: rows and columns of coloured, lettered cells.
 
-use super::super::canvas::{Align, Canvas, Type, text_width, wrapped};
-use super::super::error::PlotError;
-use super::super::figure::{MARGIN, whole};
-use super::super::palette::Color;
-use super::super::svg::{WIDTH, document};
-use super::{Heading, LINE, count, name_width};
+use super::canvas::{Align, Canvas, TEXT, Type, text_width, wrapped};
+use super::figure::{Heading, MARGIN, WIDTH, document, whole};
+use super::palette::Color;
+use super::{PlotError, count};
+
+/// Height of a line of text.
+const LINE: f64 = 1.25 * TEXT;
+
+/// Room for the names of rows.
+fn name_width<'a>(names: impl Iterator<Item = &'a str>) -> f64 {
+    names.fold(0.0_f64, |most, name| most.max(text_width(name, Type::PLAIN))).min(0.5 * f64::from(WIDTH)) + 32.0
+}
 
 /// What a cell says; its letter says it again for those who do not see the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,11 +89,12 @@ pub fn verdict_map(
     } else {
         LINE * count(headings.iter().map(Vec::len).max().unwrap_or(0)) + 20.0
     };
-    let top = Heading::of(title).height + heading;
+    let title_lines = Heading::of(title);
+    let top = title_lines.bottom + 30.0 + heading;
     let below = top + CELL * count(rows.len()) + 50.0;
     let height = below + CELL * count(legend.len()) + MARGIN;
     document(title, description, whole(height), |canvas| {
-        Heading::of(title).draw(canvas)?;
+        title_lines.draw(canvas)?;
         for (j, lines) in headings.iter().enumerate() {
             let middle = left + width * (count(j) + 0.5);
             if turned {
@@ -115,7 +122,7 @@ pub fn verdict_map(
     })
 }
 
-fn draw_cell(canvas: &Canvas<'_>, cell: &Cell, [x, y]: [f64; 2], width: f64) -> Result<(), PlotError> {
+fn draw_cell(canvas: &mut Canvas, cell: &Cell, [x, y]: [f64; 2], width: f64) -> Result<(), PlotError> {
     /// White between the cells.
     const GAP: f64 = 4.0;
     let (color, opacity) = cell.tone.fill();

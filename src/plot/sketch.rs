@@ -1,9 +1,9 @@
-//! The foundation as it is drawn below the beam.
+//! What is given, as it is drawn: the foundation below the beam, the loads above it, and units.
 
-use crate::plot::DIGITS;
-use crate::plot::curves::Curves;
-use crate::plot::layer::Place;
-use crate::scene::{Foundation, Scene};
+use super::DIGITS;
+use super::curves::Curves;
+use super::layer::{LoadSketch, Place};
+use crate::scene::{Foundation, Scene, Units};
 use crate::text::significant;
 
 /// The foundation as far as it is drawn.
@@ -92,6 +92,61 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
         pieces.push(piece);
     }
     (pieces, gaps)
+}
+
+/// `q(x)` as a line with its steps, and the point loads.
+pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> LoadSketch {
+    let (load, length) = (scene.load(), scene.beam().length());
+    let mut cuts: Vec<f64> = load.linear().iter().flat_map(|q| [q.from, q.to]).chain([0.0, length]).collect();
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup_by_key(|x| x.to_bits());
+    let mut intensity = Vec::new();
+    let mut values: Vec<(f64, f64, String)> = Vec::new();
+    for pair in cuts.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        let middle = 0.5 * (from + to);
+        let q = |x: f64| {
+            let linear = load.linear().iter().filter(|q| (q.from..=q.to).contains(&middle)).map(|q| q.intensity(x));
+            load.uniform() + linear.sum::<f64>()
+        };
+        let (start, end) = (q(from), q(to));
+        intensity.extend([[from, start], [to, end]]);
+        let text = |value: f64| format!("q = {}", with_unit(value, units.pressure.as_ref()));
+        if start.to_bits() == end.to_bits() {
+            if start != 0.0 {
+                values.push((middle, start, text(start)));
+            }
+        } else if end.abs() < start.abs() {
+            values.push((from, start, text(start)));
+        } else {
+            values.push((to, end, text(end)));
+        }
+    }
+    let points = load.point().iter().map(|p| (p.at, p.force, with_unit(p.force.abs(), units.force.as_ref()))).collect();
+    // Above the highest point of the beam, which may rise above the line of its supports.
+    let level = curves.deflection.iter().fold(0.0_f64, |least, v| least.min(*v));
+    LoadSketch { level, intensity, values, points }
+}
+
+/// Units as they are printed; `None` where the scene names none.
+pub(super) struct UnitLabels {
+    pub(super) length: Option<String>,
+    pub(super) force: Option<String>,
+    pub(super) pressure: Option<String>,
+    pub(super) moment: Option<String>,
+}
+
+impl UnitLabels {
+    pub(super) fn of(units: &Units) -> Self {
+        let both = |join: &str| Some(format!("{}{join}{}", units.force.as_ref()?, units.length.as_ref()?));
+        Self { length: units.length.clone(), force: units.force.clone(), pressure: both("/"), moment: both("·") }
+    }
+}
+
+/// `1.182 kN`
+pub(super) fn with_unit(value: f64, unit: Option<&String>) -> String {
+    let number = significant(value, DIGITS);
+    unit.map_or(number.clone(), |unit| format!("{number} {unit}"))
 }
 
 #[cfg(test)]
