@@ -126,3 +126,42 @@ pub(super) fn deflection(
     let slope = -(v / l) - third * l * l / number(6);
     march([Interval::ZERO, slope, Interval::ZERO, third], 0.0, length, all, &net, stiffness).0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Load, PointLoad, Scene};
+
+    /// A force `P` downwards and a contact force `F` upwards, at one place `a` or at two: of each
+    ///
+    /// ```text
+    /// v(x) = P b x (l² − b² − x²) / 6 EI l  for x ≤ a,    b = l − a
+    /// ```
+    #[test]
+    fn forces_bend_the_beam_by_their_closed_form() {
+        const LENGTH: f64 = 8.0;
+        const STIFFNESS: f64 = 70.0;
+        const ROUNDING: f64 = 1e-13;
+        let left = |force: f64, a: f64, x: f64| {
+            let b = LENGTH - a;
+            force * b * x * (LENGTH * LENGTH - b * b - x * x) / (6.0 * STIFFNESS * LENGTH)
+        };
+        let of = |force: f64, a: f64, x: f64| {
+            if x <= a { left(force, a, x) } else { left(force, LENGTH - a, LENGTH - x) }
+        };
+        let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+        for (at, contact) in [(3.0, 3.0), (2.0, 5.0), (5.0, 2.0)] {
+            let points = vec![PointLoad { at, force: 11.0 }];
+            let scene = Scene::new(beam, Load::new(&beam, 0.0, Vec::new(), points).expect("finite"), None);
+            let load = EnclosedLoad::of(&scene.expect("well posed"));
+            let forces = ContactLoad::new(LENGTH, [(contact, 4.0)]).expect("a force");
+            for ([from, to], v) in deflection(&forces, &load, &[1.0, 6.5], STIFFNESS, LENGTH) {
+                for s in [0.0, 0.4 * (to - from), to - from] {
+                    let expected = of(11.0, at, from + s) - of(4.0, contact, from + s);
+                    let value = v.at(Interval::exact(s)).middle();
+                    assert!((value - expected).abs() <= ROUNDING * 11.0, "{value}, not {expected}, at {}", from + s);
+                }
+            }
+        }
+    }
+}

@@ -97,3 +97,37 @@ pub(crate) fn cells(from: f64, to: f64, mut breaks: Vec<f64>) -> Vec<[f64; 2]> {
     breaks.dedup();
     breaks.windows(2).map(|w| [w[0], w[1]]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Load};
+
+    /// Parts of a load that overlap, follow each other or begin together: what acts at a place is their sum.
+    #[test]
+    fn parts_of_a_load_add_up() {
+        /// Of a sum of so many numbers of the same size.
+        const ROUNDING: f64 = 1e-12;
+        const LENGTH: f64 = 8.0;
+        let beam = Beam::new(LENGTH, 70.0).expect("positive");
+        for count in [0, 1, 2, 5, 40, 300] {
+            let part = |k: i32| {
+                let (from, width) = (0.25 * f64::from(7 * k % 31), 0.25 * f64::from(1 + 5 * k % 9));
+                LinearLoad { from, to: LENGTH.min(from + width), start: f64::from(k % 4), end: 3.0 - f64::from(k % 7) }
+            };
+            let parts: Vec<LinearLoad> = (0..count).map(part).collect();
+            let load = Load::new(&beam, 2.0, parts.clone(), Vec::new()).expect("finite");
+            let pieces = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
+            for [from, to] in cells(0.0, LENGTH, pieces.breaks(0.0, LENGTH)) {
+                for share in [0.0, 0.3, 0.9] {
+                    let s = share * (to - from);
+                    let acts = |q: &&LinearLoad| q.from <= from && to <= q.to;
+                    let sum = parts.iter().filter(acts).fold(2.0, |sum, q| sum + q.intensity(from + s));
+                    let q = pieces.cell(from, to).at(Interval::exact(s)).middle();
+                    let size = 2.0 + 12.0 * f64::from(count);
+                    assert!((q - sum).abs() <= ROUNDING * size, "{q}, not {sum}, at {}", from + s);
+                }
+            }
+        }
+    }
+}

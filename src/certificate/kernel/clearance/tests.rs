@@ -100,6 +100,23 @@ fn spans_are_lifted_as_far_as_they_have_to_be() {
     enough("from a zone", &flat, LOAD, [node(Kind::End, 12.0, 0.0), node(Kind::Support, LENGTH, -0.4)]);
 }
 
+/// However little the free beam is in the ground at mid-span, on however short a part of it and in whatever units: `φ` is 1/4
+/// there.
+#[test]
+fn the_least_penetration_is_lifted() {
+    /// Of the deflection, which is known to a few units in the last place.
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    for unit in [1.0, 1e-6, 1e-12] {
+        let free = [node(Kind::Support, 0.0, unit * STEEP), node(Kind::Support, LENGTH, -unit * STEEP)];
+        let sag = unit * SAG;
+        for share in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-14] {
+            let lift = lifts(&Foundation::Flat { depth: sag - share * sag }, unit * LOAD, free).0;
+            let (lift, needed) = (lift.expect("there is a lift"), 4.0 * share * sag);
+            assert!(needed - 4.0 * ROUNDING * sag <= lift && 0.0 < lift, "{lift}, not {needed}");
+        }
+    }
+}
+
 /// A beam that is clear is not lifted at all, and one that is the ground itself, but for rounding, by no more than that.
 #[test]
 fn what_is_clear_stays_where_it_is() {

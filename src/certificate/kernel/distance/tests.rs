@@ -124,7 +124,7 @@ fn values_are_as_good_as_their_coefficients() {
     assert!(0.0 < Plain::of(&Polynomial::ZERO, width).off, "underflow is rounding as well");
 }
 
-/// EnclosedLoad and cells that do not go all the way, or whose ends are no samples, bound nothing.
+/// Pieces and cells that do not go all the way, or whose ends are no samples, bound nothing.
 #[test]
 fn what_ends_on_the_way_is_not_judged() {
     let pieces = vec![piece([0.0, 4.0], &[]), piece([4.0, LENGTH], &[])];

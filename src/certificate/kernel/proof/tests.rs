@@ -105,7 +105,7 @@ fn what_lifts_a_span_counts_in_the_gap() {
     }
 }
 
-/// A corner that the beam does not reach pulls it down by `w`, with the force `R = 48 EI w/l³`. TensionCutOff off, it leaves the free
+/// A corner that the beam does not reach pulls it down by `w`, with the force `R = 48 EI w/l³`. Cut off, it leaves the free
 /// beam under `q` and a point load `P`, with `J = −q² l⁵/240 EI − P 5 q l⁴/384 EI − P² l³/96 EI`.
 #[test]
 fn what_pulls_counts_in_the_gap() {
@@ -188,7 +188,7 @@ fn of_joints_that_are_no_pattern_nothing_follows() {
     }
 }
 
-/// EnclosedFoundation that is level with a support only at the edge of a step does not hold the beam that lies at the foot of it.
+/// Ground that is level with a support only at the edge of a step does not hold the beam that lies at the foot of it.
 #[test]
 fn at_the_foot_of_a_step_no_support_is_met() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
@@ -210,5 +210,39 @@ fn at_the_foot_of_a_step_no_support_is_met() {
             ContactNode::new(Kind::Support, LENGTH),
         ];
         assert_eq!(is_complete(&enclosed, &nodes), meets, "{points:?}");
+    }
+}
+
+/// A foundation steeper than the free beam would have to pull the beam down at the support that it is level with. The couple that
+/// this takes is cut off and paid for, at either support alike: `‖m‖² = M² l/3 EI` with `M = 3 EI (s − s₀)/l` for slopes `s` of the
+/// foundation and `s₀` of the free beam.
+#[test]
+fn a_couple_that_pulls_counts_at_both_supports() {
+    let free = LOAD * CUBE / (24.0 * STIFFNESS);
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    for steeper in [1.01, 1.5, 3.0] {
+        let steep = steeper * free;
+        let moment = 3.0 * STIFFNESS * (steep - free) / LENGTH;
+        let expected = 0.5 * moment * moment * LENGTH / (3.0 * STIFFNESS);
+        let end = |kind: Kind, x: f64, slope: f64| ContactNode { kind, x, slope };
+        // The slope of a beam whose other end is free to turn.
+        let other = -free + 0.5 * (free - steep);
+        for (coefficients, nodes) in [
+            (vec![0.0, steep], [end(Kind::Clamp, 0.0, 0.0), end(Kind::Support, LENGTH, other)]),
+            (vec![steep * LENGTH, -steep], [end(Kind::Support, 0.0, -other), end(Kind::Clamp, LENGTH, 0.0)]),
+        ] {
+            let foundation = Foundation::Polynomial { coefficients };
+            let pieces =
+                EnclosedLoad::of(&Scene::new(beam, load.clone(), Some(foundation.clone())).expect("well posed"));
+            let enclosed = EnclosedScene {
+                foundation: EnclosedFoundation::on(&foundation, LENGTH),
+                load: &pieces,
+                stiffness: STIFFNESS,
+                length: LENGTH,
+            };
+            let gap = pair(&enclosed, &nodes).expect("from support to support").gap.hi();
+            assert!((gap - expected).abs() <= 1e-9 * expected, "{gap}, not {expected}, at {nodes:?}");
+        }
     }
 }
