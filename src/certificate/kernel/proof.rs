@@ -20,7 +20,7 @@
 //! ‖M⁻‖ ≤ ∫ p⁻ x (l − x) / √(3 EI l) dx,     gap = ½ (‖r‖ + ‖EI α φ''‖ + ‖M⁻‖)²
 //! ```
 //!
-//! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong pattern what it is wrong by.
+//! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong witness what it is wrong by.
 
 use super::clearance;
 use super::contact_node::{ContactNode, EnclosedScene, Kind};

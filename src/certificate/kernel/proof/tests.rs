@@ -41,7 +41,7 @@ fn the_gap_is_the_difference_of_the_two_energies() {
             ContactNode::new(Kind::End, LENGTH - b),
             ContactNode { kind: Kind::Support, x: LENGTH, slope: -slope(b) },
         ];
-        let pair = pair(&enclosed, &nodes).expect("a pattern from support to support");
+        let pair = pair(&enclosed, &nodes).expect("nodes from support to support");
         let upper = energy(&pair.pieces, &pieces, STIFFNESS);
         let fifth = |a: f64| a * a * a * a * a;
         let lower =
@@ -58,7 +58,7 @@ fn the_gap_is_the_difference_of_the_two_energies() {
 #[track_caller]
 fn corrected(foundation: Foundation, point: f64, slope: f64, corner: bool, lower: f64) -> Pair {
     /// The lift and the cut are rounded outwards, over parts of a span.
-    const AMENDS: f64 = 1e-6;
+    const CORRECTIONS: f64 = 1e-6;
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let middle = 0.5 * LENGTH;
     let points = vec![PointLoad { at: middle, force: point }];
@@ -76,7 +76,7 @@ fn corrected(foundation: Foundation, point: f64, slope: f64, corner: bool, lower
     if corner {
         nodes.insert(1, ContactNode::new(Kind::Corner, middle));
     }
-    let pair = pair(&enclosed, &nodes).expect("a pattern from support to support");
+    let pair = pair(&enclosed, &nodes).expect("nodes from support to support");
     for k in 0..=200 {
         let x = LENGTH * f64::from(k) / 200.0;
         let piece = pair.pieces.iter().find(|p| x <= p.to).expect("all the way");
@@ -84,7 +84,7 @@ fn corrected(foundation: Foundation, point: f64, slope: f64, corner: bool, lower
         assert!(v.lo() <= foundation.depth(x), "the beam is in the ground at {x}: {v:?}");
     }
     let gap = energy(&pair.pieces, &pieces, STIFFNESS).middle() - lower;
-    assert!((pair.gap.hi() - gap).abs() <= AMENDS * gap, "{:?}, not {gap}", pair.gap);
+    assert!((pair.gap.hi() - gap).abs() <= CORRECTIONS * gap, "{:?}, not {gap}", pair.gap);
     pair
 }
 
@@ -93,7 +93,7 @@ const CUBE: f64 = LENGTH * LENGTH * LENGTH;
 const FREE: f64 = -LOAD * LOAD * CUBE * LENGTH * LENGTH / (240.0 * STIFFNESS);
 const SAG: f64 = 5.0 * LOAD * CUBE * LENGTH / (384.0 * STIFFNESS);
 
-/// A span that is in the ground is lifted, by `α (s/L)(1 − s/L)`; the contact load of the pattern is none.
+/// A span that is in the ground is lifted, by `α (s/L)(1 − s/L)`; the contact load of these nodes is none.
 #[test]
 fn what_lifts_a_span_counts_in_the_gap() {
     for share in [0.5, 0.9] {
@@ -150,7 +150,7 @@ fn a_beam_that_lies_on_the_ground_has_its_shear() {
 }
 
 #[test]
-fn of_joints_that_are_no_pattern_nothing_follows() {
+fn of_nodes_that_are_no_list_nothing_follows() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
     let flat = Foundation::Flat { depth: DEPTH };
