@@ -1,7 +1,7 @@
 //! `certify`: how good are contact forces that some program computed?
 
 use palkki::Witness;
-use palkki::certificate::bounds::{Lumped, Violation, ViolationKind, violations, violations_at_nodes};
+use palkki::certificate::{Lumped, Violation, ViolationKind, violations, violations_at_nodes};
 use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};

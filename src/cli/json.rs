@@ -5,7 +5,7 @@
 
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::Certificate;
-use palkki::certificate::bounds::Violation;
+use palkki::certificate::Violation;
 use palkki::route::Status;
 use palkki::state::{Contact, Extremes, Nodes, Reactions, Regime};
 use serde::Serialize;

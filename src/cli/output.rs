@@ -4,7 +4,7 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 
-use palkki::certificate::bounds::NotLumped;
+use palkki::certificate::NotLumped;
 use palkki::scene::file::FileError;
 
 use super::input::Input;

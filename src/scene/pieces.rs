@@ -30,6 +30,14 @@ impl Foundation {
     pub(crate) fn level_within(&self, x: f64, length: f64) -> f64 {
         LEVEL * self.rounded_size(x, length)
     }
+
+    /// The same foundation, if it is a polyline that can do without some of its points. A beam that lies across a corner of the
+    /// size of rounding could not be told from one that hangs on it.
+    pub(crate) fn without_collinear_points(&self) -> Option<Self> {
+        let Self::Polyline { points } = self else { return None };
+        let kept = without_collinear_points(points);
+        (kept.len() < points.len()).then_some(Self::Polyline { points: kept })
+    }
 }
 
 /// A polyline without the points that make no corner: points that are off the line of their neighbours by rounding, points

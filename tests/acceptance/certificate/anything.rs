@@ -1,6 +1,6 @@
 //! Any forces on any scene: no panic, and what is said is true.
 
-use palkki::certificate::bounds::violations;
+use palkki::certificate::violations;
 use palkki::certificate::{ContactLoad, Judged, certify};
 use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};

@@ -1,7 +1,7 @@
 //! What a certificate says, against closed forms, in a scene in which no unit is one.
 
 use palkki::certificate::Certificate;
-use palkki::certificate::bounds::stiffness;
+use palkki::certificate::stiffness;
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 use super::{of_forces, places};

@@ -1,7 +1,7 @@
 //! What is given: forces as they are read, and which condition they violate, against closed forms.
 
 use palkki::certificate::ContactLoad;
-use palkki::certificate::bounds::{NotAForce, Violation, ViolationKind, violations};
+use palkki::certificate::{NotAForce, Violation, ViolationKind, violations};
 use palkki::scene::Foundation;
 
 use crate::scenes::uniform;

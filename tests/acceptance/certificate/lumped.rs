@@ -1,6 +1,6 @@
 //! Contact forces under a load that is lumped at nodes: closed forms, our own answers, and what is refused.
 
-use palkki::certificate::bounds::{NotLumped, ViolationKind, violations, violations_at_nodes};
+use palkki::certificate::{NotLumped, ViolationKind, violations, violations_at_nodes};
 use palkki::certificate::{ContactLoad, Judged, Lumped, certify};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};

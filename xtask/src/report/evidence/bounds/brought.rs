@@ -1,7 +1,7 @@
 //! Contact forces that were computed with the load lumped at the nodes: by the paper, by springs instead of a rigid
 //! foundation, and by libraries. What `palkki certify` finds about them, told that the load is nodal and not told.
 
-use palkki::certificate::bounds::{Violation, ViolationKind, violations, violations_at_nodes};
+use palkki::certificate::{Violation, ViolationKind, violations, violations_at_nodes};
 use palkki::certificate::{ContactLoad, Judged, Lumped, certify};
 use palkki::methods::Method;
 use palkki::route::Status;

@@ -1,0 +1,170 @@
+//! How far a span has to be lifted to be clear of the foundation: mostly not at all.
+//!
+//! The span is lifted by `α φ`, which vanishes at its nodes and, where the slope is given, with its slope:
+//!
+//! ```text
+//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 1 at a support, 2 at all other nodes
+//! ```
+//!
+//! so that what it costs is of the size of `α`, and not of its root: where the beam is pressed it stays where it is. `α = 0`
+//! proves `v ≤ u`. Where beam and foundation are one curve but for rounding, no arithmetic can tell, and `α` is of the size
+//! of the rounding.
+
+use super::contact_node::{ContactNode, EnclosedScene, Kind};
+use super::interval::Interval;
+use super::polynomial::Polynomial;
+use super::span::Span;
+
+/// Parts into which a cell is cut before it is given up.
+const MOST_PARTS: usize = 200;
+/// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
+const SMALLEST_PART: f64 = 1.0 / 8.0;
+
+/// The power of the distance from a node in `φ`.
+pub(crate) fn power(node: &ContactNode) -> usize {
+    if node.kind == Kind::Support { 1 } else { 2 }
+}
+
+/// `α`, not negative; [`None`] if no lift of this shape is enough.
+pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, left: &ContactNode, right: &ContactNode) -> Option<f64> {
+    let middle = 0.5 * (span.from + span.to);
+    let mut breaks = enclosed.foundation.breaks(span.from, span.to);
+    breaks.push(middle);
+    let curve = span.curve(breaks, enclosed.load, enclosed.stiffness);
+    let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
+    // From each node to the middle: the clearance about that end of a cell that is nearer to the node.
+    let from_the_left = curve.iter().take_while(|(cell, _)| cell[0] < middle).map(|(cell, v)| {
+        let [from, to] = *cell;
+        (from, width(*cell), enclosed.foundation.cell(from, to).minus(v))
+    });
+    let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
+        let [from, to] = *cell;
+        let v = if span.to <= to {
+            span.mirrored(from, enclosed.load, enclosed.stiffness)
+        } else {
+            v.shifted(width(*cell)).mirrored()
+        };
+        (to, width(*cell), enclosed.foundation.mirrored_cell(from, to).minus(&v))
+    });
+    let most = beside(enclosed, span, left, right, from_the_left)?;
+    let most = most.max(beside(enclosed, span, right, left, from_the_right)?);
+    most.is_finite().then_some(most)
+}
+
+/// `α` for cells from a node to the middle of its span.
+fn beside(
+    enclosed: &EnclosedScene<'_>,
+    span: &Span,
+    node: &ContactNode,
+    other: &ContactNode,
+    cells: impl Iterator<Item = (f64, Interval, Polynomial)>,
+) -> Option<f64> {
+    let length = Interval::exact(span.to) - Interval::exact(span.from);
+    let mut most = 0.0;
+    let mut before: Option<(Interval, Polynomial)> = None;
+    for (near, width, clearance) in cells {
+        let order = if before.is_none() { order(enclosed, node, span.to <= node.x) } else { 0 };
+        let clearance = match before {
+            // What vanishes at the node is small beside it, also behind the end of a short cell.
+            Some((width, ref before)) if enclosed.foundation.is_smooth_at(near) => clearance.continuing(before, width),
+            Some(_) => clearance,
+            None => clearance.vanishing(order),
+        };
+        let [less, more] = [near.min(node.x), near.max(node.x)].map(Interval::exact);
+        let distance = if before.is_none() { Interval::ZERO } else { more - less };
+        let powers = [order, power(node), power(other)];
+        let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi(), length, powers };
+        most = part.lift(most, &mut MOST_PARTS.clone())?;
+        before = Some((width, clearance));
+    }
+    Some(most)
+}
+
+/// `φ` about the left end of the span.
+pub(crate) fn shape(span: &Span, left: &ContactNode, right: &ContactNode) -> Polynomial {
+    let per = Interval::exact(1.0) / (Interval::exact(span.to) - Interval::exact(span.from));
+    let binomial: &[f64] = if power(right) == 1 { &[1.0, -1.0] } else { &[1.0, -2.0, 1.0] };
+    let mut factor = per;
+    if power(left) == 2 {
+        factor = factor * per;
+    }
+    let mut coefficients = vec![Interval::ZERO; power(left)];
+    for &c in binomial {
+        coefficients.push(Interval::exact(c) * factor);
+        factor = factor * per;
+    }
+    Polynomial::new(&coefficients)
+}
+
+/// Which power of the distance from a node is a factor of the clearance beside it. At a point of a polyline the foundation
+/// may fall away from the beam with another slope, or in a step.
+fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) -> usize {
+    let touches = enclosed
+        .foundation
+        .side(node.x, from_the_left)
+        .is_none_or(|u| (u - enclosed.end(node)[0].middle()).abs() <= 0.0);
+    match node.kind {
+        Kind::Support => usize::from(enclosed.foundation.depth(node.x).magnitude() <= 0.0),
+        Kind::Clamp => 2,
+        Kind::Touch | Kind::Start | Kind::End if enclosed.foundation.is_smooth_at(node.x) => 2,
+        Kind::Corner | Kind::Touch | Kind::Start | Kind::End => usize::from(touches),
+    }
+}
+
+/// A part of a cell: the clearance over a power `order` of the distance from a contact node.
+#[derive(Clone, Copy)]
+struct Part {
+    clearance: Polynomial,
+    width: Interval,
+    distance: Interval,
+    /// Width of the cell, and length of the span.
+    whole: f64,
+    length: Interval,
+    /// The order, and the powers of `φ` at this node and at the other one.
+    powers: [usize; 3],
+}
+
+impl Part {
+    /// The least value of `φ` over that power.
+    fn least(&self) -> f64 {
+        let [order, own, other] = self.powers;
+        let per = Interval::exact(1.0) / self.length;
+        let rest = (self.length - (self.distance + self.width)) * per;
+        let power = |base: Interval, times: usize| (0..times).fold(Interval::exact(1.0), |product, _| product * base);
+        let product = power(per, own) * power(self.distance, own - order) * power(rest, other);
+        if rest.lo() <= 0.0 { 0.0 } else { product.lo().max(0.0) }
+    }
+
+    /// `α` for this part if that is more than the `most` of others, and otherwise that.
+    fn lift(&self, most: f64, parts: &mut usize) -> Option<f64> {
+        let lowest = self.clearance.range(self.width).lo();
+        if 0.0 <= lowest {
+            return Some(most);
+        }
+        let enough = (Interval::exact(-lowest) / Interval::exact(self.least())).hi();
+        if enough <= most {
+            return Some(most);
+        }
+        *parts = parts.saturating_sub(1);
+        // Close to a node, and not at it, `φ` may be far smaller at one end of a part than at the other.
+        let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
+        let is_rounding = -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
+        let inside = self.clearance.at(Interval::ZERO).hi() < 0.0 || self.clearance.at(self.width).hi() < 0.0;
+        let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
+        let is_known = is_even && is_small && (is_rounding || inside);
+        if enough.is_finite() && (is_known || *parts == 0) {
+            return Some(most.max(enough));
+        }
+        if *parts == 0 {
+            return None;
+        }
+        // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
+        let half = Interval::exact(0.5 * self.width.hi());
+        let first = Self { width: half, ..*self };
+        let second = Self { clearance: self.clearance.shifted(half), distance: self.distance + half, ..first };
+        second.lift(first.lift(most, parts)?, parts)
+    }
+}
+
+#[cfg(test)]
+mod tests;

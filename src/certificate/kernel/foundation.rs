@@ -1,0 +1,205 @@
+//! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
+
+use super::interval::Interval;
+use super::polynomial::{Polynomial, TERMS, number, shift};
+use crate::scene::Foundation;
+
+/// The foundation of a scene, ready to be asked for enclosures.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EnclosedFoundation<'a> {
+    pub(crate) given: &'a Foundation,
+    length: f64,
+    /// Depths at the supports where they are zero but for rounding; a straight line through them is taken off the
+    /// foundation, which makes it level with these supports.
+    level: [Option<Interval>; 2],
+}
+
+/// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
+const MOST_CELLS: f64 = 1e5;
+/// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
+const CELLS_IN_A_WAVE: f64 = 32.0;
+/// Cells on the beam for a polynomial that has more coefficients than are kept.
+const CELLS_OF_A_LONG_POLYNOMIAL: f64 = 256.0;
+
+impl<'a> EnclosedFoundation<'a> {
+    pub(crate) fn on(foundation: &'a Foundation, length: f64) -> Self {
+        let plain = Self { given: foundation, length, level: [None; 2] };
+        if matches!(foundation, Foundation::Flat { .. } | Foundation::Polyline { .. }) {
+            return plain;
+        }
+        let level = [0.0, length].map(|x| {
+            let nothing = foundation.level_within(x, length);
+            Some(plain.cell(x, x).at(Interval::ZERO)).filter(|u| u.lo() <= nothing && -nothing <= u.hi())
+        });
+        Self { level, ..plain }
+    }
+
+    /// Takes off the line that makes the foundation level with supports; `taylor` is about `x`.
+    fn levelled(&self, taylor: &Polynomial, x: f64) -> Polynomial {
+        let [left, right] = self.level;
+        if left.is_none() && right.is_none() {
+            return *taylor;
+        }
+        let [a, b] = [left, right].map(|u| u.unwrap_or(Interval::ZERO));
+        let slope = (b - a) / Interval::exact(self.length);
+        let mut levelled = taylor.minus(&Polynomial::new(&[a + slope * Interval::exact(x), slope]));
+        // What is taken off at a support is its own depth.
+        if (left.is_some() && x <= 0.0) || (right.is_some() && self.length <= x) {
+            levelled = levelled.vanishing(1);
+        }
+        levelled
+    }
+
+    /// Ends of cells strictly between two places.
+    pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
+        let steps = |step: f64| {
+            let step = step.max(self.length / MOST_CELLS);
+            let first = (from / step).floor() + 1.0;
+            (0..)
+                .map(move |k| (first + f64::from(k)) * step)
+                .skip_while(move |x| *x <= from)
+                .take_while(move |x| *x < to)
+        };
+        match self.given {
+            Foundation::Flat { .. } => Vec::new(),
+            Foundation::Polynomial { coefficients } if coefficients.len() <= TERMS => Vec::new(),
+            Foundation::Polynomial { .. } => steps(self.length / CELLS_OF_A_LONG_POLYNOMIAL).collect(),
+            Foundation::Cosine { wavelength, .. } => steps(wavelength / CELLS_IN_A_WAVE).collect(),
+            Foundation::Polyline { points } => {
+                let first = points.partition_point(|p| p[0] <= from);
+                let inside = points[first..].iter().map(|p| p[0]).take_while(|x| *x < to);
+                let mut breaks: Vec<f64> = inside.collect();
+                breaks.dedup();
+                breaks
+            }
+        }
+    }
+
+    /// `u(origin + s)` between two places without a break between them.
+    fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
+        match self.given {
+            Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
+            Foundation::Polynomial { coefficients } => {
+                self.levelled(&of_polynomial(coefficients, origin, [from, to]), origin)
+            }
+            Foundation::Cosine { mean, amplitude, wavelength, phase } => {
+                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], origin), origin)
+            }
+            Foundation::Polyline { points } => segment(points, from, origin),
+        }
+    }
+
+    /// `u(from + s)` for `0 ≤ s ≤ to − from`.
+    pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
+        self.about(from, [from, to])
+    }
+
+    /// `u(to − s)` for `0 ≤ s ≤ to − from`.
+    pub(crate) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
+        self.about(to, [from, to]).mirrored()
+    }
+
+    /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
+    pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
+        let cell = self.about(x, [if from_the_left { x.next_down() } else { x }, x]);
+        let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
+        [c(0), c(1), c(2) * number(2), c(3) * number(6)]
+    }
+
+    /// `u(x)`, at a step the smaller of the two depths.
+    pub(crate) fn depth(&self, x: f64) -> Interval {
+        let higher = self.points_at(x).iter().min_by(|a, b| a[1].total_cmp(&b[1]));
+        higher.map_or_else(|| self.jet(x, false)[0], |point| Interval::exact(point[1]))
+    }
+
+    /// False at the points of a polyline.
+    pub(crate) fn is_smooth_at(&self, x: f64) -> bool {
+        self.points_at(x).is_empty()
+    }
+
+    /// True if the foundation is one smooth curve between two places: for a polyline, if it has no point there, or only
+    /// points at one level.
+    pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
+        let Foundation::Polyline { points } = self.given else { return true };
+        let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
+        let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
+        // A wrong witness may ask for places that are not in order.
+        let Some(part) = points.get(first..beyond) else { return false };
+        part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
+    }
+
+    /// The depth just beside a point of a polyline; [`None`] where nothing happens.
+    pub(crate) fn side(&self, x: f64, from_the_left: bool) -> Option<f64> {
+        let here = self.points_at(x);
+        let point = if from_the_left { here.first() } else { here.last() };
+        point.map(|p| p[1])
+    }
+
+    /// The points of a polyline at a place: two at a step.
+    pub(crate) fn points_at(&self, x: f64) -> &'a [[f64; 2]] {
+        let Foundation::Polyline { points } = self.given else { return &[] };
+        let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
+        points.get(first..beyond).unwrap_or_default()
+    }
+}
+
+/// The segment of a polyline that begins at a place or goes through it, about an origin on it.
+#[expect(clippy::float_cmp, reason = "the depth of a given point is known without rounding, and at no other place")]
+fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
+    let after = points.partition_point(|p| p[0] <= from).clamp(1, points.len() - 1);
+    let [left, right] = [points[after - 1], points[after]];
+    let [[x, u], [end, depth]] = [left, right].map(|p| p.map(Interval::exact));
+    let slope = (depth - u) / (end - x);
+    // What is given is known without rounding: the points, and a level stretch.
+    if (right[1] - left[1]).abs() <= 0.0 {
+        return Polynomial::new(&[u]);
+    }
+    let value = if origin == left[0] {
+        u
+    } else if origin == right[0] {
+        depth
+    } else {
+        u + slope * (Interval::exact(origin) - x)
+    };
+    Polynomial::new(&[value, slope])
+}
+
+/// Taylor's polynomial about an origin, for a cell; terms beyond those that are kept become the remainder of Lagrange.
+fn of_polynomial(given: &[f64], origin: f64, cell: [f64; 2]) -> Polynomial {
+    let mut shifted: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
+    if shifted.len() <= TERMS {
+        shift(&mut shifted, Interval::exact(origin));
+        return Polynomial::new(&shifted);
+    }
+    // The coefficient of the remainder: that of Taylor's polynomial at any place of the cell.
+    let mut anywhere = shifted.clone();
+    shift(&mut anywhere, Interval::between(cell[0], cell[1]));
+    shift(&mut shifted, Interval::exact(origin));
+    shifted.truncate(TERMS);
+    shifted[TERMS - 1] = anywhere[TERMS - 1];
+    Polynomial::new(&shifted)
+}
+
+/// Derivatives of a cosine at `x`, over factorials; the last one at any place.
+fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomial {
+    let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
+    let wave_number = Interval::TAU / Interval::exact(wavelength);
+    let mut factor = Interval::exact(amplitude);
+    let mut coefficients = [Interval::ZERO; TERMS];
+    for (j, c) in coefficients.iter_mut().enumerate() {
+        let value = match j % 4 {
+            _ if j == TERMS - 1 => Interval::around_zero(1.0),
+            0 => cos,
+            1 => -sin,
+            2 => -cos,
+            _ => sin,
+        };
+        *c = factor * value;
+        factor = factor * wave_number / number(j + 1);
+    }
+    coefficients[0] = coefficients[0] + Interval::exact(mean);
+    Polynomial::new(&coefficients)
+}
+
+#[cfg(test)]
+mod tests;

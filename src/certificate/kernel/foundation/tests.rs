@@ -1,0 +1,187 @@
+//! Cells of the foundation against depths that can be computed exactly, and what is asked of a polyline against one with
+//! everything that a polyline can have.
+
+use super::*;
+
+const LENGTH: f64 = 16.0;
+/// One unit in the last place of 1.
+const UNIT: f64 = f64::EPSILON;
+
+/// `(x − 8)¹²`, with two coefficients more than are kept; all of them are whole numbers below 2⁵³.
+fn long() -> Foundation {
+    let mut coefficients = vec![1.0];
+    for _ in 0..12 {
+        let mut next = vec![0.0; coefficients.len() + 1];
+        for (j, c) in coefficients.iter().enumerate() {
+            next[j] -= 8.0 * c;
+            next[j + 1] += c;
+        }
+        coefficients = next;
+    }
+    Foundation::Polynomial { coefficients }
+}
+
+#[track_caller]
+fn encloses(cell: &Polynomial, s: f64, value: f64, slack: f64) {
+    let range = cell.at(Interval::exact(s));
+    assert!(range.lo() - slack <= value && value <= range.hi() + slack, "{value} at {s}, not in {range:?}");
+}
+
+/// The last coefficient is that of Lagrange's remainder, anywhere in the cell: these cells are so wide that the one at their
+/// origin would be off by hundreds.
+#[test]
+fn cells_of_a_long_polynomial_enclose_it() {
+    let foundation = long();
+    let ground = EnclosedFoundation::on(&foundation, LENGTH);
+    for (from, to) in [(7.0, 9.0), (8.0, 12.0), (3.0, 8.0), (6.0, 11.0)] {
+        let (cell, mirrored) = (ground.cell(from, to), ground.mirrored_cell(from, to));
+        for k in 0..=20 {
+            let s = (to - from) * f64::from(k) / 20.0;
+            // Quarters to the twelfth power are exact.
+            let s = (4.0 * s).round() / 4.0;
+            let power = |x: f64| (0..12).fold(1.0, |product, _| product * (x - 8.0));
+            encloses(&cell, s, power(from + s), 0.0);
+            encloses(&mirrored, s, power(to - s), 0.0);
+        }
+    }
+}
+
+/// The same for a cosine, on a cell as long as the wave; on one of those that it is cut into the remainder is of rounding size.
+#[test]
+fn cells_of_a_cosine_enclose_it() {
+    /// Of libm's cosine and its argument.
+    const ROUNDING: f64 = 1e-14;
+    let (mean, amplitude, wavelength, phase) = (3.0, 2.0, 8.0, 0.5);
+    let foundation = Foundation::Cosine { mean, amplitude, wavelength, phase };
+    let ground = EnclosedFoundation::on(&foundation, LENGTH);
+    let depth = |x: f64| mean + amplitude * libm::cos(std::f64::consts::TAU * x / wavelength + phase);
+    for (from, to) in [(1.0, 9.0), (2.0, 2.25)] {
+        for k in 0..=8 {
+            let s = (to - from) * f64::from(k) / 8.0;
+            encloses(&ground.cell(from, to), s, depth(from + s), ROUNDING);
+            encloses(&ground.mirrored_cell(from, to), s, depth(to - s), ROUNDING);
+        }
+    }
+    let range = ground.cell(2.0, 2.25).at(Interval::exact(0.25));
+    assert!(range.hi() - range.lo() <= 20.0 * ROUNDING, "{range:?}");
+}
+
+/// `1 − (1 − δ) x/l` is off by `δ` at the right support and taken for `1 − x/l`: the line through `δ` is taken off everywhere.
+#[test]
+fn ground_is_levelled_at_one_support() {
+    const OFF: f64 = 24.0 * UNIT;
+    let foundation = Foundation::Polynomial { coefficients: vec![1.0, -(1.0 - OFF) / LENGTH] };
+    let ground = EnclosedFoundation::on(&foundation, LENGTH);
+    assert!(ground.depth(LENGTH).is_zero() && ground.mirrored_cell(8.0, LENGTH).coefficients()[0].is_zero());
+    assert!(ground.cell(0.0, 4.0).at(Interval::ZERO).contains(1.0), "the left support is not level");
+    for (from, s) in [(0.0, 8.0), (4.0, 4.0), (8.0, 0.0), (8.0, 4.0), (12.0, 0.0)] {
+        let (range, depth) = (ground.cell(from, from + s).at(Interval::exact(s)), 1.0 - (from + s) / LENGTH);
+        assert!(range.contains(depth), "{depth} at {from} + {s}, not {range:?}");
+        assert!(range.hi() - range.lo() < 0.5 * OFF, "{range:?} is not sharp enough to tell");
+    }
+    // Twice as much is no rounding.
+    let foundation = Foundation::Polynomial { coefficients: vec![1.0, -(1.0 - 2.0 * OFF) / LENGTH] };
+    assert!(0.0 < EnclosedFoundation::on(&foundation, LENGTH).depth(LENGTH).lo());
+}
+
+/// `1 + δ − cos(2πx/l)` is off by `δ` at both supports, and taken for `1 − cos(2πx/l)`.
+#[test]
+fn ground_is_levelled_at_both_supports() {
+    const OFF: f64 = 24.0 * UNIT;
+    let foundation = Foundation::Cosine { mean: 1.0 + OFF, amplitude: -1.0, wavelength: LENGTH, phase: 0.0 };
+    let ground = EnclosedFoundation::on(&foundation, LENGTH);
+    assert!(ground.depth(0.0).is_zero() && ground.depth(LENGTH).is_zero());
+    for (from, to, depth) in [(8.0, 8.5, 2.0), (4.0, 4.5, 1.0), (12.0, 12.5, 1.0)] {
+        encloses(&ground.cell(from, to), 0.0, depth, 0.0);
+        assert!((ground.depth(from).middle() - depth).abs() < 0.5 * OFF, "{:?}", ground.depth(from));
+    }
+}
+
+#[test]
+fn cells_end_where_they_are_said_to() {
+    let (long, short) = (long(), Foundation::Polynomial { coefficients: vec![1.0; TERMS] });
+    let sixteenths: Vec<f64> = (1..8).map(|k| 1.0 + f64::from(k) / 16.0).collect();
+    assert_eq!(EnclosedFoundation::on(&long, LENGTH).breaks(1.0, 1.5), sixteenths, "256 cells on the beam");
+    assert!(EnclosedFoundation::on(&short, LENGTH).breaks(1.0, 1.5).is_empty());
+    let wave = Foundation::Cosine { mean: 1.0, amplitude: 0.5, wavelength: 64.0, phase: 0.0 };
+    assert_eq!(EnclosedFoundation::on(&wave, LENGTH).breaks(9.0, 14.0), [10.0, 12.0], "32 cells in a wave");
+}
+
+/// Level at the left, a kink that points down, a line of two segments, a step up, a kink that points up, a step down.
+fn survey() -> Foundation {
+    let points = [
+        [0.0, 2.0],
+        [1.0, 2.0],
+        [2.0, 2.0],
+        [3.0, 4.0],
+        [4.0, 3.0],
+        [5.0, 2.0],
+        [5.0, 1.0],
+        [6.0, 3.0],
+        [7.0, 2.0],
+        [8.0, 2.5],
+        [8.0, 3.5],
+        [16.0, -3.5],
+    ];
+    Foundation::Polyline { points: points.to_vec() }
+}
+
+#[test]
+fn a_polyline_is_what_its_points_say() {
+    let foundation = survey();
+    let ground = EnclosedFoundation::on(&foundation, LENGTH);
+    let places = (0..=32).map(|k| 0.5 * f64::from(k));
+    assert_eq!(places.filter(|&x| ground.is_corner(x)).collect::<Vec<_>>(), [2.0, 5.0, 7.0, 8.0]);
+    assert_eq!(ground.breaks(1.0, 5.0), [2.0, 3.0, 4.0]);
+    assert_eq!(ground.breaks(4.5, 6.0), [5.0]);
+    for (x, expected) in [(0.5, true), (1.0, false), (4.0, false), (4.5, true), (5.0, false)] {
+        assert_eq!(ground.is_smooth_at(x), expected, "at {x}");
+    }
+    for (from, to, expected) in [
+        (0.0, 2.0, true),
+        (0.5, 1.5, true),
+        (2.0, 3.0, true),
+        (2.2, 2.8, true),
+        (1.5, 2.5, false),
+        (3.5, 4.5, false),
+        (4.5, 5.5, false),
+        (6.0, 7.0, true),
+        (7.0, 2.0, false),
+    ] {
+        assert_eq!(ground.is_smooth_between(from, to), expected, "from {from} to {to}");
+    }
+    for (x, expected) in [
+        (0.0, [None, Some(0.0)]),
+        (3.0, [Some(2.0), Some(-1.0)]),
+        (5.0, [None, Some(2.0)]),
+        (7.0, [Some(-1.0), Some(0.5)]),
+        (8.0, [Some(0.5), None]),
+        (LENGTH, [Some(-0.875), None]),
+    ] {
+        assert_eq!(ground.slopes(x), expected, "at {x}");
+    }
+    for (x, sides, depth) in [(5.0, [2.0, 1.0], 1.0), (8.0, [2.5, 3.5], 2.5), (3.0, [4.0, 4.0], 4.0)] {
+        assert_eq!([true, false].map(|left| ground.side(x, left)), sides.map(Some), "at {x}");
+        assert_eq!(ground.depth(x), Interval::exact(depth), "at {x}");
+    }
+    assert_eq!(ground.side(4.5, true), None);
+    // From one depth to its opposite is not level.
+    encloses(&ground.cell(8.0, LENGTH), 4.0, 0.0, 0.0);
+    encloses(&ground.cell(12.0, LENGTH), 4.0, -3.5, 0.0);
+    encloses(&ground.mirrored_cell(12.0, LENGTH), 4.0, 0.0, 0.0);
+    assert_eq!(
+        ground.cell(0.5, 1.0).coefficients(),
+        [Interval::exact(2.0)],
+        "a level stretch is level without rounding"
+    );
+}
+
+/// A point given twice makes no corner, nor does one on the line of its neighbours.
+#[test]
+fn what_is_no_corner_carries_no_force() {
+    for at in [vec![4.0], vec![4.0, 4.0], vec![1.0, 4.0, 6.0]] {
+        let points = [0.0].into_iter().chain(at).chain([8.0]).map(|x| [x, 1.0 + 0.25 * x]).collect();
+        let line = Foundation::Polyline { points };
+        assert!(!(0..=8).any(|x| EnclosedFoundation::on(&line, 8.0).is_corner(f64::from(x))), "{line:?}");
+    }
+}

@@ -1,0 +1,212 @@
+//! Interval arithmetic with outward rounding: what is computed encloses what is meant.
+//!
+//! IEEE 754 rounds `+ − × ÷ √` to the nearest number, so that the true result lies between the two neighbours of the
+//! rounded one. [`f64::next_down`] and [`f64::next_up`] take these neighbours, which costs an interval one unit in the
+//! last place on each side and needs no rounding mode. An operation that leaves the range of `f64`, or has no value,
+//! gives the whole line: a bound that is no use, but true.
+//!
+//! Cosine and sine are those of libm, whose error is assumed to be at most one unit in the last place; two are allowed.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All numbers from `lo` to `hi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    lo: f64,
+    hi: f64,
+}
+
+impl Interval {
+    /// Zero, exactly.
+    pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
+    /// All numbers.
+    pub const WHOLE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+    /// `2π`: the double below it and the one above.
+    pub(crate) const TAU: Self = Self { lo: std::f64::consts::TAU, hi: 6.283_185_307_179_587 };
+
+    /// A number, exactly; NaN could be any.
+    #[must_use]
+    pub fn exact(value: f64) -> Self {
+        Self::between(value, value)
+    }
+
+    /// From `lo` to `hi`, in this order; NaN leaves that side open.
+    #[must_use]
+    pub fn between(lo: f64, hi: f64) -> Self {
+        Self { lo: if lo.is_nan() { f64::NEG_INFINITY } else { lo }, hi: if hi.is_nan() { f64::INFINITY } else { hi } }
+    }
+
+    /// `−radius … radius`.
+    #[must_use]
+    pub fn around_zero(radius: f64) -> Self {
+        Self::between(-radius.abs(), radius.abs())
+    }
+
+    /// The two neighbours of rounded results.
+    fn outward(lo: f64, hi: f64) -> Self {
+        Self::between(lo.next_down(), hi.next_up())
+    }
+
+    /// From the least to the greatest of some rounded results.
+    fn of_corners(corners: [f64; 4]) -> Self {
+        if corners.iter().any(|c| c.is_nan()) {
+            return Self::WHOLE;
+        }
+        let least = corners[0].min(corners[1]).min(corners[2].min(corners[3]));
+        let most = corners[0].max(corners[1]).max(corners[2].max(corners[3]));
+        Self::outward(least, most)
+    }
+
+    /// Lower end.
+    #[must_use]
+    pub fn lo(self) -> f64 {
+        self.lo
+    }
+
+    /// Upper end.
+    #[must_use]
+    pub fn hi(self) -> f64 {
+        self.hi
+    }
+
+    /// A number in the middle; zero if an end is infinite.
+    #[must_use]
+    pub fn middle(self) -> f64 {
+        let middle = 0.5 * self.lo + 0.5 * self.hi;
+        if middle.is_finite() { middle } else { 0.0 }
+    }
+
+    /// The largest magnitude in it.
+    #[must_use]
+    pub fn magnitude(self) -> f64 {
+        self.lo.abs().max(self.hi.abs())
+    }
+
+    /// The smallest magnitude in it.
+    #[must_use]
+    pub fn least_magnitude(self) -> f64 {
+        self.lo.max(-self.hi).max(0.0)
+    }
+
+    /// True for zero itself.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        // Both zeros, and nothing else.
+        self.lo.to_bits() << 1 == 0 && self.hi.to_bits() << 1 == 0
+    }
+
+    /// True if both ends are finite.
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.lo.is_finite() && self.hi.is_finite()
+    }
+
+    /// True if `value` lies in it.
+    #[must_use]
+    pub fn contains(self, value: f64) -> bool {
+        self.lo <= value && value <= self.hi
+    }
+
+    /// The smallest interval that holds both.
+    #[must_use]
+    pub fn hull(self, other: Self) -> Self {
+        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// The square, which is not the product of two different numbers of the interval.
+    #[must_use]
+    pub fn square(self) -> Self {
+        if self.is_zero() {
+            return Self::ZERO;
+        }
+        let (most, least) = (self.magnitude(), self.least_magnitude());
+        Self::between((least * least).next_down().max(0.0), (most * most).next_up())
+    }
+
+    /// The square root of what in it is not negative.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        if self.is_zero() {
+            return Self::ZERO;
+        }
+        let root = |x: f64| x.max(0.0).sqrt();
+        Self::between(root(self.lo).next_down().max(0.0), root(self.hi).next_up())
+    }
+
+    /// `cos(2π turns + phase)` and `sin(2π turns + phase)`.
+    #[must_use]
+    pub fn cos_sin(turns: Self, phase: Self) -> [Self; 2] {
+        let angle = Self::TAU * turns + phase;
+        let middle = angle.middle();
+        // Neither function is steeper than 1.
+        let radius = (angle - Self::exact(middle)).magnitude();
+        let around = |value: f64| {
+            let near = Self::between(value.next_down().next_down(), value.next_up().next_up());
+            (near + Self::around_zero(radius)).meet(Self::around_zero(1.0))
+        };
+        [around(libm::cos(middle)), around(libm::sin(middle))]
+    }
+
+    /// What lies in both: of two enclosures of one number a better one.
+    #[must_use]
+    pub fn meet(self, other: Self) -> Self {
+        Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        // A sum with zero is exact.
+        if self.is_zero() {
+            return other;
+        }
+        if other.is_zero() {
+            return self;
+        }
+        Self::outward(self.lo + other.lo, self.hi + other.hi)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        if other.is_zero() {
+            return self;
+        }
+        Self::outward(self.lo - other.hi, self.hi - other.lo)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        // So is a product with it, as long as the other factor is finite.
+        if (self.is_zero() && other.is_finite()) || (other.is_zero() && self.is_finite()) {
+            return Self::ZERO;
+        }
+        Self::of_corners([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        if other.lo <= 0.0 && 0.0 <= other.hi {
+            return Self::WHOLE;
+        }
+        Self::of_corners([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
+    }
+}

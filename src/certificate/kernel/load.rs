@@ -1,0 +1,133 @@
+//! The true load, distributed as it is: linear on pieces, with point loads between them.
+
+use super::interval::Interval;
+use super::polynomial::Polynomial;
+use crate::scene::{LinearLoad, Scene};
+
+/// The load of a scene by pieces.
+#[derive(Debug, Clone)]
+pub(crate) struct EnclosedLoad {
+    /// Ends of the pieces, from 0 to `l`.
+    ends: Vec<f64>,
+    /// On each piece `q` at its left end, and its slope.
+    lines: Vec<[Interval; 2]>,
+    /// Places and forces, from left to right, one at a place.
+    pub(crate) points: Vec<(f64, Interval)>,
+}
+
+impl EnclosedLoad {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let (load, length) = (scene.load(), scene.beam().length());
+        let mut ends: Vec<f64> = load.linear().iter().flat_map(|q| [q.from, q.to]).chain([0.0, length]).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        // From left to right, each part is looked at only on the pieces that it acts on.
+        let mut parts: Vec<_> = load.linear().iter().enumerate().collect();
+        parts.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
+        let (mut next, mut acting) = (parts.into_iter().peekable(), Vec::<(usize, &LinearLoad)>::new());
+        let line_from = |x: f64| {
+            acting.retain(|(_, q)| x < q.to);
+            acting.extend(std::iter::from_fn(|| next.next_if(|(_, q)| q.from <= x)));
+            // They add up in the order in which they are given, which rounding depends on.
+            acting.sort_by_key(|part| part.0);
+            line(load.uniform(), &acting, x)
+        };
+        let lines = ends[..ends.len() - 1].iter().copied().map(line_from).collect();
+        let points = one_at_a_place(load.point().iter().map(|p| (p.at, Interval::exact(p.force))).collect());
+        Self { ends, lines, points }
+    }
+
+    /// Where the load changes its formula, and where point loads are, strictly between two places.
+    pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
+        let first = self.ends.partition_point(|x| *x <= from);
+        let ends = self.ends[first..].iter().copied().take_while(|x| *x < to);
+        let first = self.points.partition_point(|p| p.0 <= from);
+        let points = self.points[first..].iter().map(|p| p.0).take_while(|x| *x < to);
+        ends.chain(points).collect()
+    }
+
+    /// `q(from + s)`; there is no break between the two places.
+    pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
+        let piece = self.ends.partition_point(|x| *x <= from.max(0.0).min(to)).clamp(1, self.lines.len()) - 1;
+        let [start, slope] = self.lines[piece];
+        if slope == Interval::ZERO {
+            return Polynomial::new(&[start]);
+        }
+        Polynomial::new(&[start + slope * (Interval::exact(from) - Interval::exact(self.ends[piece])), slope])
+    }
+
+    /// The point load at a place.
+    pub(crate) fn point(&self, x: f64) -> Option<Interval> {
+        self.points.binary_search_by(|p| p.0.total_cmp(&x)).ok().map(|i| self.points[i].1)
+    }
+}
+
+/// Forces from left to right; those at one place add up.
+pub(crate) fn one_at_a_place(mut forces: Vec<(f64, Interval)>) -> Vec<(f64, Interval)> {
+    forces.sort_by(|a, b| a.0.total_cmp(&b.0));
+    forces.dedup_by(|next, kept| {
+        let same = next.0 <= kept.0;
+        if same {
+            kept.1 = kept.1 + next.1;
+        }
+        same
+    });
+    forces
+}
+
+/// All distributed loads on a piece that begins at `from`: `q` there, and its slope.
+fn line(uniform: f64, acting: &[(usize, &LinearLoad)], from: f64) -> [Interval; 2] {
+    let mut sum = [Interval::exact(uniform), Interval::ZERO];
+    for (_, q) in acting {
+        let rise = Interval::exact(q.end) - Interval::exact(q.start);
+        let slope = rise / (Interval::exact(q.to) - Interval::exact(q.from));
+        sum[0] = sum[0] + Interval::exact(q.start) + slope * (Interval::exact(from) - Interval::exact(q.from));
+        if 0.0 < (q.end - q.start).abs() {
+            sum[1] = sum[1] + slope;
+        }
+    }
+    sum
+}
+
+/// Cells between two places: pairs of neighbouring ends, with all `breaks` among them.
+pub(crate) fn cells(from: f64, to: f64, mut breaks: Vec<f64>) -> Vec<[f64; 2]> {
+    breaks.retain(|x| from < *x && *x < to);
+    breaks.extend([from, to]);
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    breaks.windows(2).map(|w| [w[0], w[1]]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Load};
+
+    /// Parts of a load that overlap, follow each other or begin together: what acts at a place is their sum.
+    #[test]
+    fn parts_of_a_load_add_up() {
+        /// Of a sum of so many numbers of the same size.
+        const ROUNDING: f64 = 1e-12;
+        const LENGTH: f64 = 8.0;
+        let beam = Beam::new(LENGTH, 70.0).expect("positive");
+        for count in [0, 1, 2, 5, 40, 300] {
+            let part = |k: i32| {
+                let (from, width) = (0.25 * f64::from(7 * k % 31), 0.25 * f64::from(1 + 5 * k % 9));
+                LinearLoad { from, to: LENGTH.min(from + width), start: f64::from(k % 4), end: 3.0 - f64::from(k % 7) }
+            };
+            let parts: Vec<LinearLoad> = (0..count).map(part).collect();
+            let load = Load::new(&beam, 2.0, parts.clone(), Vec::new()).expect("finite");
+            let pieces = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
+            for [from, to] in cells(0.0, LENGTH, pieces.breaks(0.0, LENGTH)) {
+                for share in [0.0, 0.3, 0.9] {
+                    let s = share * (to - from);
+                    let acts = |q: &&LinearLoad| q.from <= from && to <= q.to;
+                    let sum = parts.iter().filter(acts).fold(2.0, |sum, q| sum + q.intensity(from + s));
+                    let q = pieces.cell(from, to).at(Interval::exact(s)).middle();
+                    let size = 2.0 + 12.0 * f64::from(count);
+                    assert!((q - sum).abs() <= ROUNDING * size, "{q}, not {sum}, at {}", from + s);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! The kernel: all that the bound on a deflection rests on, besides the theorem at the head of [`certificate`](super).
+//!
+//! | part | files |
+//! |---|---|
+//! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
+//! | enclosure of the scene: foundation, load, and what is zero but for rounding | `foundation`, `load`; `scene::pieces` |
+//! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing` |
+//! | from the gap to the error of a deflection | `distance`, `largest` |
+//!
+//! Nothing in it asks for anything outside but a scene and the values at the nodes of a grid.
+
+pub(super) mod clearance;
+pub(super) mod contact_node;
+pub(super) mod distance;
+pub(super) mod foundation;
+pub(super) mod interval;
+pub(super) mod largest;
+pub(super) mod load;
+pub(super) mod polynomial;
+pub(super) mod pressing;
+pub(super) mod proof;
+pub(super) mod span;

@@ -1,0 +1,163 @@
+//! Polynomials with interval coefficients, each on a cell with its own origin.
+
+use super::interval::Interval;
+
+/// Coefficients, so that cosines of a thirty-second of a wave leave a remainder of rounding size.
+pub(crate) const TERMS: usize = 11;
+
+/// `Σ c_j s^j` with `0 ≤ s ≤` the width of its cell. Coefficients enclose those of a true polynomial, or, as the remainder
+/// of Taylor's formula, a value for every `s`: sums, products with numbers, derivatives and integrals stay enclosures.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Polynomial {
+    coefficients: [Interval; TERMS],
+    terms: usize,
+}
+
+impl Polynomial {
+    pub(crate) const ZERO: Self = Self { coefficients: [Interval::ZERO; TERMS], terms: 0 };
+
+    /// From `c_0, c_1, …`, at most [`TERMS`] of them.
+    pub(crate) fn new(given: &[Interval]) -> Self {
+        let mut polynomial = Self::ZERO;
+        polynomial.terms = given.len().min(TERMS);
+        polynomial.coefficients[..polynomial.terms].copy_from_slice(&given[..polynomial.terms]);
+        polynomial
+    }
+
+    pub(crate) fn coefficients(&self) -> &[Interval] {
+        &self.coefficients[..self.terms]
+    }
+
+    pub(crate) fn at(&self, s: Interval) -> Interval {
+        let mut terms = self.coefficients().iter().rev();
+        let first = terms.next().copied().unwrap_or(Interval::ZERO);
+        terms.fold(first, |sum, &c| sum * s + c)
+    }
+
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        let mut difference = Self { terms: self.terms.max(other.terms), ..*self };
+        for (c, other) in difference.coefficients.iter_mut().zip(other.coefficients()) {
+            *c = *c - *other;
+        }
+        difference
+    }
+
+    pub(crate) fn times(&self, factor: Interval) -> Self {
+        let mut product = *self;
+        product.coefficients[..self.terms].iter_mut().for_each(|c| *c = *c * factor);
+        product
+    }
+
+    pub(crate) fn derivative(&self) -> Self {
+        let mut derivative = Self { terms: self.terms.saturating_sub(1), ..Self::ZERO };
+        for j in 1..self.terms {
+            derivative.coefficients[j - 1] = self.coefficients[j] * number(j);
+        }
+        derivative
+    }
+
+    /// The same, of which the coefficients below `order` are known to vanish.
+    pub(crate) fn vanishing(mut self, order: usize) -> Self {
+        self.coefficients[..order].fill(Interval::ZERO);
+        self
+    }
+
+    /// The same, known to continue another one on a cell of some width before it: value and slope are those at its end, too.
+    pub(crate) fn continuing(mut self, before: &Self, width: Interval) -> Self {
+        let known = [before.at(width), before.derivative().at(width)];
+        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(known) {
+            *c = c.meet(known);
+        }
+        self
+    }
+
+    /// The mirror image at its origin.
+    pub(crate) fn mirrored(mut self) -> Self {
+        self.coefficients[..self.terms].iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
+        self
+    }
+
+    /// How wide its values for `0 ≤ s ≤ w` are because its coefficients are not known exactly, about.
+    pub(crate) fn uncertainty(&self, width: f64) -> f64 {
+        self.coefficients().iter().rev().fold(0.0, |sum, c| sum * width + (c.hi() - c.lo()))
+    }
+
+    /// The quotient by `s^order`, for a polynomial whose lower coefficients are known to vanish.
+    pub(crate) fn divided(&self, order: usize) -> Self {
+        Self::new(self.coefficients().get(order..).unwrap_or_default())
+    }
+
+    /// The same polynomial with its origin moved to `s`.
+    pub(crate) fn shifted(&self, s: Interval) -> Self {
+        let mut shifted = *self;
+        shift(&mut shifted.coefficients[..self.terms], s);
+        shifted
+    }
+
+    /// `∫₀^w f g`.
+    pub(crate) fn integral_of_product(&self, other: &Self, width: Interval) -> Interval {
+        let (f, g) = (self.coefficients(), other.coefficients());
+        let mut sum = Interval::ZERO;
+        for order in (0..(f.len() + g.len()).saturating_sub(1)).rev() {
+            let from = (order + 1).saturating_sub(g.len());
+            let mut c = Interval::ZERO;
+            for j in from..f.len().min(order + 1) {
+                c = c + f[j] * g[order - j];
+            }
+            sum = sum * width + c / number(order + 1);
+        }
+        sum * width
+    }
+
+    /// `∫₀^w f²`, not negative.
+    pub(crate) fn integral_of_square(&self, width: Interval) -> Interval {
+        let integral = self.integral_of_product(self, width);
+        Interval::between(integral.lo().max(0.0), integral.hi().max(0.0))
+    }
+
+    /// All values for `0 ≤ s ≤ w`: between the least and the greatest Bernstein coefficient,
+    /// `b_i = Σ_{j ≤ i} C(i, j) / C(d, j) c_j w^j`.
+    pub(crate) fn range(&self, width: Interval) -> Interval {
+        let mut scaled = self.coefficients;
+        let mut power = Interval::exact(1.0);
+        for c in &mut scaled[..self.terms] {
+            *c = *c * power;
+            power = power * width;
+        }
+        let Some(degree) = self.terms.checked_sub(1) else { return Interval::ZERO };
+        // c_j / C(d, j), then sums as in Pascal's triangle.
+        for (j, c) in scaled[..self.terms].iter_mut().enumerate() {
+            *c = *c / binomial(degree, j);
+        }
+        let mut range = scaled[0];
+        let mut row = scaled;
+        for _ in 0..degree {
+            // Forward: row[j] ← row[j] + row[j + 1]; after i rounds row[0] = Σ C(i, j) c_j / C(d, j).
+            for j in 0..degree {
+                row[j] = row[j] + row[j + 1];
+            }
+            range = range.hull(row[0]);
+        }
+        range
+    }
+}
+
+/// Moves the origin of a polynomial with any number of coefficients to `s`.
+pub(crate) fn shift(coefficients: &mut [Interval], s: Interval) {
+    for start in 0..coefficients.len() {
+        for j in (start..coefficients.len() - 1).rev() {
+            coefficients[j] = coefficients[j] + coefficients[j + 1] * s;
+        }
+    }
+}
+
+/// A small whole number.
+#[expect(clippy::cast_precision_loss, reason = "at most a few dozen")]
+pub(crate) fn number(value: usize) -> Interval {
+    Interval::exact(value as f64)
+}
+
+fn binomial(n: usize, k: usize) -> Interval {
+    let value = (0..k).fold(1, |product: usize, j| product * (n - j) / (j + 1));
+    number(value)
+}

@@ -1,0 +1,105 @@
+//! What cutting off costs, against beams that are pulled.
+
+use super::*;
+use crate::certificate::kernel::foundation::EnclosedFoundation;
+use crate::certificate::kernel::load::EnclosedLoad;
+use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
+
+const LENGTH: f64 = 20.0;
+const STIFFNESS: f64 = 70.0;
+/// A few dozen roundings.
+const ROUNDING: f64 = 1e-12;
+
+#[track_caller]
+fn is(what: &str, number: Interval, expected: f64) {
+    let range = expected * (1.0 - ROUNDING)..=expected * (1.0 + ROUNDING);
+    assert!(range.contains(&number.hi()), "{what}: {number:?}, not {expected}");
+}
+
+/// A cut on the beam above `foundation` under one point load, and what becomes of it.
+fn cut_off(
+    foundation: &Foundation,
+    load: f64,
+    point: [f64; 2],
+    change: impl FnOnce(&EnclosedScene<'_>, &mut TensionCutOff),
+) -> TensionCutOff {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let points = vec![PointLoad { at: point[0], force: point[1] }];
+    let load = Load::new(&beam, load, Vec::new(), points).expect("finite");
+    let pieces = EnclosedLoad::of(&Scene::new(beam, load, Some(foundation.clone())).expect("well posed"));
+    let ground = EnclosedFoundation::on(foundation, LENGTH);
+    let enclosed = EnclosedScene { foundation: ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH };
+    let mut cut_off = TensionCutOff::new(&enclosed);
+    change(&enclosed, &mut cut_off);
+    cut_off
+}
+
+const FLAT: Foundation = Foundation::Flat { depth: 1.0 };
+const NOWHERE: [f64; 2] = [10.0, 0.0];
+
+/// `√(3 EI l)`, below the moments of a force.
+fn root() -> f64 {
+    (3.0 * STIFFNESS * LENGTH).sqrt()
+}
+
+/// Twice the same is twice as much, in moments and in shear.
+#[test]
+fn forces_couples_and_pressures_cost_what_their_moments_do() {
+    let force = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
+        (0..2).for_each(|_| cut_off.force(5.0, Interval::between(-2.0, 1.0)))
+    });
+    is("moments of forces", force.moments, 2.0 * 2.0 * 5.0 * 15.0 / root());
+    is("shear of forces", force.shear, 4.0);
+    // m = M x/l: ∫ m²/EI dx = M² l/3 EI.
+    let couple =
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| (0..2).for_each(|_| cut_off.couple(Interval::between(-1.0, 2.0))));
+    is("moments of couples", couple.moments, 2.0 * 2.0 * (LENGTH / (3.0 * STIFFNESS)).sqrt());
+    is("shear of couples", couple.shear, 4.0 / LENGTH);
+    let width = Interval::exact(3.0);
+    let pressure = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| (0..2).for_each(|_| cut_off.pressure(-2.0, width)));
+    is("moments of pressures", pressure.moments, 2.0 * 6.0 * 0.25 * LENGTH * LENGTH / root());
+    is("shear of pressures", pressure.shear, 12.0);
+    for nothing in [
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.force(5.0, Interval::between(0.0, 1.0))),
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.couple(Interval::between(-1.0, 0.0))),
+    ] {
+        assert!(nothing.moments.is_zero() && nothing.shear.is_zero(), "what presses costs nothing");
+    }
+}
+
+/// `p = s − 1` pulls with 1/2 before `s = 1`, and `p = −2` with twice the width.
+#[test]
+fn a_pressure_is_cut_off_where_it_pulls() {
+    let pulled = |p: &[f64], width: f64| {
+        let p: Vec<Interval> = p.iter().map(|c| Interval::exact(*c)).collect();
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
+            pulls(&Polynomial::new(&p), Interval::exact(width), &mut MOST_PARTS.clone(), cut_off);
+        })
+    };
+    is("all the way", pulled(&[-2.0], 3.0).shear, 6.0);
+    for (p, width) in [([-1.0, 1.0], 5.0), ([4.0, -1.0], 5.0)] {
+        let shear = pulled(&p, width).shear.hi();
+        // Parts of the part that pulls are counted with the least of their values.
+        assert!((0.5..1.1).contains(&shear), "{shear} for {p:?}");
+    }
+    assert!(pulled(&[0.5, 1.0], 5.0).shear.is_zero());
+}
+
+/// A beam on a rise of curvature that changes: `q − EI u''''` of a quartic, and a point load that pulls.
+#[test]
+fn a_zone_pulls_where_its_curve_is_too_sharp() {
+    let quartic = |c: f64| Foundation::Polynomial { coefficients: vec![5.0, 0.0, 0.0, 0.0, c] };
+    let zone = |foundation: &Foundation, load: f64, point: [f64; 2]| {
+        let mut held = None;
+        let cut_off = cut_off(foundation, load, point, |enclosed, cut_off| held = zone(enclosed, 4.0, 12.0, cut_off));
+        held.map(|()| cut_off.shear.hi())
+    };
+    let fourth = 24.0 * STIFFNESS * 1e-3;
+    let shear = zone(&quartic(1e-3), 0.5 * fourth, NOWHERE).expect("a smooth ground");
+    is("pressure", Interval::exact(shear), 0.5 * fourth * 8.0);
+    assert!(zone(&quartic(1e-3), 1.01 * fourth, NOWHERE).is_some_and(|shear| shear <= 0.0), "it presses");
+    assert!(zone(&FLAT, 1.0, [7.0, -3.0]).is_some_and(|shear| (3.0..3.1).contains(&shear)), "the point load pulls");
+    assert!(zone(&FLAT, 1.0, [7.0, 3.0]).is_some_and(|shear| shear <= 0.0), "the point load presses");
+    let kink = Foundation::Polyline { points: vec![[0.0, 1.0], [8.0, 2.0], [LENGTH, 1.0]] };
+    assert!(zone(&kink, 1.0, NOWHERE).is_none(), "no beam lies in a corner");
+}

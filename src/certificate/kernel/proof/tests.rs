@@ -1,0 +1,248 @@
+//! The gap of a pair against its own two energies, which are computed apart.
+
+use super::*;
+use crate::certificate::kernel::foundation::EnclosedFoundation;
+use crate::certificate::kernel::load::EnclosedLoad;
+use crate::certificate::quantities::energy;
+use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
+
+const LENGTH: f64 = 20.0;
+const STIFFNESS: f64 = 70.0;
+const LOAD: f64 = 3.0;
+const DEPTH: f64 = 0.4;
+/// Both energies are sums of some dozens of roundings, and the gap is what is left of them.
+const ROUNDING: f64 = 1e-12;
+
+/// Lift-off points at the distances `a` and `b` from the supports, where the moments vanish: the contact load is `q` between
+/// them and a force `q a/2`, `q b/2` at each, and
+///
+/// ```text
+/// D(p) = −q² (a⁵ + b⁵)/240 EI − u q (l − (a + b)/2)
+/// ```
+#[test]
+fn the_gap_is_the_difference_of_the_two_energies() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let flat = Foundation::Flat { depth: DEPTH };
+    let scene = Scene::new(beam, load, Some(flat.clone())).expect("well posed");
+    let pieces = EnclosedLoad::of(&scene);
+    let enclosed = EnclosedScene {
+        foundation: EnclosedFoundation::on(&flat, LENGTH),
+        load: &pieces,
+        stiffness: STIFFNESS,
+        length: LENGTH,
+    };
+    // Nearer to the supports than the true ones, so that the beam arrives from above; and slopes that are off.
+    for (a, b, share) in [(3.5, 3.5, 0.0), (3.0, 3.6, 0.0), (3.5, 3.2, 0.05), (3.1, 3.4, -0.05)] {
+        let slope = |a: f64| (1.5 * DEPTH / a + LOAD * a * a * a / (48.0 * STIFFNESS)) * (1.0 + share);
+        let nodes = [
+            ContactNode { kind: Kind::Support, x: 0.0, slope: slope(a) },
+            ContactNode::new(Kind::Start, a),
+            ContactNode::new(Kind::End, LENGTH - b),
+            ContactNode { kind: Kind::Support, x: LENGTH, slope: -slope(b) },
+        ];
+        let pair = pair(&enclosed, &nodes).expect("nodes from support to support");
+        let upper = energy(&pair.pieces, &pieces, STIFFNESS);
+        let fifth = |a: f64| a * a * a * a * a;
+        let lower =
+            -LOAD * LOAD * (fifth(a) + fifth(b)) / (240.0 * STIFFNESS) - DEPTH * LOAD * (LENGTH - 0.5 * (a + b));
+        let off = pair.gap.hi() - (upper.middle() - lower);
+        assert!(off.abs() <= ROUNDING * lower.abs(), "{a}, {b}, {share}: off by {off} in {:?}", pair.gap);
+        for (reaction, a) in pair.reactions.iter().zip([a, b]) {
+            assert!((reaction.middle() - 0.5 * LOAD * a).abs() <= ROUNDING * LOAD * a, "{a}, {b}: {reaction:?}");
+        }
+    }
+}
+
+/// What a pair is corrected by: `J(v̂)` and `D(p)` are known apart from it, and their difference is the gap.
+#[track_caller]
+fn corrected(foundation: Foundation, point: f64, slope: f64, corner: bool, lower: f64) -> Pair {
+    /// The lift and the cut are rounded outwards, over parts of a span.
+    const CORRECTIONS: f64 = 1e-6;
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let middle = 0.5 * LENGTH;
+    let points = vec![PointLoad { at: middle, force: point }];
+    let load = Load::new(&beam, LOAD, Vec::new(), points).expect("finite");
+    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
+    let pieces = EnclosedLoad::of(&scene);
+    let enclosed = EnclosedScene {
+        foundation: EnclosedFoundation::on(&foundation, LENGTH),
+        load: &pieces,
+        stiffness: STIFFNESS,
+        length: LENGTH,
+    };
+    let support = |x: f64, slope: f64| ContactNode { kind: Kind::Support, x, slope };
+    let mut nodes = vec![support(0.0, slope), support(LENGTH, -slope)];
+    if corner {
+        nodes.insert(1, ContactNode::new(Kind::Corner, middle));
+    }
+    let pair = pair(&enclosed, &nodes).expect("nodes from support to support");
+    for k in 0..=200 {
+        let x = LENGTH * f64::from(k) / 200.0;
+        let piece = pair.pieces.iter().find(|p| x <= p.to).expect("all the way");
+        let v = piece.v.at(Interval::exact(x) - Interval::exact(piece.from));
+        assert!(v.lo() <= foundation.depth(x), "the beam is in the ground at {x}: {v:?}");
+    }
+    let gap = energy(&pair.pieces, &pieces, STIFFNESS).middle() - lower;
+    assert!((pair.gap.hi() - gap).abs() <= CORRECTIONS * gap, "{:?}, not {gap}", pair.gap);
+    pair
+}
+
+const CUBE: f64 = LENGTH * LENGTH * LENGTH;
+/// `−q² l⁵/240 EI` and `5 q l⁴/384 EI`, of the free beam.
+const FREE: f64 = -LOAD * LOAD * CUBE * LENGTH * LENGTH / (240.0 * STIFFNESS);
+const SAG: f64 = 5.0 * LOAD * CUBE * LENGTH / (384.0 * STIFFNESS);
+
+/// A span that is in the ground is lifted, by `α (s/L)(1 − s/L)`; the contact load of these nodes is none.
+#[test]
+fn what_lifts_a_span_counts_in_the_gap() {
+    for share in [0.5, 0.9] {
+        let slope = LOAD * CUBE / (24.0 * STIFFNESS);
+        let pair = corrected(Foundation::Flat { depth: share * SAG }, 0.0, slope, false, FREE);
+        // At least from the free beam to the ground at mid-span; coefficients of Bernstein are twice a parabola.
+        let lifted = (1.0 - share) * SAG;
+        assert!((lifted..2.5 * lifted).contains(&pair.lifted), "{} for {lifted}", pair.lifted);
+    }
+}
+
+/// A corner that the beam does not reach pulls it down by `w`, with the force `R = 48 EI w/l³`. Cut off, it leaves the free
+/// beam under `q` and a point load `P`, with `J = −q² l⁵/240 EI − P 5 q l⁴/384 EI − P² l³/96 EI`.
+#[test]
+fn what_pulls_counts_in_the_gap() {
+    for point in [0.0, 5.0] {
+        let sag = SAG + point * CUBE / (48.0 * STIFFNESS);
+        let lower = FREE - point * SAG - point * point * CUBE / (96.0 * STIFFNESS);
+        let down = 0.3 * sag;
+        let points = [[0.0, 3.0 * sag], [0.5 * LENGTH, sag + down], [LENGTH, 3.0 * sag]].to_vec();
+        let slope = LOAD * CUBE / (24.0 * STIFFNESS) + 3.0 * (sag - SAG + down) / LENGTH;
+        let pair = corrected(Foundation::Polyline { points }, point, slope, true, lower);
+        // The reactions of the moments that are left, and of those that pull, wherever they are.
+        let [reaction, pull] = [0.5 * (LOAD * LENGTH + point), 48.0 * STIFFNESS * down / CUBE];
+        for bracket in pair.reactions {
+            assert!(bracket.contains(reaction), "{reaction} in {bracket:?}");
+            let width = bracket.hi() - bracket.lo();
+            assert!((2.0 * pull..2.1 * pull).contains(&width), "{width} for a pull of {pull}");
+        }
+    }
+}
+
+/// A beam that lies on `u = c x² (l − x)²` all the way, from one level support to the other: `M' = −EI u'''` is its shear.
+#[test]
+fn a_beam_that_lies_on_the_ground_has_its_shear() {
+    let c = 1e-5;
+    let coefficients = vec![0.0, 0.0, c * LENGTH * LENGTH, -2.0 * c * LENGTH, c];
+    let foundation = Foundation::Polynomial { coefficients };
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let pieces = EnclosedLoad::of(&Scene::new(beam, load, Some(foundation.clone())).expect("well posed"));
+    let enclosed = EnclosedScene {
+        foundation: EnclosedFoundation::on(&foundation, LENGTH),
+        load: &pieces,
+        stiffness: STIFFNESS,
+        length: LENGTH,
+    };
+    let nodes = [ContactNode::new(Kind::Start, 0.0), ContactNode::new(Kind::End, LENGTH)];
+    let pair = pair(&enclosed, &nodes).expect("from support to support");
+    for reaction in pair.reactions {
+        let expected = 12.0 * c * LENGTH * STIFFNESS;
+        assert!((reaction.middle() - expected).abs() <= ROUNDING * expected, "{reaction:?}, not {expected}");
+    }
+}
+
+#[test]
+fn of_nodes_that_are_no_list_nothing_follows() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let flat = Foundation::Flat { depth: DEPTH };
+    let pieces = EnclosedLoad::of(&Scene::new(beam, load, Some(flat.clone())).expect("well posed"));
+    let enclosed = EnclosedScene {
+        foundation: EnclosedFoundation::on(&flat, LENGTH),
+        load: &pieces,
+        stiffness: STIFFNESS,
+        length: LENGTH,
+    };
+    let [support, start, end, touch] = [Kind::Support, Kind::Start, Kind::End, Kind::Touch];
+    let complete = |nodes: &[(Kind, f64)]| {
+        let nodes: Vec<ContactNode> = nodes.iter().map(|&(kind, x)| ContactNode::new(kind, x)).collect();
+        assert_eq!(pair(&enclosed, &nodes).is_some(), is_complete(&enclosed, &nodes), "{nodes:?}");
+        is_complete(&enclosed, &nodes)
+    };
+    assert!(complete(&[(support, 0.0), (support, LENGTH)]));
+    assert!(complete(&[(support, 0.0), (start, 3.0), (end, 7.0), (touch, 9.0), (support, LENGTH)]));
+    for nodes in [
+        &[][..],
+        &[(support, 0.0)],
+        &[(support, 1.0), (support, LENGTH)],
+        &[(touch, 0.0), (support, LENGTH)],
+        &[(support, 0.0), (support, LENGTH - 1.0)],
+        &[(support, 0.0), (support, LENGTH + 1.0)],
+        &[(support, 0.0), (touch, LENGTH)],
+        &[(start, 0.0), (end, 7.0), (support, LENGTH)],
+        &[(support, 0.0), (support, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (touch, 9.0), (touch, 8.0), (support, LENGTH)],
+        &[(support, 0.0), (touch, 9.0), (touch, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (start, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (start, 9.0), (touch, 12.0), (support, LENGTH)],
+    ] {
+        assert!(!complete(nodes), "{nodes:?}");
+    }
+}
+
+/// Ground that is level with a support only at the edge of a step does not hold the beam that lies at the foot of it.
+#[test]
+fn at_the_foot_of_a_step_no_support_is_met() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    for (points, meets) in
+        [([[0.0, 0.0], [0.0, 1.0], [LENGTH, 1.0]], false), ([[0.0, 1.0], [0.0, 0.0], [LENGTH, 0.0]], true)]
+    {
+        let ground = Foundation::Polyline { points: points.to_vec() };
+        let pieces = EnclosedLoad::of(&Scene::new(beam, load.clone(), Some(ground.clone())).expect("well posed"));
+        let enclosed = EnclosedScene {
+            foundation: EnclosedFoundation::on(&ground, LENGTH),
+            load: &pieces,
+            stiffness: STIFFNESS,
+            length: LENGTH,
+        };
+        let nodes = [
+            ContactNode::new(Kind::Start, 0.0),
+            ContactNode::new(Kind::End, 7.0),
+            ContactNode::new(Kind::Support, LENGTH),
+        ];
+        assert_eq!(is_complete(&enclosed, &nodes), meets, "{points:?}");
+    }
+}
+
+/// A foundation steeper than the free beam would have to pull the beam down at the support that it is level with. The couple that
+/// this takes is cut off and paid for, at either support alike: `‖m‖² = M² l/3 EI` with `M = 3 EI (s − s₀)/l` for slopes `s` of the
+/// foundation and `s₀` of the free beam.
+#[test]
+fn a_couple_that_pulls_counts_at_both_supports() {
+    let free = LOAD * CUBE / (24.0 * STIFFNESS);
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    for steeper in [1.01, 1.5, 3.0] {
+        let steep = steeper * free;
+        let moment = 3.0 * STIFFNESS * (steep - free) / LENGTH;
+        let expected = 0.5 * moment * moment * LENGTH / (3.0 * STIFFNESS);
+        let end = |kind: Kind, x: f64, slope: f64| ContactNode { kind, x, slope };
+        // The slope of a beam whose other end is free to turn.
+        let other = -free + 0.5 * (free - steep);
+        for (coefficients, nodes) in [
+            (vec![0.0, steep], [end(Kind::Clamp, 0.0, 0.0), end(Kind::Support, LENGTH, other)]),
+            (vec![steep * LENGTH, -steep], [end(Kind::Support, 0.0, -other), end(Kind::Clamp, LENGTH, 0.0)]),
+        ] {
+            let foundation = Foundation::Polynomial { coefficients };
+            let pieces =
+                EnclosedLoad::of(&Scene::new(beam, load.clone(), Some(foundation.clone())).expect("well posed"));
+            let enclosed = EnclosedScene {
+                foundation: EnclosedFoundation::on(&foundation, LENGTH),
+                load: &pieces,
+                stiffness: STIFFNESS,
+                length: LENGTH,
+            };
+            let gap = pair(&enclosed, &nodes).expect("from support to support").gap.hi();
+            assert!((gap - expected).abs() <= 1e-9 * expected, "{gap}, not {expected}, at {nodes:?}");
+        }
+    }
+}

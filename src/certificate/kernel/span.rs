@@ -1,0 +1,137 @@
+//! A part of the beam that hangs free between two nodes: the exact beam under the true load, given deflection and slope
+//! at both ends.
+//!
+//! ```text
+//! v = v₀ + θ₀ s + κ₀ s²/2 + τ₀ s³/6 + v_q,     EI v_q'''' = q,  v_q = v_q' = v_q'' = v_q''' = 0 at s = 0
+//! κ₀ =  6 (Δv − θ₀ L)/L² − 2 Δθ/L,    τ₀ = −12 (Δv − θ₀ L)/L³ + 6 Δθ/L²,    Δv = v₁ − v_q(L) − v₀,  Δθ = θ₁ − v_q'(L) − θ₀
+//! ```
+
+use super::interval::Interval;
+use super::load::{EnclosedLoad, cells};
+use super::polynomial::{Polynomial, number};
+
+/// `v, v', v'', v'''` at a place.
+pub(crate) type Jet = [Interval; 4];
+
+/// A span with its deflection.
+#[derive(Debug, Clone)]
+pub(crate) struct Span {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    /// At its left end.
+    pub(crate) start: Jet,
+    /// At its right end.
+    pub(crate) end: Jet,
+    /// `∫ (L − s) q ds` and `∫ q ds`: the moment of its load about its right end, and its load.
+    pub(crate) loaded: [Interval; 2],
+}
+
+/// `q/EI` at the left end of a cell, and its slope.
+fn density([from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> [Interval; 2] {
+    let q = load.cell(from, to).times(Interval::exact(1.0) / Interval::exact(stiffness));
+    [0, 1].map(|j| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO))
+}
+
+/// The deflection on a cell, and `v, …, v'''` at its end.
+pub(crate) fn step(jet: &Jet, [from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> (Polynomial, Jet) {
+    let [q, rise] = density([from, to], load, stiffness);
+    let [v, slope, curvature, third] = *jet;
+    let deflection =
+        Polynomial::new(&[v, slope, curvature / number(2), third / number(6), q / number(24), rise / number(120)]);
+    let width = Interval::exact(to) - Interval::exact(from);
+    let first = deflection.derivative();
+    let second = first.derivative();
+    (deflection, [deflection.at(width), first.at(width), second.at(width), second.derivative().at(width)])
+}
+
+/// Deflection on all cells from `from` to `to`, starting with `jet`, and `v, …, v'''` just before the end.
+pub(crate) fn march(
+    jet: Jet,
+    from: f64,
+    to: f64,
+    breaks: Vec<f64>,
+    load: &EnclosedLoad,
+    stiffness: f64,
+) -> (Vec<([f64; 2], Polynomial)>, Jet) {
+    let mut jet = jet;
+    let mut curve = Vec::new();
+    for cell in cells(from, to, breaks) {
+        if from < cell[0]
+            && let Some(force) = load.point(cell[0])
+        {
+            jet[3] = jet[3] + force / Interval::exact(stiffness);
+        }
+        let (deflection, end) = step(&jet, cell, load, stiffness);
+        curve.push((cell, deflection));
+        jet = end;
+    }
+    (curve, jet)
+}
+
+impl Span {
+    /// The beam between two places with deflection and slope `[v, v']` at both.
+    pub(crate) fn new(
+        [from, to]: [f64; 2],
+        [left, right]: [[Interval; 2]; 2],
+        load: &EnclosedLoad,
+        stiffness: f64,
+    ) -> Self {
+        let (_, own) = march([Interval::ZERO; 4], from, to, load.breaks(from, to), load, stiffness);
+        let length = Interval::exact(to) - Interval::exact(from);
+        let rise = right[0] - left[0] - own[0] - left[1] * length;
+        let turn = right[1] - left[1] - own[1];
+        let curvature = (number(6) * rise / length - number(2) * turn) / length;
+        let third = (number(6) * turn - number(12) * rise / length) / (length * length);
+        Self {
+            from,
+            to,
+            start: [left[0], left[1], curvature, third],
+            end: [right[0], right[1], curvature + third * length + own[2], third + own[3]],
+            loaded: [own[2], own[3]].map(|v| v * Interval::exact(stiffness)),
+        }
+    }
+
+    /// Its deflection by cells; `breaks` besides those of the load.
+    pub(crate) fn curve(&self, breaks: Vec<f64>, load: &EnclosedLoad, stiffness: f64) -> Vec<([f64; 2], Polynomial)> {
+        let mut all = load.breaks(self.from, self.to);
+        all.extend(breaks);
+        march(self.start, self.from, self.to, all, load, stiffness).0
+    }
+
+    /// The deflection `v(to − s)` on the last cell, which begins at `from`.
+    pub(crate) fn mirrored(&self, from: f64, load: &EnclosedLoad, stiffness: f64) -> Polynomial {
+        let width = Interval::exact(self.to) - Interval::exact(from);
+        let [q, rise] = density([from, self.to], load, stiffness);
+        let [v, slope, curvature, third] = self.end;
+        let at_end = q + rise * width;
+        let [fourth, fifth] = [at_end / number(24), -rise / number(120)];
+        Polynomial::new(&[v, -slope, curvature / number(2), -third / number(6), fourth, fifth])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, LinearLoad, Load, Scene};
+
+    /// A span under a load that grows, read from the left and from the right.
+    #[test]
+    fn the_mirror_image_is_the_same_deflection() {
+        /// Of some dozens of roundings.
+        const ROUNDING: f64 = 1e-12;
+        let stiffness = 70.0;
+        let beam = Beam::new(20.0, stiffness).expect("positive");
+        let growing = LinearLoad { from: 0.0, to: 20.0, start: 1.0, end: 5.0 };
+        let load = Load::new(&beam, 2.0, vec![growing], Vec::new()).expect("finite");
+        let load = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
+        let ends = [[0.3, 0.2], [0.5, -0.4]].map(|end| end.map(Interval::exact));
+        let span = Span::new([3.0, 10.0], ends, &load, stiffness);
+        let curve = span.curve(vec![6.0], &load, stiffness);
+        let ([from, to], last) = curve[1];
+        let mirrored = span.mirrored(from, &load, stiffness);
+        for s in [0.0, 1.0, 2.5, 4.0] {
+            let [one, other] = [(&mirrored, s), (&last, to - from - s)].map(|(v, s)| v.at(Interval::exact(s)).middle());
+            assert!((one - other).abs() <= ROUNDING, "{one} and {other} at {s} from the right");
+        }
+    }
+}
