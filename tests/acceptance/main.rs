@@ -25,6 +25,7 @@ mod invariants;
 mod judge;
 mod libraries;
 mod matrices;
+mod multigrid;
 mod nodal_loads;
 mod order;
 mod properties;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use palkki::paper::scene_over;
-use palkki::problem::{NotPositiveDefinite, Programme};
+use palkki::problem::{FreeSet, NotPositiveDefinite, Programme};
 use palkki::route::Method;
 use palkki::scene::{Foundation, Scene};
 
@@ -75,7 +75,7 @@ pub(crate) fn exchanges(
     /// Of the size: far above the rounding of these small solves, far below their violations.
     const SIGN: f64 = 1e-12;
     let sizes = programme.sizes();
-    let mut free = vec![true; programme.dimension()];
+    let mut free = FreeSet::all(programme.dimension());
     let mut seen = BTreeMap::new();
     loop {
         let solves = seen.len();
@@ -83,13 +83,14 @@ pub(crate) fn exchanges(
             return Ok(End::Circle { solves, period: solves - before });
         }
         let point = programme.stationary(&free)?;
-        let dropped = (0..free.len()).filter(|&i| free[i] && point.x[i] < -SIGN * sizes.x);
-        let negative = (0..free.len()).filter(|&i| !free[i] && point.gradient[i] < -SIGN * sizes.gradient);
+        let dropped = free.variables().filter(|&i| point.x[i] < -SIGN * sizes.x);
+        let negative =
+            (0..free.dimension()).filter(|&i| !free.contains(i) && point.gradient[i] < -SIGN * sizes.gradient);
         let mut violators: Vec<usize> = dropped.collect();
         violators.extend(chosen(negative.collect(), &point.gradient));
         if violators.is_empty() {
             return Ok(End::Optimum { solves: solves + 1 });
         }
-        violators.iter().for_each(|&i| free[i] = !free[i]);
+        violators.iter().for_each(|&i| free.set(i, !free.contains(i)));
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::methods::flexibility;
 use crate::paper::beam;
 use crate::paper::claims::{Claim, Verdict};
-use crate::problem::{Dense, Programme, Sizes};
+use crate::problem::{Dense, FreeSet, Programme, Sizes};
 use crate::scene::SceneError;
 
 /// The beam of the example with its supports taken away.
@@ -50,7 +50,7 @@ pub fn unknown_rigid_motion() -> Result<Unsupported, SceneError> {
     };
     Ok(Unsupported {
         rigid_motions: eigenvalues.iter().filter(|e| e.abs() <= 1e-9 * largest).count(),
-        first_step_works: programme.stationary(&vec![true; n + 2]).is_ok(),
+        first_step_works: programme.stationary(&FreeSet::all(n + 2)).is_ok(),
     })
 }
 

@@ -5,6 +5,7 @@ use palkki::certificate::{Judged, certify};
 use palkki::methods::{Discrete, Method};
 use palkki::paper::approach::{Quantity, approach};
 use palkki::paper::{INTERVALS, example, theory};
+use palkki::problem::FreeSet;
 use palkki::route::{Solver, Status};
 use palkki::scene::Scene;
 use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
@@ -57,11 +58,11 @@ type Rounds = Vec<(Vec<f64>, Option<usize>)>;
 /// solver.
 fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
     let programme = Method::Complementarity.programme(discrete);
-    let mut free = vec![true; programme.dimension()];
+    let mut free = FreeSet::all(programme.dimension());
     let mut rounds: Rounds = Vec::new();
     loop {
         let point = programme.stationary(&free)?;
-        let negative = (0..free.len()).filter(|&i| free[i] && point.x[i] < 0.0);
+        let negative = free.variables().filter(|&i| point.x[i] < 0.0);
         let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
         rounds.push((point.x, smallest));
         let Some(smallest) = smallest else {
@@ -71,7 +72,7 @@ fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
             }
             return Ok((rounds, point.gradient.iter().map(|p| p * discrete.spacing).collect()));
         };
-        free[smallest] = false;
+        free.set(smallest, false);
     }
 }
 
