@@ -17,9 +17,9 @@ use crate::theory::random;
 /// last place.
 const SAME_POINT: f64 = 1e-12;
 
-/// Of another solver, 30 intervals: condition numbers are about 10⁵, and a residual of 1e-9 passes the check. Contact forces may
-/// differ by their product over the load, deflections by little more than the residual itself.
-const CERTIFIED: [f64; 2] = [1e-4, 1e-7];
+/// Of another solver on 10 intervals: condition numbers are about 10³, and a residual of 1e-9 passes the check. Contact forces
+/// may differ by their product over the load, deflections by little more than the residual itself.
+const CERTIFIED: [f64; 2] = [1e-6, 1e-7];
 
 /// Scenes of the report, random waves and polylines, and random scenes of all kinds.
 fn all() -> Vec<Scene> {
@@ -35,19 +35,20 @@ fn all() -> Vec<Scene> {
 /// knows nothing of either.
 #[test]
 fn every_method_and_solver_comes_to_the_same_answer_without_it() {
-    let mut compared = 0;
+    let (mut compared, mut asked) = (0, 0);
     for (k, scene) in all().iter().enumerate().filter(|(_, scene)| scene.foundation().is_some()) {
         let scaled = scene.scaled().expect("numbers in range");
-        for intervals in [30, 170, 1000] {
+        for intervals in [10, 170, 1000] {
             let discrete = Discrete::new(&scaled.scene, intervals).expect("enough intervals");
             for method in Method::ALL {
                 let qp = method.programme(&discrete);
                 let with = run(scene, method, Solver::ActiveSet, intervals);
                 let with = nodes(&with);
-                let few = if intervals == 30 { Solver::ALL.as_slice() } else { &[Solver::ActiveSet] };
+                let few = if intervals == 10 { Solver::ALL.as_slice() } else { &[Solver::ActiveSet] };
                 for &solver in few {
                     let answer = solver.run(qp.as_ref(), DEFAULT_TOLERANCE);
                     let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
+                    asked += usize::from(solver != Solver::ActiveSet);
                     let allowed = if solver == Solver::ActiveSet {
                         assert!(answer.claims_success, "{k}, {method}, {intervals}: {}", answer.words);
                         [SAME_POINT; 2]
@@ -76,7 +77,7 @@ fn every_method_and_solver_comes_to_the_same_answer_without_it() {
             }
         }
     }
-    assert!(500 < compared, "only {compared} answers of other solvers are certified");
+    assert!(asked < 2 * compared, "only {compared} of {asked} answers of other solvers are certified");
 }
 
 /// The optimum is unique, whatever it is found from.
