@@ -55,14 +55,14 @@
 //! | `T` | `reaction`, `force_from`, `force_to` | force | upwards; at a lift-off point of a flat foundation both are equal | |
 //! | | `moment` | force · length | `M = −EI v''`, positive with the underside in tension | |
 //! | `J` | `energy` | force · length | `½∫EI v''² dx − ∫q v dx` | (17) |
-//! | `A`, `b`, `g` | `matrix`, `linear`, `gradient` | | of the programme that every method becomes | (32), (33) |
+//! | `A`, `b`, `g` | `matrix`, `linear`, `gradient` | | of the quadratic program that every method becomes | (32), (33) |
 //! | `K`, `C` | `Displacement`, `Force` | force / length, length / force | condensed stiffness, flexibility; `K C = I` | (20), (26) |
 //! | `n`, `Δ` | `interior`, `spacing` | 1, length | interior nodes; `Δ = l / (n + 1)` | (26) |
 //!
 //! # Map of rooms
 //!
 //! ```text
-//! scene ──► methods ──► problem (32) ──► solvers ──► methods ──► state ──► certificate ──► verdict
+//! scene ──► methods ──► qp (32) ──► solvers ──► methods ──► state ──► certificate ──► verdict
 //!   │                                                              ▲             ▲
 //!   └──────────────────────────► theory ───────────────────────────┴─► witness ──┘
 //! ```
@@ -74,10 +74,10 @@
 pub mod adaptive;
 pub mod certificate;
 pub mod methods;
-mod nested;
+mod multigrid;
 #[cfg(feature = "plot")]
 pub mod plot;
-pub mod problem;
+pub mod qp;
 pub mod route;
 pub mod scene;
 mod solve;

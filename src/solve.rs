@@ -1,8 +1,8 @@
 //! One way through: scene → method and grid → quadratic program (32) → solver → state → verdict.
 
 use crate::certificate::Kkt;
-use crate::methods::{self, Discrete};
-use crate::nested;
+use crate::methods::{self, Discrete, Nodal};
+use crate::multigrid;
 use crate::route::{Method, Outcome, Solver, Status};
 use crate::scene::{Scene, SceneError};
 use crate::solvers::Answer;
@@ -176,11 +176,17 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
     } else {
         let programme = method.programme(&discrete);
         let answer = match solver {
-            Solver::ActiveSet => nested::solve(&scaled.scene, method, &discrete)?,
-            _ => solver.run(programme.as_ref(), tolerance),
+            Solver::ActiveSet => multigrid::solve(&scaled.scene, method, &discrete)?,
+            Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => {
+                solver.run(programme.as_ref(), tolerance)
+            }
         };
         let Answer { x, gradient, claims_success, words, own_residual, iterations, work } = answer;
-        let nodal = method.nodal(&discrete, x, gradient);
+        let nodal = match solver {
+            // Contact forces and clearances, by all methods.
+            Solver::ActiveSet => Nodal::new(&discrete, method.bending(), gradient, x),
+            Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => method.nodal(&discrete, x, gradient),
+        };
         (nodal, claims_success, words, own_residual, programme.dimension(), iterations, work)
     };
     let state = methods::contact_state(discrete, nodal);

@@ -16,11 +16,12 @@
 // The scheme is rebuilt from (5), (7), (8) with central differences, the only second-order scheme on five nodes.
 // It gives 1.191071 for the first contact force of the example with 30 intervals; the paper prints no number for this method.
 
-use super::{Discrete, Force, held::Held, hencky, native};
-use crate::problem::{Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
+use super::contact_set::{ContactSet, OnContacts};
+use super::{Discrete, sparse};
+use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
 use crate::state::Bending;
 
-/// The programme (32) of method 1: `x = h`, `g = p`.
+/// The quadratic program (32) of method 1: `x = h`, `g = p`.
 #[derive(Debug, Clone, Copy)]
 pub struct Complementarity<'a>(pub &'a Discrete);
 
@@ -50,7 +51,7 @@ impl Complementarity<'_> {
     }
 }
 
-impl Programme for Complementarity<'_> {
+impl Qp for Complementarity<'_> {
     fn dimension(&self) -> usize {
         self.0.interior()
     }
@@ -70,8 +71,8 @@ impl Programme for Complementarity<'_> {
         Matrix::Pentadiagonal(rows)
     }
 
-    fn native(&self) -> Option<Native> {
-        Some(native::potential(self.0, Bending::AtNodes, self.sizes()))
+    fn sparse(&self) -> Option<SparseForm> {
+        Some(sparse::potential(self.0, Bending::AtNodes, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
@@ -83,18 +84,10 @@ impl Programme for Complementarity<'_> {
         self.pressure(&v)
     }
 
-    /// `EI v'''' = q` at the free nodes, with `v = u` at the others: moments of a chain (`hencky.rs`), from these contact
-    /// forces and clearances.
-    fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        let held = Held::new(self.0, Bending::AtNodes, free);
-        let moments = hencky::moments(&held)?;
-        let gradient = held.contact_forces(&moments).iter().map(|p| p / self.0.spacing).collect();
-        Ok(Stationary { x: held.clearances(&moments), gradient })
-    }
-
-    /// Method 3 for a chain of links.
-    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
-        Some(Box::new(Force { discrete: self.0, bending: Bending::AtNodes }))
+    /// `EI v'''' = q` at the free nodes, with `v = u` at the others: a chain of links that touches there.
+    fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
+        let OnContacts { contact_force, clearance } = ContactSet::where_held(free).solve(self.0, Bending::AtNodes)?;
+        Ok(Stationary { x: clearance, gradient: contact_force.iter().map(|p| p / self.0.spacing).collect() })
     }
 
     /// What could be rounding is zero already.

@@ -1,8 +1,7 @@
 //! A scene on a grid: what the three methods have in common before they choose an unknown.
 
-use super::segment::{Segment, Segments};
 use super::statics;
-use crate::problem::Sizes;
+use crate::qp::Sizes;
 use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Bending;
 
@@ -24,8 +23,6 @@ pub struct Discrete {
     /// The profile that they are taken from, and its depths below the two supports of the beam.
     profile: Option<Foundation>,
     below_supports: [f64; 2],
-    /// The loads once more, ready for spans of any length.
-    segments: Segments,
     sizes: Sizes,
 }
 
@@ -52,7 +49,6 @@ impl Discrete {
             depths: grid.depths(scene),
             profile: scene.foundation().cloned(),
             below_supports: [0, intervals].map(|node| scene.depth(grid.place(node))),
-            segments: Segments::new(&loads),
             sizes: sizes(scene, intervals.min(SIZING))?,
             loads,
         })
@@ -96,11 +92,6 @@ impl Discrete {
     #[must_use]
     pub fn sizes(&self) -> Sizes {
         self.sizes
-    }
-
-    /// The beam between two nodes as a simple beam under the loads between them.
-    pub(super) fn span(&self, first: usize, last: usize) -> Segment {
-        self.segments.between(&self.loads, first, last)
     }
 
     /// Depth at which a node is held: zero at the supports of the beam.

@@ -22,11 +22,12 @@
 
 use nalgebra::DMatrix;
 
-use super::{Discrete, Force, held::Held, native, rotations};
-use crate::problem::{Band, Matrix, Native, NotPositiveDefinite, Programme, Sizes, Stationary};
+use super::contact_set::{ContactSet, OnContacts};
+use super::{Discrete, sparse};
+use crate::qp::{Band, FreeSet, Matrix, NotPositiveDefinite, Qp, Row, Sizes, SparseForm, Stationary};
 use crate::state::Bending;
 
-/// The programme (32) of method 2: `x = h`, `g = p` as nodal forces.
+/// The quadratic program (32) of method 2: `x = h`, `g = p` as nodal forces.
 #[derive(Debug, Clone, Copy)]
 pub struct Displacement<'a>(pub &'a Discrete);
 
@@ -47,17 +48,14 @@ impl Displacement<'_> {
     fn rotations(v: &[f64]) -> Result<Vec<f64>, NotPositiveDefinite> {
         let n = v.len();
         let at = |i: usize| if i == 0 || i == n + 1 { 0.0 } else { v[i - 1] };
-        let mut right: Vec<f64> =
-            (0..n + 2).map(|i| 3.0 * (at((i + 1).min(n + 1)) - at(i.saturating_sub(1)))).collect();
-        let mut band = Band::<2>::zeros(n + 2);
+        let mut equations = Band::with_capacity(n + 2);
         for i in 0..n + 2 {
-            band.add(i, i, if i == 0 || i == n + 1 { 2.0 } else { 4.0 });
-            if i <= n {
-                band.add(i, i + 1, 1.0);
-            }
+            let diagonal = if i == 0 || i == n + 1 { 2.0 } else { 4.0 };
+            let above = [if i == n + 1 { 0.0 } else { 1.0 }];
+            let right = 3.0 * (at((i + 1).min(n + 1)) - at(i.saturating_sub(1)));
+            equations.push(Row { diagonal, above, right })?;
         }
-        band.solve(&mut [&mut right])?;
-        Ok(right)
+        Ok(equations.solve())
     }
 
     /// `EI/Δ³`.
@@ -72,7 +70,7 @@ impl Displacement<'_> {
     }
 }
 
-impl Programme for Displacement<'_> {
+impl Qp for Displacement<'_> {
     fn dimension(&self) -> usize {
         self.0.interior()
     }
@@ -93,8 +91,8 @@ impl Programme for Displacement<'_> {
         Matrix::Dense((&k + k.transpose()) * 0.5)
     }
 
-    fn native(&self) -> Option<Native> {
-        Some(native::potential(self.0, Bending::Between, self.sizes()))
+    fn sparse(&self) -> Option<SparseForm> {
+        Some(sparse::potential(self.0, Bending::Between, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
@@ -106,16 +104,10 @@ impl Programme for Displacement<'_> {
         Self::rotations(&v).map_or_else(|_| vec![f64::NAN; v.len()], |rotations| self.contact_forces(&v, &rotations))
     }
 
-    /// `v = u` where a node is held: rotations there (`rotations.rs`), then moments, contact forces and clearances.
-    fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        let held = Held::new(self.0, Bending::Between, free);
-        let moments = rotations::moments(&held)?;
-        Ok(Stationary { x: held.clearances(&moments), gradient: held.contact_forces(&moments) })
-    }
-
-    /// `K⁻¹ = C`: method 3.
-    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
-        Some(Box::new(Force { discrete: self.0, bending: Bending::Between }))
+    /// `K v = q` at the free nodes, with `v = u` at the others: a beam that touches there.
+    fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
+        let OnContacts { contact_force, clearance } = ContactSet::where_held(free).solve(self.0, Bending::Between)?;
+        Ok(Stationary { x: clearance, gradient: contact_force })
     }
 
     /// What could be rounding is zero already.

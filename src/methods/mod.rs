@@ -1,4 +1,4 @@
-//! The three methods of the paper: each turns a scene on a grid into the programme (32) and an answer of the programme
+//! The three methods of the paper: each turns a scene on a grid into a quadratic program (32) and an answer of that program
 //! into a [`ContactState`](crate::state::ContactState). They know beams and no algorithm.
 //!
 //! | method | unknown `x` | `A` | `b` | gradient |
@@ -7,45 +7,64 @@
 //! | [`Displacement`], (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
 //! | [`Force`], (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 //!
-//! On a contact set each has equations of its own, in which no fourth difference is taken: three moments of a chain
-//! (`hencky.rs`), rotations (`rotations.rs`), three moments of a beam (`continuous.rs`). All are tridiagonal, of condition
-//! number at most 3 once scaled, and so each method keeps its discrete problem and its digits on any grid.
+//! On a given set of contacts all three are one beam, or one chain of links, on supports at the depth of the foundation. It
+//! is solved in `contact_set.rs`, without these matrices, and so each method keeps its discrete problem and its digits on
+//! any grid.
 
+mod answer;
 mod complementarity;
-mod continuous;
-mod cubic;
+pub(crate) mod contact_set;
 mod discrete;
 mod displacement;
 mod force;
-mod held;
-mod hencky;
-mod method;
-mod native;
-mod nodal;
-mod ranges;
-mod rotations;
-mod segment;
-mod spectrum;
+pub(crate) mod span;
+mod sparse;
 mod statics;
 
+pub use answer::{Nodal, contact_state, free_beam};
 pub use complementarity::Complementarity;
 pub use discrete::Discrete;
 pub use displacement::Displacement;
 pub use force::{Force, flexibility};
-pub use method::Method;
-pub use nodal::{Nodal, contact_state, free_beam};
 
-use crate::problem::Programme;
+use std::f64::consts::PI;
+use std::fmt;
+
+use crate::qp::Qp;
 use crate::state::Bending;
 
+/// The three methods of the paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Method {
+    /// Complementarity problem by finite differences, (4)–(16).
+    Complementarity,
+    /// Potential energy, no penetration, (17)–(24).
+    Displacement,
+    /// Complementary energy, no tension, (25)–(31).
+    Force,
+}
+
 impl Method {
-    /// The programme (32) that this method makes of a scene on a grid.
+    /// All of them, in the order of the paper.
+    pub const ALL: [Self; 3] = [Self::Complementarity, Self::Displacement, Self::Force];
+
+    /// The word that command line, JSON and report use.
     #[must_use]
-    pub fn programme(self, discrete: &Discrete) -> Box<dyn Programme + '_> {
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Complementarity => "complementarity",
+            Self::Displacement => "displacement",
+            Self::Force => "force",
+        }
+    }
+
+    /// The quadratic program (32) that this method makes of a scene on a grid.
+    #[must_use]
+    pub fn programme(self, discrete: &Discrete) -> Box<dyn Qp + '_> {
         match self {
             Self::Complementarity => Box::new(Complementarity(discrete)),
             Self::Displacement => Box::new(Displacement(discrete)),
-            Self::Force => Box::new(Force { discrete, bending: self.bending() }),
+            Self::Force => Box::new(Force(discrete)),
         }
     }
 
@@ -58,7 +77,17 @@ impl Method {
         }
     }
 
-    /// What an answer `(x, g)` of the programme means for the nodes.
+    /// Whether the variable of a node is free where there is contact, as a contact force is, or where there is none, as a
+    /// clearance is.
+    #[must_use]
+    pub fn is_free_in_contact(self) -> bool {
+        match self {
+            Self::Complementarity | Self::Displacement => false,
+            Self::Force => true,
+        }
+    }
+
+    /// What an answer `(x, g)` of the quadratic program means for the nodes.
     #[must_use]
     pub fn nodal(self, discrete: &Discrete, x: Vec<f64>, gradient: Vec<f64>) -> Nodal {
         let (clearance, contact_force) = match self {
@@ -66,27 +95,37 @@ impl Method {
             Self::Displacement => (x, gradient),
             Self::Force => (gradient, x),
         };
-        let deflection = self.deflection(discrete, &clearance, &contact_force);
-        Nodal { bending: self.bending(), deflection, clearance, contact_force }
+        Nodal::new(discrete, self.bending(), clearance, contact_force)
     }
 
-    /// `v = u − h`; where the ground lies so deep that this difference has few digits left, or none, `v = C t` by statics.
-    fn deflection(self, discrete: &Discrete, clearance: &[f64], contact_force: &[f64]) -> Vec<f64> {
-        /// Ground this many times as deep as the beam deflects: three of sixteen digits are what the difference may lose, and
-        /// more than statics lose on any grid on which the difference would be the better one.
-        const DEEP: f64 = 1e3;
-        let mut deflection = discrete.clearances(clearance);
-        let size = DEEP * discrete.sizes().x;
-        if discrete.depths.iter().all(|&u| u <= size) {
-            return deflection;
+    /// `cond A = ‖A‖ ‖A⁻¹‖` of its matrix in the Euclidean norm, on `intervals` equal intervals of any beam.
+    ///
+    /// All three matrices are functions of one, `T = tridiag(−1, 2, −1)` of shape (n, n), whose eigenvalues are known, and grow
+    /// with them, so that condition numbers are quotients of the first and the last:
+    ///
+    /// ```text
+    /// λ_k = 4 sin²(k π / 2N),   k = 1 … n
+    /// finite differences   A = (EI/Δ⁴) T²                         λ²
+    /// stiffness            K = (EI/Δ³) T (1 − T/6)⁻¹ T            λ² / (1 − λ/6)
+    /// flexibility          C = K⁻¹                                the inverse
+    /// ```
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
+    pub fn condition(self, intervals: usize) -> f64 {
+        let angle = 0.5 * PI / intervals as f64;
+        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        // sin(n π/2N) = cos(π/2N).
+        let (least, largest) = (4.0 * sine * sine, 4.0 * cosine * cosine);
+        let root = largest / least;
+        match self {
+            Self::Complementarity => root * root,
+            Self::Displacement | Self::Force => root * root * (1.0 - least / 6.0) / (1.0 - largest / 6.0),
         }
-        let carried: Vec<f64> = discrete.interior_loads().iter().zip(contact_force).map(|(q, p)| q - p).collect();
-        let by_statics = discrete.deflection(&carried, self.bending());
-        for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
-            if size < u {
-                *v = statics;
-            }
-        }
-        deflection
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
     }
 }

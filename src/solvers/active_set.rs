@@ -3,20 +3,34 @@
 //! The four steps drop variables one by one and never release one. Here variables are also released where the gradient is
 //! negative, and many change at a time.
 //!
-//! **Exchanges.** From one face to the next all free variables that came out negative are dropped, and of each run of
-//! neighbours with a negative gradient the steepest one is released, as long as runs on the wrong side become fewer. In dense
-//! contact ten exchanges settle most of a face. What is left goes round in circles, at a few places.
+//! **Exchanges.** From one set of free variables to the next all those that came out negative are dropped, and of each run of
+//! neighbours with a negative gradient the steepest one is released, as long as runs on the wrong side become fewer, or a few
+//! times in all. Ten exchanges settle most of a set. What is left goes round in circles, at a few places.
 //!
-//! **Windows.** Programmes that allow it are solved in windows around such places, and before all exchanges around the borders
-//! between free variables and others, where a guess from a coarser grid is wrong as a rule. That takes a small part of the price of
-//! a solve of the whole. Each window is made optimal by itself, by a [`descent`](super::descent), and widened as long as variables
-//! beside it are on the wrong side, but in the first rounds not far, as one window may disturb another. Where a programme has
-//! a [dual](Programme::dual) with windows, these and the exchanges are those of the dual.
+//! **Descent.** From there on the objective falls from one minimum on a set of free variables, a face, to the next:
 //!
-//! *It ends.* A window is a programme of its own, and the descent ends at its optimum. Exchanges go on where there are fewer runs
-//! on the wrong side than ever before, or else a few times in all; windows reach twice as far each time, until only the one
-//! that holds all variables is left, whose optimum is that of (32). Whether exchanges and windows help is a matter of speed:
-//! what is called optimal has passed a solve of the whole, which looks at every variable.
+//! 1. *Feasible*: solve step 1° on the face, drop of each run of neighbours that came out negative the most negative one,
+//!    and again, until none does.
+//! 2. *Release*: of each run of neighbours with a negative gradient the steepest one, and make that feasible as in 1. A run
+//!    as a whole would be far too much: most of it would be on the wrong side next.
+//! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger
+//!    face, leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
+//!
+//! *It ends.* A face shrinks in 1, so that 1 ends. The objective falls strictly from one round to the next: in 2 by
+//! comparison, and in 3 because the point before is the minimum on its own face, from which a released variable with a
+//! negative gradient leads down, and the last one that is left of them cannot come out negative. Each round ends at a
+//! feasible face minimum, no face is met twice, there are finitely many, and where no gradient is negative the optimum is
+//! reached. In floating-point arithmetic, where a strict descent can drown in rounding, a limit on the number of solves says so.
+//!
+//! The two objectives are not computed, since their difference would cancel. On a face minimum `x_i g_i = 0`, so that
+//!
+//! ```text
+//! f(x₂) − f(x₁) = ½ (g₁ + g₂)ᵀ (x₂ − x₁) = ½ (g₁ᵀ x₂ − g₂ᵀ x₁)
+//! ```
+//!
+//! and only variables that were released or dropped contribute.
+//!
+//! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Qp::rounding) of the solves, stay on the side where they are.
 
 // Discrepancy: beyond-four-steps
 //
@@ -24,36 +38,18 @@
 // releases many variables at a time is our choice; see Lawson and Hanson (1974) for the step that makes it finite, and
 // Portugal, Júdice and Vicente (1994) for exchanges of many variables, which without such a step may go round in circles.
 
-use std::ops::Range;
-
 use super::Answer;
-use super::descent::{Cost, Descent, Violators, steepest};
-use super::neighbourhood::{around, borders, merged, widened};
-use crate::problem::{NotPositiveDefinite, Programme, Stationary};
-
-/// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
-/// times.
-const REACH: usize = 32;
-
-/// Rounds of windows by themselves. Most settle in one or two; distant windows are felt like terms of a geometric series.
-const ROUNDS: usize = 10;
+use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Sizes, Stationary};
 
 /// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
 const FEWER: usize = 10;
 
-/// Windows are local where one solve of each costs less than this part of one of the whole.
-const LOCAL: usize = 2;
+/// Exchanges in all that need not help: the second one may undo part of the first.
+pub(crate) const PATIENCE: usize = 5;
 
-/// Exchanges in all that need not help where windows would not be local: in dense contact between the nodes of a coarser grid
-/// the second one undoes part of the first.
-const PATIENCE: usize = 5;
-
-/// What windows may cost, in solves of the whole: those around the borders, which may all be right, and the first ones around
-/// places where exchanges do not end.
-const WORTH: [usize; 2] = [1, 8];
-
-/// What a solve of a window costs beside its variables, in variables.
-const SOLVE: usize = 200;
+/// Solves that only rounding can need: so many, and as many for each variable. Of the slowest known instances some take a few
+/// hundred, and two thousand where all variables change together.
+const EXHAUSTED: [usize; 2] = [200, 20];
 
 /// What it is set to.
 pub(super) fn words() -> String {
@@ -61,221 +57,236 @@ pub(super) fn words() -> String {
         .to_owned()
 }
 
-/// Solves from the face on which every variable is free, as the paper's algorithm does.
-pub(super) fn solve(programme: &dyn Programme) -> Answer {
-    solve_from(programme, vec![true; programme.dimension()]).0
+/// Solves with every variable free at first, as the paper's algorithm does.
+pub(super) fn solve(qp: &dyn Qp) -> Answer {
+    solve_from(qp, FreeSet::all(qp.dimension()))
 }
 
-/// What becomes of one face.
-pub(crate) struct Guess {
-    /// Another face.
-    pub(crate) free: Vec<bool>,
-    /// Number of solves, and of variables in all of them.
-    pub(crate) solves: usize,
-    pub(crate) work: usize,
-}
-
-/// A guess of the optimal face from another one: optimal near its borders, or else everywhere.
-pub(super) fn guess_from(programme: &dyn Programme, mut free: Vec<bool>) -> Guess {
-    let mut run = Run::of(programme);
-    // A solve that fails here fails again where it is reported.
-    if !run.settle_borders(&mut free).is_ok_and(|rested| rested) {
-        let _ = run.exchanged(&mut free);
-    }
-    Guess { free, solves: run.cost.whole + run.cost.windows, work: run.cost.variables }
-}
-
-/// Solves from a given face: `free[i]` is false where `x_i = 0` at first.
-pub(super) fn solve_from(programme: &dyn Programme, free: Vec<bool>) -> (Answer, Cost) {
-    let mut run = Run::of(programme);
-    let n = programme.dimension();
-    let end = run.optimum(free);
-    let iterations = run.cost.whole + run.cost.windows;
-    let work = run.cost.variables;
-    let answer = match end {
-        Ok((point, optimal)) => {
-            let words = if optimal { "optimal" } else { "no further descent above rounding" };
-            Answer {
-                x: point.x,
-                gradient: point.gradient,
-                claims_success: optimal,
-                words: words.to_owned(),
-                own_residual: None,
-                iterations,
-                work,
-            }
-        }
-        Err(error) => Answer { iterations, work, ..Answer::refused(n, error.to_string()) },
+/// Solves from a given set of free variables.
+pub(super) fn solve_from(qp: &dyn Qp, mut free: FreeSet) -> Answer {
+    let (mut solves, mut idle) = (0, 0);
+    let patient = |_: &mut FreeSet, _: &[usize]| {
+        idle += 1;
+        Ok(idle <= PATIENCE)
     };
-    (answer, run.cost)
+    let end = optimum(&mut Reduced::of(qp), &mut free, &mut solves, patient);
+    answer(end, qp.dimension(), solves, solves * qp.dimension())
 }
 
-struct Run<'a> {
-    programme: &'a dyn Programme,
-    /// Where windows are solved, if that is not the programme itself.
-    dual: Option<Box<dyn Programme + 'a>>,
-    cost: Cost,
-}
-
-impl<'a> Run<'a> {
-    fn of(programme: &'a dyn Programme) -> Self {
-        Self { programme, dual: programme.dual(), cost: Cost::default() }
-    }
-
-    /// The optimum of the whole.
-    fn optimum(&mut self, mut free: Vec<bool>) -> Result<(Stationary, bool), NotPositiveDefinite> {
-        self.settle_borders(&mut free)?;
-        self.exchanged(&mut free)
-    }
-
-    /// The optimum of the whole by exchanges, by windows where these do not end, and by a descent where windows do not.
-    fn exchanged(&mut self, free: &mut [bool]) -> Result<(Stationary, bool), NotPositiveDefinite> {
-        let n = free.len();
-        let (mut fewest, mut idle, mut scale) = (usize::MAX, 0, 1);
-        loop {
-            self.cost.whole += 1;
-            self.cost.variables += n;
-            let point = self.programme.stationary(free)?;
-            let violators = Violators::of(self.programme, &point, free.iter().copied());
-            if violators.wrong.is_empty() {
-                return Ok((violators.clipped(point), true));
-            }
-            let dual = self.dual.is_some();
-            exchange(free, &violators.wrong, if dual { &point.x } else { &point.gradient }, dual);
-            let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count();
-            if runs < fewest - fewest / FEWER {
-                fewest = runs;
-                continue;
-            }
-            let windows = around(&violators.wrong, scale * REACH, n);
-            if n < LOCAL * price(&windows) && idle < PATIENCE {
-                idle += 1;
-            } else if scale * REACH < n && self.has_neighbourhoods() {
-                self.settle(free, windows, scale * WORTH[1])?;
-                scale *= 2;
-            } else {
-                return Descent::new(self.programme, 0..n).run(free, &mut self.cost);
-            }
-        }
-    }
-
-    fn has_neighbourhoods(&self) -> bool {
-        self.dual.as_deref().unwrap_or(self.programme).has_neighbourhoods()
-    }
-
-    /// Makes windows around the borders optimal, as far as that is cheap. Whether there were any, and they came to rest.
-    fn settle_borders(&mut self, free: &mut [bool]) -> Result<bool, NotPositiveDefinite> {
-        let windows = around(&borders(free), REACH, free.len());
-        if windows.is_empty() || !self.has_neighbourhoods() || free.len() < price(&windows) {
-            return Ok(false);
-        }
-        self.settle(free, windows, WORTH[0])
-    }
-
-    /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
-    /// Whether all came to rest.
-    fn settle(
-        &mut self,
-        free: &mut [bool],
-        windows: Vec<Range<usize>>,
-        worth: usize,
-    ) -> Result<bool, NotPositiveDefinite> {
-        let turn = |free: &mut [bool]| free.iter_mut().for_each(|free| *free = !*free);
-        let mut near = Near { programme: self.dual.as_deref().unwrap_or(self.programme), cost: self.cost };
-        if self.dual.is_some() {
-            turn(free);
-        }
-        let rested = near.settle(free, windows, worth);
-        if self.dual.is_some() {
-            turn(free);
-        }
-        self.cost = near.cost;
-        rested
+/// How a run ended.
+pub(crate) fn answer(
+    end: Result<(Stationary, bool), NotPositiveDefinite>,
+    n: usize,
+    iterations: usize,
+    work: usize,
+) -> Answer {
+    match end {
+        Ok((Stationary { x, gradient }, optimal)) => Answer {
+            x,
+            gradient,
+            claims_success: optimal,
+            words: if optimal { "optimal" } else { "no further descent above rounding" }.to_owned(),
+            own_residual: None,
+            iterations,
+            work,
+        },
+        Err(error) => Answer { iterations, work, ..Answer::refused(n, error.to_string()) },
     }
 }
 
-/// Windows of a programme with neighbourhoods.
-struct Near<'a> {
-    programme: &'a dyn Programme,
-    cost: Cost,
-}
-
-impl Near<'_> {
-    /// See [`Run::settle`].
-    fn settle(
-        &mut self,
-        free: &mut [bool],
-        windows: Vec<Range<usize>>,
-        worth: usize,
-    ) -> Result<bool, NotPositiveDefinite> {
-        let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
-        let most = spent(self.cost) + worth * free.len();
-        let mut pending = windows;
-        for round in 0..ROUNDS {
-            let mut rested = Vec::new();
-            for range in pending {
-                // What is far off on one side may be so because of a window that waits for its turn.
-                let longest = (4 * REACH).max(range.len()) << round;
-                rested.push(self.rest(free, range, longest)?);
-                if most < spent(self.cost) {
-                    return Ok(false);
-                }
-            }
-            rested.sort_by_key(|range| range.start);
-            pending = Vec::new();
-            for range in merged(rested.into_iter()) {
-                if !self.look(free, &range)?.1.is_empty() {
-                    pending.push(range);
-                }
-            }
-            if pending.is_empty() {
-                return Ok(true);
-            }
+/// The optimum by exchanges. Where one does not help, `stalled` is told which variables are on the wrong side; it may change
+/// what is free, and says whether to go on with exchanges. If not, a descent follows. Returns the point, and whether nothing
+/// is on the wrong side; `solves` counts.
+pub(crate) fn optimum(
+    reduced: &mut Reduced<'_>,
+    free: &mut FreeSet,
+    solves: &mut usize,
+    mut stalled: impl FnMut(&mut FreeSet, &[usize]) -> Result<bool, NotPositiveDefinite>,
+) -> Result<(Stationary, bool), NotPositiveDefinite> {
+    let mut fewest = usize::MAX;
+    loop {
+        *solves += 1;
+        let point = (reduced.point)(free)?;
+        let violators = Violators::of(reduced, &point, free);
+        if violators.wrong.is_empty() {
+            return Ok((violators.clipped(point), true));
         }
-        Ok(false)
-    }
-
-    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or beyond a length.
-    ///
-    /// The look beside it reaches `√n` variables: behind a place where contact ends, the discrete optimum has a hole of that
-    /// length.
-    fn rest(
-        &mut self,
-        free: &mut [bool],
-        mut range: Range<usize>,
-        longest: usize,
-    ) -> Result<Range<usize>, NotPositiveDefinite> {
-        let n = free.len();
-        while range.len() <= longest {
-            Descent::new(self.programme, range.clone()).run(free, &mut self.cost)?;
-            let wider = widened(range.clone(), range.len().max(n.isqrt()), n);
-            let (point, wrong) = self.look(free, &wider)?;
-            let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { break };
-            exchange(&mut free[wider.clone()], &wrong, &point.gradient, false);
-            let seen = widened(wider.start + first..wider.start + last + 1, REACH, n);
-            range = range.start.min(seen.start)..range.end.max(seen.end);
+        exchange(free, 0, &violators.wrong, &point.gradient);
+        let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count();
+        if runs < fewest - fewest / FEWER {
+            fewest = runs;
+        } else if !stalled(free, &violators.wrong)? {
+            return descend(reduced, free, solves);
         }
-        Ok(range)
     }
-
-    /// A range as it is: the point, and its variables on the wrong side.
-    fn look(&mut self, free: &[bool], range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
-        self.cost.windows += 1;
-        self.cost.variables += range.len();
-        let point = self.programme.stationary_near(free, range.clone())?;
-        let violators = Violators::of(self.programme, &point, free[range.clone()].iter().copied());
-        Ok((point, violators.wrong))
-    }
-}
-
-/// What one solve of each window costs, in variables.
-fn price(windows: &[Range<usize>]) -> usize {
-    windows.iter().map(|range| range.len() + SOLVE).sum()
 }
 
 /// Drops the free ones of some variables on the wrong side, and releases of each run of the others the one with the smallest
-/// slope. Where flags are those of the dual programme, they say who is not free.
-fn exchange(flags: &mut [bool], wrong: &[usize], slopes: &[f64], dual: bool) {
-    wrong.iter().for_each(|&k| flags[k] = dual);
-    steepest(wrong, slopes).into_iter().for_each(|k| flags[k] = !dual);
+/// gradient. Variables and gradients count from `start`.
+pub(crate) fn exchange(free: &mut FreeSet, start: usize, wrong: &[usize], gradient: &[f64]) {
+    wrong.iter().for_each(|&k| free.set(start + k, false));
+    steepest(wrong, gradient).into_iter().for_each(|k| free.set(start + k, true));
+}
+
+/// Step 1° of the paper's algorithm, see [`Qp::stationary`].
+pub(crate) type PointOn<'a> = Box<dyn FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a>;
+
+/// All that is asked of a quadratic program here: the stationary point for some free variables, and which signs count there.
+/// It may be a part of another one, of which only the variables of that part are known.
+pub(crate) struct Reduced<'a> {
+    pub(crate) point: PointOn<'a>,
+    /// As those of [`Qp`].
+    pub(crate) sizes: Sizes,
+    pub(crate) rounding: f64,
+}
+
+impl<'a> Reduced<'a> {
+    /// All of a quadratic program.
+    pub(super) fn of(qp: &'a dyn Qp) -> Self {
+        Self { point: Box::new(|free| qp.stationary(free)), sizes: qp.sizes(), rounding: qp.rounding() }
+    }
+}
+
+/// Signs below zero that count at a point: more than the rounding of the solves.
+struct Signs {
+    x: f64,
+    gradient: f64,
+}
+
+impl Signs {
+    fn at(reduced: &Reduced<'_>, point: &Stationary) -> Self {
+        let Sizes { mut x, mut gradient } = reduced.sizes;
+        for (value, slope) in point.x.iter().zip(&point.gradient) {
+            // Not `max`: a comparison is all that a number needs.
+            x = if x < value.abs() { value.abs() } else { x };
+            gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
+        }
+        Self { x: -reduced.rounding * x, gradient: -reduced.rounding * gradient }
+    }
+}
+
+/// Variables with a negative sign at a point: free ones that are negative, and those at zero with a negative gradient.
+pub(crate) struct Violators {
+    /// By more than rounding: these are on the wrong side.
+    pub(crate) wrong: Vec<usize>,
+    /// By no more than that.
+    rounded: Vec<usize>,
+}
+
+impl Violators {
+    /// One pass.
+    pub(crate) fn of(reduced: &Reduced<'_>, point: &Stationary, free: &FreeSet) -> Self {
+        let values = point.x.iter().zip(&point.gradient).zip(free.iter()).enumerate();
+        let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
+        let doubtful: Vec<(usize, bool)> = negative.map(|(k, (_, free))| (k, free)).collect();
+        // Sizes of a million numbers are wanted only if one of them is on the wrong side.
+        if doubtful.is_empty() {
+            return Self { wrong: Vec::new(), rounded: Vec::new() };
+        }
+        let signs = Signs::at(reduced, point);
+        let is_wrong =
+            |&(k, free): &(usize, bool)| if free { point.x[k] < signs.x } else { point.gradient[k] < signs.gradient };
+        let (wrong, rounded): (Vec<_>, Vec<_>) = doubtful.into_iter().partition(is_wrong);
+        let places = |doubtful: Vec<(usize, bool)>| doubtful.into_iter().map(|(k, _)| k).collect();
+        Self { wrong: places(wrong), rounded: places(rounded) }
+    }
+
+    /// An optimal point without the rounding below zero.
+    pub(crate) fn clipped(&self, mut point: Stationary) -> Stationary {
+        for &k in &self.rounded {
+            point.x[k] = point.x[k].max(0.0);
+            point.gradient[k] = point.gradient[k].max(0.0);
+        }
+        point
+    }
+}
+
+/// Of each run of neighbours with a negative value the one with the smallest: of gradients, those to release.
+pub(super) fn steepest(variables: &[usize], values: &[f64]) -> Vec<usize> {
+    let steep: Vec<usize> = variables.iter().copied().filter(|&k| values[k] < 0.0).collect();
+    let runs = steep.chunk_by(|i, j| i + 1 == *j);
+    runs.filter_map(|run| run.iter().copied().min_by(|&i, &j| values[i].total_cmp(&values[j]))).collect()
+}
+
+/// Changes the free variables until the point is optimal. Returns it, and whether nothing is on the wrong side; `solves` counts.
+pub(crate) fn descend(
+    reduced: &mut Reduced<'_>,
+    free: &mut FreeSet,
+    solves: &mut usize,
+) -> Result<(Stationary, bool), NotPositiveDefinite> {
+    let exhausted = *solves + EXHAUSTED[0] + EXHAUSTED[1] * free.dimension();
+    let mut point = feasible(reduced, free, solves)?;
+    loop {
+        let violators = Violators::of(reduced, &point, free);
+        if violators.wrong.is_empty() {
+            return Ok((violators.clipped(point), true));
+        }
+        if exhausted < *solves {
+            return Ok((point, false));
+        }
+        let released = steepest(&violators.wrong, &point.gradient);
+        let mut larger = free.clone();
+        released.into_iter().for_each(|i| larger.set(i, true));
+        free.clone_from(&larger);
+        let next = feasible(reduced, free, solves)?;
+        if change(&point, &next) < 0.0 {
+            point = next;
+        } else {
+            *free = larger;
+            point = walk(reduced, point, free, solves)?;
+        }
+    }
+}
+
+/// Drops the most negative of each run until nothing comes out negative.
+fn feasible(
+    reduced: &mut Reduced<'_>,
+    free: &mut FreeSet,
+    solves: &mut usize,
+) -> Result<Stationary, NotPositiveDefinite> {
+    loop {
+        *solves += 1;
+        let point = (reduced.point)(free)?;
+        let least = Signs::at(reduced, &point).x;
+        let negative: Vec<usize> = free.variables().filter(|&i| point.x[i] < least).collect();
+        if negative.is_empty() {
+            return Ok(point);
+        }
+        steepest(&negative, &point.x).into_iter().for_each(|i| free.set(i, false));
+    }
+}
+
+/// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way.
+fn walk(
+    reduced: &mut Reduced<'_>,
+    from: Stationary,
+    free: &mut FreeSet,
+    solves: &mut usize,
+) -> Result<Stationary, NotPositiveDefinite> {
+    let mut x: Vec<f64> = from.x.into_iter().map(|x| x.max(0.0)).collect();
+    loop {
+        *solves += 1;
+        let target = (reduced.point)(free)?;
+        let least = Signs::at(reduced, &target).x;
+        let way = |i: usize| x[i] / (x[i] - target.x[i]);
+        let blocked: Vec<usize> = free.variables().filter(|&i| target.x[i] < least && target.x[i] < x[i]).collect();
+        let step = blocked.iter().map(|&i| way(i)).fold(1.0, f64::min);
+        let blocking: Vec<usize> = blocked.into_iter().filter(|&i| way(i) <= step).collect();
+        if blocking.is_empty() {
+            return Ok(target);
+        }
+        for (x, target) in x.iter_mut().zip(&target.x) {
+            *x = (*x + step * (target - *x)).max(0.0);
+        }
+        for i in blocking {
+            x[i] = 0.0;
+            free.set(i, false);
+        }
+    }
+}
+
+/// By how much the objective changes from one face minimum to another.
+fn change(from: &Stationary, to: &Stationary) -> f64 {
+    let terms = from.x.iter().zip(&from.gradient).zip(to.x.iter().zip(&to.gradient));
+    0.5 * terms.map(|((x, g), (next_x, next_g))| g * next_x - next_g * x).sum::<f64>()
 }

@@ -4,14 +4,14 @@
 //! minimise ½ zᵀ P z + cᵀ z   subject to   E z + 0 = e,   −z_k + s_k = 0, s ≥ 0 for the variables with a sign
 //! ```
 //!
-//! in the [sparse form](crate::problem::Native) of a programme, or that of its matrix if it has no other. The multipliers of
+//! in the [sparse form](crate::qp::SparseForm) of a program, or that of its matrix if it has no other. The multipliers of
 //! the signs are the gradient.
 
 use ::clarabel::algebra::CscMatrix;
 use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
 
-use super::{Answer, OwnResidual, native};
-use crate::problem::{Programme, UpperColumns};
+use super::{Answer, OwnResidual, sparse_form};
+use crate::qp::{Qp, UpperColumns};
 
 /// What the library adds to the diagonal before it factorises; it is taken back by refinement.
 const REGULARISATION: f64 = 1e-10;
@@ -31,7 +31,7 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
         reduced_tol_gap_abs: 1e-8,
         reduced_tol_gap_rel: 1e-8,
         reduced_tol_feas: 1e-8,
-        // The programme is dimensionless already, and equilibration would shift the meaning of the tolerances.
+        // The program is dimensionless already, and equilibration would shift the meaning of the tolerances.
         equilibrate_enable: false,
         // With the default of 1e-8 the equations of 3000 intervals and more are too soft; with 1e-12 those of 30 000 too
         // hard for a factorisation without pivoting.
@@ -53,32 +53,32 @@ pub(super) fn words(tolerance: f64) -> String {
 }
 
 /// Solves with clarabel.
-pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
-    let native = match native(programme) {
-        Ok(native) => native,
-        Err(words) => return Answer::refused(programme.dimension(), words),
+pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
+    let form = match sparse_form(qp) {
+        Ok(form) => form,
+        Err(words) => return Answer::refused(qp.dimension(), words),
     };
-    let (n, m, r) = (programme.dimension(), native.linear.len(), native.right.len());
-    let (starts, rows, values) = native.constraints(-1.0);
+    let (n, m, r) = (qp.dimension(), form.linear.len(), form.right.len());
+    let (starts, rows, values) = form.constraints(-1.0);
     let constraints = CscMatrix::new(r + n, m, starts, rows, values);
-    let UpperColumns { starts, rows, values } = native.quadratic.clone();
+    let UpperColumns { starts, rows, values } = form.quadratic.clone();
     let quadratic = CscMatrix::new(m, m, starts, rows, values);
-    let right: Vec<f64> = native.right.iter().copied().chain(std::iter::repeat_n(0.0, n)).collect();
+    let right: Vec<f64> = form.right.iter().copied().chain(std::iter::repeat_n(0.0, n)).collect();
     let cones = [ZeroConeT(r), NonnegativeConeT(n)];
     let settings = settings(tolerance);
     let asked = settings.tol_feas;
-    let mut solver = match DefaultSolver::new(&quadratic, &native.linear, &constraints, &right, &cones, settings) {
+    let mut solver = match DefaultSolver::new(&quadratic, &form.linear, &constraints, &right, &cones, settings) {
         Ok(solver) => solver,
         Err(error) => return Answer::refused(n, error.to_string()),
     };
     solver.solve();
     let solution = &solver.solution;
     Answer {
-        x: solution.x[native.signed..].iter().map(|y| y * native.sizes.x).collect(),
-        gradient: solution.z[r..].iter().map(|z| z * native.sizes.gradient).collect(),
+        x: solution.x[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
+        gradient: solution.z[r..].iter().map(|z| z * form.sizes.gradient).collect(),
         claims_success: claims_success(solution.status),
         words: format!("{:?}", solution.status),
-        own_residual: Some(OwnResidual::of_clarabel(&native, [&solution.x, &solution.z, &solution.s], asked)),
+        own_residual: Some(OwnResidual::of_clarabel(&form, [&solution.x, &solution.z, &solution.s], asked)),
         iterations: solution.iterations as usize,
         work: solution.iterations as usize * n,
     }

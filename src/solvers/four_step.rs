@@ -18,19 +18,19 @@
 // Where two components are equally small, as mirror images are, the first of them is set to zero.
 
 use super::Answer;
-use crate::problem::{NotPositiveDefinite, Programme, Stationary};
+use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
 /// Largest dimension for which the four steps are tried: they take up to n solves of O(n) operations each.
 const LARGEST: usize = 10_000;
 
 /// Runs the four steps.
-pub(super) fn solve(programme: &dyn Programme) -> Answer {
-    let n = programme.dimension();
+pub(super) fn solve(qp: &dyn Qp) -> Answer {
+    let n = qp.dimension();
     if LARGEST < n {
         return Answer::refused(n, format!("not tried: up to {n} solves, {LARGEST} is the limit of this solver"));
     }
     let mut rounds = 0;
-    match four_steps(programme, &mut rounds) {
+    match four_steps(qp, &mut rounds) {
         Ok(point) => Answer {
             x: point.x,
             gradient: point.gradient,
@@ -45,21 +45,21 @@ pub(super) fn solve(programme: &dyn Programme) -> Answer {
 }
 
 // Report: four-step
-fn four_steps(programme: &dyn Programme, rounds: &mut usize) -> Result<Stationary, NotPositiveDefinite> {
-    let mut free = vec![true; programme.dimension()];
+fn four_steps(qp: &dyn Qp, rounds: &mut usize) -> Result<Stationary, NotPositiveDefinite> {
+    let mut free = FreeSet::all(qp.dimension());
     loop {
         *rounds += 1;
         // 1° Solve A x = b on the variables that are not yet set to zero.
-        let point = programme.stationary(&free)?;
+        let point = qp.stationary(&free)?;
         // 2° If x ≥ 0, stop.
         let Some(i) = smallest_negative(&point.x, &free) else { return Ok(point) };
         // 3° Set the smallest component of x to zero; 4° go to 1°.
-        free[i] = false;
+        free.set(i, false);
     }
 }
 
 /// The smallest negative component among the free ones, the first of equal ones.
-fn smallest_negative(x: &[f64], free: &[bool]) -> Option<usize> {
-    (0..x.len()).filter(|&i| free[i] && x[i] < 0.0).min_by(|&i, &j| x[i].total_cmp(&x[j]))
+fn smallest_negative(x: &[f64], free: &FreeSet) -> Option<usize> {
+    free.variables().filter(|&i| x[i] < 0.0).min_by(|&i, &j| x[i].total_cmp(&x[j]))
 }
 // Report: end

@@ -1,24 +1,113 @@
-//! Solvers of the programme (32): two of the paper and one of ours by hand, two libraries. They know algorithms, and of
-//! the programme only what [`Programme`] says.
+//! Solvers of the quadratic program (32): two of the paper and one of ours by hand, two libraries. They know algorithms, and
+//! of the program only what [`Qp`] says.
 
-mod active_set;
+pub(crate) mod active_set;
 #[cfg(feature = "clarabel")]
 mod clarabel;
-mod descent;
 mod four_step;
-mod neighbourhood;
 mod nsor;
 #[cfg(feature = "osqp")]
 mod osqp;
 mod own_residual;
-mod solver;
 
 pub use own_residual::OwnResidual;
-pub use solver::Solver;
+
+use std::fmt;
 
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
-use crate::problem::Native;
-use crate::problem::Programme;
+use crate::qp::SparseForm;
+use crate::qp::{FreeSet, Qp};
+
+/// The solvers of the quadratic program (32). A solver that is not part of a build has no name in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Solver {
+    /// The paper's own algorithm, as printed; it may stop at a point that is not optimal.
+    FourStep,
+    /// Block principal pivoting with a finite fallback, by hand.
+    ActiveSet,
+    /// Projected successive over-relaxation, by hand.
+    Nsor,
+    /// The interior-point solver `clarabel`, with the feature of that name.
+    #[cfg(feature = "clarabel")]
+    Clarabel,
+    /// The operator-splitting solver `osqp`, with the feature of that name.
+    #[cfg(feature = "osqp")]
+    Osqp,
+}
+
+/// How many of the libraries are part of this build.
+const LIBRARIES: usize = cfg!(feature = "clarabel") as usize + cfg!(feature = "osqp") as usize;
+
+impl Solver {
+    /// All of them.
+    pub const ALL: [Self; 3 + LIBRARIES] = [
+        Self::FourStep,
+        Self::ActiveSet,
+        Self::Nsor,
+        #[cfg(feature = "clarabel")]
+        Self::Clarabel,
+        #[cfg(feature = "osqp")]
+        Self::Osqp,
+    ];
+
+    /// Those that are meant to reach the optimum: all but the paper's four steps.
+    pub const OPTIMAL: [Self; 2 + LIBRARIES] = [
+        Self::ActiveSet,
+        Self::Nsor,
+        #[cfg(feature = "clarabel")]
+        Self::Clarabel,
+        #[cfg(feature = "osqp")]
+        Self::Osqp,
+    ];
+
+    /// The word that command line, JSON and report use.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::FourStep => "four-step",
+            Self::ActiveSet => "active-set",
+            Self::Nsor => "nsor",
+            #[cfg(feature = "clarabel")]
+            Self::Clarabel => "clarabel",
+            #[cfg(feature = "osqp")]
+            Self::Osqp => "osqp",
+        }
+    }
+
+    /// Solves a quadratic program. `tolerance` is the scaled residual at which an iterative solver may stop.
+    #[must_use]
+    pub fn run(self, qp: &dyn Qp, tolerance: f64) -> Answer {
+        match self {
+            Self::FourStep => four_step::solve(qp),
+            Self::ActiveSet => active_set::solve(qp),
+            Self::Nsor => nsor::solve(qp, tolerance),
+            #[cfg(feature = "clarabel")]
+            Self::Clarabel => clarabel::solve(qp, tolerance),
+            #[cfg(feature = "osqp")]
+            Self::Osqp => osqp::solve(qp, tolerance),
+        }
+    }
+
+    /// What the solver is set to when it is asked for `tolerance`, in words.
+    #[must_use]
+    pub fn settings(self, tolerance: f64) -> String {
+        match self {
+            Self::FourStep => "nothing to set; at most n + 1 rounds".to_owned(),
+            Self::ActiveSet => active_set::words(),
+            Self::Nsor => nsor::words(tolerance),
+            #[cfg(feature = "clarabel")]
+            Self::Clarabel => clarabel::words(tolerance),
+            #[cfg(feature = "osqp")]
+            Self::Osqp => osqp::words(tolerance),
+        }
+    }
+}
+
+impl fmt::Display for Solver {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
 
 /// What a solver hands back. None of it is believed before the judge has seen it.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,53 +143,10 @@ impl Answer {
     }
 }
 
-impl Solver {
-    /// Solves `programme`. `tolerance` is the scaled residual at which an iterative solver may stop.
-    #[must_use]
-    pub fn run(self, programme: &dyn Programme, tolerance: f64) -> Answer {
-        match self {
-            Self::FourStep => four_step::solve(programme),
-            Self::ActiveSet => active_set::solve(programme),
-            Self::Nsor => nsor::solve(programme, tolerance),
-            #[cfg(feature = "clarabel")]
-            Self::Clarabel => clarabel::solve(programme, tolerance),
-            #[cfg(feature = "osqp")]
-            Self::Osqp => osqp::solve(programme, tolerance),
-        }
-    }
-}
-
-/// The active set from a guess of the face: `free[i]` is false where `x_i = 0` is expected.
+/// The active set from a guess of the free variables.
 #[must_use]
-pub fn active_set_from(programme: &dyn Programme, free: Vec<bool>) -> Answer {
-    active_set::solve_from(programme, free).0
-}
-
-/// The same, and how many of the solves were of the whole.
-pub(crate) fn active_set_counted(programme: &dyn Programme, free: Vec<bool>) -> (Answer, usize) {
-    let (answer, cost) = active_set::solve_from(programme, free);
-    (answer, cost.whole)
-}
-
-/// A guess of the optimal face from that of a coarser problem.
-pub(crate) fn guess_from(programme: &dyn Programme, free: Vec<bool>) -> active_set::Guess {
-    active_set::guess_from(programme, free)
-}
-
-impl Solver {
-    /// What the solver is set to when it is asked for `tolerance`, in words.
-    #[must_use]
-    pub fn settings(self, tolerance: f64) -> String {
-        match self {
-            Self::FourStep => "nothing to set; at most n + 1 rounds".to_owned(),
-            Self::ActiveSet => active_set::words(),
-            Self::Nsor => nsor::words(tolerance),
-            #[cfg(feature = "clarabel")]
-            Self::Clarabel => clarabel::words(tolerance),
-            #[cfg(feature = "osqp")]
-            Self::Osqp => osqp::words(tolerance),
-        }
-    }
+pub fn active_set_from(qp: &dyn Qp, free: FreeSet) -> Answer {
+    active_set::solve_from(qp, free)
 }
 
 /// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
@@ -109,28 +155,28 @@ const LARGEST_MATRIX: usize = 2000;
 
 /// The sparse form for a library; from the matrix if the quadratic program has no other, or why it is not tried.
 ///
-/// Both libraries fail on a programme without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
+/// Both libraries fail on a program without unknowns (clarabel panics), and on NaN (osqp calls `x = 0` solved);
 /// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
-fn native(programme: &dyn Programme) -> Result<Native, String> {
-    if programme.dimension() == 0 {
+fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
+    if qp.dimension() == 0 {
         return Err("not tried: the quadratic program has no unknowns".to_owned());
     }
-    let native = match programme.native() {
-        Some(native) => native,
-        None => match too_large(programme) {
+    let form = match qp.sparse() {
+        Some(form) => form,
+        None => match too_large(qp) {
             Some(words) => return Err(words),
-            None => Native::of_matrix(programme),
+            None => SparseForm::of_matrix(qp),
         },
     };
-    let words = if !native.is_finite() {
+    let words = if !form.is_finite() {
         "not tried: the quadratic program has numbers that are not finite"
-    } else if !native.is_within(INFINITE) {
+    } else if !form.is_within(INFINITE) {
         "not tried: the quadratic program has numbers beyond 1e20, which the library takes for infinite"
-    } else if native.has_negative_diagonal() {
+    } else if form.has_negative_diagonal() {
         "not tried: the matrix of the quadratic program is not positive definite"
     } else {
-        return Ok(native);
+        return Ok(form);
     };
     Err(words.to_owned())
 }
@@ -140,8 +186,8 @@ fn native(programme: &dyn Programme) -> Result<Native, String> {
 const INFINITE: f64 = 1e20;
 
 /// Why a solver is not tried that would need a larger matrix, if it would.
-fn too_large(programme: &dyn Programme) -> Option<String> {
-    let n = programme.dimension();
+fn too_large(qp: &dyn Qp) -> Option<String> {
+    let n = qp.dimension();
     (LARGEST_MATRIX < n)
         .then(|| format!("not tried: a matrix of {n} unknowns, {LARGEST_MATRIX} is the limit of this solver"))
 }

@@ -18,7 +18,7 @@
 // We try the factors listed in `nsor.rs` and stop on the scaled residual of the optimality conditions.
 
 use super::{Answer, too_large};
-use crate::problem::{Matrix, Programme, residual};
+use crate::qp::{Matrix, Qp, residual};
 
 /// Relaxation factors that start.
 const FACTORS: [f64; 9] = [1.0, 1.2, 1.4, 1.6, 1.7, 1.8, 1.85, 1.9, 1.95];
@@ -49,14 +49,14 @@ pub(super) fn words(tolerance: f64) -> String {
 }
 
 /// Runs NSOR until the scaled residual is at most `tolerance`, or the budget is used up.
-pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
-    if let Some(words) = too_large(programme) {
-        return Answer::refused(programme.dimension(), words);
+pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
+    if let Some(words) = too_large(qp) {
+        return Answer::refused(qp.dimension(), words);
     }
-    let relaxation = Relaxation { programme, matrix: programme.matrix(), linear: programme.linear() };
-    let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * programme.dimension()))
+    let relaxation = Relaxation { qp, matrix: qp.matrix(), linear: qp.linear() };
+    let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * qp.dimension()))
         .max(FACTORS.len() * SWEEPS_PER_LOOK);
-    let mut race = FACTORS.map(|factor| Candidate::new(factor, programme.dimension())).to_vec();
+    let mut race = FACTORS.map(|factor| Candidate::new(factor, qp.dimension())).to_vec();
     let (mut sweeps, mut round) = (0, FIRST_ROUND);
     let mut winner = None;
     while winner.is_none() && sweeps < limit && !race.iter().all(Candidate::cycles) {
@@ -89,7 +89,7 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         format!("not converged: residual {residual:.1e} after {sweeps} sweeps, at last with ω = {factor}{end}")
     };
     Answer {
-        gradient: programme.gradient(&x),
+        gradient: qp.gradient(&x),
         claims_success: winner.is_some(),
         words,
         own_residual: None,
@@ -140,7 +140,7 @@ impl Cycle {
 }
 
 struct Relaxation<'a> {
-    programme: &'a dyn Programme,
+    qp: &'a dyn Qp,
     matrix: Matrix,
     linear: Vec<f64>,
 }
@@ -160,7 +160,7 @@ impl Relaxation<'_> {
         for _ in 0..SWEEPS_PER_LOOK {
             self.sweep(*factor, x);
         }
-        *found = residual(self.programme.sizes(), x, &self.programme.gradient(x));
+        *found = residual(self.qp.sizes(), x, &self.qp.gradient(x));
         cycle.look(x);
     }
     // Report: end

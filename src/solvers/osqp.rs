@@ -4,13 +4,13 @@
 //! minimise ½ zᵀ P z + cᵀ z   subject to   e ≤ E z ≤ e,   0 ≤ z_k ≤ ∞ for the variables with a sign
 //! ```
 //!
-//! in the [sparse form](crate::problem::Native) of a programme, or that of its matrix if it has no other. The multipliers of
+//! in the [sparse form](crate::qp::SparseForm) of a program, or that of its matrix if it has no other. The multipliers of
 //! the signs are the gradient with the opposite sign.
 
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
-use super::{Answer, OwnResidual, native};
-use crate::problem::{Programme, UpperColumns};
+use super::{Answer, OwnResidual, sparse_form};
+use crate::qp::{Qp, UpperColumns};
 
 /// What the library takes for infinity (`OSQP_INFTY`).
 const INFINITY: f64 = 1e30;
@@ -53,24 +53,24 @@ fn settings(tolerance: f64, entries: usize) -> Settings {
 }
 
 /// Solves with osqp.
-pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
-    let native = match native(programme) {
-        Ok(native) => native,
+pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
+    let form = match sparse_form(qp) {
+        Ok(form) => form,
         // The library takes NaN without complaint and calls x = 0 solved.
-        Err(words) => return Answer::refused(programme.dimension(), words),
+        Err(words) => return Answer::refused(qp.dimension(), words),
     };
-    let (n, m, r) = (programme.dimension(), native.linear.len(), native.right.len());
-    let (starts, rows, values) = native.constraints(1.0);
+    let (n, m, r) = (qp.dimension(), form.linear.len(), form.right.len());
+    let (starts, rows, values) = form.constraints(1.0);
     // Factors of these matrices have up to about four entries for each of theirs.
-    let entries = 4 * (values.len() + native.quadratic.values.len());
+    let entries = 4 * (values.len() + form.quadratic.values.len());
     let constraints =
         CscMatrix { nrows: r + n, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
-    let UpperColumns { starts, rows, values } = native.quadratic.clone();
+    let UpperColumns { starts, rows, values } = form.quadratic.clone();
     let quadratic = CscMatrix { nrows: m, ncols: m, indptr: starts.into(), indices: rows.into(), data: values.into() };
-    let (mut lower, mut upper) = (native.right.clone(), native.right.clone());
+    let (mut lower, mut upper) = (form.right.clone(), form.right.clone());
     lower.extend(vec![0.0; n]);
     upper.extend(vec![INFINITY; n]);
-    let problem = Problem::new(quadratic, &native.linear, constraints, &lower, &upper, &settings(tolerance, entries));
+    let problem = Problem::new(quadratic, &form.linear, constraints, &lower, &upper, &settings(tolerance, entries));
     let mut problem = match problem {
         Ok(problem) => problem,
         Err(error) => return Answer::refused(n, error.to_string()),
@@ -93,11 +93,11 @@ pub(super) fn solve(programme: &dyn Programme, tolerance: f64) -> Answer {
         return Answer { iterations, work: iterations * n, ..Answer::refused(n, words.to_owned()) };
     };
     Answer {
-        x: solution.x()[native.signed..].iter().map(|y| y * native.sizes.x).collect(),
-        gradient: solution.y()[r..].iter().map(|y| -y * native.sizes.gradient).collect(),
+        x: solution.x()[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
+        gradient: solution.y()[r..].iter().map(|y| -y * form.sizes.gradient).collect(),
         claims_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
         words: words.to_owned(),
-        own_residual: Some(OwnResidual::of_osqp(&native, solution.x(), solution.y(), tolerance)),
+        own_residual: Some(OwnResidual::of_osqp(&form, solution.x(), solution.y(), tolerance)),
         iterations,
         work: iterations * n,
     }

@@ -3,7 +3,7 @@
 
 #![cfg_attr(not(all(feature = "clarabel", feature = "osqp")), allow(dead_code, reason = "only libraries have one"))]
 
-use crate::problem::Native;
+use crate::qp::SparseForm;
 
 /// The residual of a library in its own norm, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,25 +29,25 @@ impl OwnResidual {
     /// The largest of clarabel's three criteria: `‖E z − e, s − z‖ / (1 ∨ ‖e‖ + ‖z‖ + ‖s‖)`,
     /// `‖P z + c + Eᵀ y − μ‖ / (1 ∨ ‖c‖ + ‖z‖ + ‖y, μ‖)` and `|zᵀ P z + cᵀ z + eᵀ y| / (1 ∨ |J|)`, with Euclidean norms of
     /// residuals and variables and the largest entries of `e` and `c`; `y, μ` are the multipliers, `s` the slacks.
-    pub(super) fn of_clarabel(native: &Native, [z, multipliers, slacks]: [&[f64]; 3], asked: f64) -> Self {
-        let (y, mu) = multipliers.split_at(native.right.len());
-        let s = &slacks[native.right.len()..];
+    pub(super) fn of_clarabel(form: &SparseForm, [z, multipliers, slacks]: [&[f64]; 3], asked: f64) -> Self {
+        let (y, mu) = multipliers.split_at(form.right.len());
+        let s = &slacks[form.right.len()..];
         let norm = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>().sqrt();
         let [of_z, of_multipliers, of_slacks] = [z, multipliers, slacks].map(norm);
         let sizes = [
-            (largest(&native.right) + of_z + of_slacks).max(1.0),
-            (largest(&native.linear) + of_z + of_multipliers).max(1.0),
+            (largest(&form.right) + of_z + of_slacks).max(1.0),
+            (largest(&form.linear) + of_z + of_multipliers).max(1.0),
         ];
         let dot = |a: &[f64], b: &[f64], part: fn(f64) -> f64| a.iter().zip(b).map(|(a, b)| part(a * b)).sum::<f64>();
         let worst = |part: fn(f64) -> f64| {
-            let [mut equations, mut gradient] = native.left(z, y, part);
-            equations.extend(z[native.signed..].iter().zip(s).map(|(z, s)| part(*s) + part(-z)));
-            gradient[native.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(-mu));
+            let [mut equations, mut gradient] = form.left(z, y, part);
+            equations.extend(z[form.signed..].iter().zip(s).map(|(z, s)| part(*s) + part(-z)));
+            gradient[form.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(-mu));
             // zᵀ P z, the gradient without its other terms.
-            let linear = dot(&native.linear, z, part);
-            let held = dot(&native.right, y, part);
+            let linear = dot(&form.linear, z, part);
+            let held = dot(&form.right, y, part);
             let bent: f64 = {
-                let [_, products] = native.left(z, &vec![0.0; y.len()], part);
+                let [_, products] = form.left(z, &vec![0.0; y.len()], part);
                 dot(&products, z, part) - linear
             };
             let objective = (0.5 * bent + linear).abs().min((0.5 * bent + held).abs()).max(1.0);
@@ -58,12 +58,12 @@ impl OwnResidual {
 
     /// The larger of osqp's two criteria: the distance of `E z` from `e` and of `z_k` from `z_k ≥ 0`, and
     /// `‖P z + c + Eᵀ y + μ‖`, both in the largest entry; `y, μ` are the multipliers.
-    pub(super) fn of_osqp(native: &Native, z: &[f64], multipliers: &[f64], asked: f64) -> Self {
-        let (y, mu) = multipliers.split_at(native.right.len());
+    pub(super) fn of_osqp(form: &SparseForm, z: &[f64], multipliers: &[f64], asked: f64) -> Self {
+        let (y, mu) = multipliers.split_at(form.right.len());
         let worst = |part: fn(f64) -> f64| {
-            let [mut equations, mut gradient] = native.left(z, y, part);
-            equations.extend(z[native.signed..].iter().map(|z| part(z.min(0.0))));
-            gradient[native.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(*mu));
+            let [mut equations, mut gradient] = form.left(z, y, part);
+            equations.extend(z[form.signed..].iter().map(|z| part(z.min(0.0))));
+            gradient[form.signed..].iter_mut().zip(mu).for_each(|(g, mu)| *g += part(*mu));
             maximum([largest(&equations), largest(&gradient)])
         };
         Self { residual: worst(|term| term), asked, rounding: ROUNDINGS * worst(f64::abs) }
@@ -83,11 +83,11 @@ fn maximum(values: impl IntoIterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::OwnResidual;
-    use crate::problem::{Native, Sizes, UpperColumns};
+    use crate::qp::{Sizes, SparseForm, UpperColumns};
 
     /// Minimise ½ z² − z over z ≥ 0: z = 1, no multiplier.
-    fn native() -> Native {
-        Native {
+    fn native() -> SparseForm {
+        SparseForm {
             quadratic: UpperColumns { starts: vec![0, 1], rows: vec![0], values: vec![1.0] },
             linear: vec![-1.0],
             equations: vec![Vec::new()],

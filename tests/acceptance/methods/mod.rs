@@ -4,5 +4,6 @@ mod agreement;
 mod digits;
 mod exact;
 mod matrices;
+mod multigrid;
 mod nodal_loads;
 mod properties;

@@ -43,7 +43,7 @@ fn solvers_never_mention_a_beam() {
 
 #[test]
 fn the_problem_knows_no_beam() {
-    let found = offenders(&room("src/problem"), |line| {
+    let found = offenders(&room("src/qp"), |line| {
         first_word_of(code(line), &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
     });
     none(&found, "the programme (32) is plain mathematics; only comments may say what it stands for");

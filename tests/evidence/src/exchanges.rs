@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::paper::scene_over;
 use crate::random::smooth;
-use palkki::problem::{NotPositiveDefinite, Programme};
+use palkki::problem::{FreeSet, NotPositiveDefinite, Programme};
 use palkki::route::Method;
 use palkki::scene::{Foundation, Scene};
 
@@ -93,7 +93,7 @@ pub fn exchanges(
     /// Of the size: far above the rounding of these small solves, far below their violations.
     const SIGN: f64 = 1e-12;
     let sizes = programme.sizes();
-    let mut free = vec![true; programme.dimension()];
+    let mut free = FreeSet::all(programme.dimension());
     let mut seen = BTreeMap::new();
     loop {
         let solves = seen.len();
@@ -101,14 +101,15 @@ pub fn exchanges(
             return Ok(End::Circle { solves, period: solves - before });
         }
         let point = programme.stationary(&free)?;
-        let dropped = (0..free.len()).filter(|&i| free[i] && point.x[i] < -SIGN * sizes.x);
-        let negative = (0..free.len()).filter(|&i| !free[i] && point.gradient[i] < -SIGN * sizes.gradient);
+        let dropped = free.variables().filter(|&i| point.x[i] < -SIGN * sizes.x);
+        let negative =
+            (0..free.dimension()).filter(|&i| !free.contains(i) && point.gradient[i] < -SIGN * sizes.gradient);
         let mut violators: Vec<usize> = dropped.collect();
         violators.extend(chosen(negative.collect(), &point.gradient));
         if violators.is_empty() {
             return Ok(End::Optimum { solves: solves + 1 });
         }
-        violators.iter().for_each(|&i| free[i] = !free[i]);
+        violators.iter().for_each(|&i| free.set(i, !free.contains(i)));
     }
 }
 

@@ -2,7 +2,7 @@
 //! acceptance suite and by the report.
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
-use palkki::problem::{Matrix, NotPositiveDefinite, Programme, Sizes, Stationary, residual};
+use palkki::problem::{FreeSet, Matrix, NotPositiveDefinite, Programme, Sizes, Stationary, residual};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
@@ -100,7 +100,7 @@ impl Programme for Banded {
         self.linear.iter().enumerate().map(|(i, b)| matrix.row_times(i, x) - b).collect()
     }
 
-    fn stationary(&self, _: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
+    fn stationary(&self, _: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
         Err(NotPositiveDefinite { index: 0, pivot: f64::NAN })
     }
 

@@ -6,6 +6,7 @@ use std::time::Instant;
 use palkki::adaptive::{End, Request, adapt};
 use palkki::certificate::Kkt;
 use palkki::methods::{Discrete, Method, contact_state};
+use palkki::problem::FreeSet;
 use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::{OwnResidual, Solver};
@@ -162,7 +163,7 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
     let start = Instant::now();
     let sizes = programme.sizes();
     // In contact where the force is larger than the clearance, each in its own measure.
-    let touching: Vec<bool> =
+    let touching: FreeSet =
         answer.x.iter().zip(&answer.gradient).map(|(p, h)| h / sizes.gradient < p / sizes.x).collect();
     let (x, gradient) = match programme.stationary(&touching) {
         Ok(point) => (point.x, point.gradient),

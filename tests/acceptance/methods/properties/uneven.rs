@@ -3,13 +3,12 @@
 use palkki::methods::Discrete;
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Foundation, Scene};
-use palkki::solvers::active_set_from;
 use palkki::state::Regime;
 use palkki_evidence::paper::uneven::{Unevenness, scenes};
 use palkki_evidence::random::Random;
 
 use super::some;
-use crate::scenes::{apart, nodes, run, uniform};
+use crate::scenes::{nodes, run, uniform};
 
 /// All the random scenes there are: waves, rough polylines, and both with all kinds of load.
 fn all() -> Vec<Scene> {
@@ -75,33 +74,6 @@ fn the_active_set_ends_where_full_exchanges_wander() {
         assert_eq!(outcome.status, Status::Certified, "{method}: {:.1e}", outcome.residual);
     }
 }
-
-/// `solve` starts the active set from the contact of a coarser grid; the optimum is unique, whatever it is found from.
-#[test]
-fn the_start_does_not_change_the_answer() {
-    for scene in all().iter().step_by(9) {
-        let scaled = scene.scaled().expect("numbers in range");
-        let discrete = Discrete::new(&scaled.scene, 170).expect("enough intervals");
-        for method in Method::ALL {
-            let programme = method.programme(&discrete);
-            let from_above = Solver::ActiveSet.run(programme.as_ref(), 0.0);
-            let held = active_set_from(programme.as_ref(), vec![false; programme.dimension()]);
-            let nested = run(scene, method, Solver::ActiveSet, 170);
-            let direct = method.nodal(&discrete, from_above.x.clone(), from_above.gradient.clone());
-            let sizes = programme.sizes();
-            assert!(from_above.claims_success && held.claims_success, "{method}");
-            assert!(apart(&from_above.x, &held.x) <= SAME_POINT * sizes.x, "{method}: started from no free variable");
-            let forces: Vec<f64> = direct.contact_force.iter().map(|p| p * scaled.scale.force).collect();
-            let load = scene.load().magnitude(scene.beam().length());
-            let error = apart(&nodes(&nested).contact_force, &forces) / load;
-            assert!(error <= SAME_POINT, "{method}: started from a coarser grid, off by {error:.1e}");
-        }
-    }
-}
-
-/// The same contact set gives the same bits; where a node is at the border of contact two sets give the same point to
-/// rounding, a few thousand units in the last place.
-const SAME_POINT: f64 = 1e-12;
 
 /// Wherever the four steps stop, no variable is negative and the free ones have no gradient: on the edge, and stationary there.
 #[test]

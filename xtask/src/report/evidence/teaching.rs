@@ -3,6 +3,7 @@
 use minijinja::{Value, context};
 use palkki::certificate::{Judged, certify};
 use palkki::methods::{Discrete, Method};
+use palkki::problem::FreeSet;
 use palkki::route::{Solver, Status};
 use palkki::scene::Scene;
 use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
@@ -57,11 +58,11 @@ type Rounds = Vec<(Vec<f64>, Option<usize>)>;
 /// solver.
 fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
     let programme = Method::Complementarity.programme(discrete);
-    let mut free = vec![true; programme.dimension()];
+    let mut free = FreeSet::all(programme.dimension());
     let mut rounds: Rounds = Vec::new();
     loop {
         let point = programme.stationary(&free)?;
-        let negative = (0..free.len()).filter(|&i| free[i] && point.x[i] < 0.0);
+        let negative = free.variables().filter(|&i| point.x[i] < 0.0);
         let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
         rounds.push((point.x, smallest));
         let Some(smallest) = smallest else {
@@ -71,7 +72,7 @@ fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
             }
             return Ok((rounds, point.gradient.iter().map(|p| p * discrete.spacing).collect()));
         };
-        free[smallest] = false;
+        free.set(smallest, false);
     }
 }
 
@@ -98,6 +99,14 @@ fn four_steps(scene: &Scene) -> Result<Value, Cause> {
     })
 }
 
+/// The node that pulls most, the round in which it was held, and the next node to the right that was held already.
+fn pulling(rounds: &Rounds, forces: &[f64]) -> Option<[usize; 3]> {
+    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j]))?;
+    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst))?;
+    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
+    Some([worst, round, before.filter(|i| worst < *i).min()?])
+}
+
 /// Exercise 3: the first grid on which the four steps fail, beside the one before.
 fn failure(scene: &Scene) -> Result<Value, Cause> {
     let run = |solver: Solver, n: usize| solve(scene, &Settings::new(Method::Complementarity, solver, n));
@@ -112,12 +121,20 @@ fn failure(scene: &Scene) -> Result<Value, Cause> {
         table = table.row(row.into_iter().chain(reactions));
     }
     let discrete = Discrete::new(scene, intervals)?;
-    let (rounds, forces) = rounds(&discrete)?;
-    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j])).ok_or("there are nodes")?;
-    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst)).ok_or("a node pulls that is free")?;
-    // The next node to the right that was held already in that round.
-    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
-    let held = before.filter(|i| worst < *i).min().ok_or("no node was held before")?;
+    let (mut rounds, mut forces) = rounds(&discrete)?;
+    // Scene and grid are symmetric, and rounding decides on which side the four steps begin: the exercise tells it from the left.
+    let found = match pulling(&rounds, &forces) {
+        Some(found) => found,
+        None => {
+            forces.reverse();
+            for (x, smallest) in &mut rounds {
+                x.reverse();
+                *smallest = smallest.map(|i| forces.len() - 1 - i);
+            }
+            pulling(&rounds, &forces).ok_or("no node was held before")?
+        }
+    };
+    let [worst, round, held] = found;
     let best = run(Solver::ActiveSet, intervals)?;
     Ok(context! {
         intervals,

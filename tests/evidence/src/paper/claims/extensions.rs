@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use palkki::methods::{Method, flexibility};
-use palkki::problem::{Dense, Programme, Sizes, residual};
+use palkki::problem::{Dense, FreeSet, Programme, Sizes, residual};
 use palkki::scene::{Foundation, SceneError};
 use palkki::solvers::Solver;
 use palkki::{Settings, solve};
@@ -190,7 +190,7 @@ pub fn unknown_rigid_motion() -> Result<Unsupported, SceneError> {
     };
     Ok(Unsupported {
         rigid_motions: eigenvalues.iter().filter(|e| e.abs() <= 1e-9 * largest).count(),
-        first_step_works: programme.stationary(&vec![true; n + 2]).is_ok(),
+        first_step_works: programme.stationary(&FreeSet::all(n + 2)).is_ok(),
     })
 }
 

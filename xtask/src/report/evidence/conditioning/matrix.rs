@@ -1,7 +1,7 @@
 //! What the matrices themselves are worth: `A`, `K` or `C` factorised on the optimal contact set, contact forces from (33).
 
 use palkki::methods::{Discrete, Method, contact_state};
-use palkki::problem::{Band, Dense, Matrix, Programme};
+use palkki::problem::{Band, Dense, FreeSet, Matrix, Programme, Row};
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 
@@ -19,7 +19,7 @@ pub(super) fn solved(scene: &Scene, method: Method, touches: &[bool]) -> Result<
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals)?;
     let programme = method.programme(&discrete);
-    let free: Vec<bool> = touches.iter().map(|&touches| touches == (method == Method::Force)).collect();
+    let free: FreeSet = touches.iter().map(|&touches| touches == method.is_free_in_contact()).collect();
     let point = match programme.matrix() {
         Matrix::Dense(matrix) => {
             let dense = Dense { matrix, linear: programme.linear().into(), sizes: programme.sizes() };
@@ -36,18 +36,15 @@ pub(super) fn solved(scene: &Scene, method: Method, touches: &[bool]) -> Result<
 }
 
 /// `A_ff x_f = b_f` by a banded factorisation.
-fn on_band(programme: &dyn Programme, matrix: &Matrix, free: &[bool]) -> Option<Vec<f64>> {
-    let chosen: Vec<usize> = (0..free.len()).filter(|&i| free[i]).collect();
-    let mut band = Band::<3>::zeros(chosen.len());
-    for (k, &i) in chosen.iter().enumerate() {
-        for (l, &j) in chosen.iter().enumerate().skip(k).take_while(|&(_, &j)| j <= i + 2) {
-            band.add(k, l, matrix.entry(i, j));
-        }
-    }
+fn on_band(programme: &dyn Programme, matrix: &Matrix, free: &FreeSet) -> Option<Vec<f64>> {
+    let chosen: Vec<usize> = free.variables().collect();
     let linear = programme.linear();
-    let mut solved: Vec<f64> = chosen.iter().map(|&i| linear[i]).collect();
-    band.solve(&mut [&mut solved]).ok()?;
-    let mut x = vec![0.0; free.len()];
-    chosen.iter().zip(solved).for_each(|(&i, value)| x[i] = value);
+    let mut equations = Band::with_capacity(chosen.len());
+    for (k, &i) in chosen.iter().enumerate() {
+        let above = [k + 1, k + 2].map(|l| chosen.get(l).map_or(0.0, |&j| matrix.entry(i, j)));
+        equations.push(Row { diagonal: matrix.entry(i, i), above, right: linear[i] }).ok()?;
+    }
+    let mut x = vec![0.0; free.dimension()];
+    chosen.iter().zip(equations.solve()).for_each(|(&i, value)| x[i] = value);
     Some(x)
 }

@@ -1,4 +1,4 @@
-//! The quadratic programme (32), in plain mathematics:
+//! The quadratic program (32), in plain mathematics:
 //!
 //! ```text
 //! minimise ½ xᵀ A x − bᵀ x   subject to   x ≥ 0
@@ -11,20 +11,23 @@
 //! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows nothing of
 //! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
-use std::ops::Range;
-
+mod band;
 mod dense;
-mod ldl;
+mod free_set;
 mod matrix;
-mod native;
+mod sparse;
 
+pub use band::{Band, NotPositiveDefinite, Row};
 pub use dense::Dense;
-pub use ldl::{Band, NotPositiveDefinite};
+pub use free_set::FreeSet;
 pub use matrix::{Matrix, UpperColumns};
-pub use native::Native;
+pub use sparse::SparseForm;
 
-/// A programme (32) that can use its structure.
-pub trait Programme {
+/// The name that [`Qp`] has in other rooms.
+pub use Qp as Programme;
+
+/// A quadratic program (32) that can use its structure.
+pub trait Qp {
     /// `n`, the number of variables; at least 1.
     fn dimension(&self) -> usize;
 
@@ -34,8 +37,8 @@ pub trait Programme {
     /// The vector `b`, length n.
     fn linear(&self) -> Vec<f64>;
 
-    /// The programme in the variables in which it is sparse, if it has such.
-    fn native(&self) -> Option<Native> {
+    /// The program in the variables in which it is sparse, if it has such.
+    fn sparse(&self) -> Option<SparseForm> {
         None
     }
 
@@ -44,42 +47,12 @@ pub trait Programme {
     /// An implementation uses the structure of its problem, so that fewer digits are lost than by the product.
     fn gradient(&self, x: &[f64]) -> Vec<f64>;
 
-    /// Step 1° of the paper's algorithm on the free variables: `x_i = 0` where `free[i]` is false, `g_i = 0` where it is
-    /// true.
+    /// Step 1° of the paper's algorithm on the free variables: `g_i = 0` where `x_i` is free, `x_i = 0` elsewhere.
     ///
     /// # Errors
     ///
     /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
-    fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite>;
-
-    /// The same point, but only at the variables of `range`, which are alone in the result.
-    ///
-    /// For problems in which a change of the face is felt in its neighbourhood only. What comes back is the whole point up to
-    /// rounding.
-    ///
-    /// # Errors
-    ///
-    /// [`NotPositiveDefinite`] as above.
-    fn stationary_near(&self, free: &[bool], range: Range<usize>) -> Result<Stationary, NotPositiveDefinite> {
-        let Stationary { x, gradient } = self.stationary(free)?;
-        Ok(Stationary { x: x[range.clone()].to_vec(), gradient: gradient[range].to_vec() })
-    }
-
-    /// Whether [`stationary_near`](Self::stationary_near) is cheaper than the whole.
-    fn has_neighbourhoods(&self) -> bool {
-        false
-    }
-
-    /// The programme in the gradient, up to units, if there is one that [has neighbourhoods](Self::has_neighbourhoods):
-    ///
-    /// ```text
-    /// minimise ½ gᵀ A⁻¹ g + bᵀ A⁻¹ g   subject to   g ≥ 0,      with the gradient A⁻¹ (g + b) = x
-    /// ```
-    ///
-    /// Free is there what is not free here, and the optimum is the same.
-    fn dual(&self) -> Option<Box<dyn Programme + '_>> {
-        None
-    }
+    fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite>;
 
     /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing. Zero if signs
     /// can be taken at their word.
@@ -93,7 +66,7 @@ pub trait Programme {
     fn sizes(&self) -> Sizes;
 }
 
-/// A point that is stationary on a face of the feasible set.
+/// A point that is stationary in its free variables.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stationary {
     /// `x`, zero where it is not free.

@@ -22,11 +22,11 @@
 //! With other choices the libraries lose their way on 30 000 intervals, or on 3000.
 
 use super::Discrete;
-use crate::problem::{Native, Sizes, UpperColumns};
+use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Bending;
 
-/// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the programme.
-pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> Native {
+/// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
+pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> SparseForm {
     let n = discrete.interior();
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     let fine = (n as f64).sqrt();
@@ -42,11 +42,11 @@ pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> 
     let bend = |i: usize| -discrete.spacing / depth * discrete.bend(i - 1, i, i + 1);
     let right = (1..=n).map(bend).collect();
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
-    Native { quadratic: quadratic(n, bending, 1.0), linear, equations, right, signed: n, sizes }
+    SparseForm { quadratic: quadratic(n, bending, 1.0), linear, equations, right, signed: n, sizes }
 }
 
 /// Method 3: moments, then contact forces.
-pub(super) fn complementary(discrete: &Discrete, bending: Bending, sizes: Sizes) -> Native {
+pub(super) fn complementary(discrete: &Discrete, bending: Bending, sizes: Sizes) -> SparseForm {
     let n = discrete.interior();
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let mut equations: Vec<_> = (0..n).map(|j| around(j, n, -2.0, 1.0)).collect();
@@ -55,7 +55,7 @@ pub(super) fn complementary(discrete: &Discrete, bending: Bending, sizes: Sizes)
     linear.extend(discrete.depths.iter().map(|u| u / depth));
     let right = discrete.interior_loads().iter().map(|q| -q / force).collect();
     let quadratic = quadratic(n, bending, stiffness_number(discrete));
-    Native { quadratic, linear, equations, right, signed: n, sizes }
+    SparseForm { quadratic, linear, equations, right, signed: n, sizes }
 }
 
 /// `G Δ³/(EI X)`: how far a force `G` bends one interval, measured by `X`.

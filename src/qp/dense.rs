@@ -1,10 +1,10 @@
-//! A programme given by any symmetric positive definite matrix: what the methods become for a body that is not a beam.
+//! A quadratic program given by any symmetric positive definite matrix: what the methods become for a body that is not a beam.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::{Matrix, NotPositiveDefinite, Programme, Sizes, Stationary};
+use super::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, Stationary};
 
-/// The programme (32) of a dense matrix `A`, shape (n, n), and a vector `b`, length n.
+/// The quadratic program (32) of a dense matrix `A`, shape (n, n), and a vector `b`, length n.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dense {
     /// `A`, symmetric.
@@ -15,7 +15,7 @@ pub struct Dense {
     pub sizes: Sizes,
 }
 
-impl Programme for Dense {
+impl Qp for Dense {
     fn dimension(&self) -> usize {
         self.matrix.nrows()
     }
@@ -32,12 +32,12 @@ impl Programme for Dense {
         (&self.matrix * DVector::from_column_slice(x) - &self.linear).as_slice().to_vec()
     }
 
-    fn stationary(&self, free: &[bool]) -> Result<Stationary, NotPositiveDefinite> {
-        let chosen: Vec<usize> = (0..free.len()).filter(|&i| free[i]).collect();
-        let face = self.matrix.select_rows(&chosen).select_columns(&chosen);
-        let factor = Cholesky::new(face).ok_or(NotPositiveDefinite { index: 0, pivot: f64::NAN })?;
+    fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
+        let chosen: Vec<usize> = free.variables().collect();
+        let reduced = self.matrix.select_rows(&chosen).select_columns(&chosen);
+        let factor = Cholesky::new(reduced).ok_or(NotPositiveDefinite { index: 0, pivot: f64::NAN })?;
         let solved = factor.solve(&self.linear.select_rows(&chosen));
-        let mut x = vec![0.0; free.len()];
+        let mut x = vec![0.0; free.dimension()];
         chosen.iter().zip(solved.iter()).for_each(|(&i, &value)| x[i] = value);
         let mut gradient = self.gradient(&x);
         chosen.iter().for_each(|&i| gradient[i] = 0.0);

@@ -1,19 +1,19 @@
-//! A programme in the variables in which it is sparse, for solvers that take sparse matrices and equations.
+//! A quadratic program in the variables in which it is sparse, for solvers that take sparse matrices and equations.
 //!
 //! ```text
 //! minimise ½ zᵀ P z + cᵀ z   subject to   E z = e,  z_k ≥ 0 for k ≥ s
 //!           (m,m)    (m)                  (r,m) (r)
 //! ```
 //!
-//! The variables `z_s … z_{m−1}` are those of the programme (32), `x_i = X z_{s+i}`, and the multipliers of their signs are
+//! The variables `z_s … z_{m−1}` are those of the program (32), `x_i = X z_{s+i}`, and the multipliers of their signs are
 //! its gradient, `g_i = G μ_i`; the variables before them are free and have no meaning for (32). Eliminating them by the
 //! equations would give the matrix `A`, full or banded, with its condition number.
 
-use super::{Programme, Sizes, UpperColumns};
+use super::{Qp, Sizes, UpperColumns};
 
-/// The sparse form of a programme with n variables.
+/// The sparse form of a program with n variables.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Native {
+pub struct SparseForm {
     /// `P`, symmetric, shape (m, m).
     pub quadratic: UpperColumns,
     /// `c`, length m.
@@ -28,15 +28,15 @@ pub struct Native {
     pub sizes: Sizes,
 }
 
-impl Native {
-    /// The form without equations, `z = x/X`, `P = A X/G`, `c = −b/G`: what a programme is to whom knows only its matrix.
+impl SparseForm {
+    /// The form without equations, `z = x/X`, `P = A X/G`, `c = −b/G`: what a program is to whom knows only its matrix.
     #[must_use]
-    pub fn of_matrix(programme: &dyn Programme) -> Self {
-        let sizes = programme.sizes();
+    pub fn of_matrix(qp: &dyn Qp) -> Self {
+        let sizes = qp.sizes();
         Self {
-            quadratic: programme.matrix().upper_columns(sizes.x / sizes.gradient),
-            linear: programme.linear().iter().map(|b| -b / sizes.gradient).collect(),
-            equations: vec![Vec::new(); programme.dimension()],
+            quadratic: qp.matrix().upper_columns(sizes.x / sizes.gradient),
+            linear: qp.linear().iter().map(|b| -b / sizes.gradient).collect(),
+            equations: vec![Vec::new(); qp.dimension()],
             right: Vec::new(),
             signed: 0,
             sizes,

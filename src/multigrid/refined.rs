@@ -2,19 +2,21 @@
 
 use std::ops::Range;
 
+use crate::qp::FreeSet;
+
 /// The longest run of nodes in contact that is an edge, and the longest hole behind an edge.
 const EDGE: usize = 3;
 const HOLE: usize = 4;
 
-/// Contact on a grid of `intervals`, from contact at the interior nodes of a coarser one.
+/// Contact on a grid of `intervals`, from contact on a coarser one: contact forces that are free, of node `i + 1` the variable `i`.
 ///
 /// The force with which a zone of contact begins, at the point of lift-off, is carried by one or two nodes of any grid, and
 /// the next one or two carry nothing. So edges keep their number of nodes, around the same place, and the holes behind them
 /// theirs; all between is in contact.
-pub(super) fn refined(touching: &[bool], intervals: usize) -> Vec<bool> {
-    let finer = Finer { coarse: touching.len() + 1, intervals };
-    let mut fine = vec![false; intervals - 1];
-    let runs = runs(touching);
+pub(super) fn refined(contact: &FreeSet, intervals: usize) -> FreeSet {
+    let finer = Finer { coarse: contact.dimension() + 1, intervals };
+    let mut fine = FreeSet::none(intervals - 1);
+    let runs: Vec<_> = contact.runs().map(|run| run.start + 1..run.end + 1).collect();
     for zone in runs.chunk_by(|run, next| next.start <= run.end + HOLE) {
         let left = finer.run(&zone[0], Inward::Right);
         let right = zone[1..].last().map_or(left.clone(), |last| finer.run(last, Inward::Left));
@@ -33,21 +35,11 @@ pub(super) fn refined(touching: &[bool], intervals: usize) -> Vec<bool> {
         for nodes in [left, inner, right] {
             let indices = nodes.start.saturating_sub(1)..nodes.end.min(intervals) - 1;
             if indices.start < indices.end {
-                fine[indices].fill(true);
+                fine.release(indices);
             }
         }
     }
     fine
-}
-
-/// Runs of nodes in contact; node `i` is at index `i − 1`.
-fn runs(touching: &[bool]) -> Vec<Range<usize>> {
-    let mut node = 1;
-    let stretches = touching.chunk_by(|one, next| one == next).map(|stretch| {
-        node += stretch.len();
-        (stretch[0], node - stretch.len()..node)
-    });
-    stretches.filter(|(touches, _)| *touches).map(|(_, run)| run).collect()
 }
 
 /// On which side of an edge its zone is.
@@ -84,13 +76,13 @@ impl Finer {
 
 #[cfg(test)]
 mod tests {
-    use super::refined;
+    use super::*;
 
     /// Edges of one or two nodes and the holes behind them keep their length, whichever side the zone is on; long runs are
     /// scaled, and so is where they are.
     #[test]
     fn edges_keep_their_length() {
-        let flags = |runs: &[(usize, bool)]| -> Vec<bool> {
+        let flags = |runs: &[(usize, bool)]| -> FreeSet {
             runs.iter().flat_map(|&(length, touches)| std::iter::repeat_n(touches, length)).collect()
         };
         let (on, off) = (true, false);
@@ -108,7 +100,7 @@ mod tests {
             // Nothing.
             (flags(&[(39, off)]), flags(&[(79, off)])),
         ] {
-            assert_eq!(refined(&coarse, fine.len() + 1), fine);
+            assert_eq!(refined(&coarse, fine.dimension() + 1), fine);
         }
     }
 
@@ -116,11 +108,11 @@ mod tests {
     #[test]
     fn any_contact_can_be_refined() {
         for pattern in 0..1_u32 << 9 {
-            let touching: Vec<bool> = (0..9).map(|k| pattern >> k & 1 == 1).collect();
+            let contact: FreeSet = (0..9).map(|k| pattern >> k & 1 == 1).collect();
             for intervals in [20, 21, 23, 80, 87] {
-                let fine = refined(&touching, intervals);
-                assert_eq!(fine.len(), intervals - 1);
-                assert_eq!(fine.iter().any(|touches| *touches), pattern != 0, "{touching:?} on {intervals} intervals");
+                let fine = refined(&contact, intervals);
+                assert_eq!(fine.dimension(), intervals - 1);
+                assert_eq!(fine.iter().any(|touches| touches), pattern != 0, "{contact:?} on {intervals} intervals");
             }
         }
     }

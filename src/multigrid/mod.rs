@@ -1,0 +1,121 @@
+//! The active set for grids of up to millions of nodes: nested grids, windows, and spans of any length at the price of a short
+//! one. Nothing else needs this room: [`Solver::ActiveSet`](crate::solvers::Solver::ActiveSet) solves every quadratic program
+//! without it, to the same answer, but in a time that grows faster than the number of nodes.
+//!
+//! *Nested grids.* The active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
+//! has to change. Coarser grids only have to give a good guess. All methods are one beam on a set of contacts, or one chain
+//! of links, and what is exchanged here are its contact forces, as in the force method: they are free where there is contact.
+//!
+//! *Windows* (`windows.rs`) around the borders of contact, where a guess from a coarser grid is wrong as a rule, are solved for
+//! themselves before the whole. What is called optimal has passed a solve of the whole, which looks at every node.
+
+mod part;
+mod refined;
+mod spans;
+mod windows;
+
+use crate::methods::{Discrete, Method};
+use crate::qp::FreeSet;
+use crate::scene::{Scene, SceneError};
+use crate::solvers::{Answer, active_set};
+use crate::state::Bending;
+use part::Parts;
+use refined::refined;
+use windows::Windows;
+
+/// Up to here the start with contact everywhere takes a handful of solves.
+const COARSEST: usize = 30;
+
+/// From here on the next grid may be finer by more: contact is wrong near lift-off points only.
+const FINE: usize = 1000;
+
+/// Refinement up to such grids, and of them.
+const REFINEMENT: [usize; 2] = [2, 8];
+
+/// What solves cost.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+struct Cost {
+    /// Solves of a whole beam.
+    whole: usize,
+    /// Solves of windows.
+    windows: usize,
+    /// Variables in all of them.
+    variables: usize,
+}
+
+/// The optimum of a scene on a grid in contact forces: `x = p`, `g = h`, whatever the unknowns of the method are. Solves on all
+/// grids count.
+///
+/// # Errors
+///
+/// None for a grid that exists; the type is that of [`Discrete::new`].
+pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {
+    Ok(counted(scene, method, discrete)?.0)
+}
+
+/// The answer, and the number of solves of the whole on the finest grid.
+fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer, usize), SceneError> {
+    let mut cost = Cost::default();
+    let mut free = start(scene, method.bending(), discrete.intervals, &mut cost)?;
+    let coarse = cost.whole;
+    let mut windows = Windows { beam: &Parts::new(discrete, method.bending()), cost };
+    let end = windows.optimum(&mut free);
+    let Cost { whole, windows, variables } = windows.cost;
+    Ok((active_set::answer(end, discrete.interior(), whole + windows, variables), whole - coarse))
+}
+
+/// Contact to start from on a grid, by a coarser one; everywhere on the coarsest.
+fn start(scene: &Scene, bending: Bending, intervals: usize, cost: &mut Cost) -> Result<FreeSet, SceneError> {
+    let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
+    if coarse < COARSEST {
+        return Ok(FreeSet::all(intervals - 1));
+    }
+    let mut free = start(scene, bending, coarse, cost)?;
+    let discrete = Discrete::new(scene, coarse)?;
+    let mut windows = Windows { beam: &Parts::new(&discrete, bending), cost: *cost };
+    windows.guess(&mut free);
+    *cost = windows.cost;
+    Ok(refined(&free, intervals))
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::scene::{Beam, Foundation, Load};
+
+    /// Multiples of the golden section are spread evenly between 0 and 1.
+    pub(in crate::multigrid) fn spread(k: u32) -> f64 {
+        (0.618_034 * f64::from(k)).fract()
+    }
+
+    /// A beam above waves of many lengths and amplitudes, and above polylines through twelve uneven depths.
+    pub(in crate::multigrid) fn scenes() -> impl Iterator<Item = Scene> {
+        let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        let wave = move |k: u32| Foundation::Cosine {
+            mean: 1.0,
+            amplitude: 0.05 + 0.45 * spread(3 * k + 1),
+            wavelength: 1.5 + 10.5 * spread(3 * k + 2),
+            phase: 6.25 * spread(3 * k + 3),
+        };
+        let rough = move |k: u32| Foundation::Polyline {
+            points: (0..12).map(|i| [10.0 * f64::from(i) / 11.0, 0.5 + spread(5 * i * i + 7 * i * k + k)]).collect(),
+        };
+        let foundations = (0..12).flat_map(move |k| [wave(k), rough(k)]);
+        foundations.map(move |foundation| Scene::new(beam, load.clone(), Some(foundation)).expect("well posed"))
+    }
+
+    /// Kinks between the nodes of a grid leave holes behind them that exchanges wander through: thousands of solves of the
+    /// whole beam, once. Windows take that upon themselves.
+    #[test]
+    fn the_whole_beam_is_solved_a_few_times_only() {
+        /// One that confirms what windows have found, as a rule; the worst of two thousand scenes needs fifty.
+        const FEW: usize = 10;
+        for scene in scenes() {
+            let scaled = scene.scaled().expect("in range");
+            let discrete = Discrete::new(&scaled.scene, 16_000).expect("a grid");
+            let (answer, whole) = counted(&scaled.scene, Method::Force, &discrete).expect("in range");
+            assert!(answer.claims_success && whole <= FEW, "{whole} solves of the whole: {:?}", scene.foundation());
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Parts of a beam on its contacts. Of a moment at one contact at most half arrives at the next (0.268 of it between equal
+//! spans), so that what happens [`FAR`] contacts away is less than a unit in the last place here. A part of the beam is solved
+//! as a beam of its own, that begins and ends, free of moment, that many contacts outside.
+
+use std::ops::Range;
+
+use super::spans::Spans;
+use crate::methods::Discrete;
+use crate::methods::contact_set::{ContactSet, OnContacts};
+use crate::qp::{FreeSet, NotPositiveDefinite, Sizes, Stationary};
+use crate::state::Bending;
+
+/// `2^−FAR` is less than half a unit in the last place.
+const FAR: usize = 54;
+
+/// A beam, of which any part can be solved at a price that hardly depends on the rest.
+pub(super) struct Parts<'a> {
+    discrete: &'a Discrete,
+    bending: Bending,
+    spans: Spans,
+}
+
+impl<'a> Parts<'a> {
+    pub(super) fn new(discrete: &'a Discrete, bending: Bending) -> Self {
+        Self { discrete, bending, spans: Spans::new(&discrete.loads) }
+    }
+
+    /// Sizes of contact forces and clearances.
+    pub(super) fn sizes(&self) -> Sizes {
+        let Sizes { x: clearance, gradient: force } = self.discrete.sizes();
+        Sizes { x: force, gradient: clearance }
+    }
+
+    /// Contact forces and clearances of a range of variables, with contact at all nodes whose forces are free.
+    pub(super) fn point(&self, free: &FreeSet, range: Range<usize>) -> Result<Stationary, NotPositiveDefinite> {
+        let Discrete { loads, .. } = self.discrete;
+        let span = |first, last| self.spans.between(loads, first, last);
+        // Variable i is node i + 1.
+        let nodes = range.start + 1..range.end + 1;
+        let contacts = ContactSet::of_part(contacts(free, range));
+        let OnContacts { contact_force, clearance } = contacts.solve_at(self.discrete, self.bending, span, nodes)?;
+        Ok(Stationary { x: contact_force, gradient: clearance })
+    }
+}
+
+/// The nodes that decide what happens to some variables: the contacts between them, and [`FAR`] on both sides.
+fn contacts(free: &FreeSet, range: Range<usize>) -> Vec<usize> {
+    let mut nodes: Vec<usize> = free.before(range.start).map(|i| i + 1).take(FAR).collect();
+    if nodes.len() < FAR {
+        nodes.push(0);
+    }
+    nodes.reverse();
+    let left = nodes.len();
+    let inside = free.iter().skip(range.start).take(range.len()).filter(|free| *free).count();
+    nodes.reserve_exact(inside + FAR);
+    nodes.extend(free.from(range.start).take(inside + FAR).map(|i| i + 1));
+    if nodes.len() < left + inside + FAR {
+        nodes.push(free.dimension() + 1);
+    }
+    nodes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::Method;
+    use crate::multigrid::tests::{scenes, spread};
+
+    /// Of the sizes: systems of condition number 3, and the end of what is felt from far away.
+    const ROUNDED: f64 = 1e-11;
+
+    /// On contact sets at random: parts of a beam, and of a chain of links, are those of the whole, by every method.
+    #[test]
+    fn a_part_is_that_of_the_whole() {
+        let mut drawn = 0_u32;
+        let mut once_in = |share: u32| {
+            drawn += 1;
+            spread(drawn * (drawn % 61)) * f64::from(share) < 1.0
+        };
+        for scene in scenes().step_by(4) {
+            let scaled = scene.scaled().expect("in range");
+            let discrete = Discrete::new(&scaled.scene, 400).expect("a grid");
+            for method in Method::ALL {
+                let qp = method.programme(&discrete);
+                let parts = Parts::new(&discrete, method.bending());
+                let Sizes { x: force, gradient: depth } = parts.sizes();
+                for share in [2, 5, 40] {
+                    let contact: FreeSet = (0..qp.dimension()).map(|_| once_in(share)).collect();
+                    let free = contact.iter().map(|contact| contact == method.is_free_in_contact()).collect();
+                    let whole = qp.stationary(&free).expect("definite");
+                    let whole = method.nodal(&discrete, whole.x, whole.gradient);
+                    for range in [0..qp.dimension(), 120..190, 300..301] {
+                        let part = parts.point(&contact, range.clone()).expect("definite");
+                        for (k, i) in range.enumerate() {
+                            let [p, h] = [whole.contact_force[i], whole.clearance[i]];
+                            // Held at random places the beam carries more than its load.
+                            let scale = 1.0 + p.abs() / force + h.abs() / depth;
+                            let apart = ((part.x[k] - p) / force).abs().max(((part.gradient[k] - h) / depth).abs());
+                            assert!(apart <= ROUNDED * scale, "{method}, node {}: {apart:.1e} of {scale:.1e}", i + 1);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Windows: ranges of variables, each solved for itself while all others keep their side.
+//!
+//! A guess from a coarser grid is wrong only where runs of contact end. The quadratic program *of the window* is (32) with the
+//! signs of its own variables only: variables outside that are free may have any sign, and those at zero stay there. It is of
+//! the same kind with fewer constraints, so that whatever ends at the optimum of (32) ends at that of a window as well.
+//!
+//! Windows around borders and violators are made optimal by themselves, by a [descent](crate::solvers::active_set), and widened
+//! as long as variables beside them are on the wrong side, but in the first rounds not far, as one window may disturb
+//! another. That takes a small part of the price of a solve of the whole. Windows reach twice as far each time that exchanges
+//! of the whole do not end, until only the one that holds all variables is left, whose optimum is that of (32).
+
+use std::ops::Range;
+
+use super::Cost;
+use super::part::Parts;
+use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
+use crate::solvers::active_set::{PATIENCE, Reduced, Violators, descend, exchange, optimum};
+
+/// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
+/// times.
+const REACH: usize = 32;
+
+/// Rounds of windows by themselves. Most settle in one or two; distant windows are felt like terms of a geometric series.
+const ROUNDS: usize = 10;
+
+/// Windows are local where one solve of each costs less than this part of one of the whole.
+const LOCAL: usize = 2;
+
+/// What windows may cost, in solves of the whole: those around the borders, which may all be right, and the first ones around
+/// places where exchanges do not end.
+const WORTH: [usize; 2] = [1, 8];
+
+/// What a solve of a window costs beside its variables, in variables.
+const SOLVE: usize = 200;
+
+/// Windows of a beam, and what they have cost.
+pub(super) struct Windows<'a> {
+    pub(super) beam: &'a Parts<'a>,
+    pub(super) cost: Cost,
+}
+
+impl Windows<'_> {
+    /// A guess of the contact from another one: optimal near its borders, or else everywhere.
+    pub(super) fn guess(&mut self, free: &mut FreeSet) {
+        // A solve that fails here fails again where it is reported.
+        if !self.solve_borders(free).is_ok_and(|settled| settled) {
+            let _ = self.exchanged(free);
+        }
+    }
+
+    /// The optimum of the whole, and whether nothing is on the wrong side.
+    pub(super) fn optimum(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
+        self.solve_borders(free)?;
+        self.exchanged(free)
+    }
+
+    /// The optimum of the whole by exchanges, by windows where these do not end, and by a descent where windows do not.
+    fn exchanged(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
+        let (n, beam) = (free.dimension(), self.beam);
+        let (mut idle, mut scale, mut solves) = (0, 1, 0);
+        let mut whole = reduced(beam, |free| beam.point(free, 0..n));
+        let end = optimum(&mut whole, free, &mut solves, |free, wrong| {
+            let windows = around(wrong, scale * REACH, n);
+            if n < LOCAL * price(&windows) && idle < PATIENCE {
+                idle += 1;
+            } else if scale * REACH < n {
+                self.solve_windows(free, windows, scale * WORTH[1])?;
+                scale *= 2;
+            } else {
+                return Ok(false);
+            }
+            Ok(true)
+        });
+        self.cost.whole += solves;
+        self.cost.variables += solves * n;
+        end
+    }
+
+    /// Makes windows around the borders optimal, as far as that is cheap. Whether there were any, and all were settled.
+    fn solve_borders(&mut self, free: &mut FreeSet) -> Result<bool, NotPositiveDefinite> {
+        let windows = around(&borders(free), REACH, free.dimension());
+        if windows.is_empty() || free.dimension() < price(&windows) {
+            return Ok(false);
+        }
+        self.solve_windows(free, windows, WORTH[0])
+    }
+
+    /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
+    /// Whether all were settled.
+    fn solve_windows(
+        &mut self,
+        free: &mut FreeSet,
+        windows: Vec<Range<usize>>,
+        worth: usize,
+    ) -> Result<bool, NotPositiveDefinite> {
+        let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
+        let most = spent(self.cost) + worth * free.dimension();
+        let mut pending = windows;
+        for round in 0..ROUNDS {
+            let mut settled = Vec::new();
+            for range in pending {
+                // What is far off on one side may be so because of a window that waits for its turn.
+                let longest = (4 * REACH).max(range.len()) << round;
+                settled.push(self.solve_window(free, range, longest)?);
+                if most < spent(self.cost) {
+                    return Ok(false);
+                }
+            }
+            settled.sort_by_key(|range| range.start);
+            pending = Vec::new();
+            for range in merged(settled.into_iter()) {
+                if !self.check(free, &range)?.1.is_empty() {
+                    pending.push(range);
+                }
+            }
+            if pending.is_empty() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or beyond a length.
+    ///
+    /// The look beside it reaches `√n` variables: behind a place where contact ends, the discrete optimum has a hole of that
+    /// length.
+    fn solve_window(
+        &mut self,
+        free: &mut FreeSet,
+        mut range: Range<usize>,
+        longest: usize,
+    ) -> Result<Range<usize>, NotPositiveDefinite> {
+        let n = free.dimension();
+        while range.len() <= longest {
+            self.descended(free, &range)?;
+            let wider = widened(range.clone(), range.len().max(n.isqrt()), n);
+            let (point, wrong) = self.check(free, &wider)?;
+            let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { break };
+            exchange(free, wider.start, &wrong, &point.gradient);
+            let seen = widened(wider.start + first..wider.start + last + 1, REACH, n);
+            range = range.start.min(seen.start)..range.end.max(seen.end);
+        }
+        Ok(range)
+    }
+
+    /// Makes a range optimal by a descent.
+    fn descended(&mut self, free: &mut FreeSet, range: &Range<usize>) -> Result<(), NotPositiveDefinite> {
+        let (beam, mut solves, mut local) = (self.beam, 0, free.part(range.clone()));
+        let mut window = reduced(beam, |local: &FreeSet| {
+            free.replace(range.start, local);
+            beam.point(free, range.clone())
+        });
+        let end = descend(&mut window, &mut local, &mut solves);
+        drop(window);
+        free.replace(range.start, &local);
+        let whole = range.len() == free.dimension();
+        *(if whole { &mut self.cost.whole } else { &mut self.cost.windows }) += solves;
+        self.cost.variables += solves * range.len();
+        end.map(|_| ())
+    }
+
+    /// A range as it is: the point, and its variables on the wrong side.
+    fn check(&mut self, free: &FreeSet, range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
+        self.cost.windows += 1;
+        self.cost.variables += range.len();
+        let mut part = reduced(self.beam, |_: &FreeSet| self.beam.point(free, range.clone()));
+        let local = free.part(range.clone());
+        let point = (part.point)(&local)?;
+        let violators = Violators::of(&part, &point, &local);
+        Ok((point, violators.wrong))
+    }
+}
+
+/// A beam, or a part of one, as a descent sees it.
+fn reduced<'a>(
+    beam: &Parts<'_>,
+    point: impl FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a,
+) -> Reduced<'a> {
+    // What could be rounding is zero already.
+    Reduced { point: Box::new(point), sizes: beam.sizes(), rounding: 0.0 }
+}
+
+/// What one solve of each window costs, in variables.
+fn price(windows: &[Range<usize>]) -> usize {
+    windows.iter().map(|range| range.len() + SOLVE).sum()
+}
+
+/// The windows of the variables within `reach` of some places, ascending, among n.
+fn around(places: &[usize], reach: usize, n: usize) -> Vec<Range<usize>> {
+    merged(places.iter().map(|&i| widened(i..i + 1, reach, n)))
+}
+
+/// The last variables before each change between free and not, among n.
+fn borders(free: &FreeSet) -> Vec<usize> {
+    let ends = free.runs().flat_map(|run| [run.start.wrapping_sub(1), run.end - 1]);
+    ends.filter(|&i| i != usize::MAX && i + 1 < free.dimension()).collect()
+}
+
+/// A range with its neighbourhood among n variables.
+fn widened(range: Range<usize>, reach: usize, n: usize) -> Range<usize> {
+    range.start.saturating_sub(reach)..(range.end + reach).min(n)
+}
+
+/// Ranges with ascending starts, those that overlap or touch put together.
+fn merged(ranges: impl Iterator<Item = Range<usize>>) -> Vec<Range<usize>> {
+    let mut merged: Vec<Range<usize>> = Vec::new();
+    for range in ranges {
+        match merged.last_mut() {
+            Some(last) if range.start <= last.end => last.end = last.end.max(range.end),
+            _ => merged.push(range),
+        }
+    }
+    merged
+}
