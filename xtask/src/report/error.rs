@@ -1,13 +1,10 @@
 //! Why there is no report.
 
-use std::error::Error as StdError;
 use std::io;
 use std::path::PathBuf;
 
 use super::files::Stale;
-
-/// What a chapter fails with.
-pub(crate) type Cause = Box<dyn StdError + Send + Sync>;
+use crate::Cause;
 
 /// Why the report was not made, or does not pass.
 #[derive(Debug, thiserror::Error)]

@@ -10,8 +10,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use super::error::{Cause, Error};
+use super::error::Error;
 use super::files;
+use crate::Cause;
 
 /// The most lines that a reader takes in beside the text; source that needs more is too long.
 const MOST: usize = 20;

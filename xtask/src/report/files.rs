@@ -128,7 +128,7 @@ fn left_over(root: &Path, rendered: &Rendered) -> Result<Vec<String>, Error> {
 }
 
 /// All files below a directory, relative to the root, with `/`, in order; none if there is no such directory.
-pub(super) fn list(root: &Path, directory: &str) -> Result<Vec<String>, Error> {
+pub(crate) fn list(root: &Path, directory: &str) -> Result<Vec<String>, Error> {
     let place = root.join(directory);
     let failed = |source| Error::File { path: place.clone(), source };
     let entries = match fs::read_dir(&place) {

@@ -15,8 +15,8 @@ use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, T
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Storage, push_mathml};
 
-use super::error::Cause;
 use super::{DOCUMENTS, Rendered, links, path_of};
+use crate::Cause;
 
 /// The file, below `report/`.
 pub(super) const PATH: &str = "index.html";

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::*;
+use crate::table::Table;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -11,7 +12,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn the_report_is_fresh() {
-    if let Err(error) = check(&root(), &mut |_| ()) {
+    if let Err(error) = check(&root()) {
         panic!("{error}");
     }
 }
@@ -137,12 +138,12 @@ fn a_template_that_no_list_names_is_refused() {
     let scratch = Scratch::new("unknown");
     fs::create_dir_all(scratch.0.join("report/templates")).expect("the scratch directory can be written to");
     scratch.put("report/templates/stray.md", "# Stray\n");
-    let error = render(&scratch.0, &mut |_| ()).expect_err("the template is in no list").to_string();
+    let error = render(&scratch.0).expect_err("the template is in no list").to_string();
     assert!(error.starts_with("report/templates/stray.md is no template"), "{error}");
 }
 
 #[test]
 fn a_figure_comes_with_its_data() {
-    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), "x\n".to_owned());
+    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), Table::new(["x"]));
     assert_eq!(evidence.files.keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
 }
