@@ -153,17 +153,17 @@ impl Tridiagonal {
     }
 
     fn solve(&mut self, rows: &[[f64; 4]]) {
-        let (mut passed, mut before) = (0.0, 0.0);
-        for ((&[below, diagonal, above, right], keep), x) in rows.iter().zip(&mut self.passed).zip(&mut self.x) {
+        let (mut passed, mut left) = (0.0, 0.0);
+        for ((&[below, diagonal, above, load], keep), x) in rows.iter().zip(&mut self.passed).zip(&mut self.x) {
             let pivot = diagonal - below * passed;
-            before = (right - below * before) / pivot;
+            left = (load - below * left) / pivot;
             passed = above / pivot;
-            (*keep, *x) = (passed, before);
+            (*keep, *x) = (passed, left);
         }
-        let mut behind = 0.0;
+        let mut right = 0.0;
         for (keep, x) in self.passed.iter().zip(&mut self.x).rev() {
-            behind = *x - keep * behind;
-            *x = behind;
+            right = *x - keep * right;
+            *x = right;
         }
     }
 }

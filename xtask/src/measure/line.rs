@@ -57,7 +57,7 @@ pub(crate) struct Line {
 impl Line {
     /// Nothing is known of it yet.
     pub(super) fn of(scene: &str, job: Job) -> Self {
-        let route = job.route_word();
+        let route = job.route_name();
         let (method, solver) = route.split_once('/').unwrap_or((&route, ""));
         let [scene, method, solver] = [scene, method, solver].map(str::to_owned);
         Self { scene, method, solver, intervals: job.intervals, tolerance: job.tolerance, ..Self::default() }

@@ -55,7 +55,7 @@ pub(crate) struct Job {
 
 impl Job {
     /// `method/solver` as the file has it.
-    pub(crate) fn route_word(&self) -> String {
+    pub(crate) fn route_name(&self) -> String {
         match self.route {
             Route::Exact => "exact/free-boundary".to_owned(),
             Route::Optimum(method) => format!("{method}/optimum"),

@@ -59,7 +59,7 @@ impl Route {
     pub(crate) const ALL: [Self; 3] = [Self::Exact, Self::Force(Solver::ActiveSet), Self::Force(Solver::Clarabel)];
 
     /// `method/solver`
-    pub(crate) fn word(self) -> String {
+    pub(crate) fn name(self) -> String {
         match self {
             Self::Exact => "exact/free-boundary".to_owned(),
             Self::Force(solver) => format!("{}/{solver}", Method::Force),
@@ -88,12 +88,12 @@ fn ground(word: &str) -> Result<Ground, String> {
 }
 
 fn route(word: &str) -> Result<Route, String> {
-    Route::ALL.into_iter().find(|route| route.word() == word).ok_or_else(|| "no such route".to_owned())
+    Route::ALL.into_iter().find(|route| route.name() == word).ok_or_else(|| "no such route".to_owned())
 }
 
 impl Job {
     fn arguments(self) -> [String; 4] {
-        [self.ground.word().to_owned(), self.points.to_string(), format!("{:e}", self.load), self.route.word()]
+        [self.ground.word().to_owned(), self.points.to_string(), format!("{:e}", self.load), self.route.name()]
     }
 
     /// Intervals of its grid: a multiple of the segments; 0 for the exact solution.
@@ -167,7 +167,7 @@ impl Row for Line {
 impl Line {
     /// Nothing is known of it yet.
     fn of(job: Job) -> Self {
-        let (ground, route) = (job.ground.word().to_owned(), job.route.word());
+        let (ground, route) = (job.ground.word().to_owned(), job.route.name());
         Self { ground, points: job.points, load: job.load, route, intervals: job.intervals(), ..Self::default() }
     }
 

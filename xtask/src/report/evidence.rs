@@ -34,7 +34,6 @@ use palkki::scene::{Scene, SceneError};
 use palkki::state::{ContactState, Nodes};
 use palkki::{Settings, solve};
 
-use super::error::Error;
 use crate::table::Table;
 use crate::{Cause, tell, workers};
 
@@ -143,12 +142,14 @@ impl Evidence {
 ///
 /// A subject is computed by one thread, from the tree and from what [`Study`] measures once for all of them, and so it is the
 /// same whichever thread computes it and when.
-pub(super) fn compute(root: &Path, wanted: &BTreeSet<String>) -> Result<Vec<(&'static str, Evidence)>, Error> {
+pub(super) fn compute(root: &Path, wanted: &BTreeSet<String>) -> Result<Vec<(&'static str, Evidence)>, Cause> {
     let subjects: Vec<Subject> = SUBJECTS.iter().filter(|(name, _)| wanted.contains(*name)).copied().collect();
     let study = Study { root, ledger: OnceLock::new() };
     let found = workers::each(&subjects, |(subject, evidence)| {
         tell(&format!("evidence for {subject}"));
-        evidence(&study).map(|found| (*subject, found)).map_err(|source| Error::Evidence { subject, source })
+        evidence(&study)
+            .map(|found| (*subject, found))
+            .map_err(|error| format!("the evidence `{subject}`: {error}").into())
     });
     found.into_iter().collect()
 }

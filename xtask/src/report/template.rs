@@ -5,9 +5,8 @@ use std::collections::{BTreeMap, HashSet};
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{Environment, Error as TemplateError, ErrorKind, State, UndefinedBehavior, Value, escape_formatter};
 
-use super::error::Error;
 use super::excerpt::Excerpt;
-use crate::text;
+use crate::{Cause, text};
 
 /// An engine in which a name that does not exist is an error, and so is a number with a point that no filter has rounded: its
 /// last digits would differ from machine to machine. The filters are `fixed(3)`, `digits(3)`, `sci(1)`, `percent(1)` and
@@ -57,36 +56,36 @@ fn finite(value: f64) -> Result<f64, TemplateError> {
 }
 
 /// The names at the top of what a template uses.
-pub(super) fn names(
-    environment: &Environment<'_>,
-    document: &'static str,
-    template: &str,
-) -> Result<HashSet<String>, Error> {
+pub(super) fn names(environment: &Environment<'_>, document: &str, template: &str) -> Result<HashSet<String>, Cause> {
     let parsed = environment.template_from_named_str(document, template);
-    parsed.map(|parsed| parsed.undeclared_variables(false)).map_err(|source| Error::Template { document, source })
+    parsed.map(|parsed| parsed.undeclared_variables(false)).map_err(|error| failed(document, &error))
+}
+
+fn failed(document: &str, error: &TemplateError) -> Cause {
+    format!("report/templates/{document}.md: {error}").into()
 }
 
 /// Renders the template of a document, from which the root of the repository is reached by `up`.
 pub(super) fn render(
     environment: &Environment<'_>,
-    document: &'static str,
+    document: &str,
     template: &str,
     values: &BTreeMap<String, Value>,
     up: &str,
-) -> Result<String, Error> {
+) -> Result<String, Cause> {
     let mut values = values.clone();
     values.insert("up".to_owned(), up.into());
     environment
         .template_from_named_str(document, template)
         .and_then(|template| template.render(Value::from(values)))
-        .map_err(|source| Error::Template { document, source })
+        .map_err(|error| failed(document, &error))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn rendered(template: &str) -> Result<String, Error> {
+    fn rendered(template: &str) -> Result<String, Cause> {
         let values = [
             ("x", Value::from(1.25)),
             ("n", Value::from(29)),

@@ -1,6 +1,7 @@
 //! The report in the tree is fresh, and the machine notices when it is not.
 
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::PathBuf;
 
 use super::*;
@@ -80,7 +81,7 @@ impl Scratch {
     /// What a comparison with `rendered` says, a line each.
     fn stale(&self, rendered: &Rendered) -> Vec<String> {
         let stale = files::compare(&self.0, rendered).expect("the files can be read");
-        stale.iter().map(|stale| stale.to_string().lines().next().unwrap_or_default().to_owned()).collect()
+        stale.iter().map(|stale| stale.lines().next().unwrap_or_default().to_owned()).collect()
     }
 }
 

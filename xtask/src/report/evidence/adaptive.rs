@@ -152,14 +152,14 @@ fn everywhere(study: &Study<'_>) -> Result<(Table, Table), Cause> {
                 format!("not reached ({shown})")
             });
             let error = error.map_or_else(String::new, |error| scientific(error, 2));
-            data.push(row![name, format!("1e{exponent}"), end_word(reached), intervals, error]);
+            data.push(row![name, format!("1e{exponent}"), end_name(reached), intervals, error]);
         }
         table.push(cells);
     }
     Ok((table, data))
 }
 
-fn end_word(reached: bool) -> &'static str {
+fn end_name(reached: bool) -> &'static str {
     if reached { "reached" } else { "not reached" }
 }
 
@@ -182,7 +182,7 @@ fn drawn(runs: &[Run]) -> Result<(String, Table), PlotError> {
     let data = Table::new(header).rows(runs.iter().map(|run| {
         let errors = [run.found.verdict.error, run.truth.max(FLOOR)].map(|error| scientific(error, 2));
         let (demanded, intervals) = (format!("1e{}", run.exponent), run.found.settings.intervals);
-        row![run.scene, run.route, demanded, end_word(run.reached()), intervals, errors[0], errors[1], run.work()]
+        row![run.scene, run.route, demanded, end_name(run.reached()), intervals, errors[0], errors[1], run.work()]
     }));
     let figure = Figure::new(
         "The certified error is at most what was demanded",

@@ -56,7 +56,7 @@ enum Verdict {
 }
 
 impl Verdict {
-    fn word(self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
             Self::Right => "right",
             Self::NotCertified => "not certified",
@@ -161,7 +161,7 @@ fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, Cause> {
             theory.add(case.theory);
             force.add(case.force);
             others.join(case.others);
-            let (theory, force, names) = (case.theory.word(), case.force.word(), case.not_certified.join(" "));
+            let (theory, force, names) = (case.theory.name(), case.force.name(), case.not_certified.join(" "));
             let Count { right, not_certified, wrong } = case.others;
             data.push(row![extreme.name, name, extreme.authority, theory, force, right, not_certified, wrong, names]);
             if case.force == Verdict::NotCertified {

@@ -142,7 +142,7 @@ fn contact(found: &Pressures, nodal_load: f64) -> Value {
     let first = forces.iter().position(|p| 0.0 < *p).unwrap_or(0);
     let at = |k: usize| forces.get(first + k).copied().unwrap_or(f64::NAN);
     let off = |p: f64| p / nodal_load - 1.0;
-    let behind = forces.iter().take(forces.len() / 2 + 1).skip(first + 2);
+    let inner = forces.iter().take(forces.len() / 2 + 1).skip(first + 2);
     context! {
         // Place of the first node in contact, and contact forces of the first three nodes.
         x => found.nodes.x[first],
@@ -152,7 +152,7 @@ fn contact(found: &Pressures, nodal_load: f64) -> Value {
         // How many nodes are in contact.
         count => forces.iter().filter(|p| 0.0 < **p).count(),
         // Largest deviation from the nodal load behind the second node, over the nodal load.
-        swing => behind.fold(0.0_f64, |most, p| most.max(off(*p).abs())),
+        swing => inner.fold(0.0_f64, |most, p| most.max(off(*p).abs())),
         // Factor from one such deviation to the next; zero where there is none.
         decay => if off(at(2)).abs() < ROUNDING { 0.0 } else { off(at(3)) / off(at(2)) },
     }

@@ -3,13 +3,12 @@
 mod card;
 mod required;
 
-use std::fs;
-
 use palkki::plot::{Curves, curves, sheet as drawn_sheet};
 use palkki::state::Regime;
 use palkki::verdict::{Demand, Verdict};
 
 use super::prelude::*;
+use crate::report::files;
 
 /// The paper's grid, on which every solver has a chance.
 const INTERVALS: usize = palkki::paper::INTERVALS;
@@ -50,7 +49,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             runs.push(row![name, method, solver, outcome.status, reports]);
         }
 
-        let story = story(&fs::read_to_string(study.root.join(format!("report/scenes/{name}.toml")))?);
+        let story = story(&files::text(study.root, &format!("report/scenes/{name}.toml"))?);
         cards.push(card::card(&name, &scene, &exact, &verdict, story)?);
         let drawn = Curves::exact(&scene, &exact);
         drawings.push((format!("scene-{name}"), curves(&scene, &drawn, "exact solution")?, table(&drawn)));

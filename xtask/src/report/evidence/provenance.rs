@@ -1,27 +1,11 @@
 //! Where the report comes from: departures from the paper, references, and what it takes to reproduce it.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
 
 use serde::Deserialize;
 
 use super::prelude::*;
 use crate::report::files;
-
-/// The texts of some kinds of files below some directories, by their paths.
-fn texts(root: &Path, directories: &[&str], kinds: &[&str]) -> Result<Vec<(String, String)>, Cause> {
-    let mut found = Vec::new();
-    for directory in directories {
-        for path in files::list(root, directory)? {
-            if kinds.iter().any(|kind| path.ends_with(kind)) {
-                let text = fs::read_to_string(root.join(&path))?;
-                found.push((path, text));
-            }
-        }
-    }
-    Ok(found)
-}
 
 /// The line that opens a block.
 const OPENING: &str = "// Discrepancy: ";
@@ -40,7 +24,7 @@ struct Discrepancy {
 
 /// Where we depart from the paper: collected from the comments that begin with `// Discrepancy: <id>`.
 pub(super) fn discrepancies(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let entries = collect(&texts(study.root, &["src"], &[".rs"])?)?
+    let entries = collect(&files::texts(study.root, &["src"], &[".rs"])?)?
         .into_iter()
         .map(|d| context! { id => d.id, file => d.file, text => d.text });
     let entries: Vec<Value> = entries.collect();
@@ -139,14 +123,14 @@ struct Package {
 
 /// How to reproduce: what the lock file and the tree say about themselves.
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    compare(&texts(study.root, &["src", "tests", "report/templates"], &[".rs", ".md"])?)?;
-    let manifest: toml::Table = toml::from_str(&fs::read_to_string(study.root.join("Cargo.toml"))?)?;
+    compare(&files::texts(study.root, &["src", "tests", "report/templates"], &[".rs", ".md"])?)?;
+    let manifest: toml::Table = toml::from_str(&files::text(study.root, "Cargo.toml")?)?;
     let version = |table: &[&str]| {
         let [outer @ .., name] = table else { return None };
         let table = outer.iter().try_fold(&manifest, |table, name| table.get(*name)?.as_table())?;
         table.get(*name)?.as_str()
     };
-    let lock: Lock = toml::from_str(&fs::read_to_string(study.root.join("Cargo.lock"))?)?;
+    let lock: Lock = toml::from_str(&files::text(study.root, "Cargo.lock")?)?;
     let scenes = files::list(study.root, "report/scenes")?;
     let scenes: Vec<String> =
         scenes.iter().filter_map(|path| path.strip_prefix("report/")).map(str::to_owned).collect();

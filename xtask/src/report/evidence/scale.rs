@@ -13,7 +13,7 @@ const ACTIVE_SET: Route = Route::Force(Solver::ActiveSet);
 const INTERIOR_POINT: Route = Route::Force(Solver::Clarabel);
 
 /// The name of a route in tables and figures.
-fn name(route: Route) -> &'static str {
+fn label(route: Route) -> &'static str {
     match route {
         EXACT => "exact",
         INTERIOR_POINT => "clarabel",
@@ -22,7 +22,7 @@ fn name(route: Route) -> &'static str {
 }
 
 /// `1` and `10⁴`: the loads are powers of ten.
-fn load_word(load: f64) -> String {
+fn load_name(load: f64) -> String {
     match exponent_of(load) {
         Some(0) | None => format!("{load}"),
         Some(exponent) => power_of_ten(exponent),
@@ -34,12 +34,12 @@ type Survey = (Ground, f64, u32);
 
 /// The line of a survey by a route.
 fn line(scale: &Scale, (ground, load, points): Survey, route: Route) -> Option<&Line> {
-    let word = route.word();
+    let wanted = route.name();
     scale.lines.iter().find(|line| {
         line.ground == ground.word()
             && line.load.total_cmp(&load).is_eq()
             && line.points == points
-            && line.route == word
+            && line.route == wanted
     })
 }
 
@@ -70,7 +70,7 @@ fn least_most(numbers: impl IntoIterator<Item = f64>) -> Option<Value> {
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (file, scale) = Scale::read(study.root)?;
     let surveys = surveys(&scale);
-    let exact = || scale.lines.iter().filter(|line| line.route == EXACT.word());
+    let exact = || scale.lines.iter().filter(|line| line.route == EXACT.name());
     let most = surveys.iter().map(|(.., points)| *points).max().ok_or("no survey is measured")?;
     let of_most = || surveys.iter().filter(|(.., points)| *points == most);
     let seconds = |survey: &Survey, route| certified(&scale, *survey, route)?.median_s;
@@ -128,7 +128,7 @@ fn slowest_beside_grid(scale: &Scale, surveys: &[Survey]) -> Option<String> {
         surveys.iter().filter_map(|&survey| Some((survey, seconds(survey, EXACT)? / seconds(survey, ACTIVE_SET)?)));
     let ((ground, load, points), _) = ratios.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let points = count(points);
-    Some(format!("{}, q = {}, {points} points", ground.word(), load_word(load)))
+    Some(format!("{}, q = {}, {points} points", ground.word(), load_name(load)))
 }
 
 /// By how much the energy on the grid of the active set differs from that of the exact solution, over the latter.
@@ -145,7 +145,7 @@ fn without_result(scale: &Scale) -> Vec<String> {
         for ground in Ground::ALL {
             for load in LOADS {
                 let lines = scale.lines.iter().filter(|line| {
-                    line.route == route.word() && line.ground == ground.word() && line.load.total_cmp(&load).is_eq()
+                    line.route == route.name() && line.ground == ground.word() && line.load.total_cmp(&load).is_eq()
                 });
                 let first = lines.filter(|line| !line.is_certified()).min_by_key(|line| line.points);
                 told.extend(first.map(|line| {
@@ -153,9 +153,9 @@ fn without_result(scale: &Scale) -> Vec<String> {
                     let why = if line.why.is_empty() { String::new() } else { format!(" ({})", line.why) };
                     format!(
                         "{}, {}, q = {}: {} at {points} points{why}",
-                        name(route),
+                        label(route),
                         ground.word(),
-                        load_word(load),
+                        load_name(load),
                         line.status
                     )
                 }));
@@ -180,17 +180,17 @@ fn table(scale: &Scale, surveys: &[Survey]) -> Table {
         let contacts = contacts.map_or_else(|| "–".to_owned(), count);
         let [exact, active_set, interior] = [EXACT, ACTIVE_SET, INTERIOR_POINT].map(seconds);
         let off = error_cell(grid_off(scale, survey));
-        row![ground.word(), load_word(load), count(points), contacts, exact, active_set, interior, off]
+        row![ground.word(), load_name(load), count(points), contacts, exact, active_set, interior, off]
     });
     Table::new(header).rows(rows)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::load_word;
+    use super::load_name;
 
     #[test]
     fn loads_are_powers_of_ten() {
-        assert_eq!([1.0, 1e4].map(load_word), ["1", "10⁴"]);
+        assert_eq!([1.0, 1e4].map(load_name), ["1", "10⁴"]);
     }
 }

@@ -41,7 +41,7 @@ impl Strip {
 
     fn add(&mut self, column: usize, method: &str, which: String, verdict: Verdict) {
         self.counts[column].add(verdict);
-        self.data.push(row![self.name, method, which, POWERS[column], verdict.word()]);
+        self.data.push(row![self.name, method, which, POWERS[column], verdict.name()]);
     }
 
     fn sum(&self) -> Count {

@@ -3,7 +3,7 @@
 use palkki::extremes::Ground;
 use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
-use super::{ACTIVE_SET, EXACT, INTERIOR_POINT, Survey, certified, load_word, name};
+use super::{ACTIVE_SET, EXACT, INTERIOR_POINT, Survey, certified, label, load_name};
 use crate::measure::scale::{LOADS, Line, Route, Scale};
 use crate::report::evidence::prelude::*;
 
@@ -31,7 +31,7 @@ type Series = (String, Route, Vec<Place>);
 fn data(all: &[Series], quantity: &str) -> Table {
     let rows = all.iter().flat_map(|(what, route, points)| {
         let what = what.replace(", ", " ");
-        points.iter().map(move |[points, value]| row![what, name(*route), points, scientific(*value, 3)])
+        points.iter().map(move |[points, value]| row![what, label(*route), points, scientific(*value, 3)])
     });
     Table::new(["survey", "route", "points", quantity]).rows(rows)
 }
@@ -52,7 +52,7 @@ fn panels(all: &[Series], quantity: &str, unit: &str, height: f64) -> Vec<Panel>
         series.iter().filter(|(.., points)| !points.is_empty()).fold(
             Panel::new(x, y).tall(height).room(30.0, 30.0),
             |panel, (_, route, points)| {
-                let (style, label) = (style(*route), name(*route).to_owned());
+                let (style, label) = (style(*route), label(*route).to_owned());
                 panel.with(Layer::Series { points: points.clone(), style, label })
             },
         )
@@ -71,7 +71,7 @@ pub(super) fn time(scale: &Scale, surveys: &[Survey]) -> Result<Titled, PlotErro
         for load in LOADS {
             let same = |(g, l, _): &&Survey| *g == ground && l.total_cmp(&load).is_eq();
             let of_panel: Vec<Survey> = surveys.iter().filter(same).copied().collect();
-            let what = format!("{}, q = {}", ground.word(), load_word(load));
+            let what = format!("{}, q = {}", ground.word(), load_name(load));
             let series = |route| (what.clone(), route, places(scale, &of_panel, route, &|line| line.median_s));
             all.extend(ROUTES.map(series));
         }
@@ -110,7 +110,7 @@ pub(super) fn memory(scale: &Scale, surveys: &[Survey]) -> Result<Titled, PlotEr
         };
         let series = |route| {
             let places = sizes.iter().filter_map(|points| most(route, *points)).collect();
-            (format!("q = {}", load_word(load)), route, places)
+            (format!("q = {}", load_name(load)), route, places)
         };
         all.extend(ROUTES.map(series));
     }
