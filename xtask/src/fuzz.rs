@@ -3,18 +3,28 @@
 //! libFuzzer comes with its crate and needs a C++ compiler; the instrumentation is a pass of the compiler itself, so that the
 //! stable toolchain is enough.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Executions of each target if nothing else is asked for.
-pub(crate) const RUNS: u64 = 3_500_000;
+use serde::{Deserialize, Serialize};
+
+use crate::{Cause, data, tell};
 
 /// Where the counts are, below the root.
 pub(crate) const PATH: &str = "report/data/fuzzing.csv";
 
-pub(crate) const HEADER: &str = "target,executions,seed,longest_bytes,edges,corpus_files,failures";
+/// What became of one target.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Target {
+    target: String,
+    pub(crate) executions: u64,
+    seed: u64,
+    longest_bytes: u64,
+    edges: u64,
+    corpus_files: usize,
+    pub(crate) failures: usize,
+}
 
 /// The targets, each with a corpus of its name.
 const TARGETS: [&str; 3] = ["scene", "survey", "forces"];
@@ -34,31 +44,29 @@ const INSTRUMENTATION: &str = "-Cpasses=sancov-module -Cllvm-args=-sanitizer-cov
     -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=4 --cfg=fuzzing";
 
 /// Builds and runs all targets, and writes the counts; an error if one of them finds something.
-pub(crate) fn run(root: &Path, runs: u64, progress: &mut dyn FnMut(&str)) -> Result<(), String> {
+pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
     let triple = host()?;
     let target = root.join("target/fuzz");
-    progress("building the fuzz targets");
+    tell("building the fuzz targets");
     // Naming the target keeps the instrumentation away from build scripts.
     let built = Command::new("cargo")
         .args(["build", "--release", "--bins", "--target", &triple])
         .current_dir(root.join("tests/fuzz"))
         .env("CARGO_TARGET_DIR", &target)
         .env("RUSTFLAGS", INSTRUMENTATION)
-        .status()
-        .map_err(|error| error.to_string())?;
+        .status()?;
     if !built.success() {
-        return Err("the fuzz targets do not build".to_owned());
+        return Err("the fuzz targets do not build".into());
     }
-    let mut csv = format!("{HEADER}\n");
-    let mut failures = 0;
+    let (mut counts, mut broken) = (Vec::new(), false);
     for name in TARGETS {
-        progress(&format!("{name}: {runs} executions"));
+        tell(&format!("{name}: {runs} executions"));
         let place = target.join("runs").join(name);
         // What an earlier run left; only the corpus of the repository counts, or the seed would not be fixed.
         let _ = fs::remove_dir_all(&place);
         let (found, failed) = (place.join("found"), place.join("failed"));
         for folder in [&found, &failed] {
-            fs::create_dir_all(folder).map_err(|error| error.to_string())?;
+            fs::create_dir_all(folder)?;
         }
         let corpus = root.join("tests/corpus").join(name);
         let output = Command::new(target.join(&triple).join("release").join(name))
@@ -67,24 +75,26 @@ pub(crate) fn run(root: &Path, runs: u64, progress: &mut dyn FnMut(&str)) -> Res
             .args([format!("-timeout={HANG}"), format!("-artifact_prefix={}/", failed.display())])
             .arg(format!("-dict={}", root.join("tests/fuzz/words.dict").display()))
             .arg("-print_final_stats=1")
-            .output()
-            .map_err(|error| error.to_string())?;
+            .output()?;
         let log = String::from_utf8_lossy(&output.stderr);
         let count = |place: &Path| fs::read_dir(place).map_or(0, Iterator::count);
-        let executed = after(&log, "stat::number_of_executed_units:").unwrap_or(0);
-        let edges = after(&log, " cov: ").unwrap_or(0);
-        let failed = count(&failed);
-        failures += failed + usize::from(!output.status.success());
-        // Writing to a string does not fail.
-        let _ = writeln!(csv, "{name},{executed},{SEED},{LONGEST},{edges},{},{failed}", count(&corpus));
+        let failures = count(&failed);
+        broken |= 0 < failures || !output.status.success();
+        counts.push(Target {
+            target: name.to_owned(),
+            executions: after(&log, "stat::number_of_executed_units:").unwrap_or(0),
+            seed: SEED,
+            longest_bytes: LONGEST,
+            edges: after(&log, " cov: ").unwrap_or(0),
+            corpus_files: count(&corpus),
+            failures,
+        });
     }
-    let path = root.join(PATH);
-    fs::write(&path, csv).map_err(|error| format!("{}: {error}", path.display()))?;
-    if failures == 0 {
-        Ok(())
-    } else {
-        Err(format!("texts that break something are in {}", target.join("runs").display()))
+    data::write(root, PATH, &counts)?;
+    if broken {
+        return Err(format!("texts that break something are in {}", target.join("runs").display()).into());
     }
+    Ok(())
 }
 
 /// The number after the last occurrence of some words.
@@ -93,8 +103,11 @@ fn after(log: &str, words: &str) -> Option<u64> {
 }
 
 /// The platform that the compiler runs on.
-fn host() -> Result<String, String> {
-    let output = Command::new("rustc").arg("-vV").output().map_err(|error| error.to_string())?;
+fn host() -> Result<String, Cause> {
+    let output = Command::new("rustc").arg("-vV").output()?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    text.lines().find_map(|line| line.strip_prefix("host: ")).map(str::to_owned).ok_or("rustc names no host".to_owned())
+    text.lines()
+        .find_map(|line| line.strip_prefix("host: "))
+        .map(str::to_owned)
+        .ok_or_else(|| "rustc names no host".into())
 }

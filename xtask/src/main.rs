@@ -2,39 +2,76 @@
 #![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
 mod certificates;
+mod data;
 mod fuzz;
 mod hostile;
 mod measure;
 mod report;
+mod scenes;
+mod table;
+mod text;
+mod workers;
 
 use std::path::Path;
 use std::process::ExitCode;
 
+use clap::Parser;
+
+/// Why a task did not do what it was to do.
+pub(crate) type Cause = Box<dyn std::error::Error + Send + Sync>;
+
+/// What `cargo xtask` passes on; its help says what the tasks are for.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask")]
+enum Task {
+    Report {
+        #[arg(long, conflicts_with = "page")]
+        check: bool,
+        #[arg(long)]
+        page: Option<String>,
+    },
+    Certificates,
+    Measure(measure::Wish),
+    /// What `measure` starts to weigh a solve.
+    #[command(hide = true)]
+    Peak(measure::instruments::Weighed),
+    /// What `measure --scale` starts for each line of its file.
+    #[command(hide = true)]
+    Alone(measure::scale::Job),
+    Fuzz {
+        #[arg(long, default_value_t = 3_500_000)]
+        runs: u64,
+    },
+    Hostile {
+        #[arg(long, default_value_t = 100_000)]
+        runs: u64,
+        /// Shows one scene instead.
+        #[arg(long)]
+        seed: Option<u64>,
+    },
+}
+
+impl Task {
+    fn run(self, root: &Path) -> Result<(), Cause> {
+        match self {
+            Self::Report { check: true, .. } => report::check(root)?,
+            Self::Report { page: Some(page), .. } => report::preview(root, &page)?,
+            Self::Report { .. } => report::write(root)?,
+            Self::Certificates => certificates::run(root)?,
+            Self::Measure(wish) => measure::run(root, &wish)?,
+            Self::Peak(solve) => println!("{}", solve.own_peak(root)?),
+            Self::Alone(job) => print!("{}", data::text(&[job.measured_here()?])?),
+            Self::Fuzz { runs } => fuzz::run(root, runs)?,
+            Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),
+            Self::Hostile { runs, .. } => hostile::run(root, runs)?,
+        }
+        Ok(())
+    }
+}
+
 fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let outcome = match arguments.as_slice() {
-        ["report"] => report::write(&root, &mut show).map_err(|error| error.to_string()),
-        ["report", "--check"] => report::check(&root, &mut show).map_err(|error| error.to_string()),
-        ["report", "--page", page] => report::preview(&root, page, &mut show).map_err(|error| error.to_string()),
-        ["certificates"] => certificates::run(&root, &mut show),
-        // What `measure` starts to weigh a solve.
-        ["peak", rest @ ..] => measure::own_peak(&root, rest).map(|kilobytes| println!("{kilobytes}")),
-        // What `measure --scale` starts for each line of its file.
-        ["alone", rest @ ..] => measure::scale::alone::line(rest).map(|line| println!("{line}")),
-        ["measure", rest @ ..] => match measure::Wish::of(rest) {
-            Some(wish) => measure::run(&root, wish, &mut show),
-            None => return unknown(&arguments),
-        },
-        ["fuzz"] => fuzz::run(&root, fuzz::RUNS, &mut show),
-        ["fuzz", "--runs", runs] => count(runs).and_then(|runs| fuzz::run(&root, runs, &mut show)),
-        ["hostile"] => hostile::run(&root, hostile::RUNS, &mut show),
-        ["hostile", "--seed", seed] => count(seed).map(|seed| println!("{}", palkki_evidence::hostile::scene(seed))),
-        ["hostile", "--runs", runs] => count(runs).and_then(|runs| hostile::run(&root, runs, &mut show)),
-        _ => return unknown(&arguments),
-    };
-    match outcome {
+    match Task::parse().run(&root) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -43,18 +80,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// A task that does not exist.
-fn unknown(arguments: &[&str]) -> ExitCode {
-    eprintln!("xtask: unknown task `{}`; `cargo xtask help` lists them", arguments.join(" "));
-    ExitCode::from(2)
-}
-
-/// A number of runs.
-fn count(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("the number of runs must be a whole number, but is {text}"))
-}
-
-/// One line per step, on stderr.
-fn show(step: &str) {
+/// Tells of the progress, one line per step.
+fn tell(step: &str) {
     eprintln!("xtask: {step}");
 }

@@ -3,11 +3,12 @@
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
-use palkki::{Settings, solve};
 use palkki_evidence::faults::{FalseBound, THEORY, Truth};
+use palkki::{Settings, solve};
 
-use super::table;
-use crate::report::error::Cause;
+use serde::{Deserialize, Serialize};
+
+use crate::{Cause, data};
 
 /// Where the file is, below the root.
 pub(crate) const PATH: &str = "report/data/certificates.csv";
@@ -16,10 +17,8 @@ pub(crate) const PATH: &str = "report/data/certificates.csv";
 pub(crate) const GRIDS: [usize; 5] = [10, 30, 100, 300, 1000];
 pub(crate) const AGAIN: [usize; 2] = [10, 30];
 
-const HEADER: &str = "scene,method,solver,intervals,status,outcome,true_error,certified_error";
-
 /// What became of an answer. Errors are shares of the largest deflection.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) scene: String,
     pub(crate) method: String,
@@ -27,7 +26,9 @@ pub(crate) struct Row {
     pub(crate) intervals: usize,
     pub(crate) status: String,
     pub(crate) outcome: String,
+    #[serde(rename = "true_error", serialize_with = "data::three_digits")]
     pub(crate) truth: f64,
+    #[serde(rename = "certified_error", serialize_with = "data::three_digits")]
     pub(crate) certified: f64,
 }
 
@@ -92,34 +93,4 @@ impl Row {
     pub(crate) fn ratio(&self) -> Option<f64> {
         (self.outcome == BOUNDED && 0.0 < self.truth && self.certified.is_finite()).then(|| self.truth / self.certified)
     }
-}
-
-/// The file of some rows.
-pub(crate) fn text(rows: &[Row]) -> String {
-    let line = |row: &Row| {
-        let Row { scene, method, solver, intervals, status, outcome, .. } = row;
-        let (truth, certified) = (table::error(row.truth), table::error(row.certified));
-        format!("{scene},{method},{solver},{intervals},{status},{outcome},{truth},{certified}\n")
-    };
-    std::iter::once(format!("{HEADER}\n")).chain(rows.iter().map(line)).collect()
-}
-
-/// The rows of a file.
-pub(crate) fn parse(text: &str) -> Result<Vec<Row>, Cause> {
-    let row = |fields: Vec<&str>| -> Result<Row, Cause> {
-        let [scene, method, solver, intervals, status, outcome, truth, certified] = fields[..] else {
-            return Err(format!("{PATH}: a line has {} fields", fields.len()).into());
-        };
-        Ok(Row {
-            scene: scene.to_owned(),
-            method: method.to_owned(),
-            solver: solver.to_owned(),
-            intervals: intervals.parse()?,
-            status: status.to_owned(),
-            outcome: outcome.to_owned(),
-            truth: truth.parse()?,
-            certified: certified.parse()?,
-        })
-    };
-    table::fields(text, HEADER, PATH)?.into_iter().map(row).collect()
 }

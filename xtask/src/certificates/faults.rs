@@ -7,13 +7,14 @@ use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
-use palkki::{Settings, solve};
 use palkki_evidence::faults::{
     CONTACT_FAULTS, Certified, Distance, FAULTS, SIZES, Truth, every_second, scaled_ground, scaled_load,
 };
+use palkki::{Settings, solve};
 
-use super::table;
-use crate::report::error::Cause;
+use serde::{Deserialize, Serialize};
+
+use crate::{Cause, data};
 
 /// Where the file is, below the root.
 pub(crate) const PATH: &str = "report/data/faults.csv";
@@ -44,19 +45,22 @@ pub(crate) fn sizes(fault: &str) -> Vec<f64> {
 const DEEPER: &str = "the answer for ground so much deeper";
 const HEAVIER: &str = "the answer for so much more load";
 
-const HEADER: &str = "scene,fault,answers,refused,passed,largest_passed,off_by,bounded,unbounded,no_numbers,exceptions";
-
 /// What became of one fault in the answers of one scene.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) scene: String,
+    #[serde(with = "data::words")]
     pub(crate) fault: String,
+    /// All answers with this fault.
+    answers: usize,
     /// Answers that the check of the discrete problem refused, and that it let pass.
     pub(crate) refused: usize,
     pub(crate) passed: usize,
     /// The largest size of the fault that passed; 0 if none did, or if it has no size.
+    #[serde(serialize_with = "data::power")]
     pub(crate) largest_passed: f64,
     /// How far what passed was from the solution, forces excepted.
+    #[serde(serialize_with = "data::three_digits")]
     pub(crate) off_by: f64,
     /// Answers whose certificate is a finite number and true, is infinite, is none.
     pub(crate) bounded: usize,
@@ -68,6 +72,7 @@ pub(crate) struct Row {
 
 impl Row {
     fn verdict(&mut self, passed: Option<Distance>, size: f64) {
+        self.answers += 1;
         match passed {
             None => self.refused += 1,
             Some(distance) => {
@@ -85,11 +90,6 @@ impl Row {
             Some(judged) if judged.certificate.deflection_error.is_finite() => self.bounded += 1,
             Some(_) => self.unbounded += 1,
         }
-    }
-
-    /// All answers with this fault.
-    pub(crate) fn answers(&self) -> usize {
-        self.refused + self.passed
     }
 }
 
@@ -189,41 +189,4 @@ impl Trial<'_> {
             }
         }
     }
-}
-
-/// The file of some rows.
-pub(crate) fn text(rows: &[Row]) -> String {
-    let line = |row: &Row| {
-        let fault = row.fault.replace(',', ";");
-        let Row { scene, refused, passed, largest_passed, bounded, unbounded, no_numbers, exceptions, .. } = row;
-        let (answers, off_by) = (row.answers(), table::error(row.off_by));
-        format!(
-            "{scene},{fault},{answers},{refused},{passed},{largest_passed:e},{off_by},{bounded},{unbounded},{no_numbers},{exceptions}\n"
-        )
-    };
-    std::iter::once(format!("{HEADER}\n")).chain(rows.iter().map(line)).collect()
-}
-
-/// The rows of a file.
-pub(crate) fn parse(text: &str) -> Result<Vec<Row>, Cause> {
-    let row = |fields: Vec<&str>| -> Result<Row, Cause> {
-        let [scene, fault, _, refused, passed, largest_passed, off_by, bounded, unbounded, no_numbers, exceptions] =
-            fields[..]
-        else {
-            return Err(format!("{PATH}: a line has {} fields", fields.len()).into());
-        };
-        Ok(Row {
-            scene: scene.to_owned(),
-            fault: fault.replace(';', ","),
-            refused: refused.parse()?,
-            passed: passed.parse()?,
-            largest_passed: largest_passed.parse()?,
-            off_by: off_by.parse()?,
-            bounded: bounded.parse()?,
-            unbounded: unbounded.parse()?,
-            no_numbers: no_numbers.parse()?,
-            exceptions: exceptions.parse()?,
-        })
-    };
-    table::fields(text, HEADER, PATH)?.into_iter().map(row).collect()
 }

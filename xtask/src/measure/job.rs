@@ -3,159 +3,132 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use palkki::adaptive::{End, Request, adapt};
 use palkki::certificate::Kkt;
+use palkki::adaptive::{End, Request, adapt};
 use palkki::methods::{Discrete, Method, contact_state};
 use palkki::problem::FreeSet;
 use palkki::route::Status;
-use palkki::scene::{Scene, SceneError};
-use palkki::solvers::{OwnResidual, Solver};
+use palkki::scene::Scene;
+use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::{Settings, Witness, solve, theory, verdict};
 
-use super::memory;
+use super::instruments::{Tridiagonal, peak};
+use super::line::Line;
 use super::plan::{Job, Route};
-use super::tridiagonal::Tridiagonal;
+use super::references::References;
+use crate::Cause;
+use crate::data::rounded;
 
 /// Runs of each job that is quick enough: few microseconds, and memory that is fetched anew, are a matter of luck.
 const RUNS: usize = 25;
 /// No more runs after so many seconds, unless the yardstick lies beside them.
 const ENOUGH: f64 = 0.25;
 
-/// An answer and what it cost.
-#[derive(Debug, Clone)]
-pub(crate) struct Measured {
-    pub(crate) state: ContactState,
-    pub(crate) status: Status,
-    pub(crate) claims_success: bool,
-    pub(crate) residual: f64,
-    /// Of a library: what it left of its own problem.
-    pub(crate) own_residual: Option<OwnResidual>,
-    pub(crate) iterations: usize,
-    pub(crate) unknowns: usize,
-    /// Seconds of each run, ascending.
-    pub(crate) seconds: Vec<f64>,
-    /// Seconds of a repair without those of the library, the median.
-    pub(crate) added: Option<f64>,
-    /// Seconds of a tridiagonal solve of the same size, run in turns with it, the median.
-    pub(crate) yardstick: Option<f64>,
-    /// Seconds of the certificate of the answer, run in turns with it as well, the median.
-    pub(crate) certificate: Option<f64>,
-    /// Of the adaptive grid: intervals of the last grid, and the certified error of the deflection over its largest value.
-    pub(crate) adaptive: Option<(usize, f64)>,
-    /// Kilobytes at the most, in a process of its own.
-    pub(crate) peak: Option<u64>,
-}
-
-impl Measured {
-    /// Runs a job several times; the answer is the same each time.
-    pub(crate) fn of(scene_name: &str, scene: &Scene, job: Job) -> Result<Self, String> {
-        let mut seconds = Vec::new();
-        let mut measured: Option<Self> = None;
-        // The yardstick and the certificate are laid beside the same jobs, in turns with them.
-        let mut ruler = job.is_ruled().then(|| Tridiagonal::new(job.intervals - 1));
-        let (mut added, mut yardstick, mut certificate) = (Vec::new(), Vec::new(), Vec::new());
-        while seconds.len() < RUNS && (job.is_ruled() || seconds.iter().sum::<f64>() < ENOUGH) {
-            // The answer of the last run goes first: no run has to share memory with it.
-            drop(measured.take());
-            if let Some(ruler) = &mut ruler {
-                yardstick.push(ruler.seconds());
-            }
+/// The line of a job that `begun` says which it is: it is run several times; the answer is the same each time.
+pub(super) fn measured(begun: Line, scene: &Scene, job: Job, references: &References) -> Result<Line, Cause> {
+    if matches!(job.route, Route::Optimum(_)) {
+        return Ok(match references.reference(scene, job) {
+            Some(found) => Line { iterations: Some(found.exchanges + 1), ..begun.ended("proven") }
+                .with(vec![found.seconds], &references.of_grid(&found)),
+            None => begun.ended("not-proven"),
+        });
+    }
+    let mut seconds = Vec::new();
+    let mut last: Option<Answer> = None;
+    // The yardstick and the certificate are laid beside the same jobs, in turns with them.
+    let mut ruler = job.is_ruled().then(|| Tridiagonal::new(job.intervals - 1));
+    let (mut added, mut yardstick, mut certificate) = (Vec::new(), Vec::new(), Vec::new());
+    while seconds.len() < RUNS && (job.is_ruled() || seconds.iter().sum::<f64>() < ENOUGH) {
+        // The answer of the last run goes first: no run has to share memory with it.
+        drop(last.take());
+        if let Some(ruler) = &mut ruler {
+            yardstick.push(ruler.seconds());
+        }
+        let start = Instant::now();
+        let answer = once(&begun, scene, job)?;
+        seconds.push(start.elapsed().as_secs_f64());
+        if job.is_ruled() {
             let start = Instant::now();
-            let answer = once(scene, job)?;
-            seconds.push(start.elapsed().as_secs_f64());
-            if job.is_ruled() {
-                let start = Instant::now();
-                black_box(verdict::certificate(&answer.state, &Witness::of(scene)));
-                certificate.push(start.elapsed().as_secs_f64());
-            }
-            added.extend(answer.added);
-            measured = Some(answer);
+            black_box(verdict::certificate(&answer.state, &Witness::of(scene)));
+            certificate.push(start.elapsed().as_secs_f64());
         }
-        seconds.sort_by(f64::total_cmp);
-        let peak = if job.is_weighed() { memory::peak(scene_name, job) } else { None };
-        let [added, yardstick, certificate] = [added, yardstick, certificate].map(median);
-        measured
-            .map(|answer| Self { seconds, added, yardstick, certificate, peak, ..answer })
-            .ok_or_else(|| "no run at all".to_owned())
+        added.extend(answer.added);
+        last = Some(answer);
     }
-
-    /// A state of which nothing else is known yet.
-    fn untimed(state: ContactState) -> Self {
-        let status = Status::NotCertified;
-        let (claims_success, residual, iterations, unknowns) = (false, f64::INFINITY, 0, 0);
-        let own_residual = None;
-        let (seconds, added, yardstick, certificate, peak) = (Vec::new(), None, None, None, None);
-        Self {
-            state,
-            status,
-            claims_success,
-            residual,
-            own_residual,
-            iterations,
-            unknowns,
-            seconds,
-            added,
-            yardstick,
-            certificate,
-            adaptive: None,
-            peak,
-        }
+    let Answer { state, residual, line, .. } = last.ok_or("no run at all")?;
+    // A solver that refuses hands back no number at all.
+    if residual.is_infinite() && line.iterations == Some(0) {
+        return Ok(begun.ended("refused"));
     }
+    let peak_kb = if job.is_weighed() { peak(&begun.scene, job) } else { None };
+    let [added_s, tridiagonal_s, certificate_s] = [added, yardstick, certificate].map(median);
+    let residual = rounded(residual, 2);
+    let line = Line { residual, added_s, tridiagonal_s, certificate_s, peak_kb, ..line };
+    Ok(line.with(seconds, &references.errors(scene, job, &state)))
 }
 
 /// The median, if there is anything.
 fn median(mut seconds: Vec<f64>) -> Option<f64> {
     seconds.sort_by(f64::total_cmp);
-    seconds.get(seconds.len() / 2).copied()
+    rounded(*seconds.get(seconds.len() / 2)?, 3)
 }
 
-fn once(scene: &Scene, job: Job) -> Result<Measured, String> {
+/// An answer, and what is known of it but for times and errors.
+struct Answer {
+    state: ContactState,
+    residual: f64,
+    line: Line,
+    /// Seconds of a repair without those of the library.
+    added: Option<f64>,
+}
+
+fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
+    let line = |status: Status, success: bool, iterations: usize, unknowns: usize| Line {
+        says_solved: Some(success),
+        iterations: Some(iterations),
+        unknowns: Some(unknowns),
+        ..begun.clone().ended(status.word())
+    };
     match job.route {
-        Route::Optimum(_) => Err("the proven optimum is no solver".to_owned()),
+        Route::Optimum(_) => Err("the proven optimum is no solver".into()),
         Route::Exact => {
-            let exact = theory::solve(scene).map_err(|error| error.to_string())?;
-            Ok(Measured {
-                status: exact.status,
-                claims_success: exact.status == Status::Certified,
-                residual: exact.residual,
-                iterations: exact.iterations,
-                unknowns: exact.unknowns,
-                ..Measured::untimed(exact.state)
-            })
+            let exact = theory::solve(scene)?;
+            let line = line(exact.status, exact.status == Status::Certified, exact.iterations, exact.unknowns);
+            Ok(Answer { state: exact.state, residual: exact.residual, line, added: None })
         }
         Route::Solver(method, solver) => {
-            let settings = Settings { method, solver, intervals: job.intervals, tolerance: job.tolerance };
-            let outcome = solve(scene, &settings).map_err(|error| error.to_string())?;
-            Ok(Measured {
-                status: outcome.status,
-                claims_success: outcome.solver_claims_success,
-                residual: outcome.residual,
-                own_residual: outcome.own_residual,
-                iterations: outcome.iterations,
-                unknowns: outcome.unknowns,
-                ..Measured::untimed(outcome.state)
-            })
+            let Job { intervals, tolerance, .. } = job;
+            let found = solve(scene, &Settings { method, solver, intervals, tolerance })?;
+            let line = Line {
+                did_as_asked: found.own_residual.map(|own| own.is_met()),
+                own_residual: found.own_residual.and_then(|own| rounded(own.residual, 2)),
+                ..line(found.status, found.solver_claims_success, found.iterations, found.unknowns)
+            };
+            Ok(Answer { state: found.state, residual: found.residual, line, added: None })
         }
         Route::Adaptive(method, solver) => {
-            let found =
-                adapt(scene, &Request::new(method, solver, job.tolerance)).map_err(|error| error.to_string())?;
-            Ok(Measured {
-                status: found.solution.verdict.status,
-                claims_success: found.end == End::Reached,
-                residual: found.solution.residual,
-                iterations: found.trials.iter().map(|tried| tried.iterations).sum(),
-                unknowns: found.solution.unknowns,
-                adaptive: Some((found.settings.intervals, found.solution.verdict.error)),
-                ..Measured::untimed(found.solution.state)
-            })
+            let found = adapt(scene, &Request::new(method, solver, job.tolerance))?;
+            let iterations = found.trials.iter().map(|tried| tried.iterations).sum();
+            let reached = found.end == End::Reached;
+            let line = Line {
+                last_intervals: Some(found.settings.intervals),
+                certified_error: rounded(found.solution.verdict.error, 2),
+                ..line(found.solution.verdict.status, reached, iterations, found.solution.unknowns)
+            };
+            Ok(Answer { state: found.solution.state, residual: found.solution.residual, line, added: None })
         }
-        Route::Repair(solver) => repair(scene, solver, job).map_err(|error| error.to_string()),
+        Route::Repair(solver) => repair(scene, solver, job, line),
     }
 }
 
 /// Takes the contact set that a library ends with, solves it exactly, and lets the judge decide.
-fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneError> {
+fn repair(
+    scene: &Scene,
+    solver: Solver,
+    job: Job,
+    line: impl Fn(Status, bool, usize, usize) -> Line,
+) -> Result<Answer, Cause> {
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, job.intervals)?;
     let programme = Method::Force.programme(&discrete);
@@ -174,13 +147,10 @@ fn repair(scene: &Scene, solver: Solver, job: Job) -> Result<Measured, SceneErro
     let nodal = Method::Force.nodal(&discrete, x, gradient);
     let state = contact_state(discrete, nodal);
     let verdict = Kkt::of(&scaled.scene, &state);
-    Ok(Measured {
-        status: if verdict.is_some_and(|kkt| kkt.holds()) { Status::Certified } else { Status::NotCertified },
-        claims_success: answer.claims_success,
-        residual: verdict.map_or(f64::INFINITY, |kkt| kkt.residual()),
-        iterations: answer.iterations,
-        unknowns,
-        added: Some(start.elapsed().as_secs_f64()),
-        ..Measured::untimed(state.in_units_of(&scaled.scale))
-    })
+    let certified = verdict.is_some_and(|kkt| kkt.holds());
+    let status = if certified { Status::Certified } else { Status::NotCertified };
+    let line = line(status, answer.claims_success, answer.iterations, unknowns);
+    let added = Some(start.elapsed().as_secs_f64());
+    let residual = verdict.map_or(f64::INFINITY, |kkt| kkt.residual());
+    Ok(Answer { state: state.in_units_of(&scaled.scale), residual, line, added })
 }

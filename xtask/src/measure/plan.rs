@@ -3,7 +3,8 @@
 use palkki::methods::Method;
 use palkki::solvers::Solver;
 
-use super::store::Key;
+use super::line::Line;
+use crate::data::Row;
 
 /// Seconds after which a series is not continued on finer grids.
 pub(crate) const LIMIT: f64 = 3.0;
@@ -54,7 +55,7 @@ pub(crate) struct Job {
 
 impl Job {
     /// `method/solver` as the file has it.
-    pub(crate) fn route_word(&self) -> String {
+    pub(crate) fn route_name(&self) -> String {
         match self.route {
             Route::Exact => "exact/free-boundary".to_owned(),
             Route::Optimum(method) => format!("{method}/optimum"),
@@ -65,13 +66,8 @@ impl Job {
     }
 
     /// What identifies the line of the file.
-    pub(crate) fn key(&self, scene: &'static str) -> Key {
-        Key { scene, route: self.route_word(), intervals: self.intervals, tolerance: self.tolerance }
-    }
-
-    /// For a person who waits.
-    pub(crate) fn describe(&self) -> String {
-        format!("{} on {} intervals, asked for {:e}", self.route_word(), self.intervals, self.tolerance)
+    pub(crate) fn name(&self, scene: &str) -> String {
+        Line::of(scene, *self).name()
     }
 
     /// Whether the other job is the same on another grid.
@@ -140,10 +136,8 @@ mod tests {
 
     #[test]
     fn every_job_has_a_key_of_its_own() {
-        let keys: Vec<String> = all()
-            .iter()
-            .flat_map(|(scene, jobs)| jobs.iter().map(|job| job.key(scene).name()).collect::<Vec<_>>())
-            .collect();
+        let keys: Vec<String> =
+            all().iter().flat_map(|(scene, jobs)| jobs.iter().map(|job| job.name(scene)).collect::<Vec<_>>()).collect();
         assert_eq!(keys.iter().collect::<BTreeSet<_>>().len(), keys.len(), "a key is a line of the file");
     }
 }

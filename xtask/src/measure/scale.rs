@@ -2,22 +2,26 @@
 //! interior point.
 //!
 //! Routes on the same survey follow each other, so that their ratio is that of one hour. Each runs in a process of its own,
-//! which has a memory of its own and can be stopped. `--up-to N` measures surveys of at most N points.
+//! which is this program once more, as `xtask alone …`: its memory is that of one solve, and it can be stopped.
+//! `--up-to N` measures surveys of at most N points.
 
-pub(crate) mod alone;
-
+use std::io::Read;
 use std::path::Path;
+use std::process::Stdio;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
+use palkki_evidence::extremes::{Ground, survey};
 use palkki::methods::Method;
+use palkki::scene::Scene;
 use palkki::solvers::Solver;
-use palkki_evidence::extremes::Ground;
+use palkki::state::Nodes;
+use palkki::{Settings, solve, theory};
 use serde::{Deserialize, Serialize};
 
-use super::rows::{Row, Rows};
-use super::{Wish, machine};
-
-/// Where the file is, below the root.
-pub(crate) const PATH: &str = "report/data/scale.csv";
+use super::instruments::{again, high_water_mark};
+use crate::data::{Measurements, Row, parse, rounded};
+use crate::{Cause, tell};
 
 /// Points of the surveys: segments, to be exact.
 const POINTS: [u32; 4] = [1000, 10_000, 100_000, 1_000_000];
@@ -55,7 +59,7 @@ impl Route {
     pub(crate) const ALL: [Self; 3] = [Self::Exact, Self::Force(Solver::ActiveSet), Self::Force(Solver::Clarabel)];
 
     /// `method/solver`
-    pub(crate) fn word(self) -> String {
+    pub(crate) fn name(self) -> String {
         match self {
             Self::Exact => "exact/free-boundary".to_owned(),
             Self::Force(solver) => format!("{}/{solver}", Method::Force),
@@ -68,16 +72,30 @@ impl Route {
     }
 }
 
-/// One thing to measure.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Job {
+/// One thing to measure, and the arguments of the process that does.
+#[derive(Debug, Clone, Copy, PartialEq, clap::Args)]
+pub(crate) struct Job {
+    #[arg(value_parser = ground)]
     ground: Ground,
     points: u32,
     load: f64,
+    #[arg(value_parser = route)]
     route: Route,
 }
 
+fn ground(word: &str) -> Result<Ground, String> {
+    Ground::ALL.into_iter().find(|ground| ground.word() == word).ok_or_else(|| "no such ground".to_owned())
+}
+
+fn route(word: &str) -> Result<Route, String> {
+    Route::ALL.into_iter().find(|route| route.name() == word).ok_or_else(|| "no such route".to_owned())
+}
+
 impl Job {
+    fn arguments(self) -> [String; 4] {
+        [self.ground.word().to_owned(), self.points.to_string(), format!("{:e}", self.load), self.route.name()]
+    }
+
     /// Intervals of its grid: a multiple of the segments; 0 for the exact solution.
     fn intervals(self) -> u32 {
         match self.route {
@@ -138,7 +156,7 @@ pub(crate) struct Line {
 }
 
 impl Row for Line {
-    const PATH: &'static str = PATH;
+    const PATH: &'static str = "report/data/scale.csv";
 
     /// `ground,points,load,method/solver`
     fn name(&self) -> String {
@@ -149,7 +167,7 @@ impl Row for Line {
 impl Line {
     /// Nothing is known of it yet.
     fn of(job: Job) -> Self {
-        let (ground, route) = (job.ground.word().to_owned(), job.route.word());
+        let (ground, route) = (job.ground.word().to_owned(), job.route.name());
         Self { ground, points: job.points, load: job.load, route, intervals: job.intervals(), ..Self::default() }
     }
 
@@ -167,14 +185,19 @@ impl Line {
 }
 
 /// All lines, on disk and in memory.
-pub(crate) type Scale = Rows<Line>;
+pub(crate) type Scale = Measurements<Line>;
 
 /// Runs all jobs that are wanted and that the file does not have yet.
-pub(super) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -> Result<(), String> {
-    let wanted = |name: &str| name.contains(wish.only);
-    let mut scale = Scale::open(root, &machine::describe(root), wish.fresh, wanted)?;
+pub(super) fn run(
+    root: &Path,
+    described: &[String],
+    fresh: bool,
+    up_to: u32,
+    wanted: impl Fn(&str) -> bool,
+) -> Result<(), Cause> {
+    let mut scale = Scale::open(root, described, fresh, &wanted)?;
     let jobs = plan();
-    for (k, job) in jobs.iter().enumerate().filter(|(_, job)| job.points <= wish.up_to) {
+    for (k, job) in jobs.iter().enumerate().filter(|(_, job)| job.points <= up_to) {
         let begun = Line::of(*job);
         let name = begun.name();
         if !wanted(&name) || scale.named(&name).is_some() {
@@ -193,14 +216,115 @@ pub(super) fn run(root: &Path, wish: Wish<'_>, progress: &mut dyn FnMut(&str)) -
                 begun.without_result(LEFT_OUT, why)
             }
             _ => {
-                progress(&format!("{} of {}: {name}", k + 1, jobs.len()));
-                alone::measured(*job, begun)?
+                tell(&format!("{} of {}: {name}", k + 1, jobs.len()));
+                job.measured_alone(begun)?
             }
         };
         scale.append(line)?;
     }
-    progress("all of it is measured; `cargo xtask report` renders the page from it");
+    tell("all of it is measured; `cargo xtask report` renders the page from it");
     Ok(())
+}
+
+/// Runs of what is quick, and the seconds from which on one run has to do.
+const RUNS: usize = 3;
+const QUICK: f64 = 3.0;
+
+/// How often it is asked whether a process is at its end.
+const PAUSE: Duration = Duration::from_millis(5);
+
+impl Job {
+    /// The line of the job, by a process of its own; `begun` is what is known before.
+    fn measured_alone(self, begun: Line) -> Result<Line, Cause> {
+        let mut process = again("alone", &self.arguments())?.stdout(Stdio::piped()).spawn()?;
+        let start = Instant::now();
+        let patience = self.route.patience();
+        let ended = loop {
+            match process.try_wait()? {
+                Some(ended) => break ended,
+                None if patience < start.elapsed().as_secs_f64() => {
+                    process.kill().and_then(|()| process.wait())?;
+                    return Ok(begun.without_result(STOPPED, format!("no answer after {patience} s")));
+                }
+                None => sleep(PAUSE),
+            }
+        };
+        let mut told = String::new();
+        if let Some(mut output) = process.stdout.take() {
+            output.read_to_string(&mut told)?;
+        }
+        if !ended.success() {
+            return Ok(begun.without_result(STOPPED, format!("the process gave up: {ended}")));
+        }
+        parse(&told)?.pop().ok_or_else(|| format!("{}: no line", begun.name()).into())
+    }
+
+    /// What that process does: solves, and answers with a line of the file.
+    pub(crate) fn measured_here(self) -> Result<Line, Cause> {
+        let scene = survey(self.ground, self.points, self.load)?;
+        let mut seconds: Vec<f64> = Vec::new();
+        let mut found: Option<Line> = None;
+        while seconds.len() < RUNS && seconds.iter().all(|seconds| *seconds < QUICK) {
+            let start = Instant::now();
+            let line = once(self, &scene);
+            seconds.push(start.elapsed().as_secs_f64());
+            // Memory that one answer leaves is not fetched again for the next: the first run is the one that counts.
+            let peak_kb = found.as_ref().map_or_else(high_water_mark, |found| found.peak_kb);
+            found = Some(Line { peak_kb, ..line });
+        }
+        seconds.sort_by(f64::total_cmp);
+        let line = found.ok_or("no run at all")?;
+        if line.residual.is_none() {
+            return Ok(Line { peak_kb: None, ..line });
+        }
+        Ok(Line {
+            runs: Some(seconds.len()),
+            median_s: rounded(seconds[seconds.len() / 2], 3),
+            min_s: rounded(seconds[0], 3),
+            max_s: rounded(seconds[seconds.len() - 1], 3),
+            ..line
+        })
+    }
+}
+
+/// Nodes that carry; an interior point leaves some force at all of them.
+fn carrying(nodes: &Nodes) -> usize {
+    nodes.contact_force.iter().filter(|force| 0.0 < **force).count()
+}
+
+/// Solves, without a clock.
+fn once(job: Job, scene: &Scene) -> Line {
+    let begun = Line::of(job);
+    match job.route {
+        Route::Exact => match theory::solve(scene) {
+            Ok(exact) => Line {
+                status: exact.status.word().to_owned(),
+                residual: rounded(exact.residual, 2),
+                energy: rounded(exact.state.energy, 15),
+                iterations: Some(exact.iterations),
+                lists: Some(exact.lists),
+                unknowns: Some(exact.unknowns),
+                contacts: Some(exact.state.contacts.len()),
+                ..begun
+            },
+            Err(error) => begun.without_result(REFUSED, error.to_string()),
+        },
+        Route::Force(solver) => {
+            let intervals = usize::try_from(job.intervals()).unwrap_or(usize::MAX);
+            match solve(scene, &Settings::new(Method::Force, solver, intervals)) {
+                Ok(outcome) => Line {
+                    status: outcome.status.word().to_owned(),
+                    residual: rounded(outcome.residual, 2),
+                    energy: rounded(outcome.state.energy, 15),
+                    iterations: Some(outcome.iterations),
+                    unknowns: Some(outcome.unknowns),
+                    contacts: outcome.state.nodes.as_ref().filter(|_| solver == Solver::ActiveSet).map(carrying),
+                    ..begun
+                },
+                Err(error) => begun.without_result(REFUSED, error.to_string()),
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -220,5 +344,25 @@ mod tests {
         let job = Job { ground: Ground::Walk, points: 300, load: 1.0, route: Route::Force(Solver::ActiveSet) };
         assert_eq!(job.intervals(), 1200);
         assert!(Job { points: 1000, ..job }.continues(job) && !job.continues(job));
+    }
+
+    #[test]
+    fn a_process_tells_its_line() {
+        #[derive(clap::Parser)]
+        struct Told {
+            #[command(flatten)]
+            job: Job,
+        }
+        let told = |arguments: &[String]| {
+            let program = [String::new()];
+            <Told as clap::Parser>::try_parse_from(program.iter().chain(arguments)).map(|told| told.job)
+        };
+        for job in plan() {
+            assert_eq!(told(&job.arguments()).ok(), Some(job), "it is told what it is to do");
+        }
+        assert!(told(&["white noise", "100", "1e0", "nobody"].map(str::to_owned)).is_err() && told(&[]).is_err());
+        let job = Job { ground: Ground::ALL[0], points: 100, load: 1.0, route: Route::Exact };
+        let line = job.measured_here().expect("a line");
+        assert_eq!((line.name(), line.is_certified()), (Line::of(job).name(), true), "{line:?}");
     }
 }

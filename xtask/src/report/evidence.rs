@@ -1,75 +1,101 @@
 //! What the report rests on, subject by subject: values for the templates, figures and data.
 //!
-//! To add a subject: a module here with `evidence(study)`, and a line in [`EVIDENCE`]. Every template sees its values as
+//! To add a subject: a module here with `evidence(study)`, and a line in [`SUBJECTS`]. Every template sees its values as
 //! `{{ <name>.field }}`.
 
 mod adaptive;
 mod agreement;
 mod bounds;
 mod claims;
+mod closed;
 mod conditioning;
 mod convergence;
 mod cost;
-
-mod discrepancies;
 mod extremes;
 mod figures;
-mod first_force;
+mod gallery;
 mod hostile;
 mod judged;
-mod methods;
 mod problem;
-mod recommendation;
-mod regimes;
-mod reproduce;
+mod provenance;
 mod scale;
-mod scenes;
-mod sheet;
 mod sliders;
 mod solvers;
 mod teaching;
-mod theory;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::OnceLock;
 
 use minijinja::Value;
-use minijinja::value::Serde;
-use serde::Serialize;
+use palkki_evidence::paper::claims::Ledger;
+use palkki::route::{Method, Outcome, Solver};
+use palkki::scene::{Scene, SceneError};
+use palkki::state::{ContactState, Nodes};
+use palkki::{Settings, solve};
 
-use super::error::Cause;
-use super::study::Study;
+use crate::table::Table;
+use crate::{Cause, tell, workers};
+
+/// What the subjects have in common.
+mod prelude {
+    pub(super) use minijinja::{Value, context};
+    pub(super) use palkki::route::{Method, Solver, Status};
+    pub(super) use palkki::scene::{Foundation, Scene};
+    pub(super) use palkki::{Settings, solve, theory};
+
+    pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes, worst_difference};
+    pub(super) use crate::table::{Table, row};
+    pub(super) use crate::text::*;
+    pub(super) use crate::{Cause, scenes};
+}
 
 /// One subject: its name in the templates, and what computes it.
-pub(super) type Subject = (&'static str, fn(&Study<'_>) -> Result<Evidence, Cause>);
+type Subject = (&'static str, fn(&Study<'_>) -> Result<Evidence, Cause>);
 
-/// All subjects. The order has no meaning for the report; the last ones are computed first.
-pub(super) const EVIDENCE: &[Subject] = &[
-    ("problem", problem::evidence),
-    ("methods", methods::evidence),
-    ("theory", theory::evidence),
+/// All subjects. The order has no meaning for the report; the last ones are computed first, and the longest are among them.
+const SUBJECTS: &[Subject] = &[
+    ("problem", problem::sketch),
+    ("methods", problem::methods),
+    ("theory", closed::evidence),
     ("sliders", sliders::evidence),
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
     ("figures", figures::evidence),
-    ("first_force", first_force::evidence),
-    ("regimes", regimes::evidence),
+    ("first_force", figures::first_force),
+    ("regimes", problem::regimes),
     ("agreement", agreement::evidence),
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
-    ("scenes", scenes::evidence),
-    ("sheet", sheet::evidence),
+    ("scenes", gallery::evidence),
+    ("sheet", gallery::sheet),
     ("claims", claims::evidence),
-    ("recommendation", recommendation::evidence),
+    ("recommendation", claims::recommendation),
     ("cost", cost::evidence),
     ("scale", scale::evidence),
     ("conditioning", conditioning::evidence),
     ("extremes", extremes::evidence),
     ("hostile", hostile::evidence),
-    ("discrepancies", discrepancies::evidence),
-    ("reproduce", reproduce::evidence),
+    ("discrepancies", provenance::discrepancies),
+    ("reproduce", provenance::evidence),
 ];
+
+/// The repository, and what was measured for more than one subject.
+#[derive(Debug)]
+pub(crate) struct Study<'a> {
+    /// Root of the repository.
+    root: &'a Path,
+    ledger: OnceLock<Result<Ledger, SceneError>>,
+}
+
+impl Study<'_> {
+    /// What the claims of the paper are judged by.
+    fn ledger(&self) -> Result<&Ledger, Cause> {
+        self.ledger.get_or_init(Ledger::measure).as_ref().map_err(|&error| error.into())
+    }
+}
 
 /// What one subject hands to the templates, and the files that it makes.
 #[derive(Debug)]
@@ -80,22 +106,85 @@ pub(crate) struct Evidence {
     pub(super) files: BTreeMap<String, String>,
 }
 
+/// The name of a figure, the drawing, and the numbers that it draws.
+type Drawn = (&'static str, String, Table);
+
 impl Evidence {
     /// Values without figures and data.
-    pub(crate) fn new(values: impl Serialize) -> Self {
-        Self { values: Value::from(Serde(values)), files: BTreeMap::new() }
+    pub(super) fn new(values: impl Into<Value>) -> Self {
+        Self { values: values.into(), files: BTreeMap::new() }
     }
 
     /// With a figure and the numbers that it draws: `figures/<name>.svg` and `data/<name>.csv`.
-    pub(crate) fn figure(self, name: &str, svg: String, csv: String) -> Self {
-        let mut with = self.data(name, csv);
-        with.files.insert(format!("figures/{name}.svg"), svg);
-        with
+    pub(super) fn figure(mut self, name: &str, svg: String, data: Table) -> Self {
+        self.files.insert(format!("figures/{name}.svg"), svg);
+        self.data(name, data)
+    }
+
+    /// With some of them.
+    fn figures(self, figures: impl IntoIterator<Item = Drawn>) -> Self {
+        figures.into_iter().fold(self, |evidence, (name, svg, data)| evidence.figure(name, svg, data))
     }
 
     /// With numbers that no figure draws: `data/<name>.csv`.
-    pub(crate) fn data(mut self, name: &str, csv: String) -> Self {
-        self.files.insert(format!("data/{name}.csv"), csv);
+    fn data(self, name: &str, data: Table) -> Self {
+        self.file(name, data.csv())
+    }
+
+    /// With a file of data whose text is there.
+    fn file(mut self, name: &str, text: String) -> Self {
+        self.files.insert(format!("data/{name}.csv"), text);
         self
     }
+}
+
+/// What the `wanted` subjects rest on, in the order of [`SUBJECTS`]; the error of the first that has one.
+///
+/// A subject is computed by one thread, from the tree and from what [`Study`] measures once for all of them, and so it is the
+/// same whichever thread computes it and when.
+pub(super) fn compute(root: &Path, wanted: &BTreeSet<String>) -> Result<Vec<(&'static str, Evidence)>, Cause> {
+    let subjects: Vec<Subject> = SUBJECTS.iter().filter(|(name, _)| wanted.contains(*name)).copied().collect();
+    let study = Study { root, ledger: OnceLock::new() };
+    let found = workers::each(&subjects, |(subject, evidence)| {
+        tell(&format!("evidence for {subject}"));
+        evidence(&study)
+            .map(|found| (*subject, found))
+            .map_err(|error| format!("the evidence `{subject}`: {error}").into())
+    });
+    found.into_iter().collect()
+}
+
+/// Every method with every solver.
+fn routes() -> impl Iterator<Item = (Method, Solver)> {
+    Method::ALL.into_iter().flat_map(|method| Solver::ALL.map(|solver| (method, solver)))
+}
+
+/// A scene solved on a grid, to the tolerance that is the default.
+fn on_grid(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<Outcome, Cause> {
+    Ok(solve(scene, &Settings::new(method, solver, intervals))?)
+}
+
+/// The nodes of an answer on a grid.
+fn nodes_of(state: &ContactState) -> Result<&Nodes, Cause> {
+    state.nodes.as_ref().ok_or_else(|| "a discretised state has nodes".into())
+}
+
+/// The whole load of a scene, upward or downward \[force\].
+fn load(scene: &Scene) -> f64 {
+    scene.load().magnitude(scene.beam().length())
+}
+
+/// The largest difference of two lists of numbers; infinite if there is nothing to compare, or NaN in it.
+fn worst_difference(a: &[f64], b: &[f64]) -> f64 {
+    if a.len() != b.len() || a.is_empty() {
+        return f64::INFINITY;
+    }
+    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, |worst: f64, e| if e.is_nan() { f64::INFINITY } else { worst.max(e) })
+}
+
+/// The least and the greatest of some numbers.
+fn range(numbers: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
+    let numbers = numbers.into_iter().map(|number| [number, number]);
+    numbers.reduce(|[least, most], [a, b]| [least.min(a), most.max(b)])
 }

@@ -7,11 +7,10 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
 
-use super::error::{Cause, Error};
 use super::files;
+use crate::Cause;
 
 /// The most lines that a reader takes in beside the text; source that needs more is too long.
 const MOST: usize = 20;
@@ -26,15 +25,12 @@ pub(super) struct Excerpt {
 }
 
 /// All excerpts of the sources, by name.
-pub(super) fn all(root: &Path) -> Result<BTreeMap<String, Excerpt>, Error> {
+pub(super) fn all(root: &Path) -> Result<BTreeMap<String, Excerpt>, Cause> {
     let mut found = BTreeMap::new();
-    for path in files::list(root, "src")?.into_iter().filter(|path| path.ends_with(".rs")) {
-        let text =
-            fs::read_to_string(root.join(&path)).map_err(|source| Error::File { path: path.clone().into(), source })?;
-        let of_file = of(&path, &text).map_err(|source| Error::Excerpt { path: path.clone(), source })?;
-        for (name, excerpt) in of_file {
+    for (path, text) in files::texts(root, &["src"], &[".rs"])? {
+        for (name, excerpt) in of(&path, &text).map_err(|error| format!("{path}: {error}"))? {
             if found.insert(name.clone(), excerpt).is_some() {
-                return Err(Error::Excerpt { path, source: format!("there are two excerpts `{name}`").into() });
+                return Err(format!("{path}: there are two excerpts `{name}`").into());
             }
         }
     }

@@ -4,45 +4,33 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use palkki_evidence::numdiff::{Difference, numdiff, numdiff_svg};
+use palkki_evidence::numdiff::{numdiff, numdiff_svg};
 
-use super::Rendered;
-use super::error::Error;
-use super::html;
+use super::{Rendered, html};
+use crate::Cause;
 
 /// The directories whose files are all made by the report.
 const MADE: [&str; 3] = ["report/figures", "report/data", "report/pages"];
 
-/// A file that is not what it should be.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum Stale {
-    #[error("missing:   report/{path}")]
-    Missing { path: String },
-    #[error("stale:     report/{path}, {difference}")]
-    Differs { path: String, difference: Difference },
-    #[error("left over: {path}")]
-    LeftOver { path: String },
-}
-
-/// Compares what was rendered with the files.
+/// Compares what was rendered with the files: what is missing, stale, or left over.
 ///
 /// Not byte for byte: processors may round the last digit of a computation differently. Texts may differ by one unit of
 /// the last printed decimal, drawings also by one pixel; see [`palkki_evidence::numdiff`].
-pub(super) fn compare(root: &Path, rendered: &Rendered) -> Result<Vec<Stale>, Error> {
-    let mut stale = Vec::new();
+pub(super) fn compare(root: &Path, rendered: &Rendered) -> Result<Vec<String>, Cause> {
+    let mut wrong = Vec::new();
     for (path, text) in rendered {
         let Some(stored) = read(&root.join("report").join(path))? else {
-            stale.push(Stale::Missing { path: path.clone() });
+            wrong.push(format!("missing:   report/{path}"));
             continue;
         };
         let drawn = path.ends_with(".svg") || path == html::PATH;
         let outcome = if drawn { numdiff_svg(&stored, text) } else { numdiff(&stored, text) };
         if let Err(difference) = outcome {
-            stale.push(Stale::Differs { path: path.clone(), difference });
+            wrong.push(format!("stale:     report/{path}, {difference}"));
         }
     }
-    stale.extend(left_over(root, rendered)?.into_iter().map(|path| Stale::LeftOver { path }));
-    Ok(stale)
+    wrong.extend(left_over(root, rendered)?.into_iter().map(|path| format!("left over: {path}")));
+    Ok(wrong)
 }
 
 /// The file that refers to all others, and so is the last to change.
@@ -52,24 +40,24 @@ const LAST: &str = "README.md";
 ///
 /// All texts are written beside their files before the first of them takes its place, so that a run that is interrupted while
 /// it writes leaves the old report. What it leaves beside the files is removed by the next one.
-pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
+pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Cause> {
     let mut changes = put(root, rendered)?;
     for path in left_over(root, rendered)? {
         let path = root.join(path);
-        fs::remove_file(&path).map_err(|source| Error::File { path, source })?;
+        fs::remove_file(&path).map_err(|error| at(&path, &error))?;
         changes += 1;
     }
     Ok(changes)
 }
 
 /// Writes what changed; returns how many files that were.
-pub(super) fn put(root: &Path, rendered: &Rendered) -> Result<usize, Error> {
+pub(super) fn put(root: &Path, rendered: &Rendered) -> Result<usize, Cause> {
     let mut staged = Staged::default();
     let (last, others): (Vec<_>, Vec<_>) = rendered.iter().partition(|(path, _)| *path == LAST);
     for (path, text) in others.into_iter().chain(last) {
         let path = root.join("report").join(path);
         if read(&path)?.as_ref() != Some(text) {
-            staged.add(&path, text).map_err(|source| Error::File { path, source })?;
+            staged.add(&path, text).map_err(|error| at(&path, &error))?;
         }
     }
     staged.publish()
@@ -90,10 +78,10 @@ impl Staged {
     }
 
     /// Renames, so that a reader of any file sees its old text or its new one and never half of it.
-    fn publish(mut self) -> Result<usize, Error> {
+    fn publish(mut self) -> Result<usize, Cause> {
         let changes = self.0.len();
         for (beside, path) in self.0.drain(..) {
-            fs::rename(&beside, &path).map_err(|source| Error::File { path, source })?;
+            fs::rename(&beside, &path).map_err(|error| at(&path, &error))?;
         }
         Ok(changes)
     }
@@ -108,17 +96,42 @@ impl Drop for Staged {
     }
 }
 
+/// What went wrong, and at which file.
+fn at(path: &Path, error: &io::Error) -> Cause {
+    format!("{}: {error}", path.display()).into()
+}
+
+/// The text of a file that has to be there.
+pub(super) fn text(root: &Path, path: &str) -> Result<String, Cause> {
+    let path = root.join(path);
+    fs::read_to_string(&path).map_err(|error| at(&path, &error))
+}
+
+/// The texts of some kinds of files below some directories, by their paths relative to the root.
+pub(super) fn texts(root: &Path, directories: &[&str], kinds: &[&str]) -> Result<Vec<(String, String)>, Cause> {
+    let mut found = Vec::new();
+    for directory in directories {
+        for path in list(root, directory)? {
+            if kinds.iter().any(|kind| path.ends_with(kind)) {
+                let text = text(root, &path)?;
+                found.push((path, text));
+            }
+        }
+    }
+    Ok(found)
+}
+
 /// The text of a file, `None` if there is none. What is not UTF-8 is not ours either, and reads as something else.
-fn read(path: &Path) -> Result<Option<String>, Error> {
+fn read(path: &Path) -> Result<Option<String>, Cause> {
     match fs::read(path) {
         Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(source) => Err(Error::File { path: path.to_owned(), source }),
+        Err(error) => Err(at(path, &error)),
     }
 }
 
 /// Files in the directories of the report that it does not make, relative to the root.
-fn left_over(root: &Path, rendered: &Rendered) -> Result<Vec<String>, Error> {
+fn left_over(root: &Path, rendered: &Rendered) -> Result<Vec<String>, Cause> {
     let mut found = Vec::new();
     for directory in MADE {
         let is_made = |path: &str| path.strip_prefix("report/").is_some_and(|path| rendered.contains_key(path));
@@ -128,19 +141,18 @@ fn left_over(root: &Path, rendered: &Rendered) -> Result<Vec<String>, Error> {
 }
 
 /// All files below a directory, relative to the root, with `/`, in order; none if there is no such directory.
-pub(super) fn list(root: &Path, directory: &str) -> Result<Vec<String>, Error> {
+pub(crate) fn list(root: &Path, directory: &str) -> Result<Vec<String>, Cause> {
     let place = root.join(directory);
-    let failed = |source| Error::File { path: place.clone(), source };
     let entries = match fs::read_dir(&place) {
         Ok(entries) => entries,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-        Err(source) => return Err(failed(source)),
+        Err(error) => return Err(at(&place, &error)),
     };
     let mut found = Vec::new();
     for entry in entries {
-        let entry = entry.map_err(failed)?;
+        let entry = entry.map_err(|error| at(&place, &error))?;
         let path = format!("{directory}/{}", entry.file_name().to_string_lossy());
-        if entry.file_type().map_err(failed)?.is_dir() {
+        if entry.file_type().map_err(|error| at(&place, &error))?.is_dir() {
             found.extend(list(root, &path)?);
         } else {
             found.push(path);

@@ -15,8 +15,8 @@ use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, T
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Storage, push_mathml};
 
-use super::error::Cause;
 use super::{DOCUMENTS, Rendered, links, path_of};
+use crate::Cause;
 
 /// The file, below `report/`.
 pub(super) const PATH: &str = "index.html";
@@ -100,10 +100,9 @@ impl Document<'_> {
         let mut events = events;
         while let Some(event) = events.next() {
             out.push(match event {
-                Event::Start(Tag::Link { dest_url, .. }) => {
-                    Event::InlineHtml(format!("<a href=\"{}\">", escaped(&self.target(&dest_url))).into())
+                Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
+                    Event::Start(Tag::Link { link_type, dest_url: self.target(&dest_url).into(), title, id })
                 }
-                Event::End(TagEnd::Link) => Event::InlineHtml("</a>".into()),
                 Event::Start(Tag::Image { dest_url, .. }) => {
                     // The drawing has a title and a description of its own.
                     events.by_ref().take_while(|event| *event != Event::End(TagEnd::Image)).for_each(drop);
@@ -131,16 +130,17 @@ impl Document<'_> {
                 Event::Start(Tag::Heading { level, .. }) => {
                     let inner: Vec<_> =
                         events.by_ref().take_while(|event| !matches!(event, Event::End(TagEnd::Heading(_)))).collect();
-                    let text: String = inner.iter().filter_map(words).collect();
+                    let text: String = inner.iter().filter_map(text_of).collect();
                     let id = format!("{}-{}", self.name, links::anchor(&text));
-                    html(&mut out, format!("<{level} id=\"{id}\">"));
+                    let (classes, attrs) = (Vec::new(), Vec::new());
+                    out.push(Event::Start(Tag::Heading { level, id: Some(id.clone().into()), classes, attrs }));
                     out.extend(inner);
-                    html(&mut out, format!("</{level}>\n"));
+                    out.push(Event::End(TagEnd::Heading(level)));
                     self.headings.push(Heading { level, id, text });
                 }
                 Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(kind))) if &*kind == "math" => {
                     let inner = events.by_ref().take_while(|event| *event != Event::End(TagEnd::CodeBlock));
-                    let latex: String = inner.filter_map(|event| words(&event).map(str::to_owned)).collect();
+                    let latex: String = inner.filter_map(|event| text_of(&event).map(str::to_owned)).collect();
                     html(&mut out, format!("<div class=\"formula\" tabindex=\"0\">{}</div>\n", formula(&latex)?));
                 }
                 Event::Start(Tag::Table(_)) => {
@@ -228,8 +228,8 @@ impl Document<'_> {
     }
 }
 
-/// The words of an event.
-fn words<'e>(event: &'e Event<'_>) -> Option<&'e str> {
+/// The text of an event.
+fn text_of<'e>(event: &'e Event<'_>) -> Option<&'e str> {
     match event {
         Event::Text(text) | Event::Code(text) => Some(text),
         _ => None,

@@ -3,13 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use super::Rendered;
-use super::error::Error;
 use super::excerpt::Excerpt;
-use super::html;
+use super::{Rendered, html};
+use crate::Cause;
 
 /// Checks the links of the documents against the files made with them and the files of the repository.
-pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String, Excerpt>) -> Result<(), Error> {
+pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String, Excerpt>) -> Result<(), Cause> {
     let documents = || rendered.iter().filter(|(path, _)| path.ends_with(".md"));
     let mut anchors_of = BTreeMap::new();
     for (path, text) in documents() {
@@ -18,30 +17,30 @@ pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String
     let mut linked = BTreeSet::new();
     for (path, text) in documents() {
         for target in targets(text).filter(|target| !target.contains("://")) {
-            let dead = || Error::DeadLink { document: path.clone(), target: target.to_owned() };
             let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
             let file = if file.is_empty() { path.clone() } else { resolved(path, file) };
-            match anchors_of.get(file.as_str()) {
-                Some(known) if anchor.is_empty() || known.contains(anchor) => {}
-                Some(_) => return Err(dead()),
-                None if rendered.contains_key(&file) || exists(root, &file) => {}
-                None => return Err(dead()),
+            let leads_somewhere = match anchors_of.get(file.as_str()) {
+                Some(known) => anchor.is_empty() || known.contains(anchor),
+                None => rendered.contains_key(&file) || exists(root, &file),
+            };
+            if !leads_somewhere {
+                return Err(format!("report/{path} links to `{target}`, which does not exist").into());
             }
             linked.insert(file);
         }
     }
     for (path, text) in rendered {
         if path != "README.md" && path != html::PATH && !linked.contains(path) {
-            return Err(Error::NotShown { path: path.clone() });
+            return Err(format!("{path} is made, but no document shows or links it").into());
         }
         for element in ["title", "desc"] {
             if path.ends_with(".svg") && !text.contains(&format!("<{element}")) {
-                return Err(Error::NotDescribed { path: path.clone(), element });
+                return Err(format!("{path} has no <{element}>: a screen reader has nothing to say about it").into());
             }
         }
     }
     match excerpts.iter().find(|(_, excerpt)| !documents().any(|(_, text)| text.contains(&excerpt.code))) {
-        Some((name, excerpt)) => Err(Error::ExcerptNotShown { path: excerpt.path.clone(), name: name.clone() }),
+        Some((name, excerpt)) => Err(format!("no document shows the excerpt `{name}` of {}", excerpt.path).into()),
         None => Ok(()),
     }
 }
@@ -78,14 +77,15 @@ fn targets(markdown: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The anchors of all headings of a document; two of the same name are an error.
-fn anchors(document: &str, text: &str) -> Result<BTreeSet<String>, Error> {
+fn anchors(document: &str, text: &str) -> Result<BTreeSet<String>, Cause> {
     let mut found = BTreeSet::new();
     let mut fenced = false;
     for line in text.lines() {
         fenced ^= line.trim_start().starts_with("```");
         let heading = line.trim_start_matches('#');
         if !fenced && line.starts_with('#') && heading.starts_with(' ') && !found.insert(anchor(heading.trim())) {
-            return Err(Error::TwoHeadings { document: document.to_owned(), heading: heading.trim().to_owned() });
+            let heading = heading.trim();
+            return Err(format!("report/{document} has two headings `{heading}`; links would be ambiguous").into());
         }
     }
     Ok(found)

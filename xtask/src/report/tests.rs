@@ -1,9 +1,11 @@
 //! The report in the tree is fresh, and the machine notices when it is not.
 
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::PathBuf;
 
 use super::*;
+use crate::table::Table;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -11,7 +13,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn the_report_is_fresh() {
-    if let Err(error) = check(&root(), &mut |_| ()) {
+    if let Err(error) = check(&root()) {
         panic!("{error}");
     }
 }
@@ -79,7 +81,7 @@ impl Scratch {
     /// What a comparison with `rendered` says, a line each.
     fn stale(&self, rendered: &Rendered) -> Vec<String> {
         let stale = files::compare(&self.0, rendered).expect("the files can be read");
-        stale.iter().map(|stale| stale.to_string().lines().next().unwrap_or_default().to_owned()).collect()
+        stale.iter().map(|stale| stale.lines().next().unwrap_or_default().to_owned()).collect()
     }
 }
 
@@ -137,12 +139,12 @@ fn a_template_that_no_list_names_is_refused() {
     let scratch = Scratch::new("unknown");
     fs::create_dir_all(scratch.0.join("report/templates")).expect("the scratch directory can be written to");
     scratch.put("report/templates/stray.md", "# Stray\n");
-    let error = render(&scratch.0, &mut |_| ()).expect_err("the template is in no list").to_string();
+    let error = render(&scratch.0).expect_err("the template is in no list").to_string();
     assert!(error.starts_with("report/templates/stray.md is no template"), "{error}");
 }
 
 #[test]
 fn a_figure_comes_with_its_data() {
-    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), "x\n".to_owned());
+    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), Table::new(["x"]));
     assert_eq!(evidence.files.keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
 }

@@ -10,7 +10,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::checks::browser_of;
+use crate::doctor::browser_of;
 use crate::surroundings::Machine;
 
 /// Widths of a screen \[px\]: a desk and a telephone.

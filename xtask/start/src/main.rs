@@ -5,7 +5,6 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command that talks to a person")]
 
 mod browser;
-mod checks;
 mod doctor;
 mod surroundings;
 

@@ -1,19 +1,10 @@
 //! The adaptive grid: an error that is demanded, the grid that it takes, and the error that is true.
 
-use minijinja::context;
 use palkki::adaptive::{Adapted, End, Request, adapt};
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
-use palkki::route::{Method, Solver};
-use palkki::scene::Scene;
-use palkki::theory::{self, Exact};
+use palkki::theory::Exact;
 
-use crate::report::csv::{csv, scientific};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::numbers::{cell, count, error_cell, power};
-use crate::report::scenes;
-use crate::report::study::Study;
-use crate::report::table::Table;
+use super::prelude::*;
 
 /// Scenes of the figure.
 const SCENES: [&str; 2] = ["heinisuo-1984", "ridge"];
@@ -69,7 +60,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let exact = theory::solve(&scene)?;
         for (method, solver, most_intervals) in ROUTES {
             for exponent in DEMANDED {
-                let request = Request { most_intervals, ..Request::new(method, solver, 10_f64.powi(exponent)) };
+                let request = Request { most_intervals, ..Request::new(method, solver, ten_to(exponent)) };
                 let found = adapt(&scene, &request)?;
                 let truth = truth(&found, &exact)?;
                 let run = Run { scene: name, route: format!("{method}/{solver}"), exponent, found, truth };
@@ -82,22 +73,22 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             }
         }
     }
-    let (everywhere, everywhere_csv) = everywhere(study)?;
+    let (everywhere, everywhere_data) = everywhere(study)?;
     let (svg, data) = drawn(&runs)?;
     Ok(Evidence::new(context! {
-        steps => steps(&runs).to_string(),
-        limits => limits(&runs).to_string(),
-        everywhere => everywhere.to_string(),
+        steps => steps(&runs),
+        limits => limits(&runs),
+        everywhere,
         most => MOST,
         runs => runs.len(),
         truthful => runs.iter().filter(|run| run.truth <= run.found.solution.verdict.error).count(),
     })
     .figure("adaptive", svg, data)
-    .data("adaptive-everywhere", everywhere_csv))
+    .data("adaptive-everywhere", everywhere_data))
 }
 
 fn truth(found: &Adapted, exact: &Exact) -> Result<f64, Cause> {
-    let nodes = found.solution.state.nodes.as_ref().ok_or("a discretised state has nodes")?;
+    let nodes = nodes_of(&found.solution.state)?;
     let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
     // The same size as that of the certified error.
     let deflection = found.solution.state.deflection;
@@ -109,8 +100,8 @@ fn steps(runs: &[Run]) -> Table {
     let ours = runs.iter().filter(|run| run.is_of(SCENES[0], ROUTES[0]));
     let rows = ours.map(|run| {
         let grids: Vec<String> = run.found.trials.iter().map(|tried| tried.intervals.to_string()).collect();
-        let errors = [run.found.solution.verdict.error, run.truth].map(|error| cell(Some(error), 2));
-        [power(run.exponent), grids.join(", "), errors[0].clone(), errors[1].clone(), count(run.work())]
+        let [certified, truth] = [run.found.solution.verdict.error, run.truth].map(|error| cell(Some(error), 2));
+        [power_of_ten(run.exponent), grids.join(", "), certified, truth, count(run.work())]
     });
     Table::new(["EPS", "grids tried, intervals", "certified error", "true error", "unknowns gone through"]).rows(rows)
 }
@@ -122,7 +113,7 @@ fn limits(runs: &[Run]) -> Table {
         let of_scene = |scene| runs.iter().filter(move |run| run.is_of(scene, route));
         let smallest = SCENES.map(|scene| {
             let reached = of_scene(scene).filter(|run| run.reached()).map(|run| run.exponent).min();
-            reached.map_or_else(|| "none".to_owned(), power)
+            reached.map_or_else(|| "none".to_owned(), power_of_ten)
         });
         let last = of_scene(SCENES[1]).next_back();
         let [example, ridge] = smallest;
@@ -142,14 +133,18 @@ fn ended(end: End) -> String {
 }
 
 /// The grid that the force method with the active set takes on every scene of the gallery.
-fn everywhere(study: &Study<'_>) -> Result<(Table, String), Cause> {
-    let header = EVERYWHERE.map(|exponent| format!("EPS = {}: intervals (certified error)", power(exponent)));
-    let mut table = Table::new(std::iter::once("scene".to_owned()).chain(header));
-    let mut rows = Vec::new();
+fn everywhere(study: &Study<'_>) -> Result<(Table, Table), Cause> {
+    let header = EVERYWHERE.map(|exponent| format!("EPS = {}: intervals (certified error)", power_of_ten(exponent)));
+    let mut table = Table::new(row!["scene"].into_iter().chain(header));
+    let mut data = Table::new(["scene", "demanded", "end", "intervals", "certified_error"]);
     for (name, scene) in scenes::all(study.root)? {
-        let mut cells = vec![name.clone()];
+        let mut cells = row![name].to_vec();
         for exponent in EVERYWHERE {
-            let (intervals, error, reached) = demanded(&scene, exponent)?;
+            let request = Request::new(Method::Force, Solver::ActiveSet, ten_to(exponent));
+            let found = adapt(&scene, &Request { most_intervals: MOST, ..request })?;
+            let intervals = found.settings.intervals;
+            let error = Some(found.solution.verdict.error).filter(|error| error.is_finite());
+            let reached = found.end == End::Reached;
             let shown = error_cell(error);
             cells.push(if reached {
                 format!("{} ({shown})", count(intervals))
@@ -157,23 +152,19 @@ fn everywhere(study: &Study<'_>) -> Result<(Table, String), Cause> {
                 format!("not reached ({shown})")
             });
             let error = error.map_or_else(String::new, |error| scientific(error, 2));
-            let end = if reached { "reached" } else { "not reached" }.to_owned();
-            rows.push(vec![name.clone(), format!("1e{exponent}"), end, intervals.to_string(), error]);
+            data.push(row![name, format!("1e{exponent}"), end_name(reached), intervals, error]);
         }
-        table = table.row(cells);
+        table.push(cells);
     }
-    Ok((table, csv(&["scene", "demanded", "end", "intervals", "certified_error"], rows)))
+    Ok((table, data))
 }
 
-fn demanded(scene: &Scene, exponent: i32) -> Result<(usize, Option<f64>, bool), Cause> {
-    let request = Request::new(Method::Force, Solver::ActiveSet, 10_f64.powi(exponent));
-    let found = adapt(scene, &Request { most_intervals: MOST, ..request })?;
-    let error = Some(found.solution.verdict.error).filter(|error| error.is_finite());
-    Ok((found.settings.intervals, error, found.end == End::Reached))
+fn end_name(reached: bool) -> &'static str {
+    if reached { "reached" } else { "not reached" }
 }
 
 /// Certified errors over what is demanded: a panel for each scene, a line for each route.
-fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
+fn drawn(runs: &[Run]) -> Result<(String, Table), PlotError> {
     let panels = SCENES.map(|scene| {
         let y = Axis::new(format!("certified error, {scene}")).log();
         let diagonal = vec![[1e-8, 1e-8], [1e-1, 1e-1]];
@@ -182,30 +173,22 @@ fn drawn(runs: &[Run]) -> Result<(String, String), PlotError> {
         ROUTES.into_iter().enumerate().fold(panel.with(demanded), |panel, (i, route)| {
             let reached = runs.iter().filter(|run| run.is_of(scene, route) && run.reached());
             // From small errors to large ones: names stand at the right.
-            let points =
-                reached.rev().map(|run| [10_f64.powi(run.exponent), run.found.solution.verdict.error]).collect();
+            let points = reached.rev().map(|run| [ten_to(run.exponent), run.found.solution.verdict.error]).collect();
             let label = format!("{}, {}", route.0, route.1);
             panel.with(Layer::Series { points, style: Style::of_series(i), label })
         })
     });
-    let rows = runs.iter().map(|run| {
-        vec![
-            run.scene.to_owned(),
-            run.route.clone(),
-            format!("1e{}", run.exponent),
-            if run.reached() { "reached" } else { "not reached" }.to_owned(),
-            run.found.settings.intervals.to_string(),
-            scientific(run.found.solution.verdict.error, 2),
-            scientific(run.truth.max(FLOOR), 2),
-            run.work().to_string(),
-        ]
-    });
     let header = ["scene", "route", "demanded", "end", "intervals", "certified_error", "true_error", "work"];
+    let data = Table::new(header).rows(runs.iter().map(|run| {
+        let errors = [run.found.solution.verdict.error, run.truth.max(FLOOR)].map(|error| scientific(error, 2));
+        let (demanded, intervals) = (format!("1e{}", run.exponent), run.found.settings.intervals);
+        row![run.scene, run.route, demanded, end_name(run.reached()), intervals, errors[0], errors[1], run.work()]
+    }));
     let figure = Figure::new(
         "The certified error is at most what was demanded",
         "Two scenes, one panel each: the certified error over the error that is demanded, both logarithmic, one line for each \
          route. All lie below the dashed diagonal; each line ends where its route does.",
         panels.into(),
     );
-    Ok((figure.svg()?, csv(&header, rows)))
+    Ok((figure.svg()?, data))
 }

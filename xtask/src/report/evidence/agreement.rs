@@ -1,19 +1,14 @@
 //! All routes on the example with 30 intervals, against each other and against exact rationals.
 
-mod tolerance;
-
-use minijinja::context;
-use palkki::route::{Method, Outcome, Solver, Status};
-use palkki::verdict::{Demand, Verdict};
-use palkki::{Settings, Witness, solve};
+use palkki::Witness;
+use palkki::certificate::CERTIFIED_RESIDUAL;
+use palkki::methods::Discrete;
 use palkki_evidence::paper::{INTERVALS, example, theory};
+use palkki::route::Outcome;
+use palkki::scene::SceneError;
+use palkki::verdict::{Demand, Verdict};
 
-use self::tolerance::Tolerances;
-use crate::report::csv::{csv, fixed, scientific};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::study::Study;
-use crate::report::table::Table;
+use super::prelude::*;
 use palkki_evidence::authority::rational::{Data, fraction, number};
 
 /// Exact results of one discrete model, as fractions and as the nearest numbers.
@@ -37,40 +32,33 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let tolerances = Tolerances::new()?;
     let run = |method, solver, intervals| -> Result<Run, Cause> {
-        let outcome = solve(&scene, &Settings::new(method, solver, intervals))?;
-        let forces = outcome.state.nodes.as_ref().map_or_else(Vec::new, |nodes| nodes.contact_force.clone());
+        let outcome = on_grid(&scene, method, solver, intervals)?;
+        let forces = nodes_of(&outcome.state)?.contact_force.clone();
         Ok(Run { method, solver, outcome, forces })
     };
-    let mut runs = Vec::new();
-    for method in Method::ALL {
-        for solver in Solver::ALL {
-            runs.push(run(method, solver, INTERVALS)?);
-        }
-    }
+    let runs = routes().map(|(method, solver)| run(method, solver, INTERVALS)).collect::<Result<Vec<_>, _>>()?;
     let (energy, differences) = (authority(&runs, Method::Force)?, authority(&runs, Method::Complementarity)?);
     let of = |run: &Run| if run.method == Method::Complementarity { &differences } else { &energy };
 
     let mut table = Table::new(["method", "solver", "first contact force", "end reaction", "tolerance"]);
-    let mut rows = Vec::new();
-    let (mut worst, mut certified) = (0.0_f64, 0);
+    let header = ["method", "solver", "status", "guaranteed_error", "first_contact_force", "left_reaction", "agrees"];
+    let mut data = Table::new(header);
+    let (mut worst, mut certified, mut agree) = (0.0_f64, 0, 0);
     let witness = Witness::of(&scene);
     for run in &runs {
-        let authority = of(run);
+        let (authority, method, solver) = (of(run), run.method, run.solver);
         let reaction = run.outcome.state.reactions.left;
-        let error = largest_difference(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
-        let share = error / tolerances.of(run.solver);
+        let error = worst_difference(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
+        let share = error / tolerances.of(solver);
         worst = worst.max(share);
+        agree += usize::from(share <= 1.0);
         let verdict = Verdict::of_outcome(&run.outcome, &witness, &Demand::default());
         certified += usize::from(verdict.status == Status::Certified);
         let first = run.forces.get(authority.first).copied().unwrap_or(f64::NAN);
-        let printed = [first, reaction].map(|value| fixed(value, tolerances.places(run.solver)));
-        let [force, reaction] = printed.clone();
-        let (method, solver) = (run.method.word().to_owned(), run.solver.word().to_owned());
-        table = table.row([method.clone(), solver.clone(), force, reaction, tolerances.printed(run.solver)]);
-        let [force, reaction] = printed;
-        let agrees = if share <= 1.0 { "yes" } else { "no" };
-        let (status, error) = (verdict.status.word().to_owned(), scientific(verdict.error, 1));
-        rows.push(vec![method, solver, status, error, force, reaction, agrees.to_owned()]);
+        let [force, reaction] = [first, reaction].map(|value| fixed(value, tolerances.places(solver)));
+        table.push(row![method, solver, force, reaction, tolerances.printed(solver)]);
+        let error = scientific(verdict.error, 1);
+        data.push(row![method, solver, verdict.status, error, force, reaction, yes_no(share <= 1.0)]);
     }
 
     let (mut pairs, mut pairs_agree) = (0, 0);
@@ -79,7 +67,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         for b in runs[i + 1..].iter().filter(same_model) {
             pairs += 1;
             let allowed = tolerances.of(a.solver) + tolerances.of(b.solver);
-            pairs_agree += usize::from(largest_difference(&a.forces, &b.forces) <= allowed);
+            pairs_agree += usize::from(worst_difference(&a.forces, &b.forces) <= allowed);
         }
     }
     let exact = theory();
@@ -92,14 +80,13 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         ["beam theory, no grid".to_owned(), fixed(exact.end_force, 9) + "…", fixed(exact.reaction, 9) + "…"];
     // What Figure 4 would show if its n counted the nodes.
     let one_more = run(Method::Complementarity, Solver::ActiveSet, INTERVALS + 1)?;
-    let header = ["method", "solver", "status", "guaranteed_error", "first_contact_force", "left_reaction", "agrees"];
     Ok(Evidence::new(context! {
         intervals => INTERVALS,
-        exact => Table::new(["answer", "first contact force", "end reaction"]).rows(answers).row(continuous),
+        exact => Table::new(["answer", "first contact force", "end reaction"]).rows(answers).rows([continuous]),
         table,
         routes => runs.len(),
         certified,
-        agree => rows.iter().filter(|row| row.last().is_some_and(|word| word == "yes")).count(),
+        agree,
         direct => tolerances.printed(Solver::ActiveSet),
         iterative => tolerances.printed(Solver::Nsor),
         norm => tolerances.norm,
@@ -112,7 +99,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
             x => one_more.outcome.state.contacts.first().map_or(f64::NAN, |c| c.from),
         },
     })
-    .data("agreement", csv(&header, rows)))
+    .data("agreement", data))
 }
 
 /// The exact optimum. The contact set is read from a computed answer; the check in rationals does not rely on it.
@@ -143,11 +130,50 @@ fn authority(runs: &[Run], method: Method) -> Result<Authority, Cause> {
     })
 }
 
-/// Infinite if there is nothing to compare, or NaN in it.
-fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    if a.len() != b.len() || a.is_empty() {
-        return f64::INFINITY;
+/// Digits of a direct solve: sixteen, of which sums and differences of moments take a few. The rest is margin.
+const DIRECT: i32 = -10;
+
+/// Tolerances of contact forces and reactions \[force\].
+#[derive(Debug)]
+struct Tolerances {
+    /// Largest row sum of the stiffness \[force / length\]: how much force a clearance is worth.
+    norm: f64,
+    /// Power of ten of an answer that stopped on a residual: that of our check's threshold, at depth 1, times the norm.
+    iterative: i32,
+}
+
+impl Tolerances {
+    /// For the example on the paper's grid.
+    fn new() -> Result<Self, SceneError> {
+        let discrete = Discrete::new(&example()?, INTERVALS)?;
+        let matrix = Method::Displacement.programme(&discrete).matrix();
+        let n = matrix.dimension();
+        let row = |i: usize| (0..n).map(|j| matrix.entry(i, j).abs()).sum::<f64>();
+        let norm = (0..n).map(row).fold(0.0, f64::max);
+        // The next power of ten.
+        let iterative = (-15..0).find(|&k| CERTIFIED_RESIDUAL * norm <= ten_to(k)).unwrap_or(0);
+        Ok(Self { norm, iterative })
     }
-    let worst = |worst: f64, e: f64| if e.is_nan() { f64::INFINITY } else { worst.max(e) };
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, worst)
+
+    fn exponent(&self, solver: Solver) -> i32 {
+        match solver {
+            Solver::FourStep | Solver::ActiveSet => DIRECT,
+            Solver::Nsor | Solver::Clarabel | Solver::Osqp => self.iterative,
+        }
+    }
+
+    /// The tolerance.
+    fn of(&self, solver: Solver) -> f64 {
+        ten_to(self.exponent(solver))
+    }
+
+    /// Digits behind the point that the tolerance promises.
+    fn places(&self, solver: Solver) -> usize {
+        usize::try_from(-self.exponent(solver)).unwrap_or(0).saturating_sub(1)
+    }
+
+    /// `10⁻⁵`
+    fn printed(&self, solver: Solver) -> String {
+        power_of_ten(self.exponent(solver))
+    }
 }

@@ -1,19 +1,16 @@
-//! The ledger: every claim of the paper, the evidence and the verdict.
+//! The claims of the paper and its advice, beside what was measured.
 
-mod studies;
-
-use minijinja::{Value, context};
 use palkki_evidence::paper::claims::four_step::FINEST;
 use palkki_evidence::paper::claims::nsor::GRIDS;
-use palkki_evidence::paper::claims::{Claim, Verdict};
+use palkki_evidence::paper::claims::accuracy::{Errors, errors};
+use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
+use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
+use palkki::scene::SceneError;
 
-pub(super) use self::studies::thousands;
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
+use super::prelude::*;
 use crate::report::links::anchor;
-use crate::report::study::Study;
-use crate::report::table::Table;
 
+/// The ledger: every claim of the paper, the evidence and the verdict.
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
     let claims = ledger.claims();
@@ -35,13 +32,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         four_step => context! { coarsest => by_grid.min().unwrap_or(0), finest => FINEST },
         nsor => context! { coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1] },
     };
-    let (sweeps, sweeps_table) = studies::sweeps(&ledger.nsor)?;
-    let (successes, successes_table) = studies::successes(&ledger.four_step)?;
-    Ok(Evidence::new(values).figure("nsor-sweeps", sweeps, sweeps_table).figure(
-        "four-step-success",
-        successes,
-        successes_table,
-    ))
+    let (sweeps, sweeps_data) = sweeps(&ledger.nsor)?;
+    let (successes, successes_data) = successes(&ledger.four_step)?;
+    let figures = [("nsor-sweeps", sweeps, sweeps_data), ("four-step-success", successes, successes_data)];
+    Ok(Evidence::new(values).figures(figures))
 }
 
 fn entry(claim: &Claim) -> Value {
@@ -65,4 +59,105 @@ fn heading(claim: &Claim) -> String {
 fn verdict(claim: &Claim) -> String {
     let reading = claim.reading.map(|reading| format!(", {reading}"));
     format!("{}{}", claim.verdict.word(), reading.unwrap_or_default())
+}
+
+/// Sweeps over intervals, both logarithmic.
+fn sweeps(found: &nsor::Evidence) -> Result<(String, Table), PlotError> {
+    let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("sweeps of NSOR").log()).tall(700.0);
+    let mut data = Table::new(["method", "intervals", "sweeps"]);
+    for (i, count) in found.counts.iter().enumerate() {
+        let points = count.sweeps.iter().map(|&(n, s)| [as_number(n), as_number(s)]).collect();
+        let label = count.method.to_string();
+        panel = panel.with(Layer::Series { points, style: Style::of_series(i), label });
+        // Three digits: the last sweeps before the stopping rule holds depend on rounding.
+        data = data.rows(count.sweeps.iter().map(|&(n, s)| row![count.method, n, scientific(as_number(s), 2)]));
+    }
+    let of = |best: fn(f64, f64) -> f64| found.counts.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
+    let svg = Figure::new(
+        format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
+        "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method. All rise; the force \
+         method needs the most.",
+        vec![panel],
+    )
+    .svg()?;
+    Ok((svg, data))
+}
+
+/// Of all grids of at most so many intervals, the share on which the four steps end at the optimum.
+fn successes(found: &four_step::Evidence) -> Result<(String, Table), PlotError> {
+    let y = Axis::new("optimal, of all grids up to N, in per cent").including(&[0.0, 100.0]);
+    let mut panel = Panel::new(Axis::new("intervals N"), y).tall(620.0);
+    let mut data = Table::new(["method", "intervals", "end_point", "optimal_up_to_here_in_percent"]);
+    for (i, count) in found.counts.iter().enumerate() {
+        let mut optimal = 0;
+        let shares: Vec<[f64; 2]> = count
+            .by_grid
+            .iter()
+            .enumerate()
+            .map(|(k, &(n, is))| {
+                optimal += usize::from(is);
+                [as_number(n), 100.0 * as_number(optimal) / as_number(k + 1)]
+            })
+            .collect();
+        data = data.rows(count.by_grid.iter().zip(&shares).map(|((n, is), share)| {
+            row![count.method, n, if *is { "optimal" } else { "not optimal" }, fixed(share[1], 1)]
+        }));
+        let style = Style { marker: None, ..Style::of_series(i) };
+        panel = panel.with(Layer::Series { points: shares, style, label: count.method.to_string() });
+    }
+    let grids = || found.counts.iter().map(|count| count.grids);
+    let svg = Figure::new(
+        format!(
+            "The four steps end at the optimum on {} to {} of {} grids of the example",
+            grids().min().unwrap_or(0),
+            grids().max().unwrap_or(0),
+            found.grids
+        ),
+        "Share of the grids of at most N intervals on which the four steps end at the optimum, one line for each method. It is 100 \
+         per cent on coarse grids and falls on finer ones.",
+        vec![panel],
+    )
+    .svg()?;
+    Ok((svg, data))
+}
+
+/// Every grid of the example between these numbers of intervals is looked at.
+const COARSEST_LOOKED_AT: usize = 12;
+const FINEST_LOOKED_AT: usize = 200;
+
+/// What an engineer calls usable without asking.
+const USABLE: f64 = 0.01;
+
+/// The paper's advice, and what was measured of it.
+pub(super) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let ledger = study.ledger()?;
+    let [paper, coarse, _] = &ledger.usable.grids;
+    let solved = |count: &four_step::Count| count.uneven.iter().sum::<usize>();
+    let grid = |grid: &Errors| context! { intervals => grid.intervals, worst => grid.worst(), first_force => grid.first_force };
+    let four_steps = || ledger.four_step.counts.iter().map(solved);
+    let sweeps = range(ledger.nsor.counts.iter().map(|count| 1e-3 * as_number(count.on_the_paper_grid())));
+    Ok(Evidence::new(context! {
+        usable => USABLE,
+        coarsest => COARSEST_LOOKED_AT,
+        finest => FINEST_LOOKED_AT,
+        // From this many intervals on, end reaction, largest moment and deflection are usable on every grid looked at.
+        safe => safe()?,
+        paper => grid(paper),
+        coarse => grid(coarse),
+        uneven_scenes => 2 * four_step::SCENES,
+        four_steps_fewest => four_steps().min(),
+        four_steps_most => four_steps().max(),
+        sweeps_fewest => sweeps.map(|[least, _]| least),
+        sweeps_most => sweeps.map(|[_, most]| most),
+    }))
+}
+
+/// One more than the finest grid that is not usable.
+fn safe() -> Result<usize, SceneError> {
+    for intervals in (COARSEST_LOOKED_AT..=FINEST_LOOKED_AT).rev() {
+        if USABLE < errors(intervals)?.worst() {
+            return Ok(intervals + 1);
+        }
+    }
+    Ok(COARSEST_LOOKED_AT)
 }

@@ -1,21 +1,12 @@
 //! Forward error, residual, and what the condition number promises: every route on the example, against eighty digits.
 
 mod grazing;
-mod matrix;
 mod routes;
 
-use minijinja::{Value, context};
-use palkki::methods::Method;
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 
-use crate::report::csv::csv;
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::numbers::{count, power};
-use crate::report::study::Study;
-use crate::report::table::Table;
-
 use self::routes::{Grid, MATRIX, NAMES, Run};
+use super::prelude::*;
 
 /// The method of the figure: its matrix is banded and can be factorised on every grid.
 const DRAWN: Method = Method::Complementarity;
@@ -36,7 +27,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let matrix_until = drawn.1.iter().take_while(passes).last().map_or(0, |grid| grid.intervals);
     let grazing = grazing::measured()?;
     let values = context! {
-        table => table(&all, &drawn.1).to_string(),
+        table => table(&all, &drawn.1),
         method => DRAWN.word(),
         finest, matrix_until,
         active_set => context! {
@@ -49,18 +40,15 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         iterative => iterative(&all)?,
         grazing => grazing.values,
     };
-    Ok(Evidence::new(values).figure("conditioning", figure(&drawn.1)?, data(&all)).figure(
-        "conditioning-grazing",
-        grazing.svg,
-        grazing.csv,
-    ))
+    let evidence = Evidence::new(values).figure("conditioning", figure(&drawn.1)?, data(&all));
+    Ok(evidence.figure("conditioning-grazing", grazing.svg, grazing.data))
 }
 
 /// The largest of some powers of ten of the active set.
 fn worst(all: &[Measured], of: impl Fn(&Run, &Grid) -> Option<i32>) -> String {
     let grids = all.iter().flat_map(|(_, grids)| grids);
     let found = grids.filter_map(|grid| of(grid.run(ACTIVE_SET)?, grid));
-    power(found.max().unwrap_or_default())
+    power_of_ten(found.max().unwrap_or_default())
 }
 
 /// The certified runs of iterative solvers, and the one of them with the worst contact force.
@@ -74,12 +62,12 @@ fn iterative(all: &[Measured]) -> Result<Value, Cause> {
     let (method, grid, run) = worst.ok_or("some run of an iterative solver is certified")?;
     Ok(context! {
         certified => runs.len(),
-        reaction => power(most(|run| run.reaction)),
-        deflection => power(most(|run| run.deflection)),
+        reaction => power_of_ten(most(|run| run.reaction)),
+        deflection => power_of_ten(most(|run| run.deflection)),
         route => format!("{}, {method} method", run.name),
         intervals => grid.intervals,
-        residual => power(run.residual),
-        error => power(run.contact_force),
+        residual => power_of_ten(run.residual),
+        error => power_of_ten(run.contact_force),
     })
 }
 
@@ -87,30 +75,24 @@ fn iterative(all: &[Measured]) -> Result<Value, Cause> {
 fn table(all: &[Measured], drawn: &[Grid]) -> Table {
     let methods = Method::ALL.map(|method| format!("active set, {method}"));
     let header = ["intervals", "cond(A)", "residual · cond(A)", "A factorised"].map(str::to_owned);
-    let mut table = Table::new(header.into_iter().chain(methods));
-    for (k, grid) in drawn.iter().enumerate() {
-        let error = |run: Option<&Run>| run.map_or_else(|| "–".to_owned(), |run| power(run.contact_force));
-        let promised = grid.run(ACTIVE_SET).map_or_else(|| "–".to_owned(), |run| power(run.promised(grid)));
-        let row = [count(grid.intervals), power(grid.condition), promised, error(grid.run(MATRIX))];
-        let of_methods = all.iter().map(|(_, grids)| error(grids.get(k).and_then(|grid| grid.run(ACTIVE_SET))));
-        table = table.row(row.into_iter().chain(of_methods));
-    }
-    table
+    let dash = || "–".to_owned();
+    let rows = drawn.iter().enumerate().map(|(k, grid)| {
+        let error = |run: Option<&Run>| run.map_or_else(dash, |run| power_of_ten(run.contact_force));
+        let promised = grid.run(ACTIVE_SET).map_or_else(dash, |run| power_of_ten(run.promised(grid)));
+        let row = [count(grid.intervals), power_of_ten(grid.condition), promised, error(grid.run(MATRIX))];
+        let of_methods = all.iter().map(move |(_, grids)| error(grids.get(k).and_then(|grid| grid.run(ACTIVE_SET))));
+        row.into_iter().chain(of_methods)
+    });
+    Table::new(header.into_iter().chain(methods)).rows(rows)
 }
 
-/// `10ᵏ`
-fn ten_to(exponent: i32) -> f64 {
-    format!("1e{exponent}").parse().unwrap_or(f64::NAN)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
 fn figure(grids: &[Grid]) -> Result<String, PlotError> {
     let y = Axis::new("error of a contact force over the load").log();
     let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(760.0);
     let line = |name: &str, of: fn(&Run, &Grid) -> i32| {
         // Answers of solvers count if they are certified; the matrix is no solver. No error counts for more than the whole load.
         let drawn = |grid: &Grid| grid.run(name).filter(|run| name == MATRIX || run.certified).map(|run| of(run, grid));
-        let point = |grid: &Grid| Some([grid.intervals as f64, ten_to(drawn(grid)?.min(0))]);
+        let point = |grid: &Grid| Some([as_number(grid.intervals), ten_to(drawn(grid)?.min(0))]);
         grids.iter().filter_map(point).collect::<Vec<_>>()
     };
     for (i, name) in NAMES.into_iter().enumerate() {
@@ -130,20 +112,30 @@ fn figure(grids: &[Grid]) -> Result<String, PlotError> {
     .svg()
 }
 
-fn data(all: &[Measured]) -> String {
+fn data(all: &[Measured]) -> Table {
     let header = ["method", "solver", "intervals", "certified", "log10_condition", "log10_residual", "log10_promised"];
     let errors = ["log10_reaction_error", "log10_deflection_error", "log10_contact_force_error"];
     let rows = all.iter().flat_map(|(method, grids)| {
         grids.iter().flat_map(move |grid| {
             grid.runs.iter().map(move |run| {
-                let powers = [grid.condition, run.residual, run.promised(grid), run.reaction, run.deflection];
-                let powers = powers.into_iter().chain([run.contact_force]).map(|k| k.to_string());
-                let words = [method.word().to_owned(), run.name.to_owned(), grid.intervals.to_string()];
-                words.into_iter().chain([run.certified.to_string()]).chain(powers).collect()
+                let Run { name, certified, residual, reaction, deflection, contact_force } = run;
+                let (intervals, condition, promised) = (grid.intervals, grid.condition, run.promised(grid));
+                row![
+                    method,
+                    name,
+                    intervals,
+                    certified,
+                    condition,
+                    residual,
+                    promised,
+                    reaction,
+                    deflection,
+                    contact_force
+                ]
             })
         })
     });
-    csv(&[&header[..], &errors].concat(), rows)
+    Table::new(header.into_iter().chain(errors)).rows(rows)
 }
 
 #[cfg(test)]
@@ -156,8 +148,7 @@ mod tests {
     #[test]
     fn the_active_set_has_an_error_of_rounding_where_the_condition_number_promises_nothing() {
         for method in Method::ALL {
-            let grid =
-                routes::grid(&palkki_evidence::paper::example().expect("well posed"), method, 1000).expect("a grid");
+            let grid = routes::grid(&palkki_evidence::paper::example().expect("well posed"), method, 1000).expect("a grid");
             let run = grid.run(super::ACTIVE_SET).expect("it goes that far");
             assert!(run.certified && -4 < run.promised(&grid), "{method}: {run:?}");
             // Contact forces near lift-off lose a factor n; a few units in the last place of that, and the margin of three.

@@ -1,17 +1,9 @@
 //! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
 
-use palkki::methods::Method;
-use palkki::plot::significant;
-use palkki::plot::study::{Named, convergence};
-use palkki::theory;
 use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
+use palkki::plot::study::{Named, convergence};
 
-use crate::report::csv::{csv, scientific};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::scenes;
-use crate::report::study::Study;
-use crate::report::table::Table;
+use super::prelude::*;
 
 /// Multiples of 8: deflections are compared at an eighth of the span.
 const GRIDS: [usize; 7] = [16, 32, 64, 128, 256, 512, 1024];
@@ -26,11 +18,10 @@ const FINE_HALVINGS: u32 = 10;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // The force method has the same nodal values as the displacement method.
-    let (differences, energy) =
-        (of_the_example(Method::Complementarity, &GRIDS)?, of_the_example(Method::Displacement, &GRIDS)?);
+    let (differences, energy) = (of_the_example(Method::Complementarity, &GRIDS)?, of_the_example(Method::Displacement, &GRIDS)?);
     let fast = differences.iter().any(|s| s.quantity == Quantity::Energy && 2.5 < s.order);
     let first_force = study.ledger()?.usable.grids.iter().map(|grid| (grid.intervals, grid.first_force));
-    let first_force: Vec<_> = first_force.map(|(intervals, error)| minijinja::context! { intervals, error }).collect();
+    let first_force: Vec<_> = first_force.map(|(intervals, error)| context! { intervals, error }).collect();
 
     let grids: Vec<usize> = (0..=HALVINGS).map(|k| COARSEST << k).collect();
     let mut found: Vec<(&str, Vec<Series>)> = Vec::new();
@@ -40,23 +31,23 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let of = |method| of_scene(&scene, &exact, method, &grids);
         found.push((name, [of(Method::Force)?, of(Method::Complementarity)?].concat()));
     }
-    let (crests, every) =
-        (scenes::read(study.root, "wave")?, (0..=FINE_HALVINGS).map(|k| COARSEST << k).collect::<Vec<usize>>());
+    let crests = scenes::read(study.root, "wave")?;
+    let every: Vec<usize> = (0..=FINE_HALVINGS).map(|k| COARSEST << k).collect();
     let fine = of_scene(&crests, &theory::solve(&crests)?, Method::Force, &every)?;
     let fine_rows: Vec<_> = fine
         .iter()
-        .map(|a| minijinja::context! { quantity => a.quantity.word(), error => last(&a.errors), order => a.order })
+        .map(|a| context! { quantity => a.quantity.word(), error => last(&a.errors), order => a.order })
         .collect();
 
-    let values = minijinja::context! {
-        coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1], table => example_table(&differences, &energy).to_string(),
+    let values = context! {
+        coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1], table => example_table(&differences, &energy),
         differences_energy_is_fast => fast, first_force,
-        uneven => minijinja::context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found).to_string() },
-        fine => minijinja::context! { title => crests.title(), intervals => COARSEST << FINE_HALVINGS, rows => fine_rows },
+        uneven => context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found) },
+        fine => context! { title => crests.title(), intervals => COARSEST << FINE_HALVINGS, rows => fine_rows },
     };
     Ok(Evidence::new(values)
-        .figure("convergence", example_figure(&energy)?, example_csv(&[&differences, &energy]))
-        .figure("approach", uneven_figure(&found)?, uneven_csv(&found)))
+        .figure("convergence", example_figure(&energy)?, example_data(&[&differences, &energy]))
+        .figure("approach", uneven_figure(&found)?, uneven_data(&found)))
 }
 
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
@@ -73,7 +64,7 @@ fn first(errors: &[(usize, f64)]) -> f64 {
 }
 
 fn short(error: f64) -> String {
-    significant(error, 2)
+    palkki::plot::significant(error, 2)
 }
 
 /// Observables by finite differences and by the energy methods: error on the coarsest grid, on the finest, order.
@@ -91,7 +82,7 @@ fn example_table(differences: &[Series], energy: &[Series]) -> Table {
     ])
     .rows(differences.iter().zip(energy).map(|(a, b)| {
         let cells = |s: &Series| [short(first(&s.errors)), short(last(&s.errors)), format!("{:.2}", s.order)];
-        [vec![a.quantity.word().to_owned()], cells(a).to_vec(), cells(b).to_vec()].concat()
+        [&row![a.quantity.word()][..], &cells(a), &cells(b)].concat()
     }))
 }
 
@@ -115,14 +106,12 @@ fn example_figure(energy: &[Series]) -> Result<String, Cause> {
     )?)
 }
 
-fn example_csv(methods: &[&[Series]]) -> String {
-    let rows = methods.iter().flat_map(|series| series.iter()).flat_map(|s| {
-        let row = |(n, error): &(usize, f64)| {
-            vec![s.method.word().to_owned(), s.quantity.word().to_owned(), n.to_string(), scientific(*error, 2)]
-        };
-        s.errors.iter().map(row)
-    });
-    csv(&["method", "quantity", "intervals", "relative_error"], rows)
+fn example_data(methods: &[&[Series]]) -> Table {
+    let rows = methods
+        .iter()
+        .flat_map(|series| series.iter())
+        .flat_map(|s| s.errors.iter().map(|(n, error)| row![s.method, s.quantity.word(), n, scientific(*error, 2)]));
+    Table::new(["method", "quantity", "intervals", "relative_error"]).rows(rows)
 }
 
 /// Scene by scene by the force method: what it touches, the error of the end reaction, and three orders.
@@ -141,7 +130,7 @@ fn uneven_table(found: &[(&str, Vec<Series>)]) -> Table {
         let order = |k: usize| found.get(k).map_or_else(String::new, |a: &Series| format!("{:.1}", a.order));
         let errors = found.first().map_or(&[][..], |a| a.errors.as_slice());
         let ends = [short(first(errors)), short(last(errors))];
-        [vec![(*name).to_owned(), contact.to_owned()], ends.to_vec(), vec![order(0), order(1), order(2)]].concat()
+        row![name, contact, ends[0], ends[1], order(0), order(1), order(2)]
     }))
 }
 
@@ -160,14 +149,11 @@ fn uneven_figure(found: &[(&str, Vec<Series>)]) -> Result<String, Cause> {
     )?)
 }
 
-fn uneven_csv(found: &[(&str, Vec<Series>)]) -> String {
+fn uneven_data(found: &[(&str, Vec<Series>)]) -> Table {
     let rows = found.iter().flat_map(|(name, found)| {
         found.iter().flat_map(move |a| {
-            a.errors.iter().map(move |(n, error)| {
-                let words = [*name, a.method.word(), a.quantity.word()].map(str::to_owned);
-                [words.to_vec(), vec![n.to_string(), scientific(*error, 2)]].concat()
-            })
+            a.errors.iter().map(move |(n, error)| row![name, a.method, a.quantity.word(), n, scientific(*error, 2)])
         })
     });
-    csv(&["scene", "method", "quantity", "intervals", "relative_error"], rows)
+    Table::new(["scene", "method", "quantity", "intervals", "relative_error"]).rows(rows)
 }

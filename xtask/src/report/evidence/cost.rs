@@ -4,25 +4,16 @@
 mod advice;
 mod comparison;
 mod price;
-mod requirements;
 mod runs;
 mod stopping;
 
 use std::collections::BTreeMap;
 
-use minijinja::context;
-use palkki::route::{Method, Solver};
-use palkki::scene::SceneError;
-use palkki::{Settings, solve};
 use palkki_evidence::paper::example;
 
+use super::prelude::*;
+use crate::measure::line::{Line, Store};
 use crate::measure::plan::{EXAMPLE, LIMIT, OTHERS, Route, all};
-use crate::measure::store::{self, Line, Store};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::numbers::{as_number, cell, count};
-use crate::report::study::Study;
-use crate::report::table::Table;
 
 /// Solvers in the order of figures and tables, the libraries among them, and the methods.
 const SOLVERS: [&str; 5] = ["active-set", "four-step", "nsor", "clarabel", "osqp"];
@@ -37,17 +28,21 @@ fn ended<'a>(store: &'a Store, scene: &str) -> Vec<&'a Line> {
     store.lines.iter().filter(|line| line.scene == scene && line.median_s.is_some()).collect()
 }
 
+/// Whether a line is asked for what is shown, or cannot be asked for anything.
+fn shown(line: &Line) -> bool {
+    line.asks(0.0) || line.asks(ASKED)
+}
+
 /// Milliseconds of the median run.
 fn milliseconds(line: &Line) -> f64 {
     1e3 * line.median_s.unwrap_or(f64::NAN)
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let file = std::fs::read_to_string(study.root.join(store::PATH))?;
-    let store = Store::read(study.root)?;
-    let price = price::of(&store)?;
-    let stopping = stopping::of(&store)?;
-    let runs = runs::of(&store)?;
+    let (file, store) = Store::read(study.root)?;
+    let (price, price_figure) = price::of(&store)?;
+    let (stopping, stopping_figure) = stopping::of(&store)?;
+    let (runs, runs_figure) = runs::of(&store)?;
     let values = context! {
         commit => store.description("commit"),
         date => store.description("date"),
@@ -56,31 +51,30 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         libraries => store.description("libraries"),
         limit => LIMIT,
         measured => store.lines.iter().filter(|line| line.median_s.is_some()).count(),
-        price => price.values,
-        stopping => stopping.values,
-        runs => runs.values,
+        price,
+        stopping,
+        runs,
         comparison => comparison::of(&store),
-        requirements => requirements::of(&store).to_string(),
+        requirements => comparison::requirements(&store),
         repair => repair(&store),
         left_out => left_out(&store),
-        planned => planned().to_string(),
-        work => work()?.to_string(),
-        advice => advice::table(&advice::held(study.root, &store)?, &store).to_string(),
+        planned => planned(),
+        work => work()?,
+        advice => advice::table(&advice::held(study.root, &store)?, &store),
     };
-    let evidence = Evidence::new(values).data("measurements", file);
-    let figures = [price.figure, stopping.figure, runs.figure];
-    Ok(figures.into_iter().fold(evidence, |evidence, (name, svg, csv)| evidence.figure(name, svg, csv)))
+    let evidence = Evidence::new(values).file("measurements", file);
+    Ok(evidence.figures([price_figure, stopping_figure, runs_figure]))
 }
 
 /// How often the contact set of a library, solved by the three-moment equations, is better or worse than its forces.
-fn repair(store: &Store) -> minijinja::Value {
+fn repair(store: &Store) -> Value {
     let (mut answers, mut gained, mut lost, mut kept) = (0, 0, 0, 0);
     for after in store.lines.iter().filter(|line| line.method == "repair" && line.median_s.is_some()) {
         let same = |line: &&Line| {
             line.scene == after.scene
                 && line.is("force", &after.solver)
                 && line.intervals == after.intervals
-                && line.tolerance.total_cmp(&after.tolerance).is_eq()
+                && line.asks(after.tolerance)
                 && line.median_s.is_some()
         };
         let Some(before) = store.lines.iter().find(same) else { continue };
@@ -96,7 +90,7 @@ fn repair(store: &Store) -> minijinja::Value {
 }
 
 /// What the plan has and the file has no result for: how many entries, and for each scene and route from which grid on.
-fn left_out(store: &Store) -> minijinja::Value {
+fn left_out(store: &Store) -> Value {
     let mut coarsest: BTreeMap<String, usize> = BTreeMap::new();
     let missing = || store.lines.iter().filter(|line| line.median_s.is_none());
     for line in missing() {
@@ -116,7 +110,7 @@ fn planned() -> Table {
         let jobs = scenes.flat_map(|(_, jobs)| jobs).filter(|job| of(job.route));
         jobs.map(|job| job.intervals).max().map_or_else(|| "–".to_owned(), count)
     };
-    let row = |name: &str, of: &dyn Fn(Route) -> bool| [name.to_owned(), finest(of, true), finest(of, false)];
+    let row = |name: &str, of: &dyn Fn(Route) -> bool| row![name, finest(of, true), finest(of, false)];
     let solvers =
         Solver::ALL.map(|solver| row(solver.word(), &move |route| matches!(route, Route::Solver(_, s) if s == solver)));
     let optimum = row("proven optimum", &|route| matches!(route, Route::Optimum(_)));
@@ -125,18 +119,18 @@ fn planned() -> Table {
 }
 
 /// What the active set costs without a clock: unknowns that all its solves go through, over the unknowns of the problem.
-fn work() -> Result<Table, SceneError> {
+fn work() -> Result<Table, Cause> {
     const GRIDS: [usize; 5] = [30, 300, 3000, 30_000, 300_000];
     let scene = example()?;
-    let header = std::iter::once("method".to_owned()).chain(GRIDS.map(|grid| format!("{} intervals", count(grid))));
-    let mut table = Table::new(header);
+    let mut table =
+        Table::new(row!["method"].into_iter().chain(GRIDS.map(|grid| format!("{} intervals", count(grid)))));
     for method in Method::ALL {
-        let mut row = vec![method.word().to_owned()];
+        let mut row = row![method].to_vec();
         for grid in GRIDS {
-            let outcome = solve(&scene, &Settings::new(method, Solver::ActiveSet, grid))?;
+            let outcome = on_grid(&scene, method, Solver::ActiveSet, grid)?;
             row.push(cell(Some(as_number(outcome.work) / as_number(outcome.unknowns)), 2));
         }
-        table = table.row(row);
+        table.push(row);
     }
     Ok(table)
 }

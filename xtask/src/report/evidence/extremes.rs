@@ -1,17 +1,11 @@
 //! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
 
-mod cases;
 mod map;
 
-use minijinja::context;
-use palkki::route::{Method, Outcome, Solver, Status};
-use palkki::{Settings, solve, theory};
 use palkki_evidence::extremes::{Extreme, POWERS, borders, sizes, units};
+use palkki::route::Outcome;
 
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::numbers;
-use crate::report::study::Study;
+use super::prelude::*;
 
 /// What beam theory is held to, over the load.
 const DIGITS: f64 = 1e-12;
@@ -42,6 +36,12 @@ impl Count {
         self.wrong += other.wrong;
     }
 
+    fn of<'a>(counts: impl IntoIterator<Item = &'a Self>) -> Self {
+        let mut sum = Self::default();
+        counts.into_iter().for_each(|count| sum.join(*count));
+        sum
+    }
+
     fn runs(&self) -> usize {
         self.right + self.not_certified + self.wrong
     }
@@ -56,7 +56,7 @@ enum Verdict {
 }
 
 impl Verdict {
-    fn word(self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
             Self::Right => "right",
             Self::NotCertified => "not certified",
@@ -68,12 +68,12 @@ impl Verdict {
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let map = map::measured()?;
     let in_units = units()?.into_iter().map(|(_, extreme)| extreme).collect();
-    let tried = cases::tried(vec![("sizes", sizes()?), ("borders", borders()?), ("units", in_units)])?;
+    let tried = tried(vec![("sizes", sizes()?), ("borders", borders()?), ("units", in_units)])?;
     let mut count = map.count;
     count.join(tried.count);
     let values = context! {
-        digits => numbers::bound(DIGITS),
-        same => numbers::bound(SAME),
+        digits => bound(DIGITS),
+        same => bound(SAME),
         runs => count.runs(),
         wrong => count.wrong,
         nsor => NSOR,
@@ -81,7 +81,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         map => map.values,
         cases => tried.values,
     };
-    Ok(Evidence::new(values).figure("extremes", map.svg, map.csv).data("extremes-cases", tried.csv))
+    Ok(Evidence::new(values).figure("extremes", map.svg, map.data).data("extremes-cases", tried.data))
 }
 
 /// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other pages show.
@@ -89,7 +89,7 @@ const NSOR: usize = 8;
 
 /// A run of a discretised route, and what it is beside the active set on the same quadratic program.
 fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcome) -> Result<Verdict, Cause> {
-    let outcome = solve(&extreme.scene, &Settings::new(method, solver, extreme.intervals))?;
+    let outcome = on_grid(&extreme.scene, method, solver, extreme.intervals)?;
     if outcome.status != Status::Certified {
         return Ok(Verdict::NotCertified);
     }
@@ -108,7 +108,7 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcom
 
 /// The active set on the same quadratic program.
 fn reference(extreme: &Extreme, method: Method) -> Result<Outcome, Cause> {
-    Ok(solve(&extreme.scene, &Settings::new(method, Solver::ActiveSet, extreme.intervals))?)
+    on_grid(&extreme.scene, method, Solver::ActiveSet, extreme.intervals)
 }
 
 /// Beam theory, with its error where it is certified.
@@ -120,4 +120,92 @@ fn exact(extreme: &Extreme) -> Result<(Verdict, f64), Cause> {
     }
     let right = error <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
     Ok((if right { Verdict::Right } else { Verdict::Wrong }, error))
+}
+
+/// Errors below this differ between machines.
+const ROUNDING: f64 = 1e-13;
+
+/// Everything that was tried.
+struct Tried {
+    count: Count,
+    values: Value,
+    data: Table,
+}
+
+/// What became of one scene: by beam theory, by the force method with the active set, by the other routes.
+struct Case {
+    theory: Verdict,
+    theory_error: f64,
+    force: Verdict,
+    others: Count,
+    /// The other routes whose answers are not certified.
+    not_certified: Vec<String>,
+}
+
+/// Runs every route on every scene.
+fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, Cause> {
+    let header = ["group", "scenes", "beam theory: right", "its worst error", "force, active set: right"];
+    let mut table = Table::new(header.into_iter().chain(["other routes: right", "not certified"]));
+    let header = ["scene", "group", "reference", "exact", "force_active_set", "others_right", "others_not_certified"];
+    let mut data = Table::new(header.into_iter().chain(["others_wrong_and_certified", "which_are_not_certified"]));
+    let (mut force_limits, mut cases) = (Vec::new(), 0);
+    let (mut all, mut all_theory, mut all_force) = (Count::default(), Count::default(), Count::default());
+    for (name, extremes) in groups {
+        let (mut theory, mut force, mut others) = (Count::default(), Count::default(), Count::default());
+        let mut worst = 0.0_f64;
+        cases += extremes.len();
+        let scenes = extremes.len();
+        for extreme in extremes {
+            let case = run(&extreme)?;
+            worst = worst.max(case.theory_error);
+            theory.add(case.theory);
+            force.add(case.force);
+            others.join(case.others);
+            let (theory, force, names) = (case.theory.name(), case.force.name(), case.not_certified.join(" "));
+            let Count { right, not_certified, wrong } = case.others;
+            data.push(row![extreme.name, name, extreme.authority, theory, force, right, not_certified, wrong, names]);
+            if case.force == Verdict::NotCertified {
+                force_limits.push(extreme.name);
+            }
+        }
+        let error = bound(worst.max(ROUNDING));
+        table.push(row![name, scenes, theory.right, error, force.right, others.right, others.not_certified]);
+        all.join(Count::of([&theory, &force, &others]));
+        all_theory.join(theory);
+        all_force.join(force);
+    }
+    let values = context! {
+        table,
+        scenes => cases,
+        theory => context! { right => all_theory.right, not_certified => all_theory.not_certified },
+        force => context! { right => all_force.right, not_certified => all_force.not_certified },
+        force_limits,
+    };
+    Ok(Tried { count: all, values, data })
+}
+
+/// Runs every route on one scene.
+fn run(extreme: &Extreme) -> Result<Case, Cause> {
+    let (theory, theory_error) = exact(extreme)?;
+    let (mut force, mut others, mut not_certified) = (Verdict::NotCertified, Count::default(), Vec::new());
+    for method in Method::ALL {
+        let active = reference(extreme, method)?;
+        for solver in Solver::ALL {
+            let verdict = if solver == Solver::Nsor && NSOR < extreme.intervals {
+                let coarse = Extreme { intervals: NSOR, ..extreme.clone() };
+                checked(&coarse, method, solver, &reference(&coarse, method)?)?
+            } else {
+                checked(extreme, method, solver, &active)?
+            };
+            if method == Method::Force && solver == Solver::ActiveSet {
+                force = verdict;
+                continue;
+            }
+            others.add(verdict);
+            if verdict == Verdict::NotCertified {
+                not_certified.push(format!("{method}/{solver}"));
+            }
+        }
+    }
+    Ok(Case { theory, theory_error, force, others, not_certified })
 }

@@ -1,67 +1,20 @@
-//! Figures 4, 7 and 8 of the paper, drawn again.
+//! Figures 4, 7 and 8 of the paper, drawn again, and the first nodal contact force, which jumps from grid to grid.
 
 use palkki::methods::Method;
-use palkki::plot::PlotError;
-use palkki::plot::paper::{Nodal, Theory, contact as contact_forces, shape};
-use palkki::solvers::Solver;
-use palkki::state::{ContactState, Nodes};
-use palkki::theory::FlatSolution;
-use palkki::{Settings, solve};
 use palkki_evidence::paper::convergence::Quantity;
 use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
-use serde::Serialize;
+use palkki::plot::PlotError;
+use palkki::plot::paper::{Nodal, Theory, contact as contact_forces, shape};
+use palkki::plot::study::{Named, first_force as drawn_first_force};
+use palkki::state::{ContactState, Nodes};
+use palkki::theory::FlatSolution;
 
-use crate::report::csv::{csv, fixed};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::study::Study;
-use crate::report::table::Table;
+use super::prelude::*;
 
 /// Where the deflection of beam theory is evaluated for its dashed line.
 const SAMPLES: u32 = 400;
 
-#[derive(Debug, Serialize)]
-struct Values {
-    intervals: usize,
-    nodes: usize,
-    length: f64,
-    spacing: f64,
-    nodal_load: f64,
-    lift_off: f64,
-    reaction: f64,
-    figure_4: Contact,
-    figure_7: Contact,
-    figure_8: Shape,
-    table_4: Table,
-    table_7: Table,
-    table_8: Table,
-}
-
-/// The left end of the contact by one method.
-#[derive(Debug, Serialize)]
-struct Contact {
-    /// Place of the first node in contact.
-    x: f64,
-    /// Contact forces of the first three nodes.
-    forces: [f64; 3],
-    /// The first of them over the point force of beam theory, minus one.
-    error: f64,
-    /// How many nodes are in contact.
-    count: usize,
-    /// Largest deviation from the nodal load behind the second node, over the nodal load.
-    swing: f64,
-    /// Factor from one such deviation to the next; zero where there is none.
-    decay: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct Shape {
-    /// Largest difference of a nodal deflection from beam theory, over the depth.
-    error: f64,
-    /// Where it is, in the left half.
-    at: f64,
-}
-
+/// Figures 4, 7 and 8.
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let exact = theory();
     let printed = &study.ledger()?.printed;
@@ -79,29 +32,26 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     };
     let (four, seven, eight) = (figure_4()?, figure_7()?, figure_8()?);
     let nodal_load = drawn.pressure * four.spacing;
-    let (contact_4, contact_7) = (contact(&four, nodal_load), contact(&seven, nodal_load));
-    let shape_8 = deviation(&eight.nodes, &exact, length);
-
-    let [svg_4, svg_7, svg_8] = drawings(&drawn, [&four.nodes, &seven.nodes, &eight.nodes], shape_8.error)?;
+    let (at, error) = deviation(&eight.nodes, &exact, length);
+    let [svg_4, svg_7, svg_8] = drawings(&drawn, [&four.nodes, &seven.nodes, &eight.nodes], error)?;
     let state = |method| -> Result<ContactState, Cause> {
-        Ok(solve(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?.state)
+        Ok(on_grid(&example()?, method, Solver::ActiveSet, INTERVALS)?.state)
     };
-    let [differences, force, displacement] =
-        [state(Method::Complementarity)?, state(Method::Force)?, state(Method::Displacement)?];
-    let values = Values {
-        intervals: INTERVALS,
-        nodes: INTERVALS - 1,
+    let values = context! {
+        intervals => INTERVALS,
+        nodes => INTERVALS - 1,
         length,
-        spacing: four.spacing,
+        spacing => four.spacing,
         nodal_load,
         lift_off,
-        reaction: printed.reaction_by_theory,
-        figure_4: contact_4,
-        figure_7: contact_7,
-        figure_8: shape_8,
-        table_4: contact_table("finite differences", &differences, &exact),
-        table_7: contact_table("force method", &force, &exact),
-        table_8: shape_table("displacement method", &displacement, &exact),
+        reaction => printed.reaction_by_theory,
+        figure_4 => contact(&four, nodal_load),
+        figure_7 => contact(&seven, nodal_load),
+        // Largest difference of a nodal deflection from beam theory, over the depth, and where it is, in the left half.
+        figure_8 => context! { error, at },
+        table_4 => contact_table("finite differences", &state(Method::Complementarity)?, &exact),
+        table_7 => contact_table("force method", &state(Method::Force)?, &exact),
+        table_8 => shape_table("displacement method", &state(Method::Displacement)?, &exact),
     };
     Ok(Evidence::new(values)
         .figure("figure-4", svg_4, data(&four.nodes, &exact, four.spacing))
@@ -143,10 +93,8 @@ fn compared(first: &str, method: &str, columns: &[(&str, f64, f64)]) -> Table {
         let cells = columns.iter().map(|column| fixed(of(column), 5).replace('-', "−"));
         std::iter::once(name.to_owned()).chain(cells).collect()
     };
-    Table::new(std::iter::once(first).chain(columns.iter().map(|column| column.0)))
-        .row(row("beam theory", |c| c.1))
-        .row(row(method, |c| c.2))
-        .row(row("difference", |c| c.2 - c.1))
+    let header = std::iter::once(first).chain(columns.iter().map(|column| column.0));
+    Table::new(header).rows([row("beam theory", |c| c.1), row(method, |c| c.2), row("difference", |c| c.2 - c.1)])
 }
 
 /// Contact at the left end, and the resultants.
@@ -186,38 +134,81 @@ fn nodal<'a>(label: &'a str, nodes: &'a Nodes) -> Nodal<'a> {
     Nodal { label, x: &nodes.x, deflection: &nodes.deflection, contact_force: &nodes.contact_force }
 }
 
-fn contact(found: &Pressures, nodal_load: f64) -> Contact {
+/// The left end of the contact by one method.
+fn contact(found: &Pressures, nodal_load: f64) -> Value {
+    // Below this share the deviation is rounding and has no ratio.
+    const ROUNDING: f64 = 1e-9;
     let forces = &found.nodes.contact_force;
     let first = forces.iter().position(|p| 0.0 < *p).unwrap_or(0);
     let at = |k: usize| forces.get(first + k).copied().unwrap_or(f64::NAN);
-    let middle = forces.len() / 2;
-    let behind = forces.iter().take(middle + 1).skip(first + 2);
-    // Below this share the deviation is rounding and has no ratio.
-    const ROUNDING: f64 = 1e-9;
-    let off = |k: usize| at(k) / nodal_load - 1.0;
-    Contact {
-        x: found.nodes.x[first],
-        forces: [at(0), at(1), at(2)],
-        error: at(0) / found.theory.end_force - 1.0,
-        count: forces.iter().filter(|p| 0.0 < **p).count(),
-        swing: behind.fold(0.0_f64, |most, p| most.max((p / nodal_load - 1.0).abs())),
-        decay: if off(2).abs() < ROUNDING { 0.0 } else { off(3) / off(2) },
+    let off = |p: f64| p / nodal_load - 1.0;
+    let inner = forces.iter().take(forces.len() / 2 + 1).skip(first + 2);
+    context! {
+        // Place of the first node in contact, and contact forces of the first three nodes.
+        x => found.nodes.x[first],
+        forces => [at(0), at(1), at(2)],
+        // The first of them over the point force of beam theory, minus one.
+        error => at(0) / found.theory.end_force - 1.0,
+        // How many nodes are in contact.
+        count => forces.iter().filter(|p| 0.0 < **p).count(),
+        // Largest deviation from the nodal load behind the second node, over the nodal load.
+        swing => inner.fold(0.0_f64, |most, p| most.max(off(*p).abs())),
+        // Factor from one such deviation to the next; zero where there is none.
+        decay => if off(at(2)).abs() < ROUNDING { 0.0 } else { off(at(3)) / off(at(2)) },
     }
 }
 
-fn deviation(nodes: &Nodes, exact: &FlatSolution, length: f64) -> Shape {
+/// The node of the left half that is farthest from beam theory: its place and its error.
+fn deviation(nodes: &Nodes, exact: &FlatSolution, length: f64) -> (f64, f64) {
     let left = nodes.x.iter().zip(&nodes.deflection).filter(|(x, _)| **x <= 0.5 * length);
     let errors = left.map(|(&x, v)| (x, (v - exact.deflection(x)).abs()));
-    let (at, error) = errors.fold((0.0, 0.0), |worst, e| if worst.1 < e.1 { e } else { worst });
-    Shape { error, at }
+    errors.fold((0.0, 0.0), |worst, e| if worst.1 < e.1 { e } else { worst })
 }
 
-fn data(nodes: &Nodes, exact: &FlatSolution, spacing: f64) -> String {
+fn data(nodes: &Nodes, exact: &FlatSolution, spacing: f64) -> Table {
     let header =
         ["x", "contact_force", "contact_force_per_interval", "theory_pressure", "deflection", "theory_deflection"];
-    let rows = nodes.x.iter().enumerate().map(|(i, &x)| {
+    Table::new(header).rows(nodes.x.iter().enumerate().map(|(i, &x)| {
         let (p, v) = (nodes.contact_force[i], nodes.deflection[i]);
-        [x, p, p / spacing, exact.pressure(x), v, exact.deflection(x)].map(|value| fixed(value, 6)).to_vec()
-    });
-    csv(&header, rows)
+        [x, p, p / spacing, exact.pressure(x), v, exact.deflection(x)].map(|value| fixed(value, 6))
+    }))
+}
+
+/// All numbers of intervals from the coarsest to the finest.
+const GRIDS: std::ops::RangeInclusive<u32> = 8..=400;
+/// From here on the words speak of the range.
+const FINE: u32 = 30;
+
+/// The first nodal contact force jumps from grid to grid; the resultant at the lift-off point converges.
+pub(super) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
+    let scene = example()?;
+    let theory = Quantity::PointForce.exact();
+    let (mut first, mut resultant) = (Vec::new(), Vec::new());
+    for n in GRIDS {
+        let state = on_grid(&scene, Method::Force, Solver::ActiveSet, usize::try_from(n)?)?.state;
+        let shared = Quantity::PointForce.of(&state) / theory;
+        let first_in_contact = nodes_of(&state)?.contact_force.iter().find(|force| 0.0 < **force);
+        let force = first_in_contact.copied().unwrap_or_default() / theory;
+        first.push([f64::from(n), force]);
+        resultant.push([f64::from(n), shared]);
+    }
+    let rows = first.iter().zip(&resultant).map(|(a, b)| row![a[0], fixed(a[1], 5), fixed(b[1], 5)]);
+    let data = Table::new(["intervals", "first_force_over_t", "resultant_over_t"]).rows(rows);
+    let fine = |points: &[[f64; 2]], of: fn(f64) -> f64| {
+        range(points.iter().filter(|p| f64::from(FINE) <= p[0]).map(|p| of(p[1]))).ok_or("there are fine grids")
+    };
+    let ([least, most], [_, worst]) = (fine(&first, |force| force)?, fine(&resultant, |force| (force - 1.0).abs())?);
+    let values = context! {
+        coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
+        least, most, worst, last => resultant.last().map(|p| (p[1] - 1.0).abs()),
+    };
+    let svg = drawn_first_force(
+        "The first nodal force jumps from grid to grid, the resultant does not",
+        "Circles: contact force at the first node in contact over the point force T of beam theory, one for each number of \
+         intervals; they scatter and do not settle. Line: the resultant of the contact forces at the lift-off point over T, \
+         which tends to the dashed line at one.",
+        &Named { label: "first nodal force", points: first },
+        &Named { label: "resultant", points: resultant },
+    )?;
+    Ok(Evidence::new(values).figure("first-force", svg, data))
 }

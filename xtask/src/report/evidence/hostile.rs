@@ -1,66 +1,60 @@
 //! Hostile input, and libraries at the edge: rendered from the files of `cargo xtask fuzz` and `cargo xtask hostile`, which
 //! take minutes, and from the situations of the acceptance suite, which are run again.
 
-use std::fs;
-use std::path::Path;
+use palkki_evidence::libraries;
 
-use minijinja::{Value, context};
-use palkki::route::{Solver, Status};
-use palkki_evidence::libraries::ALL;
-
-use crate::report::csv::csv;
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::numbers::thousands;
-use crate::report::study::Study;
-use crate::report::table::Table;
+use super::prelude::*;
+use crate::fuzz::Target;
+use crate::hostile::Family;
+use crate::{data, fuzz, hostile};
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let (fuzzing, targets) = table(study.root, crate::fuzz::PATH)?;
-    let (hostile, families) = table(study.root, crate::hostile::PATH)?;
-    let (libraries, situations) = libraries()?;
+    let (fuzzing, targets): (_, Vec<Target>) = data::read(study.root, fuzz::PATH)?;
+    let (hostile, families): (_, Vec<Family>) = data::read(study.root, hostile::PATH)?;
+    let (situations, libraries) = at_the_edge()?;
+    let sum = |of: fn(&Family) -> usize| families.iter().map(of).sum::<usize>();
     let values = context! {
         fuzzing => context! {
             targets => targets.len(),
-            executions => sum(&targets, &["executions"])?,
-            failures => sum(&targets, &["failures"])?,
+            executions => targets.iter().map(|target| target.executions).sum::<u64>(),
+            failures => targets.iter().map(|target| target.failures).sum::<usize>(),
         },
-        runs => sum(&families, &["runs"])?,
-        accepted => sum(&families, &["runs"])? - sum(&families, &["refused", "panics"])?,
-        wrong => sum(&families, &["wrong"])?,
-        panics => sum(&families, &["panics"])?,
-        contradicted => sum(&families, &["contradicted"])?,
-        families => of_families(&families)?.to_string(),
+        runs => sum(|family| family.runs),
+        accepted => sum(|family| family.runs - family.refused - family.panics),
+        wrong => sum(|family| family.wrong),
+        panics => sum(|family| family.panics),
+        contradicted => sum(|family| family.contradicted),
+        families => of_families(&families),
         libraries => situations,
     };
-    Ok(Evidence::new(values).data("fuzzing", fuzzing).data("hostile", hostile).data("libraries", libraries))
+    Ok(Evidence::new(values).file("fuzzing", fuzzing).file("hostile", hostile).data("libraries", libraries))
 }
 
 /// How many answers are certified, family by family of random scenes.
-fn of_families(families: &[Row]) -> Result<Table, Cause> {
+fn of_families(families: &[Family]) -> Table {
     let header =
         ["scenes", "runs", "refused", "beam theory certified", "active set certified", "other routes certified"];
-    families.iter().try_fold(Table::new(header), |table, row| {
-        let count = |column: &str| row.count(column).map(thousands);
-        let share = |kind: &str| -> Result<String, Cause> {
-            let certified = row.count(&format!("{kind}_certified"))?;
-            let all = certified + row.count(&format!("{kind}_not_certified"))?;
-            Ok(format!("{} of {}", thousands(certified), thousands(all)))
-        };
-        let shares = [share("theory")?, share("active_set")?, share("route")?];
-        let first = [row.word("family")?.to_owned(), count("runs")?, count("refused")?];
-        Ok(table.row(first.into_iter().chain(shares)))
-    })
+    let share = |certified: usize, not: usize| format!("{} of {}", count(certified), count(certified + not));
+    Table::new(header).rows(families.iter().map(|family| {
+        row![
+            family.family,
+            count(family.runs),
+            count(family.refused),
+            share(family.theory_certified, family.theory_not_certified),
+            share(family.active_set_certified, family.active_set_not_certified),
+            share(family.route_certified, family.route_not_certified),
+        ]
+    }))
 }
 
 /// Libraries at the edge: the file, and a table of the situations in which a library that was asked did not solve the problem
 /// or gave an answer that fails our check.
-fn libraries() -> Result<(String, Value), Cause> {
+fn at_the_edge() -> Result<(Value, Table), Cause> {
     let header = ["situation", "clarabel says", "our check of it", "osqp says", "our check of that"];
-    let (mut data, mut table) = (Vec::new(), Table::new(header));
+    let (mut data, mut table) = (Table::new(["situation", "library", "answer", "our_check"]), Table::new(header));
     let (mut asked, mut solved, mut failed, mut good) = (0, 0, 0, 0);
-    for situation in ALL {
-        let (mut row, mut all_good, mut any_asked) = (vec![situation.name.to_owned()], true, false);
+    for situation in libraries::ALL {
+        let (mut row, mut all_good, mut any_asked) = (row![situation.name].to_vec(), true, false);
         for library in [Solver::Clarabel, Solver::Osqp] {
             let outcome = situation.run(library)?;
             let passes = outcome.status == Status::Certified;
@@ -71,54 +65,22 @@ fn libraries() -> Result<(String, Value), Cause> {
             solved += usize::from(outcome.claims);
             failed += usize::from(outcome.claims && !passes);
             let check = if passes { "certified" } else { "not certified" };
-            let name = situation.name.replace(',', ";");
-            data.push(vec![name, library.word().to_owned(), outcome.word.replace(',', ";"), check.to_owned()]);
+            data.push(row![situation.name, library, outcome.word, check]);
             row.extend([outcome.word, check.to_owned()]);
         }
         good += usize::from(all_good);
         if any_asked && !all_good {
-            table = table.row(row);
+            table.push(row);
         }
     }
     let values = context! {
-        table => table.to_string(),
-        situations => ALL.len(),
+        table,
+        situations => libraries::ALL.len(),
         runs => data.len(),
         asked, solved, failed, good,
     };
-    Ok((csv(&["situation", "library", "answer", "our_check"], data), values))
+    Ok((values, data))
 }
 
 /// How the words begin that stand for those of a library to which a quadratic program was not given.
 const NOT_ASKED: &str = "not tried";
-
-/// The sum of some columns.
-fn sum(rows: &[Row], columns: &[&str]) -> Result<i64, Cause> {
-    let counts = rows.iter().flat_map(|row| columns.iter().map(|column| row.count(column)));
-    counts.sum()
-}
-
-/// A row of a file of counts, by the names of its columns.
-struct Row(Vec<(String, String)>);
-
-impl Row {
-    fn word(&self, column: &str) -> Result<&str, Cause> {
-        let found = self.0.iter().find(|(name, _)| name == column).map(|(_, field)| field.as_str());
-        found.ok_or_else(|| format!("there is no column {column}").into())
-    }
-
-    fn count(&self, column: &str) -> Result<i64, Cause> {
-        Ok(self.word(column)?.parse()?)
-    }
-}
-
-/// A file of counts, as it is and by rows.
-fn table(root: &Path, path: &str) -> Result<(String, Vec<Row>), Cause> {
-    let text = fs::read_to_string(root.join(path))?;
-    let mut lines = text.lines();
-    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
-    let row =
-        |line: &str| Row(header.iter().zip(line.split(',')).map(|(n, f)| ((*n).to_owned(), f.to_owned())).collect());
-    let rows = lines.map(row).collect();
-    Ok((text, rows))
-}

@@ -1,38 +1,29 @@
-//! The problem, its notation and a sketch.
+//! The problem with a sketch, the three methods, and the three regimes of a flat foundation.
 
-use palkki::plot::{Arrow, Arrows, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, Style, significant};
-use palkki::plot::{Axis, PlotError};
-use palkki::scene::{Foundation, Scene};
-use palkki::theory;
-use serde::Serialize;
+use std::fmt::Write as _;
 
-use crate::report::csv::{csv, fixed, one_a_place};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::scenes;
-use crate::report::study::Study;
+use palkki::methods::Discrete;
+use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
+use palkki::plot::study::{Named, regimes as drawn};
+use palkki::plot::{Arrow, Arrows, Axis, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, PlotError, Style};
+use palkki::scene::{Beam, Load};
+use palkki::state::Regime;
 
-#[derive(Debug, Serialize)]
-struct Values {
-    title: String,
-    contacts: usize,
-}
+use super::prelude::*;
 
-pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+/// The problem, its notation and a sketch.
+pub(super) fn sketch(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = scenes::read(study.root, "ridge")?;
     let exact = theory::solve(&scene)?;
     let curves = Curves::exact(&scene, &exact);
-    let rows = curves
-        .x
-        .iter()
-        .zip(&curves.deflection)
-        .map(|(&x, &v)| vec![fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
-    let table = csv(&["x", "u", "v"], one_a_place(rows));
-    let values = Values { title: scene.title().to_owned(), contacts: exact.state.contacts.len() };
-    Ok(Evidence::new(values).figure("problem", sketch(&scene, &curves)?, table))
+    let places = curves.x.iter().zip(&curves.deflection);
+    let rows = places.map(|(&x, &v)| [fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
+    let data = Table::new(["x", "u", "v"]).rows(rows).one_a_place();
+    let values = context! { title => scene.title(), contacts => exact.state.contacts.len() };
+    Ok(Evidence::new(values).figure("problem", sketched(&scene, &curves)?, data))
 }
 
-fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
+fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let l = scene.beam().length();
     let ground = match scene.foundation() {
         Some(Foundation::Polyline { points }) => points.clone(),
@@ -43,7 +34,7 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let arrow = |name: &str, force: f64, at: [f64; 2]| Arrow {
         at,
         force,
-        text: format!("{name}{}", significant(force, 3)),
+        text: format!("{name}{}", palkki::plot::significant(force, 3)),
         optional: true,
     };
     let full = curves.point_forces.iter().fold(0.0_f64, |most, f| most.max(f.force));
@@ -98,4 +89,114 @@ fn sketch(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
         vec![panel],
     )
     .svg()
+}
+
+/// Intervals of the grid that is printed.
+const PRINTED: u8 = 4;
+
+/// The three methods, with their matrices on a grid that is small enough to be read.
+pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
+    // Spacing and stiffness are 1, so that the numbers are multiples of EI/Δ⁴, EI/Δ³ and Δ³/EI.
+    let beam = Beam::new(f64::from(PRINTED), 1.0)?;
+    let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+    let discrete = Discrete::new(&scene, usize::from(PRINTED))?;
+    let n = discrete.interior();
+    let mut matrices = String::new();
+    for (method, name) in Method::ALL.into_iter().zip(["A of method 1, in EI/Δ⁴", "K, in EI/Δ³", "C, in Δ³/EI"])
+    {
+        let matrix = method.programme(&discrete).matrix();
+        writeln!(matrices, "{name}")?;
+        for i in 0..n {
+            let row: String = (0..n).map(|j| format!("{:>10}", fixed(matrix.entry(i, j), 4))).collect();
+            writeln!(matrices, "{row}")?;
+        }
+    }
+    // The condition of K and C, as orders of magnitude.
+    let digits = &study.ledger()?.recommendation.digits;
+    let conditions: Vec<String> = digits
+        .iter()
+        .map(|d| format!("{} with {} intervals", power_of_ten(nearest_exponent(d.condition)), d.intervals))
+        .collect();
+    Ok(Evidence::new(context! {
+        intervals => PRINTED,
+        nodes => PRINTED - 1,
+        matrices => matrices.trim_end(),
+        conditions => conditions.join(" and "),
+    }))
+}
+
+/// Depths of the line, in equal steps of the fourth root: with it the length grows that is lifted off.
+const DEPTHS: u32 = 160;
+/// Every so many of them also by the force method.
+const COMPUTED_EVERY: u32 = 8;
+/// The deepest, over the depth 5/384 that a free beam just reaches.
+const DEEPEST: f64 = 1.25;
+
+/// The three regimes of a flat foundation as one picture: the end reaction over the depth.
+pub(super) fn regimes(_: &Study<'_>) -> Result<Evidence, Cause> {
+    let (beam, load) = (beam()?, example()?.load().uniform());
+    let (l, ei) = (beam.length(), beam.bending_stiffness());
+    let unit = load * l * l * l * l / ei;
+    let (mut line, mut points) = (Vec::new(), Vec::new());
+    let mut data = Table::new(["ei_depth_over_q_l4", "reaction_over_q_l", "regime", "force_method"]);
+    // Name of the regime, and at which depths it is found: from, to, and the unknowns.
+    let mut found: Vec<(&str, f64, f64, usize)> = Vec::new();
+    let (mut exact, mut worst, mut closed) = (0, 0.0_f64, 0.0_f64);
+    for i in 1..=DEPTHS {
+        let part = f64::from(i) / f64::from(DEPTHS);
+        let share = DEEPEST * 5.0 / 384.0 * part * part * part * part;
+        let depth = share * unit;
+        let scene = scene_over(Foundation::Flat { depth })?;
+        let solution = theory::solve(&scene)?;
+        exact += usize::from(solution.status == Status::Certified);
+        let reaction = solution.state.reactions.left / (load * l);
+        closed = closed.max((theory::flat(l, ei, depth, load).reaction / (load * l) - reaction).abs());
+        line.push([share, reaction]);
+        let regime = match solution.state.regime {
+            Regime::None => "no contact",
+            Regime::Points => "contact at mid-span only",
+            Regime::Zone => "a zone of contact",
+        };
+        match found.last_mut() {
+            Some((last, _, to, _)) if *last == regime => *to = share,
+            _ => found.push((regime, share, share, solution.unknowns)),
+        }
+        let mut computed = String::new();
+        if i % COMPUTED_EVERY == 0 {
+            let discrete =
+                on_grid(&scene, Method::Force, Solver::ActiveSet, INTERVALS)?.state.reactions.left / (load * l);
+            worst = worst.max((discrete - reaction).abs());
+            points.push([share, discrete]);
+            computed = fixed(discrete, 6);
+        }
+        data.push(row![fixed(share, 8), fixed(reaction, 6), regime, computed]);
+    }
+    let paper = example()?;
+    let paper = [paper.depth(0.0) / unit, theory::solve(&paper)?.state.reactions.left / (load * l)];
+    let computed_points = points.len();
+    let svg = drawn(
+        "Three regimes: the end reaction grows until nothing touches",
+        "The end reaction rises with the fourth root of the depth while the beam rests on a zone, then along a straight line \
+         while it touches at mid-span only, and is constant when it touches nothing. Circles lie on the line. A star marks the \
+         example of the paper, at the left end of the curve.",
+        &line,
+        &Named { label: &format!("force method, {INTERVALS} intervals"), points },
+        (paper, "the paper's example"),
+    )?;
+    let found = found.into_iter().map(|(regime, from, to, unknowns)| context! { regime, from, to, unknowns });
+    let values = context! {
+        // `[EI u₀/(q₀l⁴), reaction/(q₀l)]`
+        example => paper,
+        depths => line.len(),
+        // How many of them are exact and checked.
+        exact,
+        points => computed_points,
+        intervals => INTERVALS,
+        found => found.collect::<Vec<_>>(),
+        // Worst difference of the computed end reactions from theory, over `q₀l`.
+        worst,
+        // Bound of the difference of the exact solutions from the closed form, over `q₀l`.
+        closed => bound(closed.max(f64::EPSILON)),
+    };
+    Ok(Evidence::new(values).figure("regimes", svg, data))
 }

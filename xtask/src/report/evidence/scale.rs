@@ -3,23 +3,17 @@
 
 mod drawn;
 
-use minijinja::{Value, context};
-use palkki::solvers::Solver;
 use palkki_evidence::extremes::Ground;
 
-use crate::measure::scale::{LOADS, Line, PATH, Route, Scale};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::numbers::{cell, count, error_cell, power};
-use crate::report::study::Study;
-use crate::report::table::Table;
+use super::prelude::*;
+use crate::measure::scale::{LOADS, Line, Route, Scale};
 
 const EXACT: Route = Route::Exact;
 const ACTIVE_SET: Route = Route::Force(Solver::ActiveSet);
 const INTERIOR_POINT: Route = Route::Force(Solver::Clarabel);
 
 /// The name of a route in tables and figures.
-fn name(route: Route) -> &'static str {
+fn label(route: Route) -> &'static str {
     match route {
         EXACT => "exact",
         INTERIOR_POINT => "clarabel",
@@ -28,11 +22,10 @@ fn name(route: Route) -> &'static str {
 }
 
 /// `1` and `10⁴`: the loads are powers of ten.
-fn load_word(load: f64) -> String {
-    let text = format!("{load:e}");
-    match text.strip_prefix("1e").and_then(|exponent| exponent.parse().ok()) {
+fn load_name(load: f64) -> String {
+    match exponent_of(load) {
         Some(0) | None => format!("{load}"),
-        Some(exponent) => power(exponent),
+        Some(exponent) => power_of_ten(exponent),
     }
 }
 
@@ -41,12 +34,12 @@ type Survey = (Ground, f64, u32);
 
 /// The line of a survey by a route.
 fn line(scale: &Scale, (ground, load, points): Survey, route: Route) -> Option<&Line> {
-    let word = route.word();
+    let wanted = route.name();
     scale.lines.iter().find(|line| {
         line.ground == ground.word()
             && line.load.total_cmp(&load).is_eq()
             && line.points == points
-            && line.route == word
+            && line.route == wanted
     })
 }
 
@@ -69,23 +62,15 @@ fn surveys(scale: &Scale) -> Vec<Survey> {
     surveys
 }
 
-/// The least and the greatest of some numbers.
-fn range(numbers: impl Iterator<Item = f64>) -> Option<Value> {
-    let [least, most] = bounds(numbers)?;
-    Some(context! { least, most })
-}
-
-fn bounds(numbers: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    let numbers: Vec<f64> = numbers.collect();
-    let least = numbers.iter().copied().min_by(f64::total_cmp)?;
-    Some([least, numbers.into_iter().max_by(f64::total_cmp)?])
+/// The least and the greatest of some numbers, for a template.
+fn least_most(numbers: impl IntoIterator<Item = f64>) -> Option<Value> {
+    range(numbers).map(|[least, most]| context! { least, most })
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let file = std::fs::read_to_string(study.root.join(PATH))?;
-    let scale = Scale::read(study.root)?;
+    let (file, scale) = Scale::read(study.root)?;
     let surveys = surveys(&scale);
-    let exact = || scale.lines.iter().filter(|line| line.route == EXACT.word());
+    let exact = || scale.lines.iter().filter(|line| line.route == EXACT.name());
     let most = surveys.iter().map(|(.., points)| *points).max().ok_or("no survey is measured")?;
     let of_most = || surveys.iter().filter(|(.., points)| *points == most);
     let seconds = |survey: &Survey, route| certified(&scale, *survey, route)?.median_s;
@@ -96,7 +81,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     };
     let interior = ratio(INTERIOR_POINT, EXACT);
     let largest_interior = interior.iter().map(|(points, _)| *points).max().unwrap_or(0);
-    let figures = [drawn::time(&scale, &surveys)?, drawn::memory(&scale, &surveys)?];
+    let [(time, time_figure), (memory, memory_figure)] =
+        [drawn::time(&scale, &surveys)?, drawn::memory(&scale, &surveys)?];
     let values = context! {
         commit => scale.description("commit"),
         date => scale.description("date"),
@@ -106,24 +92,23 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         most,
         surveys => of_most().count(),
         solved => of_most().filter(|survey| certified(&scale, **survey, EXACT).is_some()).count(),
-        seconds => range(of_most().filter_map(|survey| seconds(survey, EXACT))),
-        grid_seconds => range(of_most().filter_map(|survey| seconds(survey, ACTIVE_SET))),
+        seconds => least_most(of_most().filter_map(|survey| seconds(survey, EXACT))),
+        grid_seconds => least_most(of_most().filter_map(|survey| seconds(survey, ACTIVE_SET))),
         lists => exact().filter(|line| line.is_certified()).filter_map(|line| line.lists).max(),
         residual => exact().filter(|line| line.is_certified()).filter_map(|line| line.residual).max_by(f64::total_cmp),
-        ten_times => range(ten_times(&scale, &surveys).into_iter()),
-        exact_over_grid => range(ratio(EXACT, ACTIVE_SET).into_iter().map(|(_, ratio)| ratio)),
+        ten_times => least_most(ten_times(&scale, &surveys)),
+        exact_over_grid => least_most(ratio(EXACT, ACTIVE_SET).into_iter().map(|(_, ratio)| ratio)),
         slowest_beside_grid => slowest_beside_grid(&scale, &surveys),
-        interior_over_exact => range(interior.iter().filter(|(p, _)| *p == largest_interior).map(|(_, ratio)| *ratio)),
+        interior_over_exact => least_most(interior.iter().filter(|(p, _)| *p == largest_interior).map(|(_, ratio)| *ratio)),
         largest_interior,
-        grid_off => range(surveys.iter().filter_map(|survey| grid_off(&scale, *survey))),
+        grid_off => least_most(surveys.iter().filter_map(|survey| grid_off(&scale, *survey))),
         refused => scale.lines.iter().find(|line| line.is_refused()).map(|line| line.why.clone()),
         without_result => without_result(&scale),
         single => scale.lines.iter().filter(|line| line.runs == Some(1)).count(),
-        titles => figures.each_ref().map(|(_, title, ..)| title.clone()),
-        table => table(&scale, &surveys).to_string(),
+        titles => [time, memory],
+        table => table(&scale, &surveys),
     };
-    let evidence = Evidence::new(values).data("scale", file);
-    Ok(figures.into_iter().fold(evidence, |evidence, (name, _, svg, csv)| evidence.figure(name, svg, csv)))
+    Ok(Evidence::new(values).file("scale", file).figures([time_figure, memory_figure]))
 }
 
 /// How many times as long the exact solution takes of the largest survey as of one with a tenth of its points.
@@ -142,8 +127,8 @@ fn slowest_beside_grid(scale: &Scale, surveys: &[Survey]) -> Option<String> {
     let ratios =
         surveys.iter().filter_map(|&survey| Some((survey, seconds(survey, EXACT)? / seconds(survey, ACTIVE_SET)?)));
     let ((ground, load, points), _) = ratios.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let points = count(usize::try_from(points).unwrap_or(usize::MAX));
-    Some(format!("{}, q = {}, {points} points", ground.word(), load_word(load)))
+    let points = count(points);
+    Some(format!("{}, q = {}, {points} points", ground.word(), load_name(load)))
 }
 
 /// By how much the energy on the grid of the active set differs from that of the exact solution, over the latter.
@@ -160,17 +145,17 @@ fn without_result(scale: &Scale) -> Vec<String> {
         for ground in Ground::ALL {
             for load in LOADS {
                 let lines = scale.lines.iter().filter(|line| {
-                    line.route == route.word() && line.ground == ground.word() && line.load.total_cmp(&load).is_eq()
+                    line.route == route.name() && line.ground == ground.word() && line.load.total_cmp(&load).is_eq()
                 });
                 let first = lines.filter(|line| !line.is_certified()).min_by_key(|line| line.points);
                 told.extend(first.map(|line| {
-                    let points = count(usize::try_from(line.points).unwrap_or(usize::MAX));
+                    let points = count(line.points);
                     let why = if line.why.is_empty() { String::new() } else { format!(" ({})", line.why) };
                     format!(
                         "{}, {}, q = {}: {} at {points} points{why}",
-                        name(route),
+                        label(route),
                         ground.word(),
-                        load_word(load),
+                        load_name(load),
                         line.status
                     )
                 }));
@@ -192,27 +177,20 @@ fn table(scale: &Scale, surveys: &[Survey]) -> Table {
             _ => "–".to_owned(),
         };
         let contacts = certified(scale, survey, EXACT).and_then(|line| line.contacts);
-        [
-            ground.word().to_owned(),
-            load_word(load),
-            count(usize::try_from(points).unwrap_or(usize::MAX)),
-            contacts.map_or_else(|| "–".to_owned(), count),
-            seconds(EXACT),
-            seconds(ACTIVE_SET),
-            seconds(INTERIOR_POINT),
-            error_cell(grid_off(scale, survey)),
-        ]
+        let contacts = contacts.map_or_else(|| "–".to_owned(), count);
+        let [exact, active_set, interior] = [EXACT, ACTIVE_SET, INTERIOR_POINT].map(seconds);
+        let off = error_cell(grid_off(scale, survey));
+        row![ground.word(), load_name(load), count(points), contacts, exact, active_set, interior, off]
     });
     Table::new(header).rows(rows)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{load_word, range};
+    use super::load_name;
 
     #[test]
     fn loads_are_powers_of_ten() {
-        assert_eq!([1.0, 1e4].map(load_word), ["1", "10⁴"]);
-        assert!(range(std::iter::empty()).is_none());
+        assert_eq!([1.0, 1e4].map(load_name), ["1", "10⁴"]);
     }
 }

@@ -1,16 +1,10 @@
 //! Answers computed beforehand for the two sliders of `index.html`: beam theory over the depth of a flat ground, and the
 //! force method over the number of intervals.
 
-use palkki::route::{Method, Solver, Status};
-use palkki::scene::Foundation;
-use palkki::{Settings, solve, theory};
 use palkki_evidence::paper::{beam, example, scene_over, theory};
 
-use crate::report::csv::{csv, fixed};
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
+use super::prelude::*;
 use crate::report::html::slider_marker;
-use crate::report::study::Study;
 
 /// Depths with a zone of contact, in equal steps of the length that is lifted off, up to `l/2`; the shortest are left out.
 const ZONES: u32 = 32;
@@ -26,12 +20,12 @@ const SHAPE: u32 = 32;
 const INTERVALS: std::ops::RangeInclusive<usize> = 10..=120;
 
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
-    let markers = minijinja::context! { depth => slider_marker("depth"), grid => slider_marker("grid") };
+    let markers = context! { depth => slider_marker("depth"), grid => slider_marker("grid") };
     Ok(Evidence::new(markers).data("slider-depth", depths()?).data("slider-grid", grids()?))
 }
 
 /// Exact answers over the depth. Beam and ground are symmetric, so that the left half is enough.
-fn depths() -> Result<String, Cause> {
+fn depths() -> Result<Table, Cause> {
     let (beam, load) = (beam()?, example()?.load().uniform());
     let (l, ei) = (beam.length(), beam.bending_stiffness());
     let unit = load * l * l * l * l / ei;
@@ -40,26 +34,6 @@ fn depths() -> Result<String, Cause> {
     shares.extend((0..POINTS + FREE).map(|i| (1.0 + 4.0 * (f64::from(i) + 0.5) / f64::from(POINTS)) / 384.0));
     shares.sort_by(f64::total_cmp);
 
-    let mut rows = Vec::new();
-    for share in shares {
-        let depth = share * unit;
-        let exact = theory::solve(&scene_over(Foundation::Flat { depth })?)?;
-        if exact.status != Status::Certified {
-            return Err(format!("the exact solution at depth {depth} is not certified").into());
-        }
-        let contact = exact.state.contacts.first();
-        let shape = (0..=SHAPE).map(|i| exact.deflection(0.5 * l * f64::from(i) / f64::from(SHAPE)) / depth);
-        rows.push(vec![
-            fixed(depth, 6),
-            fixed(share, 8),
-            exact.state.regime.word().to_owned(),
-            fixed(contact.map_or(0.0, |c| c.from), 4),
-            fixed(contact.map_or(0.0, |c| c.end_forces.map_or(c.force, |[left, _]| left)), 4),
-            fixed(exact.state.reactions.left, 4),
-            fixed(exact.state.deflection.max, 6),
-            list(shape),
-        ]);
-    }
     let header = [
         "depth",
         "ei_depth_over_q_l4",
@@ -70,31 +44,51 @@ fn depths() -> Result<String, Cause> {
         "largest_deflection",
         "left_half_of_deflection_over_depth",
     ];
-    Ok(csv(&header, rows))
+    let mut data = Table::new(header);
+    for share in shares {
+        let depth = share * unit;
+        let exact = theory::solve(&scene_over(Foundation::Flat { depth })?)?;
+        if exact.status != Status::Certified {
+            return Err(format!("the exact solution at depth {depth} is not certified").into());
+        }
+        let contact = exact.state.contacts.first();
+        let shape = (0..=SHAPE).map(|i| exact.deflection(0.5 * l * f64::from(i) / f64::from(SHAPE)) / depth);
+        data.push(row![
+            fixed(depth, 6),
+            fixed(share, 8),
+            exact.state.regime.word(),
+            fixed(contact.map_or(0.0, |c| c.from), 4),
+            fixed(contact.map_or(0.0, |c| c.end_forces.map_or(c.force, |[left, _]| left)), 4),
+            fixed(exact.state.reactions.left, 4),
+            fixed(exact.state.deflection.max, 6),
+            list(shape),
+        ]);
+    }
+    Ok(data)
 }
 
 /// The example by the force method over the number of intervals, with its contact forces from the first node that touches
 /// to mid-span.
-fn grids() -> Result<String, Cause> {
+fn grids() -> Result<Table, Cause> {
     let (scene, exact) = (example()?, theory());
-    let mut rows = Vec::new();
+    let mut data = Table::new(["intervals", "first_place", "resultant", "reaction", "forces_from_there_to_mid_span"]);
     for intervals in INTERVALS {
-        let outcome = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals))?;
+        let outcome = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?;
         let nodes = outcome.state.nodes.as_ref().filter(|_| outcome.status == Status::Certified);
         let nodes = nodes.ok_or_else(|| format!("the answer on {intervals} intervals is not certified"))?;
         let forces = &nodes.contact_force;
         let first = forces.iter().position(|force| 0.0 < *force).ok_or("no node touches")?;
         // All contact forces of one half, less the pressure that beam theory has there.
         let resultant = 0.5 * (forces.iter().sum::<f64>() - exact.contact_force) + exact.end_force;
-        rows.push(vec![
-            intervals.to_string(),
+        data.push(row![
+            intervals,
             fixed(nodes.x[first], 4),
             fixed(resultant, 4),
             fixed(outcome.state.reactions.left, 4),
             list(forces[first..intervals / 2].iter().copied()),
         ]);
     }
-    Ok(csv(&["intervals", "first_place", "resultant", "reaction", "forces_from_there_to_mid_span"], rows))
+    Ok(data)
 }
 
 /// Numbers in one cell.

@@ -1,21 +1,13 @@
 //! Numbers of the exercises and of their answers.
 
-use minijinja::{Value, context};
 use palkki::certificate::{Judged, certify};
-use palkki::methods::{Discrete, Method};
+use palkki::methods::Discrete;
 use palkki::problem::FreeSet;
-use palkki::route::{Solver, Status};
-use palkki::scene::Scene;
-use palkki::{DEFAULT_TOLERANCE, Settings, solve, theory as exact};
 use palkki_evidence::paper::convergence::{Quantity, of_scene};
 use palkki_evidence::paper::{INTERVALS, example, theory};
+use palkki::{DEFAULT_TOLERANCE, theory as exact_theory};
 
-use crate::report::csv::fixed;
-use crate::report::error::Cause;
-use crate::report::evidence::Evidence;
-use crate::report::study::Study;
-use crate::report::table::Table;
-use crate::report::{numbers, scenes};
+use super::prelude::*;
 
 /// Intervals of the grid on which the four steps are done by hand: n = 5 interior nodes.
 const BY_HAND: usize = UNKNOWNS.len() + 1;
@@ -47,7 +39,7 @@ fn lift_off(scene: &Scene) -> Value {
         a => closed.lift_off,
         reaction => closed.reaction,
         deepest => q * l * l * l * l / (384.0 * ei),
-        deeper => exact::flat(l, ei, 16.0 * scene.depth(0.0), q).lift_off,
+        deeper => exact_theory::flat(l, ei, 16.0 * scene.depth(0.0), q).lift_off,
     }
 }
 
@@ -85,7 +77,7 @@ fn four_steps(scene: &Scene) -> Result<Value, Cause> {
     for (k, (x, smallest)) in rounds.iter().enumerate() {
         let cells = (0..free.len()).map(|i| if free[i] { fixed(x[i], 3) } else { "0".to_owned() });
         let named = smallest.map_or("none: stop", |i| UNKNOWNS[i]).to_owned();
-        table = table.row([(k + 1).to_string()].into_iter().chain(cells).chain([named]));
+        table.push(row![k + 1].into_iter().chain(cells).chain([named]));
         smallest.iter().for_each(|i| free[*i] = false);
     }
     Ok(context! {
@@ -99,42 +91,25 @@ fn four_steps(scene: &Scene) -> Result<Value, Cause> {
     })
 }
 
-/// The node that pulls most, the round in which it was held, and the next node to the right that was held already.
-fn pulling(rounds: &Rounds, forces: &[f64]) -> Option<[usize; 3]> {
-    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j]))?;
-    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst))?;
-    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
-    Some([worst, round, before.filter(|i| worst < *i).min()?])
-}
-
 /// Exercise 3: the first grid on which the four steps fail, beside the one before.
 fn failure(scene: &Scene) -> Result<Value, Cause> {
-    let run = |solver: Solver, n: usize| solve(scene, &Settings::new(Method::Complementarity, solver, n));
+    let run = |solver: Solver, n: usize| on_grid(scene, Method::Complementarity, solver, n);
     let fails = |n: &usize| run(Solver::FourStep, *n).is_ok_and(|outcome| outcome.status != Status::Certified);
     let intervals = (4..=200).find(fails).ok_or("the four steps do not fail any more")?;
     let mut table = Table::new(["intervals", "rounds", "passes our check", "left reaction", "right reaction"]);
     for n in [intervals - 1, intervals] {
         let outcome = run(Solver::FourStep, n)?;
-        let passes = if outcome.status == Status::Certified { "yes" } else { "no" };
+        let passes = yes_no(outcome.status == Status::Certified);
         let reactions = [outcome.state.reactions.left, outcome.state.reactions.right].map(|r| fixed(r, 4));
-        let row = [n.to_string(), outcome.iterations.to_string(), passes.to_owned()];
-        table = table.row(row.into_iter().chain(reactions));
+        table.push(row![n, outcome.iterations, passes, reactions[0], reactions[1]]);
     }
     let discrete = Discrete::new(scene, intervals)?;
-    let (mut rounds, mut forces) = rounds(&discrete)?;
-    // Scene and grid are symmetric, and rounding decides on which side the four steps begin: the exercise tells it from the left.
-    let found = match pulling(&rounds, &forces) {
-        Some(found) => found,
-        None => {
-            forces.reverse();
-            for (x, smallest) in &mut rounds {
-                x.reverse();
-                *smallest = smallest.map(|i| forces.len() - 1 - i);
-            }
-            pulling(&rounds, &forces).ok_or("no node was held before")?
-        }
-    };
-    let [worst, round, held] = found;
+    let (rounds, forces) = rounds(&discrete)?;
+    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j])).ok_or("there are nodes")?;
+    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst)).ok_or("a node pulls that is free")?;
+    // The next node to the right that was held already in that round.
+    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
+    let held = before.filter(|i| worst < *i).min().ok_or("no node was held before")?;
     let best = run(Solver::ActiveSet, intervals)?;
     Ok(context! {
         intervals,
@@ -154,60 +129,44 @@ fn failure(scene: &Scene) -> Result<Value, Cause> {
 }
 
 /// Exercise 4: the first nodal force on neighbouring grids, beside the resultant.
-#[expect(clippy::cast_precision_loss, reason = "a few dozen intervals")]
 fn jumps(scene: &Scene) -> Result<Value, Cause> {
     let closed = theory();
     let a = closed.lift_off.ok_or("the example has a zone")?;
-    let header = [
-        "intervals",
-        "first node in contact",
-        "(a − x₁)/Δ",
-        "its force over T",
-        "the next force over T",
-        "resultant over T",
-    ];
-    let mut table = Table::new(header);
+    let header = ["intervals", "first node in contact", "(a − x₁)/Δ", "its force over T", "the next force over T"];
+    let mut table = Table::new(header.into_iter().chain(["resultant over T"]));
     let (mut least, mut most, mut steady) = (f64::INFINITY, 0.0_f64, 0.0_f64);
     for n in JUMPING {
-        let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, n))?.state;
-        let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
+        let state = on_grid(scene, Method::Force, Solver::ActiveSet, n)?.state;
+        let nodes = nodes_of(&state)?;
         let first = (0..nodes.x.len()).find(|&i| 1e-9 < nodes.contact_force[i]).ok_or("there is contact")?;
-        let spacing = scene.beam().length() / n as f64;
+        let spacing = scene.beam().length() / as_number(n);
         let forces = [nodes.contact_force[first], nodes.contact_force[first + 1]].map(|f| f / closed.end_force);
         // Half of all contact, by symmetry, without the pressure of beam theory.
         let resultant = (0.5 * (nodes.contact_force.iter().sum::<f64>() - closed.contact_force) + closed.end_force)
             / closed.end_force;
         (least, most) = (least.min(forces[0]), most.max(forces[0]));
         steady = steady.max((resultant - 1.0).abs());
-        let numbers = [(a - nodes.x[first]) / spacing, forces[0], forces[1]].map(|number| fixed(number, 2));
-        let [between, one, two] = numbers;
-        table = table.row([n.to_string(), (first + 1).to_string(), between, one, two, fixed(resultant, 3)]);
+        let [between, one, two] = [(a - nodes.x[first]) / spacing, forces[0], forces[1]].map(|number| fixed(number, 2));
+        table.push(row![n, first + 1, between, one, two, fixed(resultant, 3)]);
     }
     Ok(context! { table, least, most, steady, grids => JUMPING })
 }
 
 /// Exercise 5: a contact at a single point of a smooth crest, which grids miss.
 fn crest(scene: &Scene) -> Result<Value, Cause> {
-    let solution = exact::solve(scene)?;
+    let solution = exact_theory::solve(scene)?;
     let contact = solution.state.contacts.first().ok_or("the beam touches the crest")?;
-    let header = [
-        "intervals",
-        "contact at",
-        "off by",
-        "error of the left reaction",
-        "error over distance",
-        "error of the energy",
-    ];
-    let mut table = Table::new(header);
+    let header = ["intervals", "contact at", "off by", "error of the left reaction", "error over distance"];
+    let mut table = Table::new(header.into_iter().chain(["error of the energy"]));
     for n in CREST {
-        let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, n))?.state;
-        let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
+        let state = on_grid(scene, Method::Force, Solver::ActiveSet, n)?.state;
+        let nodes = nodes_of(&state)?;
         let forces = || nodes.contact_force.iter();
         let place = nodes.x.iter().zip(forces()).map(|(x, f)| x * f).sum::<f64>() / forces().sum::<f64>();
         let (apart, error) = (place - contact.from, state.reactions.left - solution.state.reactions.left);
         let energy = state.energy / solution.state.energy - 1.0;
-        let row = [fixed(place, 4), fixed(apart, 4), fixed(error, 5), fixed(error / apart, 2), fixed(energy, 6)];
-        table = table.row([n.to_string()].into_iter().chain(row));
+        let (place, over) = (fixed(place, 4), fixed(error / apart, 2));
+        table.push(row![n, place, fixed(apart, 4), fixed(error, 5), over, fixed(energy, 6)]);
     }
     let found = of_scene(scene, &solution, Method::Force, &CREST)?;
     let order = |quantity: Quantity| found.iter().find(|a| a.quantity == quantity).map(|a| a.order);
@@ -229,9 +188,9 @@ fn crest(scene: &Scene) -> Result<Value, Cause> {
 fn bounds(scene: &Scene) -> Result<Value, Cause> {
     let (l, ei) = (scene.beam().length(), scene.beam().bending_stiffness());
     let (q, u) = (scene.load().uniform(), scene.depth(0.0));
-    let state = solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
-    let nodes = state.nodes.as_ref().ok_or("a method on a grid has nodes")?;
-    let certificate = certify(scene, Judged::Nodes(nodes), &exact::solve(scene)?.state.contacts)?;
+    let state = on_grid(scene, Method::Force, Solver::ActiveSet, INTERVALS)?.state;
+    let nodes = nodes_of(&state)?;
+    let certificate = certify(scene, Judged::Nodes(nodes), &exact_theory::solve(scene)?.state.contacts)?;
     let energy = theory().energy;
     let by_hand = [-q * u * l, 32.0 * ei * u * u / (l * l * l) - 2.0 / 3.0 * q * u * l];
     let gap = by_hand[1] - by_hand[0];
@@ -244,7 +203,7 @@ fn bounds(scene: &Scene) -> Result<Value, Cause> {
         deflection => l * l / 4.0 * (2.0 * gap / (3.0 * ei * l)).sqrt(),
         lower => (certificate.energy_lower * PRINTED).floor() / PRINTED,
         upper => (certificate.energy_upper * PRINTED).ceil() / PRINTED,
-        width => numbers::bound((certificate.energy_upper - certificate.energy_lower) / energy.abs()),
+        width => bound((certificate.energy_upper - certificate.energy_lower) / energy.abs()),
         holds => certificate.energy_lower <= energy && energy <= certificate.energy_upper,
         error => certificate.deflection_error,
         discrete => state.energy,

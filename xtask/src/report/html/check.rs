@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::super::error::Cause;
+use crate::Cause;
 
 /// Elements that load something, whatever their attributes.
 const LOADERS: [&str; 11] =

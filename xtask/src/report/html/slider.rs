@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::super::Rendered;
-use super::super::error::Cause;
+use crate::Cause;
 
 /// A picture that the reader changes.
 #[derive(Debug)]

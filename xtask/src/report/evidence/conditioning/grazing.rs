@@ -4,21 +4,13 @@
 //! to `μ`, and `p = K h` ties the two together, so that both go to zero like `√μ`, where at a contact with pressure or a node
 //! with clearance the error goes like `μ`.
 
-use minijinja::{Value, context};
-use palkki::adaptive::observed_order;
-use palkki::methods::{Discrete, Method, free_beam};
-use palkki::plot::{Axis, Figure, Layer, Panel, Style};
-use palkki::route::{Solver, Status};
-use palkki::scene::{Foundation, Scene};
-use palkki::{Settings, solve};
+use palkki::methods::{Discrete, free_beam};
 use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
+use palkki::plot::{Axis, Figure, Layer, Panel, Style};
+use palkki::adaptive::observed_order;
 
 use super::routes::exponent;
-use super::ten_to;
-use crate::report::csv::{csv, scientific};
-use crate::report::error::Cause;
-use crate::report::numbers::{cell, power};
-use crate::report::table::Table;
+use crate::report::evidence::prelude::*;
 
 /// What clarabel is asked for: powers of ten.
 const ASKED: std::ops::RangeInclusive<i32> = 2..=13;
@@ -33,7 +25,7 @@ type Exponents = [f64; 2];
 pub(super) struct Grazing {
     pub(super) values: Value,
     pub(super) svg: String,
-    pub(super) csv: String,
+    pub(super) data: Table,
     /// Of each method: without pressure, and on the example, whose contact has pressure.
     #[cfg_attr(not(test), expect(dead_code, reason = "the page has a table of them; a test asks for the numbers"))]
     pub(super) fitted: Vec<(Method, [Exponents; 2])>,
@@ -63,9 +55,8 @@ fn grazing(method: Method) -> Result<Scene, Cause> {
 #[cfg(test)]
 pub(super) fn reference(method: Method) -> Result<(Vec<f64>, f64), Cause> {
     let scene = grazing(method)?;
-    let state = solve(&scene, &Settings::new(method, Solver::ActiveSet, INTERVALS))?.state;
-    let load = scene.load().magnitude(scene.beam().length());
-    Ok((state.nodes.ok_or("a discretised state has nodes")?.contact_force, load))
+    let state = on_grid(&scene, method, Solver::ActiveSet, INTERVALS)?.state;
+    Ok((nodes_of(&state)?.contact_force.clone(), load(&scene)))
 }
 
 /// Clarabel for each tolerance against the active set.
@@ -77,14 +68,13 @@ fn errors(scene: &Scene, method: Method) -> Result<Vec<Errors>, Cause> {
         Ok((outcome, nodes))
     };
     let (_, exact) = run(Solver::ActiveSet, 0.0)?;
-    let load = scene.load().magnitude(scene.beam().length());
+    let load = load(scene);
     let largest = exact.deflection.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     ASKED
         .map(|asked| {
             let (outcome, found) = run(Solver::Clarabel, ten_to(-asked))?;
-            let force = apart(&found.contact_force, &exact.contact_force) / load;
-            let deflection = apart(&found.deflection, &exact.deflection) / largest;
+            let force = worst_difference(&found.contact_force, &exact.contact_force) / load;
+            let deflection = worst_difference(&found.deflection, &exact.deflection) / largest;
             let met = outcome.own_residual.is_some_and(|own| own.is_met());
             Ok(Errors { asked, force, deflection, met, certified: outcome.status == Status::Certified })
         })
@@ -105,7 +95,8 @@ fn shown(errors: &Errors, error: f64) -> f64 {
 
 /// Values, figure, numbers.
 pub(super) fn measured() -> Result<Grazing, Cause> {
-    let (mut fitted, mut data, mut panels) = (Vec::new(), Vec::new(), Vec::new());
+    let mut data = Table::new(["method", "scene", "tolerance", "contact_force_error", "deflection_error"]);
+    let (mut fitted, mut panels) = (Vec::new(), Vec::new());
     let mut beyond: Vec<Errors> = Vec::new();
     for method in Method::ALL {
         let mut panel = Panel::new(
@@ -121,9 +112,9 @@ pub(super) fn measured() -> Result<Grazing, Cause> {
             exponents.push([slope(&errors, |e| e.force), slope(&errors, |e| e.deflection)]);
             let points = errors.iter().map(|e| [ten_to(-e.asked), shown(e, e.force)]).collect();
             panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: words.to_owned() });
-            data.extend(errors.iter().map(|e| {
+            data = data.rows(errors.iter().map(|e| {
                 let numbers = [ten_to(-e.asked), shown(e, e.force), shown(e, e.deflection)].map(|x| scientific(x, 1));
-                [vec![method.word().to_owned(), words.to_owned()], numbers.to_vec()].concat()
+                row![method, words].into_iter().chain(numbers)
             }));
             if i == 0 {
                 beyond.extend(errors.into_iter().filter(|e| FITTED < e.asked));
@@ -133,10 +124,9 @@ pub(super) fn measured() -> Result<Grazing, Cause> {
         fitted.push((method, [exponents[0], exponents[1]]));
     }
     let header = ["method", "force, no pressure", "deflection, no pressure", "force, example", "deflection, example"];
-    let table = fitted.iter().fold(Table::new(header), |table, (method, exponents)| {
-        let exponents = exponents.iter().flatten().map(|k| cell(Some(*k), 2));
-        table.row(std::iter::once(method.word().to_owned()).chain(exponents))
-    });
+    let table = Table::new(header).rows(fitted.iter().map(|(method, exponents)| {
+        row![method].into_iter().chain(exponents.as_flattened().iter().map(|k| cell(Some(*k), 2)))
+    }));
     let svg = Figure::new(
         "Where the contact has no pressure, the error falls only with the root of the tolerance",
         "Three panels, one for each method: error of the worst contact force over the tolerance that clarabel is asked for, both \
@@ -148,14 +138,13 @@ pub(super) fn measured() -> Result<Grazing, Cause> {
     let count = |of: fn(&Errors) -> bool| beyond.iter().filter(|e| of(e)).count();
     let values = context! {
         intervals => INTERVALS,
-        table => table.to_string(),
-        asked => power(-ASKED.start()),
-        fitted => power(-FITTED),
+        table,
+        asked => power_of_ten(-ASKED.start()),
+        fitted => power_of_ten(-FITTED),
         beyond => beyond.len(),
         met => count(|e| e.met),
         certified => count(|e| e.certified),
-        error => power(beyond.iter().map(|e| exponent(e.force)).max().unwrap_or_default()),
+        error => power_of_ten(beyond.iter().map(|e| exponent(e.force)).max().unwrap_or_default()),
     };
-    let csv = csv(&["method", "scene", "tolerance", "contact_force_error", "deflection_error"], data);
-    Ok(Grazing { values, svg, csv, fitted })
+    Ok(Grazing { values, svg, data, fitted })
 }

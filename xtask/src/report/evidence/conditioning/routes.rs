@@ -1,21 +1,18 @@
-//! Every route on finer and finer grids of the example, and how far it is from the optimum of its discrete problem.
+//! Every route on finer and finer grids of the example, and the matrix of each method itself: how far they are from the optimum
+//! of their discrete problem.
 //!
 //! Sizes of rounding differ between machines in their digits, not in their powers of ten: an exponent is kept, rounded up with a
 //! margin of three.
 
 use palkki::certificate::Kkt;
-use palkki::methods::Method;
-use palkki::route::Status;
-use palkki::scene::Scene;
-use palkki::solvers::Solver;
-use palkki::state::ContactState;
-use palkki::{Settings, solve};
+use palkki::methods::{Discrete, contact_state};
 use palkki_evidence::paper::example;
+use palkki::problem::{Band, Dense, FreeSet, Matrix, Programme, Row};
+use palkki::state::ContactState;
 
-use super::matrix;
-use crate::report::error::Cause;
 use palkki_evidence::authority::given;
 use palkki_evidence::authority::number::Number;
+use crate::report::evidence::prelude::*;
 
 /// Grids of the table.
 const GRIDS: [usize; 8] = [10, 30, 100, 300, 1000, 3000, 10_000, 100_000];
@@ -104,6 +101,26 @@ impl Reference {
             touches,
         })
     }
+
+    /// How far an answer is from it, with its residual and whether it passes our check.
+    fn beside(
+        &self,
+        scene: &Scene,
+        name: &'static str,
+        state: &ContactState,
+        check: (f64, bool),
+    ) -> Result<Run, Cause> {
+        let (nodes, load) = (nodes_of(state)?, load(scene));
+        let depth = scene.depth(0.5 * scene.beam().length());
+        Ok(Run {
+            name,
+            certified: check.1,
+            residual: exponent(check.0),
+            reaction: exponent((state.reactions.left - self.left_reaction).abs() / load),
+            deflection: exponent(worst_difference(&nodes.deflection, &self.deflection) / depth),
+            contact_force: exponent(worst_difference(&nodes.contact_force, &self.contact_force) / load),
+        })
+    }
 }
 
 pub(super) fn measured(method: Method) -> Result<Vec<Grid>, Cause> {
@@ -113,43 +130,60 @@ pub(super) fn measured(method: Method) -> Result<Vec<Grid>, Cause> {
 
 /// All routes of a method that are quick enough on a grid.
 pub(super) fn grid(scene: &Scene, method: Method, intervals: usize) -> Result<Grid, Cause> {
-    let settings = |solver| Settings::new(method, solver, intervals);
-    let guess = solve(scene, &settings(Solver::ActiveSet))?.state.nodes.ok_or("a discretised state has nodes")?;
-    let guess: Vec<bool> = guess.contact_force.iter().map(|p| 0.0 < *p).collect();
+    let guess = on_grid(scene, method, Solver::ActiveSet, intervals)?.state;
+    let guess: Vec<bool> = nodes_of(&guess)?.contact_force.iter().map(|p| 0.0 < *p).collect();
     let reference = Reference::of(scene, method, guess).ok_or("the exchanges with eighty digits do not end")?;
     let mut runs = Vec::new();
-    if let Some(state) = matrix::solved(scene, method, &reference.touches)? {
+    if let Some(state) = solved_by_matrix(scene, method, &reference.touches)? {
         let kkt = Kkt::of(scene, &state).ok_or("a discretised state has nodes")?;
-        runs.push(run(scene, MATRIX, &state, (kkt.residual(), kkt.holds()), &reference)?);
+        runs.push(reference.beside(scene, MATRIX, &state, (kkt.residual(), kkt.holds()))?);
     }
     for solver in Solver::ALL.into_iter().filter(|&solver| intervals <= finest(method, solver)) {
-        let outcome = solve(scene, &settings(solver))?;
+        let outcome = on_grid(scene, method, solver, intervals)?;
         let certified = outcome.status == Status::Certified;
-        runs.push(run(scene, solver.word(), &outcome.state, (outcome.residual, certified), &reference)?);
+        runs.push(reference.beside(scene, solver.word(), &outcome.state, (outcome.residual, certified))?);
     }
     Ok(Grid { intervals, condition: exponent(method.condition(intervals) / 3.0), runs })
 }
 
-fn run(
-    scene: &Scene,
-    name: &'static str,
-    state: &ContactState,
-    (residual, certified): (f64, bool),
-    reference: &Reference,
-) -> Result<Run, Cause> {
-    let nodes = state.nodes.as_ref().ok_or("a discretised state has nodes")?;
-    let load = scene.load().magnitude(scene.beam().length());
-    let worst = |found: &[f64], expected: &[f64]| {
-        let errors = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
-        errors.fold(0.0, |most: f64, e| if e.is_nan() { f64::INFINITY } else { most.max(e) })
+/// Finest grid for a matrix that is full.
+const FULL: usize = 300;
+
+/// The answer of the matrix itself, `A`, `K` or `C` factorised on the optimal contact set, with contact forces from (33); none where it is too large, or where rounding has destroyed its definiteness.
+fn solved_by_matrix(scene: &Scene, method: Method, touches: &[bool]) -> Result<Option<ContactState>, Cause> {
+    let intervals = touches.len() + 1;
+    if method != Method::Complementarity && FULL < intervals {
+        return Ok(None);
+    }
+    let scaled = scene.scaled()?;
+    let discrete = Discrete::new(&scaled.scene, intervals)?;
+    let programme = method.programme(&discrete);
+    let free: FreeSet = touches.iter().map(|&touches| touches == method.is_free_in_contact()).collect();
+    let point = match programme.matrix() {
+        Matrix::Dense(matrix) => {
+            let dense = Dense { matrix, linear: programme.linear().into(), sizes: programme.sizes() };
+            dense.stationary(&free).ok().map(|point| (point.x, point.gradient))
+        }
+        banded @ Matrix::Pentadiagonal(_) => on_band(programme.as_ref(), &banded, &free).map(|x| {
+            let gradient = programme.gradient(&x);
+            (x, gradient)
+        }),
     };
-    let depth = scene.depth(0.5 * scene.beam().length());
-    Ok(Run {
-        name,
-        certified,
-        residual: exponent(residual),
-        reaction: exponent((state.reactions.left - reference.left_reaction).abs() / load),
-        deflection: exponent(worst(&nodes.deflection, &reference.deflection) / depth),
-        contact_force: exponent(worst(&nodes.contact_force, &reference.contact_force) / load),
-    })
+    Ok(point.map(|(x, gradient)| {
+        contact_state(discrete.clone(), method.nodal(&discrete, x, gradient)).in_units_of(&scaled.scale)
+    }))
+}
+
+/// `A_ff x_f = b_f` by a banded factorisation.
+fn on_band(programme: &dyn Programme, matrix: &Matrix, free: &FreeSet) -> Option<Vec<f64>> {
+    let chosen: Vec<usize> = free.variables().collect();
+    let linear = programme.linear();
+    let mut equations = Band::with_capacity(chosen.len());
+    for (k, &i) in chosen.iter().enumerate() {
+        let above = [k + 1, k + 2].map(|l| chosen.get(l).map_or(0.0, |&j| matrix.entry(i, j)));
+        equations.push(Row { diagonal: matrix.entry(i, i), above, right: linear[i] }).ok()?;
+    }
+    let mut x = vec![0.0; free.dimension()];
+    chosen.iter().zip(equations.solve()).for_each(|(&i, value)| x[i] = value);
+    Some(x)
 }

@@ -6,10 +6,9 @@ use std::path::Path;
 use serde::Deserialize;
 
 use super::milliseconds;
-use crate::measure::store::{Line, Store};
-use crate::report::error::Cause;
-use crate::report::numbers::{cell, count, error_cell};
-use crate::report::table::Table;
+use crate::data;
+use crate::measure::line::{Line, Store};
+use crate::report::evidence::prelude::*;
 
 /// Where it is, below the root.
 const PATH: &str = "report/advice.csv";
@@ -43,7 +42,7 @@ impl Advice {
                 line.scene == scene
                     && line.is(&self.method, &self.solver)
                     && line.intervals == self.intervals
-                    && line.tolerance.total_cmp(&self.tolerance).is_eq()
+                    && line.asks(self.tolerance)
             };
             store.lines.iter().find(same).ok_or_else(|| format!("`{}` on scene {scene} was not measured", self.case))
         };
@@ -89,14 +88,9 @@ impl Advice {
 
 /// All advice, if all of it holds.
 pub(super) fn held(root: &Path, store: &Store) -> Result<Vec<Advice>, Cause> {
-    let text = std::fs::read_to_string(root.join(PATH))?;
-    let advice = read(&text)?;
+    let (_, advice): (_, Vec<Advice>) = data::read(root, PATH)?;
     advice.iter().try_for_each(|advice| advice.check(store)).map_err(|error| format!("{PATH}: {error}"))?;
     Ok(advice)
-}
-
-fn read(text: &str) -> Result<Vec<Advice>, csv::Error> {
-    csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes()).deserialize().collect()
 }
 
 /// The table of the recommendation: times and errors are the worst over the scenes.
@@ -110,16 +104,13 @@ pub(super) fn table(advice: &[Advice], store: &Store) -> Table {
             (0, ..) => "no grid".to_owned(),
             (intervals, ..) => format!("{} intervals", count(intervals)),
         };
-        [
-            advice.case.clone(),
+        let [promised, measured] = [Some(advice.promise), worst(&|line| Advice::error(line))].map(error_cell);
+        row![
+            advice.case,
             format!("`{}`", advice.command),
             format!("{grid}, {} ms", cell(worst(&|line| Some(milliseconds(line))), 2)),
-            format!(
-                "{} (measured {})",
-                error_cell(Some(advice.promise)),
-                error_cell(worst(&|line| Advice::error(line)))
-            ),
-            advice.believe.clone(),
+            format!("{promised} (measured {measured})"),
+            advice.believe,
         ]
     });
     Table::new(["your case", "command", "grid and time", "error at most", "what to believe"]).rows(rows)
@@ -137,7 +128,7 @@ mod tests {
 
     #[test]
     fn the_advice_holds_and_a_false_one_does_not() {
-        let store = Store::read(&root()).expect("measurements can be read");
+        let (_, store) = Store::read(&root()).expect("measurements can be read");
         let advice = held(&root(), &store).expect("all advice holds");
         assert!(5 <= advice.len(), "one for each case");
         for advice in advice {
@@ -153,7 +144,7 @@ mod tests {
 
     #[test]
     fn what_is_not_certified_is_no_advice() {
-        let mut store = Store::read(&root()).expect("measurements can be read");
+        let (_, mut store) = Store::read(&root()).expect("measurements can be read");
         let advice = held(&root(), &store).expect("all advice holds").remove(0);
         store.lines.iter_mut().for_each(|line| line.status = "not-certified".to_owned());
         assert!(advice.check(&store).is_err_and(|message| message.contains("not-certified")));

@@ -1,17 +1,12 @@
 //! What a digit costs: the quickest certified run for each number of correct digits, solver by solver.
 
-use minijinja::value::Serde;
-use minijinja::{Value, context};
 use palkki::plot::PlotError;
-use palkki::plot::study::{self, Named};
-use serde::Serialize;
+use palkki::plot::study::{self as plots, Named};
 
 use super::{SOLVERS, ended, milliseconds};
+use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
-use crate::measure::store::{Line, Store};
-use crate::report::csv::{csv, fixed, scientific};
-use crate::report::numbers::{as_number, cell, count};
-use crate::report::table::Table;
+use crate::report::evidence::prelude::*;
 
 /// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
 const GROUNDS: [(&str, &str); 2] = [(EXAMPLE, "flat ground"), ("wave", "smooth crests")];
@@ -22,13 +17,6 @@ const DIGITS: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 8.0];
 /// Digits that are claimed for the exact solution, whose residuals are below 10⁻¹⁴.
 const EXACT: f64 = 14.0;
 
-/// Values, and the figure with its numbers.
-#[derive(Debug)]
-pub(super) struct Price {
-    pub(super) values: Value,
-    pub(super) figure: (&'static str, String, String),
-}
-
 /// One run that nothing quicker beats.
 #[derive(Debug, Clone, Copy)]
 struct Point<'a> {
@@ -36,30 +24,30 @@ struct Point<'a> {
     line: &'a Line,
 }
 
-pub(super) fn of(store: &Store) -> Result<Price, PlotError> {
+/// Values, and the figure.
+pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let grounds = GROUNDS.map(|(scene, _)| ended(store, scene));
     let fronts = grounds.each_ref().map(|lines| SOLVERS.map(|solver| front(lines, solver)));
     let exact =
         grounds.each_ref().map(|lines| lines.iter().find(|line| line.method == "exact").map(|l| milliseconds(l)));
     let [flat, uneven] = [0, 1].map(|k| {
         context! {
-            table => table(&grounds[k], exact[k]).to_string(),
-            one_digit => Value::from(Serde(one_digit(&fronts[k][0]))),
+            table => table(&grounds[k], exact[k]),
+            one_digit => one_digit(&fronts[k][0]).map(|[time, intervals]| context! { time, intervals }),
             exact_microseconds => exact[k].map(|ms| 1e3 * ms),
         }
     });
     let rows = GROUNDS.iter().zip(&fronts).flat_map(|((scene, _), fronts)| {
         fronts.iter().flatten().map(|point| {
             let Line { method, solver, intervals, tolerance, .. } = point.line;
-            let numbers = [fixed(point.digits, 2), scientific(milliseconds(point.line), 3)];
-            let route =
-                [(*scene).to_owned(), format!("{method}/{solver}"), intervals.to_string(), format!("{tolerance:e}")];
-            route.into_iter().chain(numbers).collect::<Vec<_>>()
+            let [digits, milliseconds] = [fixed(point.digits, 2), scientific(milliseconds(point.line), 3)];
+            row![scene, format!("{method}/{solver}"), intervals, format!("{tolerance:e}"), digits, milliseconds]
         })
     });
-    let data = csv(&["scene", "route", "intervals", "tolerance", "digits", "milliseconds"], rows);
+    let header = ["scene", "route", "intervals", "tolerance", "digits", "milliseconds"];
+    let data = Table::new(header).rows(rows);
     let svg = drawn(&fronts, exact)?;
-    Ok(Price { values: context! { flat, uneven }, figure: ("price", svg, data) })
+    Ok((context! { flat, uneven }, ("price", svg, data)))
 }
 
 /// The certified runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
@@ -84,35 +72,29 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
         let solver = solver.to_owned();
         lines.iter().filter(has).filter(move |line| line.solver == solver).copied().collect::<Vec<_>>()
     };
-    let header = std::iter::once("correct digits".to_owned()).chain(DIGITS.map(|digits| format!("{digits}")));
+    let header = row!["correct digits"].into_iter().chain(DIGITS.map(|digits| digits.to_string()));
     let intervals = DIGITS.map(|digits| {
         let fewest = certified("active-set", digits).into_iter().map(|line| line.intervals).min();
         fewest.map_or_else(|| "–".to_owned(), count)
     });
-    let mut table = Table::new(header).row(std::iter::once("intervals".to_owned()).chain(intervals));
+    let mut table = Table::new(header);
+    table.push(row!["intervals"].into_iter().chain(intervals));
     for solver in SOLVERS {
-        let times = DIGITS
-            .map(|digits| cell(certified(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp), 2));
-        table = table.row(std::iter::once(format!("{solver}, ms")).chain(times));
+        let quickest = |digits| certified(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
+        table.push([format!("{solver}, ms")].into_iter().chain(DIGITS.map(|digits| cell(quickest(digits), 2))));
     }
-    table.row(std::iter::once("exact solution, ms".to_owned()).chain(DIGITS.map(|_| cell(exact, 2))))
+    table.push(row!["exact solution, ms"].into_iter().chain(DIGITS.map(|_| cell(exact, 2))));
+    table
 }
 
-/// The factors in time and in intervals of one more digit.
-#[derive(Debug, Clone, Copy, Serialize)]
-struct OneDigit {
-    time: f64,
-    intervals: f64,
-}
-
-/// Fitted to the runs between 2 and 9 digits.
-fn one_digit(front: &[Point<'_>]) -> Option<OneDigit> {
+/// The factors in time and in intervals of one more digit, fitted to the runs between 2 and 9 digits.
+fn one_digit(front: &[Point<'_>]) -> Option<[f64; 2]> {
     let fitted: Vec<&Point<'_>> = front.iter().filter(|point| (2.0..9.0).contains(&point.digits)).collect();
     let factor = |of: &dyn Fn(&Line) -> f64| {
         let points: Vec<[f64; 2]> = fitted.iter().map(|p| [p.digits, of(p.line).log10()]).collect();
         slope(&points).map(|slope| 10.0_f64.powf(slope))
     };
-    Some(OneDigit { time: factor(&milliseconds)?, intervals: factor(&|line| as_number(line.intervals))? })
+    Some([factor(&milliseconds)?, factor(&|line| as_number(line.intervals))?])
 }
 
 /// The rule of thumb in one sentence, for the front page of the repository.
@@ -120,7 +102,7 @@ fn one_digit(front: &[Point<'_>]) -> Option<OneDigit> {
 fn sentence(store: &Store) -> Option<String> {
     let [flat, uneven] = GROUNDS.map(|(scene, _)| {
         let factors = one_digit(&front(&ended(store, scene), SOLVERS[0]))?;
-        Some([factors.time, factors.intervals].map(|factor| cell(Some(factor), 2)))
+        Some(factors.map(|factor| cell(Some(factor), 2)))
     });
     let ([time, intervals], [crest_time, crest_intervals]) = (flat?, uneven?);
     Some(format!(
@@ -147,9 +129,9 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
         let points = |front: &[Point<'_>]| front.iter().map(|p| [p.digits, milliseconds(p.line)]).collect();
         let lines = fronts.iter().zip(SOLVERS).map(|(front, label)| Named { label, points: points(front) });
-        study::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)] }
+        plots::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)] }
     });
-    study::price(
+    plots::price(
         "The active set buys a digit for little time; the exact solution needs no grid",
         "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
          reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
@@ -168,7 +150,7 @@ mod tests {
     #[test]
     fn the_front_page_has_the_price_of_a_digit() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let sentence = sentence(&Store::read(&root).expect("measurements can be read")).expect("enough runs to fit");
+        let sentence = sentence(&Store::read(&root).expect("measurements can be read").1).expect("enough runs to fit");
         let readme = std::fs::read_to_string(root.join("README.md")).expect("the README can be read");
         assert!(readme.lines().any(|line| line == sentence), "README.md lacks the line\n{sentence}");
     }

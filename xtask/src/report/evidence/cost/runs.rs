@@ -1,37 +1,26 @@
 //! How every run ended: two questions for a library, a map of routes over grids, and how the time of certified runs grows.
 
-use minijinja::{Value, context};
 use palkki::plot::PlotError;
 use palkki::plot::table::{Cell, Tone, verdict_map};
 
 use super::price::slope;
-use super::{ASKED, LIBRARIES, METHODS, SOLVERS, ended, milliseconds};
+use super::{LIBRARIES, METHODS, SOLVERS, ended, milliseconds, shown};
+use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
-use crate::measure::store::{Line, Store};
-use crate::report::csv::csv;
-use crate::report::numbers::{as_number, cell, count, power};
-use crate::report::table::Table;
+use crate::report::evidence::prelude::*;
 
-/// Values, and the map with its numbers.
-#[derive(Debug)]
-pub(super) struct Runs {
-    pub(super) values: Value,
-    pub(super) figure: (&'static str, String, String),
-}
-
-pub(super) fn of(store: &Store) -> Result<Runs, PlotError> {
+/// Values, and the map.
+pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let (title, svg, data) = map(store)?;
-    let values =
-        context! { questions => questions(store).to_string(), growth => growth(store).to_string(), map => title };
-    Ok(Runs { values, figure: ("runs", svg, data) })
+    let values = context! { questions => questions(store), growth => growth(store), map => title };
+    Ok((values, ("runs", svg, data)))
 }
 
 /// Of all runs of the libraries that were measured: did they do what they were asked, and do their answers pass our check.
 fn questions(store: &Store) -> Table {
     let header =
         ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these certified by our check"];
-    let mut table = Table::new(header);
-    for library in LIBRARIES {
+    Table::new(header).rows(LIBRARIES.map(|library| {
         let runs = || {
             let of_library =
                 store.lines.iter().filter(|line| line.solver == library && METHODS.contains(&line.method.as_str()));
@@ -43,9 +32,8 @@ fn questions(store: &Store) -> Table {
             runs().filter(|line| line.did_as_asked == Some(true)).count(),
             runs().filter(|line| line.did_as_asked == Some(true) && line.is_certified()).count(),
         ];
-        table = table.row(std::iter::once(library.to_owned()).chain(counts.map(count)));
-    }
-    table
+        row![library].into_iter().chain(counts.map(count))
+    }))
 }
 
 /// How a run ended.
@@ -65,25 +53,24 @@ fn short(intervals: usize) -> String {
     let exponent = intervals.checked_ilog10().unwrap_or(0);
     let mantissa = intervals / 10_usize.pow(exponent);
     match i32::try_from(exponent) {
-        Ok(exponent) if 4 <= exponent && mantissa == 1 => power(exponent),
-        Ok(exponent) if 4 <= exponent => format!("{mantissa}·{}", power(exponent)),
+        Ok(exponent) if 4 <= exponent && mantissa == 1 => power_of_ten(exponent),
+        Ok(exponent) if 4 <= exponent => format!("{mantissa}·{}", power_of_ten(exponent)),
         _ => intervals.to_string(),
     }
 }
 
 /// Routes on the example over grids, sorted by solver: the title, the map and its numbers.
-fn map(store: &Store) -> Result<(String, String, String), PlotError> {
+fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
     let lines: Vec<&Line> = store.lines.iter().filter(|line| line.scene == EXAMPLE).collect();
-    let asked = |line: &&&Line| line.tolerance == 0.0 || line.tolerance.total_cmp(&ASKED).is_eq();
     let of_route = |method: &str, solver: &str| {
-        lines.iter().filter(asked).filter(|line| line.is(method, solver)).copied().collect::<Vec<_>>()
+        lines.iter().filter(|line| shown(line) && line.is(method, solver)).copied().collect::<Vec<_>>()
     };
     let mut grids: Vec<usize> =
         METHODS.iter().flat_map(|method| of_route(method, SOLVERS[0])).map(|line| line.intervals).collect();
     grids.sort_unstable();
     grids.dedup();
-    let (mut rows, mut data) = (Vec::new(), Vec::new());
-    let mut finest = Vec::new();
+    let (mut rows, mut finest) = (Vec::new(), Vec::new());
+    let mut data = Table::new(["route", "intervals", "outcome"]);
     for solver in SOLVERS {
         // The finest grid up to which all methods are certified.
         let certified = |grid: &usize| {
@@ -95,7 +82,7 @@ fn map(store: &Store) -> Result<(String, String, String), PlotError> {
             let found = of_route(method, solver);
             let cells = grids.iter().map(|grid| {
                 let (tone, text) = outcome(found.iter().copied().find(|line| line.intervals == *grid));
-                data.push(vec![format!("{method}/{solver}"), grid.to_string(), text.to_owned()]);
+                data.push(row![format!("{method}/{solver}"), grid, text]);
                 Cell { tone, text: text.to_owned() }
             });
             rows.push((format!("{solver}, {method}"), cells.collect::<Vec<_>>()));
@@ -124,11 +111,11 @@ fn map(store: &Store) -> Result<(String, String, String), PlotError> {
     let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
         intervals of the paper's example.";
     let svg = verdict_map(&title, description, &columns, &rows, &legend)?;
-    Ok((title, svg, csv(&["route", "intervals", "outcome"], data)))
+    Ok((title, svg, data))
 }
 
 /// How the time grows with the grid: of each solver the method that is certified on the finest grid. Certified runs on 100
-/// intervals and more, asked for [`ASKED`].
+/// intervals and more, asked for [`super::ASKED`].
 fn growth(store: &Store) -> Table {
     let lines = ended(store, EXAMPLE);
     let header = ["solver", "method", "finest certified grid", "ms there", "ns per unknown there", "time grows like"];
@@ -137,8 +124,7 @@ fn growth(store: &Store) -> Table {
         let of_method = |method: &'static str| {
             let mut runs: Vec<&Line> = lines
                 .iter()
-                .filter(|line| line.is(method, solver) && line.is_certified())
-                .filter(|line| line.tolerance == 0.0 || line.tolerance.total_cmp(&ASKED).is_eq())
+                .filter(|line| line.is(method, solver) && line.is_certified() && shown(line))
                 .copied()
                 .collect();
             runs.sort_by_key(|line| line.intervals);
@@ -161,14 +147,8 @@ fn growth(store: &Store) -> Table {
         let exponent =
             slope(&fitted).map_or_else(|| "too few certified runs".to_owned(), |slope| format!("n^{slope:.1}"));
         let per_unknown = 1e6 * milliseconds(finest) / as_number(finest.intervals);
-        table = table.row([
-            solver.to_owned(),
-            method.to_owned(),
-            count(finest.intervals),
-            cell(Some(milliseconds(finest)), 2),
-            cell(Some(per_unknown), 2),
-            exponent,
-        ]);
+        let finest_ms = cell(Some(milliseconds(finest)), 2);
+        table.push(row![solver, method, count(finest.intervals), finest_ms, cell(Some(per_unknown), 2), exponent]);
     }
     table
 }

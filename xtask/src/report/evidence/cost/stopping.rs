@@ -1,14 +1,11 @@
 //! When to stop: the error of the solver beside the error of the grid.
 
-use minijinja::{Value, context};
 use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
 
 use super::{ASKED, LIBRARIES, METHODS, ended, milliseconds};
+use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
-use crate::measure::store::{Line, Store};
-use crate::report::csv::{csv, scientific};
-use crate::report::numbers::{as_number, count, power};
-use crate::report::table::Table;
+use crate::report::evidence::prelude::*;
 
 /// Grids of the table.
 const GRIDS: [usize; 4] = [30, 300, 3000, 30_000];
@@ -16,18 +13,11 @@ const GRIDS: [usize; 4] = [30, 300, 3000, 30_000];
 /// Errors of the grid below this are rounding of the exact solution: they say nothing.
 const MEANINGLESS: f64 = 1e-13;
 
-/// Values, and the figure with its numbers.
-#[derive(Debug)]
-pub(super) struct Stopping {
-    pub(super) values: Value,
-    pub(super) figure: (&'static str, String, String),
-}
-
-pub(super) fn of(store: &Store) -> Result<Stopping, PlotError> {
+/// Values, and the figure.
+pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let lines = ended(store, EXAMPLE);
-    let header =
-        std::iter::once("method and solver".to_owned()).chain(GRIDS.map(|grid| format!("{} intervals", count(grid))));
-    let mut table = Table::new(header);
+    let header = GRIDS.map(|grid| format!("{} intervals", count(grid)));
+    let mut table = Table::new(row!["method and solver"].into_iter().chain(header));
     for solver in LIBRARIES {
         for method in METHODS {
             let cells = GRIDS.map(|grid| {
@@ -36,13 +26,12 @@ pub(super) fn of(store: &Store) -> Result<Stopping, PlotError> {
                 let enough = loosest(&of_route, |line| optimum.is_some_and(|optimum| grid_dominates(line, optimum)));
                 format!("{enough} / {}", loosest(&of_route, |line| line.is_certified()))
             });
-            table = table.row(std::iter::once(format!("{method}, {solver}")).chain(cells));
+            table.push([format!("{method}, {solver}")].into_iter().chain(cells));
         }
     }
     let [clarabel, osqp] = LIBRARIES.map(|solver| decades(&lines, solver));
     let (svg, data) = drawn(&lines)?;
-    let values = context! { table => table.to_string(), clarabel, osqp };
-    Ok(Stopping { values, figure: ("two-errors", svg, data) })
+    Ok((context! { table, clarabel, osqp }, ("two-errors", svg, data)))
 }
 
 /// The lines of a route on a grid, loose tolerances first.
@@ -68,65 +57,45 @@ fn grid_dominates(line: &Line, optimum: &Line) -> bool {
 /// The loosest tolerance from which on, down to the tightest that was tried, all lines hold.
 fn loosest(lines: &[&Line], holds: impl Fn(&Line) -> bool) -> String {
     let enough = lines.iter().rev().take_while(|line| holds(line)).last();
-    enough.map_or_else(|| "none".to_owned(), |line| asked(line.tolerance))
-}
-
-/// `10⁻⁴`
-fn asked(tolerance: f64) -> String {
-    let text = format!("{tolerance:e}");
-    text.strip_prefix("1e").and_then(|exponent| exponent.parse().ok()).map_or(text.clone(), power)
+    enough.map_or_else(|| "none".to_owned(), |line| tolerance(line.tolerance))
 }
 
 /// How many times as long a run takes that is asked for 10⁻¹⁰ and not for 10⁻⁴: the least and the most over methods and grids
 /// of 30 intervals and more, among runs in which the library says that it succeeded.
 fn decades(lines: &[&Line], solver: &str) -> Option<Value> {
-    let tight = lines.iter().filter(|line| {
-        line.solver == solver
-            && line.method != "repair"
-            && line.tolerance.total_cmp(&ASKED).is_eq()
-            && 30 <= line.intervals
-    });
+    let tight = lines
+        .iter()
+        .filter(|line| line.solver == solver && line.method != "repair" && line.asks(ASKED) && 30 <= line.intervals);
     let factors: Vec<f64> = tight
         .filter_map(|tight| {
             let of_route = of_route(lines, &tight.method, solver, tight.intervals);
-            let loose = of_route.into_iter().find(|line| line.tolerance.total_cmp(&1e-4).is_eq())?;
+            let loose = of_route.into_iter().find(|line| line.asks(1e-4))?;
             let succeeded = tight.says_solved == Some(true) && loose.says_solved == Some(true);
             succeeded.then(|| milliseconds(tight) / milliseconds(loose))
         })
         .collect();
-    let least = factors.iter().copied().min_by(f64::total_cmp)?;
-    let most = factors.iter().copied().max_by(f64::total_cmp)?;
+    let [least, most] = range(factors.iter().copied())?;
     Some(context! { least, most, pairs => factors.len() })
 }
 
 /// Error of the end reaction over the number of intervals, of the force method by clarabel: one line for the grid, one for
 /// each tolerance.
-fn drawn(lines: &[&Line]) -> Result<(String, String), PlotError> {
+fn drawn(lines: &[&Line]) -> Result<(String, Table), PlotError> {
     const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
-    let mut panel =
-        Panel::new(Axis::new("intervals N").log(), Axis::new("relative error of the end reaction").log()).tall(800.0);
-    let mut rows = Vec::new();
-    let mut series = |label: String, style: Style, of: &dyn Fn(&Line) -> Option<f64>| {
-        let looked_at = lines.iter().filter(|line| line.intervals <= GRIDS[GRIDS.len() - 1]);
-        let found = looked_at.filter_map(|line| Some((line.intervals, of(line).filter(|error| 1e-17 < *error)?)));
-        let mut found: Vec<(usize, f64)> = found.collect();
-        found.sort_by_key(|(grid, _)| *grid);
-        rows.extend(found.iter().map(|(grid, error)| vec![label.clone(), grid.to_string(), scientific(*error, 2)]));
-        let points = found.into_iter().map(|(grid, error)| [as_number(grid), error]).collect();
-        panel = std::mem::replace(&mut panel, Panel::new(Axis::new(""), Axis::new(""))).with(Layer::Series {
-            points,
-            style,
-            label,
-        });
-    };
-    series("of the grid".to_owned(), Style::marks(Color::BLACK, Marker::OpenCircle), &|line| {
-        line.is("force", "optimum").then_some(line.reaction_total?)
-    });
-    for (i, tolerance) in TOLERANCES.into_iter().enumerate() {
-        series(format!("clarabel, {}", asked(tolerance)), Style::of_series(i), &|line| {
-            let same = line.is("force", "clarabel") && line.tolerance.total_cmp(&tolerance).is_eq();
-            same.then_some(line.reaction_solver?)
-        });
+    let of_grid = |line: &Line| line.is("force", "optimum").then_some(line.reaction_total?);
+    let style = Style::marks(Color::BLACK, Marker::OpenCircle);
+    let mut series = vec![("of the grid".to_owned(), style, points(lines, &of_grid))];
+    for (i, asked) in TOLERANCES.into_iter().enumerate() {
+        let of_solver =
+            |line: &Line| (line.is("force", "clarabel") && line.asks(asked)).then_some(line.reaction_solver?);
+        series.push((format!("clarabel, {}", tolerance(asked)), Style::of_series(i), points(lines, &of_solver)));
+    }
+    let mut data = Table::new(["error", "intervals", "relative_error"]);
+    let y = Axis::new("relative error of the end reaction").log();
+    let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(800.0);
+    for (label, style, points) in series {
+        data = data.rows(points.iter().map(|[grid, error]| row![label, grid, scientific(*error, 2)]));
+        panel = panel.with(Layer::Series { points, style, label });
     }
     let svg = Figure::new(
         "On most grids a loose tolerance is enough: the error of the grid is the larger one",
@@ -135,5 +104,15 @@ fn drawn(lines: &[&Line]) -> Result<(String, String), PlotError> {
         vec![panel],
     )
     .svg()?;
-    Ok((svg, csv(&["error", "intervals", "relative_error"], rows)))
+    Ok((svg, data))
+}
+
+/// Errors over intervals, up to the finest grid of the table, without those that are rounding.
+fn points(lines: &[&Line], of: &dyn Fn(&Line) -> Option<f64>) -> Vec<[f64; 2]> {
+    let looked_at = lines.iter().filter(|line| line.intervals <= GRIDS[GRIDS.len() - 1]);
+    let found =
+        looked_at.filter_map(|line| Some([as_number(line.intervals), of(line).filter(|error| 1e-17 < *error)?]));
+    let mut found: Vec<[f64; 2]> = found.collect();
+    found.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    found
 }

@@ -1,18 +1,12 @@
 //! One map: every solver, and beam theory over waves, against the depth of the ground.
 
-use minijinja::{Value, context};
 use palkki::certificate::{Judged, certify};
-use palkki::plot::table::{Cell, Tone, verdict_map};
-use palkki::route::{Method, Solver, Status};
-use palkki::scene::{Beam, Foundation, Load, Scene};
-use palkki::theory;
 use palkki_evidence::extremes::{Extreme, POWERS, deep};
+use palkki::plot::table::{Cell, Tone, verdict_map};
+use palkki::scene::{Beam, Load};
 
 use super::{Count, NSOR, Verdict, checked, reference};
-use crate::report::csv::csv;
-use crate::report::error::Cause;
-use crate::report::numbers::{cell, power};
-use crate::report::table::Table;
+use crate::report::evidence::prelude::*;
 
 /// Grids of every method: the fewest intervals, odd and even ones, one more than the paper's.
 const GRIDS: [usize; 5] = [2, 3, 5, 8, 31];
@@ -30,14 +24,14 @@ pub(super) struct Map {
     pub(super) count: Count,
     pub(super) values: Value,
     pub(super) svg: String,
-    pub(super) csv: String,
+    pub(super) data: Table,
 }
 
 /// A row of the map, and its runs one by one.
 struct Strip {
     name: String,
     counts: [Count; POWERS.len()],
-    data: Vec<Vec<String>>,
+    data: Vec<[String; 5]>,
 }
 
 impl Strip {
@@ -47,14 +41,11 @@ impl Strip {
 
     fn add(&mut self, column: usize, method: &str, which: String, verdict: Verdict) {
         self.counts[column].add(verdict);
-        let row = [self.name.clone(), method.to_owned(), which, POWERS[column].to_string(), verdict.word().to_owned()];
-        self.data.push(row.to_vec());
+        self.data.push(row![self.name, method, which, POWERS[column], verdict.name()]);
     }
 
     fn sum(&self) -> Count {
-        let mut sum = Count::default();
-        self.counts.into_iter().for_each(|count| sum.join(count));
-        sum
+        Count::of(&self.counts)
     }
 }
 
@@ -62,18 +53,17 @@ pub(super) fn measured() -> Result<Map, Cause> {
     let mut strips = Solver::ALL.into_iter().map(of_solver).collect::<Result<Vec<_>, _>>()?;
     let (waves, values) = of_waves()?;
     strips.push(waves);
-    let mut count = Count::default();
-    strips.iter().for_each(|strip| count.join(strip.sum()));
+    let count = Count::of(&strips.iter().map(Strip::sum).collect::<Vec<_>>());
     let header = ["solver", "runs", "right", "not certified", "wrong and certified"];
     let table = Table::new(header).rows(strips.iter().map(|strip| {
         let sum = strip.sum();
-        let counts = [sum.runs(), sum.right, sum.not_certified, sum.wrong].map(|n| n.to_string());
-        std::iter::once(strip.name.clone()).chain(counts)
+        row![strip.name, sum.runs(), sum.right, sum.not_certified, sum.wrong]
     }));
-    let values = context! { table => table.to_string(), grids => GRIDS.to_vec(), waves => values };
+    let values = context! { table, grids => GRIDS.to_vec(), waves => values };
     let svg = drawn(&strips)?;
     let header = ["solver", "method", "intervals_or_amplitude", "power_of_ten_of_depth", "outcome"];
-    Ok(Map { count, values, svg, csv: csv(&header, strips.into_iter().flat_map(|strip| strip.data)) })
+    let data = Table::new(header).rows(strips.into_iter().flat_map(|strip| strip.data));
+    Ok(Map { count, values, svg, data })
 }
 
 /// All methods and grids of a solver on flat ground.
@@ -131,7 +121,7 @@ fn of_waves() -> Result<(Strip, Value), Cause> {
         amplitudes => AMPLITUDES.len(),
         bounded,
         bound => cell(Some(bound), 1),
-        shallowest => self::power(shallowest),
+        shallowest => power_of_ten(shallowest),
     };
     Ok((strip, values))
 }

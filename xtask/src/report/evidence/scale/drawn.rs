@@ -1,15 +1,14 @@
 //! The figures: time and memory over the points of a survey, both logarithmic.
 
-use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 use palkki_evidence::extremes::Ground;
+use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
-use super::{ACTIVE_SET, EXACT, INTERIOR_POINT, Survey, bounds, certified, load_word, name};
+use super::{ACTIVE_SET, EXACT, INTERIOR_POINT, Survey, certified, label, load_name};
 use crate::measure::scale::{LOADS, Line, Route, Scale};
-use crate::report::csv::{csv, scientific};
-use crate::report::numbers::{cell, count};
+use crate::report::evidence::prelude::*;
 
-/// Name, title, drawing and numbers.
-pub(super) type Drawn = (&'static str, String, String, String);
+/// The title, and the figure.
+type Titled = (String, Drawn);
 
 const ROUTES: [Route; 3] = [EXACT, ACTIVE_SET, INTERIOR_POINT];
 
@@ -29,12 +28,12 @@ fn style(route: Route) -> Style {
 /// One line of a figure: ground and load, route, and points.
 type Series = (String, Route, Vec<Place>);
 
-fn rows(all: &[Series]) -> impl Iterator<Item = Vec<String>> {
-    all.iter().flat_map(|(what, route, points)| {
-        points.iter().map(move |[points, value]| {
-            vec![what.clone(), name(*route).to_owned(), format!("{points}"), scientific(*value, 3)]
-        })
-    })
+fn data(all: &[Series], quantity: &str) -> Table {
+    let rows = all.iter().flat_map(|(what, route, points)| {
+        let what = what.replace(", ", " ");
+        points.iter().map(move |[points, value]| row![what, label(*route), points, scientific(*value, 3)])
+    });
+    Table::new(["survey", "route", "points", quantity]).rows(rows)
 }
 
 /// What some certified runs have, over the points of their surveys.
@@ -53,7 +52,7 @@ fn panels(all: &[Series], quantity: &str, unit: &str, height: f64) -> Vec<Panel>
         series.iter().filter(|(.., points)| !points.is_empty()).fold(
             Panel::new(x, y).tall(height).room(30.0, 30.0),
             |panel, (_, route, points)| {
-                let (style, label) = (style(*route), name(*route).to_owned());
+                let (style, label) = (style(*route), label(*route).to_owned());
                 panel.with(Layer::Series { points: points.clone(), style, label })
             },
         )
@@ -66,13 +65,13 @@ fn svg(title: &str, description: &str, panels: Vec<Panel>) -> Result<String, Plo
 }
 
 /// Seconds, one panel for each ground and load.
-pub(super) fn time(scale: &Scale, surveys: &[Survey]) -> Result<Drawn, PlotError> {
+pub(super) fn time(scale: &Scale, surveys: &[Survey]) -> Result<Titled, PlotError> {
     let mut all: Vec<Series> = Vec::new();
     for ground in Ground::ALL {
         for load in LOADS {
             let same = |(g, l, _): &&Survey| *g == ground && l.total_cmp(&load).is_eq();
             let of_panel: Vec<Survey> = surveys.iter().filter(same).copied().collect();
-            let what = format!("{}, q = {}", ground.word(), load_word(load));
+            let what = format!("{}, q = {}", ground.word(), load_name(load));
             let series = |route| (what.clone(), route, places(scale, &of_panel, route, &|line| line.median_s));
             all.extend(ROUTES.map(series));
         }
@@ -80,25 +79,24 @@ pub(super) fn time(scale: &Scale, surveys: &[Survey]) -> Result<Drawn, PlotError
     let most = surveys.iter().map(|(.., points)| *points).max().unwrap_or(0);
     let largest: Vec<Survey> = surveys.iter().filter(|(.., points)| *points == most).copied().collect();
     let seconds = places(scale, &largest, EXACT, &|line| line.median_s);
-    let range = bounds(seconds.iter().map(|place| place[1]));
+    let range = range(seconds.iter().map(|place| place[1]));
     let title = format!(
         "{} of {} surveys of {} points are solved exactly, in {} to {} s",
         seconds.len(),
         largest.len(),
-        count(usize::try_from(most).unwrap_or(usize::MAX)),
+        count(most),
         cell(range.map(|range| range[0]), 2),
         cell(range.map(|range| range[1]), 2)
     );
     let description = "Six panels, three kinds of ground under a light and a heavy load: seconds of a solve over the points of the \
         survey, both logarithmic, by the exact solution, the force method with the active set, and the force method with an \
         interior point. Certified runs only.";
-    let data = csv(&["survey", "route", "points", "seconds"], rows(&all).map(unquoted));
     let svg = svg(&title, description, panels(&all, "time", "s", 520.0))?;
-    Ok(("scale-time", title, svg, data))
+    Ok((title, ("scale-time", svg, data(&all, "seconds"))))
 }
 
 /// Megabytes, one panel for each load; the most of the three kinds of ground.
-pub(super) fn memory(scale: &Scale, surveys: &[Survey]) -> Result<Drawn, PlotError> {
+pub(super) fn memory(scale: &Scale, surveys: &[Survey]) -> Result<Titled, PlotError> {
     let megabytes = |line: &Line| Some(1e-3 * f64::from(u32::try_from(line.peak_kb?).unwrap_or(u32::MAX)));
     let mut sizes: Vec<u32> = surveys.iter().map(|(.., points)| *points).collect();
     sizes.sort_unstable();
@@ -112,13 +110,13 @@ pub(super) fn memory(scale: &Scale, surveys: &[Survey]) -> Result<Drawn, PlotErr
         };
         let series = |route| {
             let places = sizes.iter().filter_map(|points| most(route, *points)).collect();
-            (format!("q = {}", load_word(load)), route, places)
+            (format!("q = {}", load_name(load)), route, places)
         };
         all.extend(ROUTES.map(series));
     }
     // What the smallest survey takes is the program itself.
     let values = || all.iter().flat_map(|(_, route, places)| places.iter().map(move |place| (*route, *place)));
-    let program = bounds(values().map(|(_, place)| place[1])).map_or(0.0, |range| range[0]);
+    let program = range(values().map(|(_, place)| place[1])).map_or(0.0, |range| range[0]);
     let of_point = ROUTES.map(|route| {
         let larger = values().filter(|(r, place)| *r == route && LARGE <= place[0]);
         larger.map(|(_, [points, megabytes])| 1e3 * (megabytes - program) / points).max_by(f64::total_cmp)
@@ -129,13 +127,6 @@ pub(super) fn memory(scale: &Scale, surveys: &[Survey]) -> Result<Drawn, PlotErr
     );
     let description = "Two panels, a light and a heavy load: megabytes that a process has in use at the most over the points of \
         the survey, both logarithmic, by three routes. The most of three kinds of ground; certified runs only.";
-    let data = csv(&["survey", "route", "points", "megabytes"], rows(&all));
     let svg = svg(&title, description, panels(&all, "memory", "MB", 700.0))?;
-    Ok(("scale-memory", title, svg, data))
-}
-
-/// A name with a comma is two columns.
-fn unquoted(mut row: Vec<String>) -> Vec<String> {
-    row[0] = row[0].replace(", ", " ");
-    row
+    Ok((title, ("scale-memory", svg, data(&all, "megabytes"))))
 }

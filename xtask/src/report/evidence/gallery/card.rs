@@ -1,28 +1,14 @@
 //! A scene as a card that can be copied into another program: data, reference, values, tolerances and their sources.
 
-use minijinja::{Value, context};
-use palkki::route::Status;
-use palkki::scene::{Foundation, Scene};
 use palkki::theory::Exact;
 use palkki::verdict::Verdict;
 
-use super::closed::{Values, closed};
 use super::value_of;
-use crate::report::csv::fixed;
-use crate::report::error::Cause;
-use crate::report::numbers::{bound, power};
-use crate::report::table::Table;
+use crate::report::evidence::closed::{CONTACT, Closed, REACTIONS, closed};
+use crate::report::evidence::prelude::*;
 
 /// How far beam theory may be from a closed form, relative to the sizes of the scene.
 const AGREES: f64 = 1e-11;
-
-#[derive(Debug, thiserror::Error)]
-#[error("beam theory differs from the closed form by {difference:e} in the {quantity} of the scene {scene}")]
-struct Differs {
-    scene: String,
-    quantity: String,
-    difference: f64,
-}
 
 /// One row: a quantity with one or two values of a size `scale`, and half the width of what they are proven to lie in.
 struct Row {
@@ -35,22 +21,22 @@ struct Row {
 
 /// The card of a scene.
 pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, story: String) -> Result<Value, Cause> {
-    let reference = closed(name, scene);
+    let reference = closed(scene);
     let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
         let places = places(row.values.iter().fold(0.0, |most, v| most.max(v.abs())));
         let printed = |value: f64| if value.abs() <= 1e-9 * row.scale { "0".to_owned() } else { fixed(value, places) };
         let values: Vec<String> = row.values.iter().map(|value| printed(*value)).collect();
-        let (error, source) = match (of_closed(&row, name, reference.as_ref().map(|(_, values)| values))?, row.proven) {
+        let (error, source) = match (of_closed(&row, name, reference.as_ref())?, row.proven) {
             (Some(difference), _) => (difference, "closed form"),
             (None, Some(width)) if width.is_finite() => (width, "certificate"),
             _ => (0.0, "beam theory"),
         };
         // What is printed is right to its last place, unless less is known.
-        let last = (0..places).fold(1.0, |unit, _| unit / 10.0);
-        let tolerance = if error <= last { power(-i32::try_from(places)?) } else { bound(error) };
+        let last = -i32::try_from(places)?;
+        let tolerance = if error <= ten_to(last) { power_of_ten(last) } else { bound(error) };
         let unit = if row.unit.is_empty() { String::new() } else { format!(" [{}]", row.unit) };
-        table = table.row([format!("{}{unit}", row.name), values.join(", "), tolerance, source.to_owned()]);
+        table.push(row![format!("{}{unit}", row.name), values.join(", "), tolerance, source]);
     }
     let certificate = verdict.certificate.as_ref().map(|c| bound(c.deflection_error / c.deflection));
     Ok(context! {
@@ -60,9 +46,9 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         certified => verdict.status == Status::Certified,
         unknowns => exact.unknowns,
         error => certificate,
-        formula => reference.map(|(formula, _)| formula),
+        formula => reference.map(|closed| closed.formula),
         beam => beam(scene),
-        load => load(scene),
+        load => loads(scene),
         ground => scene.foundation().map(ground),
         table,
     })
@@ -74,15 +60,13 @@ fn places(size: f64) -> usize {
 }
 
 /// How far the values of a row are from their closed form; none if they have none, an error if they are not the same.
-fn of_closed(row: &Row, scene: &str, reference: Option<&Values>) -> Result<Option<f64>, Differs> {
-    let Some((_, values)) = reference.and_then(|values| values.iter().find(|(name, _)| row.name == *name)) else {
-        return Ok(None);
-    };
-    let differences = row.values.iter().zip(values).map(|(a, b)| (a - b).abs());
-    let difference = differences.fold(0.0, |worst: f64, e| if e.is_nan() { f64::INFINITY } else { worst.max(e) });
-    let allowed = AGREES * row.scale;
-    if values.len() != row.values.len() || allowed < difference {
-        return Err(Differs { scene: scene.to_owned(), quantity: row.name.clone(), difference });
+fn of_closed(row: &Row, scene: &str, reference: Option<&Closed>) -> Result<Option<f64>, Cause> {
+    let Some(values) = reference.and_then(|closed| closed.of(&row.name)) else { return Ok(None) };
+    let (difference, allowed) = (worst_difference(&row.values, values), AGREES * row.scale);
+    if allowed < difference {
+        let quantity = &row.name;
+        let message = format!("beam theory differs from the closed form by {difference:e} in {quantity} of {scene}");
+        return Err(message.into());
     }
     Ok(Some(allowed))
 }
@@ -94,66 +78,41 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     let label = |unit: &Option<String>| unit.clone().unwrap_or_default();
     let [of_length, of_force] = [&scene.units().length, &scene.units().force].map(label);
     let of_moment = if of_force.is_empty() { String::new() } else { format!("{of_force}·{of_length}") };
-    let force = scene.load().magnitude(length);
+    let force = load(scene);
     let moment = state.moment.max.abs().max(state.moment.min.abs());
     let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
     let certificate = verdict.certificate.as_ref();
-    let row = |name: &str, unit: &str, values: &[f64], scale: f64, proven: Option<f64>| Row {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        values: values.to_vec(),
-        scale,
-        proven,
+    let mut rows = Vec::new();
+    let mut row = |name: String, unit: &str, values: &[f64], scale: f64, proven: Option<f64>| {
+        rows.push(Row { name, unit: unit.to_owned(), values: values.to_vec(), scale, proven });
     };
     let widths = certificate.and_then(|c| Some([c.reactions[0]?, c.reactions[1]?]));
     let width = widths.map(|reactions| reactions.iter().map(|[lo, hi]| hi - lo).fold(0.0, f64::max));
-    let mut rows =
-        vec![row("reactions, left and right", &of_force, &[state.reactions.left, state.reactions.right], force, width)];
+    row(REACTIONS.to_owned(), &of_force, &[state.reactions.left, state.reactions.right], force, width);
     if exact.support_couples.iter().any(|couple| *couple < 0.0) {
-        rows.push(row(
-            "moments of ground and support, left and right",
-            &of_moment,
-            &exact.support_couples,
-            moment,
-            None,
-        ));
+        let name = "moments of ground and support, left and right".to_owned();
+        row(name, &of_moment, &exact.support_couples, moment, None);
     }
     let (mut zones, mut points) = (0, 0);
     for contact in &state.contacts {
-        match contact.end_forces {
-            Some(ends) => {
-                zones += 1;
-                rows.push(row(
-                    &format!("zone {zones}, from and to"),
-                    &of_length,
-                    &[contact.from, contact.to],
-                    length,
-                    None,
-                ));
-                rows.push(row(&format!("forces at the ends of zone {zones}"), &of_force, &ends, force, None));
-            }
-            None => {
-                points += 1;
-                rows.push(row(&format!("contact point {points}, at x"), &of_length, &[contact.from], length, None));
-                if 1 < state.contacts.len() {
-                    rows.push(row(
-                        &format!("force at contact point {points}"),
-                        &of_force,
-                        &[contact.force],
-                        force,
-                        None,
-                    ));
-                }
+        if let Some(ends) = contact.end_forces {
+            zones += 1;
+            row(format!("zone {zones}, from and to"), &of_length, &[contact.from, contact.to], length, None);
+            row(format!("forces at the ends of zone {zones}"), &of_force, &ends, force, None);
+        } else {
+            points += 1;
+            row(format!("contact point {points}, at x"), &of_length, &[contact.from], length, None);
+            if 1 < state.contacts.len() {
+                row(format!("force at contact point {points}"), &of_force, &[contact.force], force, None);
             }
         }
     }
     for (at, inside) in exact.forces_inside_zones() {
-        rows.push(row(&format!("force in the zone at x = {at:.1}"), &of_force, &[inside], force, None));
+        row(format!("force in the zone at x = {at:.1}"), &of_force, &[inside], force, None);
     }
     if !state.contacts.is_empty() {
-        rows.push(row("contact force, total", &of_force, &[state.contact_force()], force, None));
+        row(CONTACT.to_owned(), &of_force, &[state.contact_force()], force, None);
     }
-    let at = |name: &str, x: f64| format!("{name}, at x = {}", value_of(x, length, 4));
     let error = certificate.map(|c| c.deflection_error);
     for (what, unit, found, scale, proven) in [
         ("deflection", &of_length, &state.deflection, deflection, error),
@@ -162,12 +121,12 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
         let least = Some(("least", found.min, found.min_at)).filter(|_| found.min < found.max);
         for (word, value, x) in [Some(("largest", found.max, found.max_at)), least].into_iter().flatten() {
             if value != 0.0 {
-                rows.push(row(&at(&format!("{word} {what}"), x), unit, &[value], scale, proven));
+                row(format!("{word} {what}, at x = {}", value_of(x, length, 4)), unit, &[value], scale, proven);
             }
         }
     }
     let width = certificate.map(|c| c.energy_upper - c.energy_lower);
-    rows.push(row("energy", &of_moment, &[state.energy], state.energy.abs(), width));
+    row("energy".to_owned(), &of_moment, &[state.energy], state.energy.abs(), width);
     rows
 }
 
@@ -181,7 +140,7 @@ fn beam(scene: &Scene) -> String {
 }
 
 /// `q = 1; a point load 0.5 at x = 2`
-fn load(scene: &Scene) -> String {
+fn loads(scene: &Scene) -> String {
     let load = scene.load();
     let linear = load
         .linear()

@@ -1,12 +1,8 @@
 //! What the scene required: unknowns of the exact solution beside those of a grid that comes close to it.
 
-use palkki::route::{Method, Solver, Status};
-use palkki::scene::Scene;
 use palkki::theory::Exact;
-use palkki::{Settings, solve};
 
-use crate::report::error::Cause;
-use crate::report::numbers::count;
+use crate::report::evidence::prelude::*;
 
 /// Relative errors that are asked for: what an engineer needs, and what a reference needs.
 pub(super) const TARGETS: [f64; 2] = [1e-4, 1e-6];
@@ -43,7 +39,7 @@ pub(super) fn required(scene: &Scene, exact: &Exact) -> Result<Required, Cause> 
         let mut before = f64::INFINITY;
         let mut intervals = COARSEST;
         while intervals - 1 <= MOST && first.contains(&None) {
-            let outcome = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals))?;
+            let outcome = on_grid(scene, method, Solver::ActiveSet, intervals)?;
             if outcome.status != Status::Certified {
                 refused = true;
                 break;
@@ -76,10 +72,9 @@ fn met_supports(scene: &Scene) -> [bool; 2] {
 
 /// The worst of the reactions, relative to the load, and the energy.
 fn error(scene: &Scene, exact: &Exact, state: &palkki::state::ContactState, met: [bool; 2]) -> f64 {
-    let load = scene.load().magnitude(scene.beam().length());
     let (found, right) = (&state.reactions, &exact.state.reactions);
     let reactions = [found.left - right.left, found.right - right.right];
     let worst = reactions.iter().zip(met).filter(|(_, met)| !met).fold(0.0_f64, |most, (r, _)| most.max(r.abs()));
     let energy = (state.energy - exact.state.energy) / exact.state.energy;
-    (worst / load).max(energy.abs())
+    (worst / load(scene)).max(energy.abs())
 }

@@ -1,24 +1,34 @@
 //! Two errors, kept apart: of the solver, against the proven optimum of the same discrete problem, and of grid and solver
 //! together, against beam theory.
+//!
+//! The contact set of an active set is only where the search for the proven optimum begins: in integers of hundreds of bits
+//! nodes on the wrong side are exchanged until (34), (35) hold by more than all rounding. What comes out is *the* optimum,
+//! better than every answer that is compared with it.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use std::time::Instant;
 
+use palkki::methods::Method;
 use palkki::scene::Scene;
-use palkki::state::{Bending, Contact};
+use palkki::solvers::Solver;
+use palkki::state::{Bending, Contact, ContactState};
 use palkki::theory::{self, Exact};
+use palkki::{Settings, solve};
 
-use super::job::Measured;
 use super::plan::{Job, Route};
-use super::reference::{Found, Reference};
+use crate::Cause;
+use palkki_evidence::authority::forward::apart;
+use palkki_evidence::authority::given;
+use palkki_evidence::authority::number::{Fixed, Number};
 
 /// Relative errors of end reaction, resultant of the largest contact, deflection (the worst node, over the largest
 /// deflection) and energy; NaN where there is no reference or no answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Errors {
-    pub(crate) solver: [f64; 4],
-    pub(crate) total: [f64; 4],
+pub(super) struct Errors {
+    pub(super) solver: [f64; 4],
+    pub(super) total: [f64; 4],
 }
 
 /// Proven optima by grid, of the finite differences or not; none where there is none.
@@ -33,14 +43,12 @@ pub(super) struct References {
 }
 
 impl References {
-    pub(super) fn new(scene: &Scene) -> Result<Self, String> {
-        let exact = theory::solve(scene).map_err(|error| error.to_string())?;
-        Ok(Self { exact, length: scene.beam().length(), known: RefCell::default() })
+    pub(super) fn new(scene: &Scene) -> Result<Self, Cause> {
+        Ok(Self { exact: theory::solve(scene)?, length: scene.beam().length(), known: RefCell::default() })
     }
 
-    /// Of an answer that was measured.
-    pub(super) fn errors(&self, scene: &Scene, job: Job, measured: &Measured) -> Errors {
-        let state = &measured.state;
+    /// Of the answer of a job.
+    pub(super) fn errors(&self, scene: &Scene, job: Job, state: &ContactState) -> Errors {
         // Beam theory is what all others are compared with.
         let Some(nodes) = &state.nodes else { return Errors { solver: [0.0; 4], total: [0.0; 4] } };
         let forces = nodes.x.iter().zip(&nodes.contact_force);
@@ -104,5 +112,83 @@ impl References {
         };
         let nearest = (0..contacts.len()).min_by(|&i, &j| distance(i).total_cmp(&distance(j)));
         nearest.is_some() && nearest == self.largest_contact()
+    }
+}
+
+/// The finest grid with a reference: seconds, and hundreds of megabytes.
+const FINEST: usize = 100_000;
+
+/// What is known of the optimum of a discrete problem.
+#[derive(Debug)]
+pub(super) struct Reference {
+    reaction: Fixed,
+    /// Resultant of the contact that is looked at.
+    contact: Fixed,
+    energy: Fixed,
+    /// At the interior nodes; rounding them to 64 bits moves them by less than what is told apart.
+    deflection: Vec<f64>,
+    /// Exchanges that were needed.
+    pub(super) exchanges: usize,
+    pub(super) seconds: f64,
+}
+
+/// Observables of a floating-point answer.
+#[derive(Debug)]
+struct Found<'a> {
+    reaction: f64,
+    contact: Vec<f64>,
+    energy: f64,
+    deflection: &'a [f64],
+}
+
+impl Reference {
+    /// The optimum on `intervals`; none beyond [`FINEST`], and none if the search does not end. `looked_at` says which nodes
+    /// belong to the contact that is looked at.
+    fn new(scene: &Scene, intervals: usize, bending: Bending, looked_at: &dyn Fn(f64) -> bool) -> Option<Self> {
+        if FINEST < intervals {
+            return None;
+        }
+        let method = if bending == Bending::AtNodes { Method::Complementarity } else { Method::Force };
+        let begin = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals)).ok()?.state.nodes?;
+        let touches: Vec<bool> = begin.contact_force.iter().map(|p| 0.0 < *p).collect();
+
+        let start = Instant::now();
+        let problem = given::problem(scene, intervals, bending)?;
+        let (solution, _, exchanges) = problem.optimum(touches)?;
+        let forces = begin.x.iter().zip(&solution.contact_force[1..]);
+        let looked_at = forces.filter(|(x, _)| looked_at(**x)).map(|(_, p)| p);
+        Some(Self {
+            reaction: solution.left_reaction(&problem.loads[0]),
+            contact: looked_at.fold(Fixed::zero(), |sum, p| sum.plus(p)),
+            energy: solution.energy(&problem.loads),
+            deflection: (1..intervals).map(|i| solution.deflection(i).to_double()).collect(),
+            exchanges,
+            seconds: start.elapsed().as_secs_f64(),
+        })
+    }
+
+    /// Relative errors of an answer of the same discrete problem: end reaction, contact, the worst of all nodal deflections
+    /// against the largest, energy. Differences are taken exactly.
+    fn errors(&self, found: &Found<'_>) -> [f64; 4] {
+        let share = |found: f64, exact: &Fixed| apart(found, exact) / exact.to_double().abs();
+        let contact = if found.contact.iter().all(|p| p.is_finite()) {
+            let sum = found.contact.iter().fold(Fixed::zero(), |sum, p| sum.plus(&Fixed::of(*p)));
+            sum.minus(&self.contact).magnitude().to_double() / self.contact.to_double().abs()
+        } else {
+            f64::NAN
+        };
+        let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+        for (v, exact) in found.deflection.iter().zip(&self.deflection) {
+            let off = (v - exact).abs();
+            // `max` would overlook NaN.
+            worst = if off.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(off) };
+            largest = largest.max(exact.abs());
+        }
+        [share(found.reaction, &self.reaction), contact, worst / largest, share(found.energy, &self.energy)]
+    }
+
+    /// Reaction, contact and energy, rounded once.
+    fn sums(&self) -> [f64; 3] {
+        [&self.reaction, &self.contact, &self.energy].map(Fixed::to_double)
     }
 }

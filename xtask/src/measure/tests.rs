@@ -5,7 +5,14 @@ use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use super::*;
+use palkki::methods::Method;
+use palkki::solvers::Solver;
+
+use super::line::{Line, Store};
+use super::plan::{Job, Route};
+use super::references::Errors;
+use crate::Cause;
+use crate::data::Row;
 
 /// A root of its own.
 struct Scratch(PathBuf);
@@ -25,16 +32,18 @@ impl Drop for Scratch {
     }
 }
 
-fn open(root: &Path, fresh: bool, only: &str) -> Result<Store, String> {
+fn open(root: &Path, fresh: bool, only: &str) -> Result<Store, Cause> {
     Store::open(root, &["machine: a".to_owned()], fresh, |key| key.contains(only))
 }
 
-fn key(intervals: usize) -> Key {
-    Key { scene: "scene", route: "method/solver".to_owned(), intervals, tolerance: 1e-4 }
+/// Nothing is known of it yet.
+fn begun(intervals: usize) -> Line {
+    let route = Route::Solver(Method::Force, Solver::Clarabel);
+    Line::of("scene", Job { route, intervals, tolerance: 1e-4 })
 }
 
 fn line(number: usize) -> Line {
-    Line::without_result(&key(number), &format!("why {number}"))
+    begun(number).ended(&format!("why {number}"))
 }
 
 #[test]
@@ -44,11 +53,11 @@ fn results_are_found_again() {
     (0..3).for_each(|k| store.append(line(k)).expect("it can be written"));
     let again = open(&scratch.0, false, "").expect("the same machine");
     assert_eq!(again.lines, store.lines);
-    assert_eq!(again.find(&key(1)).map(|line| line.status.as_str()), Some("why 1"));
-    let without = open(&scratch.0, true, "solver,1,").expect("the same machine");
+    assert_eq!(again.named(&begun(1).name()).map(|line| line.status.as_str()), Some("why 1"));
+    let without = open(&scratch.0, true, "clarabel,1,").expect("the same machine");
     assert_eq!(without.lines, [line(0), line(2)], "what is wanted is measured again");
     let elsewhere = Store::open(&scratch.0, &["machine: b".to_owned()], false, |_| true);
-    assert!(elsewhere.is_err_and(|message| message.contains("machine: a")), "machines are not mixed");
+    assert!(elsewhere.is_err_and(|error| error.to_string().contains("machine: a")), "machines are not mixed");
 }
 
 #[test]
@@ -56,8 +65,8 @@ fn numbers_are_read_as_they_were_written() {
     let scratch = Scratch::new("numbers");
     let mut store = open(&scratch.0, false, "").expect("a new file");
     let errors = Errors { solver: [f64::NAN; 4], total: [1.234_5e-7, 0.0, 2e-3, 1e-9] };
-    store.append(Line::proven(&key(30), 2, 1.234_56e-3, &errors)).expect("it can be written");
-    let read = Store::read(&scratch.0).expect("it can be read").lines.remove(0);
+    store.append(begun(30).with(vec![1.234_56e-3], &errors)).expect("it can be written");
+    let read = Store::read(&scratch.0).expect("it can be read").1.lines.remove(0);
     assert_eq!((read.total(), read.of_solver()), (Some([1.23e-7, 0.0, 2e-3, 1e-9]), None), "three digits, and no NaN");
     assert_eq!((read.median_s, read.worst(), read.runs), (Some(1.235e-3), Some(2e-3), Some(1)), "{read:?}");
 }
@@ -65,9 +74,9 @@ fn numbers_are_read_as_they_were_written() {
 #[test]
 fn a_file_with_other_columns_is_not_continued() {
     let scratch = Scratch::new("columns");
-    fs::write(scratch.0.join(PATH), "# machine: a\nscene,route\ns,r\n")
+    fs::write(scratch.0.join(Line::PATH), "# machine: a\nscene,route\ns,r\n")
         .expect("the scratch directory can be written to");
-    assert!(open(&scratch.0, false, "").is_err_and(|message| message.contains("--fresh")), "not mixed");
+    assert!(open(&scratch.0, false, "").is_err_and(|error| error.to_string().contains("--fresh")), "not mixed");
     assert!(open(&scratch.0, true, "s,r").is_ok_and(|store| store.lines.is_empty()), "but begun again");
 }
 
@@ -88,7 +97,7 @@ fn a_killed_run_goes_on() {
     let mut before = 0;
     for milliseconds in [1, 2, 5, 10, 20] {
         let mut victim = Command::new(std::env::current_exe().expect("this program"))
-            .args(["--exact", "measure::store::tests::a_killed_run_goes_on", "--nocapture"])
+            .args(["--exact", "measure::tests::a_killed_run_goes_on", "--nocapture"])
             .env(VICTIM, &scratch.0)
             .stdout(Stdio::piped())
             .spawn()

@@ -2,12 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::errors::Errors;
-use super::job::Measured;
-use super::rows::{Row, Rows, rounded};
-
-/// Where the file is, below the root.
-pub(crate) const PATH: &str = "report/data/measurements.csv";
+use super::plan::Job;
+use super::references::Errors;
+use crate::data::{Measurements, Row, rounded};
 
 /// The status of a job that was not run.
 const LEFT_OUT: &str = "left-out";
@@ -57,69 +54,37 @@ pub(crate) struct Line {
     pub(crate) peak_kb: Option<u64>,
 }
 
-/// What identifies a line: scene, route, intervals, tolerance.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Key {
-    pub(crate) scene: &'static str,
-    pub(crate) route: String,
-    pub(crate) intervals: usize,
-    pub(crate) tolerance: f64,
-}
-
 impl Line {
-    fn new(key: &Key, status: impl Into<String>) -> Self {
-        let (method, solver) = key.route.split_once('/').unwrap_or((&key.route, ""));
-        let (scene, method, solver) = (key.scene.to_owned(), method.to_owned(), solver.to_owned());
-        let (intervals, tolerance) = (key.intervals, key.tolerance);
-        Self { scene, method, solver, intervals, tolerance, status: status.into(), ..Self::default() }
+    /// Nothing is known of it yet.
+    pub(super) fn of(scene: &str, job: Job) -> Self {
+        let route = job.route_name();
+        let (method, solver) = route.split_once('/').unwrap_or((&route, ""));
+        let [scene, method, solver] = [scene, method, solver].map(str::to_owned);
+        Self { scene, method, solver, intervals: job.intervals, tolerance: job.tolerance, ..Self::default() }
     }
 
-    /// A result.
-    pub(super) fn measured(key: &Key, m: &Measured, errors: &Errors) -> Self {
-        Self {
-            says_solved: Some(m.claims_success),
-            did_as_asked: m.own_residual.map(|own| own.is_met()),
-            residual: rounded::<2>(m.residual),
-            own_residual: m.own_residual.and_then(|own| rounded::<2>(own.residual)),
-            iterations: Some(m.iterations),
-            unknowns: Some(m.unknowns),
-            last_intervals: m.adaptive.map(|(intervals, _)| intervals),
-            certified_error: m.adaptive.and_then(|(_, error)| rounded::<2>(error)),
-            added_s: m.added.and_then(rounded::<3>),
-            tridiagonal_s: m.yardstick.and_then(rounded::<3>),
-            certificate_s: m.certificate.and_then(rounded::<3>),
-            peak_kb: m.peak,
-            ..Self::new(key, m.status.word())
-        }
-        .with(&m.seconds, errors)
+    /// How it ended.
+    pub(super) fn ended(self, status: &str) -> Self {
+        Self { status: status.to_owned(), ..self }
     }
 
-    /// The proven optimum of a discrete problem: its errors are those of the grid.
-    pub(super) fn proven(key: &Key, exchanges: usize, seconds: f64, errors: &Errors) -> Self {
-        Self { iterations: Some(exchanges + 1), ..Self::new(key, "proven") }.with(&[seconds], errors)
+    /// It was not run, because a coarser grid took too long.
+    pub(super) fn left_out(self) -> Self {
+        self.ended(LEFT_OUT)
     }
 
-    /// With the seconds of all runs, ascending, and the errors.
-    fn with(mut self, seconds: &[f64], errors: &Errors) -> Self {
+    /// With the seconds of all runs, and the errors.
+    pub(super) fn with(mut self, mut seconds: Vec<f64>, errors: &Errors) -> Self {
+        seconds.sort_by(f64::total_cmp);
+        let at = |k: usize| seconds.get(k).and_then(|seconds| rounded(*seconds, 3));
         self.runs = Some(seconds.len());
-        self.median_s = rounded::<3>(seconds[seconds.len() / 2]);
-        self.min_s = rounded::<3>(seconds[0]);
-        self.max_s = rounded::<3>(seconds[seconds.len() - 1]);
+        (self.median_s, self.min_s) = (at(seconds.len() / 2), at(0));
+        self.max_s = at(seconds.len().saturating_sub(1));
         [self.reaction_solver, self.contact_solver, self.deflection_solver, self.energy_solver] =
-            errors.solver.map(rounded::<2>);
+            errors.solver.map(|error| rounded(error, 2));
         [self.reaction_total, self.contact_total, self.deflection_total, self.energy_total] =
-            errors.total.map(rounded::<2>);
+            errors.total.map(|error| rounded(error, 2));
         self
-    }
-
-    /// A job that was not run, because a coarser grid took too long.
-    pub(super) fn left_out(key: &Key) -> Self {
-        Self::new(key, LEFT_OUT)
-    }
-
-    /// A job that ends without a result.
-    pub(super) fn without_result(key: &Key, why: &str) -> Self {
-        Self::new(key, why)
     }
 
     pub(crate) fn is_left_out(&self) -> bool {
@@ -128,6 +93,11 @@ impl Line {
 
     pub(crate) fn is_certified(&self) -> bool {
         self.status == "certified"
+    }
+
+    /// Whether it asks for a tolerance, or has none.
+    pub(crate) fn asks(&self, tolerance: f64) -> bool {
+        self.tolerance.total_cmp(&tolerance).is_eq()
     }
 
     pub(crate) fn is(&self, method: &str, solver: &str) -> bool {
@@ -157,7 +127,7 @@ impl Line {
 }
 
 impl Row for Line {
-    const PATH: &'static str = PATH;
+    const PATH: &'static str = "report/data/measurements.csv";
 
     /// `scene,method/solver,intervals,tolerance`
     fn name(&self) -> String {
@@ -165,22 +135,5 @@ impl Row for Line {
     }
 }
 
-impl Key {
-    /// As [`Line::name`].
-    pub(super) fn name(&self) -> String {
-        format!("{},{},{},{:e}", self.scene, self.route, self.intervals, self.tolerance)
-    }
-}
-
 /// All lines, on disk and in memory.
-pub(crate) type Store = Rows<Line>;
-
-impl Store {
-    /// The line of a key.
-    pub(super) fn find(&self, key: &Key) -> Option<&Line> {
-        self.named(&key.name())
-    }
-}
-
-#[cfg(test)]
-mod tests;
+pub(crate) type Store = Measurements<Line>;

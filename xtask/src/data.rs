@@ -1,0 +1,143 @@
+//! Files of results: comma-separated values, one type for a line, which writes and reads it.
+
+use std::fmt::Display;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::Cause;
+
+/// The lines of a text below its header; lines that begin with `#` are comments.
+pub(crate) fn parse<Line: DeserializeOwned>(text: &str) -> Result<Vec<Line>, csv::Error> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    reader.deserialize().collect()
+}
+
+/// The text of some lines, below their header.
+pub(crate) fn text<Line: Serialize>(lines: &[Line]) -> Result<String, Cause> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    lines.iter().try_for_each(|line| writer.serialize(line))?;
+    Ok(String::from_utf8(writer.into_inner()?)?)
+}
+
+/// Reads a file below the root: its text, and its lines.
+pub(crate) fn read<Line: DeserializeOwned>(root: &Path, path: &str) -> Result<(String, Vec<Line>), Cause> {
+    let failed = |error: &dyn Display| format!("{path}: {error}");
+    let text = fs::read_to_string(root.join(path)).map_err(|error| failed(&error))?;
+    let lines = parse(&text).map_err(|error| failed(&error))?;
+    Ok((text, lines))
+}
+
+/// Writes a file below the root.
+pub(crate) fn write<Line: Serialize>(root: &Path, path: &str, lines: &[Line]) -> Result<(), Cause> {
+    fs::write(root.join(path), text(lines)?).map_err(|error| format!("{path}: {error}").into())
+}
+
+/// Numbers to three digits: `#[serde(serialize_with = "data::three_digits")]`.
+pub(crate) fn three_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("{value:.2e}"))
+}
+
+/// Numbers with a power of ten and no more digits than they need.
+pub(crate) fn power<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("{value:e}"))
+}
+
+/// Words whose commas are semicolons in the file: `#[serde(with = "data::words")]`.
+pub(crate) mod words {
+    use super::{Deserialize, Deserializer, Serializer};
+
+    pub(crate) fn serialize<S: Serializer>(words: &str, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&words.replace(',', ";"))
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+        String::deserialize(deserializer).map(|words| words.replace(';', ","))
+    }
+}
+
+/// As many significant digits as a measurement has, and no number for what is none.
+pub(crate) fn rounded(value: f64, places: usize) -> Option<f64> {
+    format!("{value:.places$e}").parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// A line of a file of measurements.
+pub(crate) trait Row: Serialize + DeserializeOwned {
+    /// Where the file is, below the root.
+    const PATH: &'static str;
+
+    /// What tells it from the others, and what `--only` looks at.
+    fn name(&self) -> String;
+}
+
+/// Measurements: comments that say where they come from, and a line for each result; on disk and in memory.
+///
+/// The file is always whole: each result writes it anew beside itself and then takes its place, which the system does at once
+/// or not at all. Whatever is killed whenever, the next run finds all results but the one that was under way.
+#[derive(Debug)]
+pub(crate) struct Measurements<R> {
+    path: PathBuf,
+    /// The comments at the top, `name: value`.
+    described: Vec<String>,
+    /// The results.
+    pub(crate) lines: Vec<R>,
+}
+
+impl<R: Row> Measurements<R> {
+    /// Reads the file: its text, and what it says.
+    pub(crate) fn read(root: &Path) -> Result<(String, Self), Cause> {
+        let (text, lines) = read(root, R::PATH)?;
+        let described = text.lines().filter_map(|line| line.strip_prefix("# ")).map(str::to_owned).collect();
+        Ok((text, Self { path: root.join(R::PATH), described, lines }))
+    }
+
+    /// What a comment says.
+    pub(crate) fn description(&self, name: &str) -> &str {
+        let found = self.described.iter().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "));
+        found.unwrap_or("unknown")
+    }
+
+    /// Opens the file to go on with it. With `fresh` what is `wanted` is forgotten, and everything if the file comes from
+    /// elsewhere.
+    pub(crate) fn open(
+        root: &Path,
+        described: &[String],
+        fresh: bool,
+        wanted: impl Fn(&str) -> bool,
+    ) -> Result<Self, Cause> {
+        let path = root.join(R::PATH);
+        let mut opened = match Self::read(root) {
+            Ok((_, found)) if found.described == described => found,
+            Ok((_, found)) if !fresh => {
+                let elsewhere = found.described.join("; ");
+                return Err(format!("{} comes from elsewhere ({elsewhere}): `--fresh` starts it again", R::PATH).into());
+            }
+            Err(error) if !fresh && path.exists() => return Err(format!("{error}: `--fresh` starts it again").into()),
+            _ => Self { path, described: described.to_vec(), lines: Vec::new() },
+        };
+        opened.lines.retain(|line| !fresh || !wanted(&line.name()));
+        opened.write()?;
+        Ok(opened)
+    }
+
+    /// The line of this name.
+    pub(crate) fn named(&self, name: &str) -> Option<&R> {
+        self.lines.iter().find(|line| line.name() == name)
+    }
+
+    /// Adds a line, on disk as well.
+    pub(crate) fn append(&mut self, line: R) -> Result<(), Cause> {
+        self.lines.push(line);
+        self.write()
+    }
+
+    /// Beside the file, and then in its place.
+    fn write(&self) -> Result<(), Cause> {
+        let described: String = self.described.iter().map(|line| format!("# {line}\n")).collect();
+        let beside = self.path.with_extension("csv.new");
+        let written = fs::write(&beside, described + &text(&self.lines)?);
+        written.and_then(|()| fs::rename(&beside, &self.path)).map_err(|error| format!("{}: {error}", R::PATH).into())
+    }
+}

@@ -1,0 +1,93 @@
+//! `cargo xtask hostile`: random and adversarial scenes through the whole program, with fixed seeds. The acceptance suite makes
+//! the first few of the same runs.
+
+use std::path::Path;
+
+use palkki_evidence::hostile::{Count, Tally};
+use serde::{Deserialize, Serialize};
+
+use crate::{Cause, data, tell, workers};
+
+/// Where the counts are, below the root.
+pub(crate) const PATH: &str = "report/data/hostile.csv";
+
+/// Runs of one piece of work.
+const PIECE: u64 = 1000;
+
+/// Messages that are shown at the most.
+const SHOWN: usize = 200;
+
+/// What became of the runs of one family of scenes.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Family {
+    pub(crate) family: String,
+    pub(crate) runs: usize,
+    pub(crate) refused: usize,
+    pub(crate) theory_certified: usize,
+    pub(crate) theory_not_certified: usize,
+    theory_none: usize,
+    theory_bounded: usize,
+    pub(crate) active_set_certified: usize,
+    pub(crate) active_set_not_certified: usize,
+    pub(crate) route_certified: usize,
+    pub(crate) route_not_certified: usize,
+    pub(crate) contradicted: usize,
+    most_lists: usize,
+    most_iterations: usize,
+    pub(crate) wrong: usize,
+    pub(crate) panics: usize,
+}
+
+impl Family {
+    fn new(family: &str, count: Count) -> Self {
+        // How many were compared in other units is for the suite, which asks that there are some.
+        let Count { runs, refused, exact, bounded, reference, route, contradicted, rescaled: _, work, wrong, panics } =
+            count;
+        Self {
+            family: family.to_owned(),
+            runs,
+            refused,
+            theory_certified: exact[0],
+            theory_not_certified: exact[1],
+            theory_none: exact[2],
+            theory_bounded: bounded,
+            active_set_certified: reference[0],
+            active_set_not_certified: reference[1],
+            route_certified: route[0],
+            route_not_certified: route[1],
+            contradicted,
+            most_lists: work[0],
+            most_iterations: work[1],
+            wrong,
+            panics,
+        }
+    }
+}
+
+/// Runs `0 … runs − 1`, and writes the counts; an error if anything is wrong.
+pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
+    // Panics are counted, and their messages are in the way.
+    std::panic::set_hook(Box::new(|_| ()));
+    let pieces: Vec<u64> = (0..runs.div_ceil(PIECE)).collect();
+    let parts = workers::each(&pieces, |piece| {
+        let mut tally = Tally::default();
+        (piece * PIECE..runs.min((piece + 1) * PIECE)).for_each(|seed| tally.run(seed));
+        tell(&format!("piece {} of {}", piece + 1, pieces.len()));
+        tally
+    });
+    drop(std::panic::take_hook());
+    let mut tally = Tally::default();
+    parts.into_iter().for_each(|part| tally.join(part));
+    tally.wrong.sort();
+    for (seed, what) in tally.wrong.iter().take(SHOWN) {
+        tell(&format!("seed {seed}: {what}"));
+    }
+    let families: Vec<Family> =
+        tally.families.into_iter().map(|(family, count)| Family::new(family.word(), count)).collect();
+    data::write(root, PATH, &families)?;
+    match tally.wrong.len() {
+        0 => tell(&format!("nothing wrong; the counts are in {PATH}")),
+        wrong => return Err(format!("{wrong} things are wrong; see the seeds above").into()),
+    }
+    Ok(())
+}

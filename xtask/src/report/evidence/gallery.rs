@@ -1,0 +1,150 @@
+//! The gallery: the exact solution of every scene file as a card, what it required, and which discrete routes are certified.
+
+mod card;
+mod required;
+
+use palkki::plot::{Curves, curves, sheet as drawn_sheet};
+use palkki::state::Regime;
+use palkki::verdict::{Demand, Verdict};
+
+use super::prelude::*;
+use crate::report::files;
+
+/// The paper's grid, on which every solver has a chance.
+const INTERVALS: usize = palkki_evidence::paper::INTERVALS;
+
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let header = ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "unit of force"];
+    let mut overview = Table::new(header);
+    let targets = required::TARGETS.map(bound);
+    let of_targets = ["differences", "energy methods"].map(|name| targets.each_ref().map(|to| format!("{name}, {to}")));
+    let mut grids = Table::new(row!["scene", "beam theory"].into_iter().chain(of_targets.concat()));
+    let (mut cards, mut drawings, mut runs, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut residual, mut certified, mut capped, mut refused) = (0.0_f64, 0, false, false);
+    for (name, scene) in scenes::all(study.root)? {
+        let exact = theory::solve(&scene)?;
+        let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
+        residual = residual.max(exact.residual);
+        certified += usize::from(verdict.status == Status::Certified);
+        unknowns.push(exact.unknowns);
+        let state = &exact.state;
+        let force = load(&scene);
+        let regime = match state.regime {
+            Regime::None => "none",
+            Regime::Points => "points",
+            Regime::Zone => "zones",
+        };
+        let forces = [state.reactions.left, state.reactions.right, state.contact_force()];
+        let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
+        let unit = scene.units().force.clone().unwrap_or_else(|| "any".to_owned());
+        let link = format!("[{}](#{name})", scene.title());
+        overview.push(row![link, regime, exact.unknowns, left, right, contact, unit]);
+
+        let searched = required::required(&scene, &exact)?;
+        (capped, refused) = (capped | searched.capped, refused | searched.refused);
+        grids.push(row![scene.title()].into_iter().chain(searched.cells));
+        for (method, solver) in routes() {
+            let outcome = on_grid(&scene, method, solver, INTERVALS)?;
+            let reports = if outcome.solver_claims_success { "success" } else { "failure" };
+            runs.push(row![name, method, solver, outcome.status, reports]);
+        }
+
+        let story = story(&files::text(study.root, &format!("report/scenes/{name}.toml"))?);
+        cards.push(card::card(&name, &scene, &exact, &verdict, story)?);
+        let drawn = Curves::exact(&scene, &exact);
+        drawings.push((format!("scene-{name}"), curves(&scene, &drawn, "exact solution")?, table(&drawn)));
+    }
+    let four_step = |run: &&[String; 5]| run[2] == Solver::FourStep.word();
+    let is_certified = |run: &&[String; 5]| run[3] == Status::Certified.word();
+    let others = || runs.iter().filter(|run| !four_step(run));
+    let values = context! {
+        count => cards.len(),
+        exact => certified,
+        fewest => unknowns.iter().min(),
+        most => unknowns.iter().max(),
+        residual => bound(residual),
+        overview,
+        required => grids,
+        targets,
+        coarsest => required::COARSEST - 1,
+        cap => required::MOST,
+        capped,
+        refused,
+        intervals => INTERVALS,
+        routes => others().count(),
+        certified => others().filter(is_certified).count(),
+        not_certified => others().filter(|run| !is_certified(run)).map(|run| run.join(" ")).collect::<Vec<_>>(),
+        four_step_routes => runs.iter().filter(four_step).count(),
+        four_step_certified => runs.iter().filter(four_step).filter(is_certified).count(),
+        cards,
+    };
+    let runs = Table::new(["scene", "method", "solver", "status", "solver_reports"]).rows(runs);
+    let with = Evidence::new(values).data("scene-routes", runs);
+    Ok(drawings.into_iter().fold(with, |with, (name, svg, data)| with.figure(&name, svg, data)))
+}
+
+/// The gallery on one sheet: every scene with its exact solution, small.
+pub(super) fn sheet(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let (mut solved, mut data) = (Vec::new(), Table::new(["scene", "x", "contact_force"]));
+    for (name, scene) in scenes::all(study.root)? {
+        let curves = Curves::exact(&scene, &theory::solve(&scene)?);
+        data = data.rows(curves.point_forces.iter().map(|f| row![name, fixed(f.at, 5), fixed(f.force, 5)]));
+        solved.push((name, scene, curves));
+    }
+    let svg = drawn_sheet(
+        "The gallery: the exact solution of every scene",
+        "Small pictures of all scenes: ground, deflected beam, contact zones as thick lines, concentrated contact forces as \
+         arrows, to scale within a picture.",
+        solved.iter().map(|(name, scene, curves)| (name.as_str(), scene, curves)),
+    )?;
+    let values = context! { scenes => solved.len() };
+    Ok(Evidence::new(values).figure("sheet", svg, data))
+}
+
+/// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.
+fn table(curves: &Curves) -> Table {
+    /// Places to which the numbers are printed.
+    const PLACES: usize = 5;
+    let number = |value: f64| if value.is_finite() { fixed(value, PLACES) } else { String::new() };
+    let zones: Vec<[f64; 2]> = curves.pressure.iter().flatten().copied().collect();
+    let rows = curves.x.iter().enumerate().map(|(i, &x)| {
+        let at = zones.partition_point(|p| p[0] < x);
+        let pressure = zones.get(at).filter(|p| p[0] <= x).map_or_else(String::new, |p| number(p[1]));
+        let [deflection, clearance, moment] = [curves.deflection[i], curves.clearance[i], curves.moment[i]].map(number);
+        [number(x), deflection, clearance, pressure, moment]
+    });
+    Table::new(["x", "deflection", "clearance", "pressure", "moment"]).rows(rows).one_a_place()
+}
+
+/// A number of a table to some significant digits; `0` for what is rounding beside `scale`.
+fn value_of(value: f64, scale: f64, digits: usize) -> String {
+    if value.abs() <= 1e-9 * scale { "0".to_owned() } else { cell(Some(value), digits) }
+}
+
+/// The comment at the head of a scene file.
+fn story(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim).collect();
+    lines.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_story_is_the_comment_at_the_head() {
+        assert_eq!(story("# One.\n# Two.\ntitle = \"a\"\n# no\n"), "One. Two.");
+    }
+
+    #[test]
+    fn the_example_is_flat_between_its_lift_off_points() {
+        let scene = palkki_evidence::paper::example().expect("the example is well posed");
+        let exact = theory::solve(&scene).expect("it has an exact solution");
+        let curves = Curves::exact(&scene, &exact);
+        assert_eq!(curves.point_forces.len(), 2, "one force at each lift-off point");
+        let table = table(&curves).csv();
+        let middle: Vec<&str> = table.lines().filter(|line| line.starts_with("5.00000,")).collect();
+        assert_eq!(middle, ["5.00000,1.00000,0.00000,1.00000,0.00000"], "{table}");
+        assert!(table.contains("0.00000,0.00000,1.00000,,0.00000"), "no pressure beside a support: {table}");
+    }
+}

@@ -1,0 +1,184 @@
+//! Numbers as text, for documents, tables and data.
+//!
+//! Print at least one digit behind the point: what is printed without one counts as an integer, and integers are compared
+//! exactly. Do not print what is only rounding (`1.1·10⁻¹⁶`); print the [`bound`] that it stays below.
+
+/// Digits behind the point, `1.182`; zero has no sign.
+pub(crate) fn fixed(value: f64, places: usize) -> String {
+    // Rounding to zero from below leaves a sign.
+    let text = format!("{value:.places$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
+        _ => text,
+    }
+}
+
+/// Digits behind the point and the power of ten as programs read it, `1.18e-9`.
+pub(crate) fn scientific(value: f64, places: usize) -> String {
+    format!("{value:.places$e}")
+}
+
+/// Digits behind the point and a power of ten, `1.2·10⁻⁹`; zero is `0`.
+pub(crate) fn times_ten(value: f64, places: usize) -> String {
+    let (mantissa, exponent) = split(value, places);
+    if mantissa.chars().all(|c| matches!(c, '-' | '0' | '.')) {
+        return "0".to_owned();
+    }
+    format!("{mantissa}·{}", power_of_ten(exponent))
+}
+
+/// Significant digits, `1.18` and `610`; as [`times_ten`] below 10⁻⁴ and from 10⁶ on.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    let behind = digits.saturating_sub(1);
+    let (_, exponent) = split(value, behind);
+    let places = i32::try_from(behind).unwrap_or(i32::MAX).saturating_sub(exponent);
+    match usize::try_from(places) {
+        Ok(places) if -4 <= exponent => fixed(value, places),
+        Err(_) if exponent < 6 => {
+            let rounded: f64 = scientific(value, behind).parse().unwrap_or(value);
+            grouped(&format!("{rounded:.0}"))
+        }
+        _ => times_ten(value, behind),
+    }
+}
+
+/// Mantissa and exponent of `d.ddde-5`; zero has exponent 0.
+fn split(value: f64, places: usize) -> (String, i32) {
+    let text = scientific(value, places);
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    (mantissa.to_owned(), exponent.parse().unwrap_or(0))
+}
+
+/// A number of a table, as [`significant`]; a dash for one that is not there or is none.
+pub(crate) fn cell(value: Option<f64>, digits: usize) -> String {
+    shown(value, |value| significant(value, digits))
+}
+
+/// An error of a table, to one digit; a dash for one that is not there.
+pub(crate) fn error_cell(value: Option<f64>) -> String {
+    shown(value, |value| times_ten(value, 0))
+}
+
+fn shown(value: Option<f64>, print: impl Fn(f64) -> String) -> String {
+    value.filter(|value| value.is_finite()).map_or_else(|| "–".to_owned(), print)
+}
+
+/// `10ⁿ`
+pub(crate) fn power_of_ten(exponent: i32) -> String {
+    format!("10{}", superscript(exponent))
+}
+
+/// An integer in raised digits.
+pub(crate) fn superscript(number: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).and_then(|digit| RAISED.get(usize::try_from(digit).ok()?));
+    number.to_string().chars().map(|c| raised(c).copied().unwrap_or('⁻')).collect()
+}
+
+/// `10ⁿ` as the nearest number. Reading it from text rounds correctly everywhere, which `powi` does not promise.
+pub(crate) fn ten_to(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(f64::NAN)
+}
+
+/// The exponent of a number that is a power of ten, as tolerances are that one asks for.
+pub(crate) fn exponent_of(value: f64) -> Option<i32> {
+    format!("{value:e}").strip_prefix("1e")?.parse().ok()
+}
+
+/// A tolerance as `10⁻⁴`; as programs read it if it is no power of ten.
+pub(crate) fn tolerance(value: f64) -> String {
+    exponent_of(value).map_or_else(|| format!("{value:e}"), power_of_ten)
+}
+
+/// The nearest power of ten.
+pub(crate) fn nearest_exponent(value: f64) -> i32 {
+    let (mantissa, exponent) = split(value, 0);
+    exponent + i32::from(mantissa.parse::<u32>().is_ok_and(|digit| 3 < digit))
+}
+
+/// What a number of rounding size stays below: the power of ten that is at least three times as large, so that another
+/// machine says the same; `0` for zero. A power of ten that was chosen and not computed is itself.
+pub(crate) fn bound(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let printed = format!("{:e}", value.abs());
+    let (mantissa, exponent) = printed.split_once('e').unwrap_or((&printed, "0"));
+    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
+    let margin = [1.0, 10.0 / 3.0].iter().filter(|limit| **limit < mantissa).count();
+    power_of_ten(exponent.parse().unwrap_or(0) + i32::try_from(margin).unwrap_or(0))
+}
+
+/// An integer in groups of three digits from five digits on, `20 000`.
+pub(crate) fn count(number: impl ToString) -> String {
+    grouped(&number.to_string())
+}
+
+fn grouped(number: &str) -> String {
+    let (sign, digits) = number.strip_prefix('-').map_or(("", number), |digits| ("-", digits));
+    if digits.len() < 5 {
+        return number.to_owned();
+    }
+    let groups: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().filter_map(|group| std::str::from_utf8(group).ok()).collect();
+    format!("{sign}{}", groups.join(" "))
+}
+
+/// The answer to a question.
+pub(crate) fn yes_no(is: bool) -> &'static str {
+    if is { "yes" } else { "no" }
+}
+
+/// A count to calculate with.
+pub(crate) fn as_number(count: usize) -> f64 {
+    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fixed_digits() {
+        let printed = [fixed(1.182_177, 3), fixed(-0.04, 1), fixed(-0.0, 2), fixed(-0.06, 1)];
+        assert_eq!(printed, ["1.182", "0.0", "0.00", "-0.1"]);
+    }
+
+    #[test]
+    fn significant_digits() {
+        for (value, digits, expected) in [
+            (1.182_177, 3, "1.18"),
+            (9.9996, 4, "10.00"),
+            (0.001_234_5, 2, "0.0012"),
+            (0.000_012_34, 2, "1.2·10⁻⁵"),
+            (123_456.0, 3, "123 000"),
+            (612.0, 2, "610"),
+            (2.5e6, 2, "2.5·10⁶"),
+            (-123.4, 3, "-123"),
+            (0.0, 3, "0.00"),
+        ] {
+            assert_eq!(significant(value, digits), expected);
+        }
+        assert_eq!([cell(Some(f64::NAN), 2), error_cell(None)], ["–", "–"]);
+    }
+
+    #[test]
+    fn powers_of_ten() {
+        let printed = [(1.23e-9, 1), (-4.0e12, 0), (1.0, 1), (-0.0, 1)].map(|(value, places)| times_ten(value, places));
+        assert_eq!(printed, ["1.2·10⁻⁹", "-4·10¹²", "1.0·10⁰", "0"]);
+        assert_eq!([power_of_ten(6), power_of_ten(-11)], ["10⁶", "10⁻¹¹"]);
+        assert_eq!([1e-4, 1.0, 2e-4].map(tolerance), ["10⁻⁴", "10⁰", "2e-4"]);
+        assert_eq!([1.2e5, 4.6e5, 9.6e8].map(nearest_exponent), [5, 6, 9]);
+    }
+
+    #[test]
+    fn bounds_hold_with_a_margin() {
+        assert_eq!([2e-12, 4e-12, 1e-4, 0.3, 0.0].map(bound), ["10⁻¹¹", "10⁻¹⁰", "10⁻⁴", "10⁰", "0"]);
+    }
+
+    #[test]
+    fn integers_in_groups() {
+        let printed = [0, 999, -1000, 20_000, 1_234_567].map(count);
+        assert_eq!(printed, ["0", "999", "-1000", "20 000", "1 234 567"], "groups of three");
+    }
+}
