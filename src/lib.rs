@@ -15,7 +15,7 @@
 //! ```
 //! use palkki::route::{Method, Solver, Status};
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
-//! use palkki::{Settings, solve_exactly, solve_judged};
+//! use palkki::{Settings, solve_exactly, solve};
 //!
 //! // The example of the paper: a beam that would sag a hundred times as far as the ground lies below it.
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
@@ -27,7 +27,7 @@
 //! assert_eq!(exact.verdict.status, Status::Certified);
 //!
 //! // A method of the paper with a solver, on 300 equal intervals, and how far it can be from the truth.
-//! let solution = solve_judged(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
+//! let solution = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 300))?;
 //! let error = solution.state.deflection.max - exact.state.deflection.max;
 //! assert!(solution.verdict.certificate.is_some_and(|bounds| error.abs() <= bounds.deflection_error));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -36,7 +36,7 @@
 //! | what | where |
 //! |---|---|
 //! | read a scene file | [`scene::file::parse`] |
-//! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve_judged()`] |
+//! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve()`] |
 //! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
 //! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::status_of_forces`] |
 //! | draw | `plot::curves`, `plot::solution`, with the feature `plot` |
@@ -88,5 +88,5 @@ pub mod theory;
 pub mod verdict;
 mod witness;
 
-pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, solve, solve_exactly, solve_judged};
+pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, solve, solve_exactly, solve_raw};
 pub use witness::Witness;

@@ -8,7 +8,7 @@ pub use crate::verdict::Status;
 
 /// What a route hands back.
 #[derive(Debug, Clone)]
-pub struct Outcome {
+pub struct RawSolution {
     /// The beam in its final position, in the units of the scene.
     pub state: ContactState,
     /// Our verdict.
@@ -16,12 +16,12 @@ pub struct Outcome {
     /// What the solver says of itself, in its own words.
     pub solver_status: String,
     /// True if the solver says that it solved the problem.
-    pub solver_claims_success: bool,
+    pub solver_reports_success: bool,
     /// Of a library: what it left of its own problem, in the norm by which it stops.
     pub own_residual: Option<OwnResidual>,
     /// Dimensionless KKT residual of the discrete problem, by our judge; NaN is never "small".
     pub residual: f64,
-    /// Unknowns of the programme that was solved.
+    /// Unknowns of the quadratic program that was solved.
     pub unknowns: usize,
     /// Steps, pivots, sweeps or iterations, in the solver's own count.
     pub iterations: usize,

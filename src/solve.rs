@@ -3,7 +3,7 @@
 use crate::certificate::Kkt;
 use crate::methods::{self, Discrete, Nodal};
 use crate::multigrid;
-use crate::route::{Method, Outcome, Solver, Status};
+use crate::route::{Method, RawSolution, Solver, Status};
 use crate::scene::{Scene, SceneError};
 use crate::solvers::Answer;
 use crate::state::ContactState;
@@ -14,7 +14,7 @@ use crate::witness::Witness;
 /// What a discretised solution is asked to be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Which of the paper's methods sets up the programme.
+    /// Which of the paper's methods sets up the quadratic program.
     pub method: Method,
     /// Which solver solves it.
     pub solver: Solver,
@@ -60,12 +60,12 @@ pub struct Solution {
 /// ```
 /// use palkki::route::{Method, Solver, Status};
 /// use palkki::scene::{Beam, Foundation, Load, Scene};
-/// use palkki::{Settings, solve_judged};
+/// use palkki::{Settings, solve};
 ///
 /// let beam = Beam::new(10.0, 500.0 / 384.0)?;
 /// let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 /// for method in Method::ALL {
-///     let solution = solve_judged(&scene, &Settings::new(method, Solver::ActiveSet, 30))?;
+///     let solution = solve(&scene, &Settings::new(method, Solver::ActiveSet, 30))?;
 ///     assert_eq!(solution.verdict.status, Status::Certified, "{method}: {:?}", solution.verdict.refusal);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -73,9 +73,9 @@ pub struct Solution {
 ///
 /// # Errors
 ///
-/// Those of [`solve`]. An answer that fails our check is none: its [`Verdict`] says why.
-pub fn solve_judged(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError> {
-    Ok(solve(scene, settings)?.judged(&Witness::of(scene), &Demand::default()))
+/// Those of [`solve_raw`]. An answer that fails our check is none: its [`Verdict`] says why.
+pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError> {
+    Ok(solve_raw(scene, settings)?.judged(&Witness::of(scene), &Demand::default()))
 }
 
 /// Solves `scene` by beam theory, without a grid: the places where the beam lifts off are unknowns. And judges the answer.
@@ -104,11 +104,11 @@ pub fn solve_exactly(scene: &Scene) -> Result<Solution, TheoryError> {
     Ok(theory::solve(scene)?.judged(scene, &Demand::default()))
 }
 
-impl Outcome {
+impl RawSolution {
     /// With our verdict. One witness serves all answers of a scene.
     #[must_use]
     pub fn judged(self, witness: &Witness<'_>, demand: &Demand) -> Solution {
-        let verdict = Verdict::of_outcome(&self, witness, demand);
+        let verdict = Verdict::of_raw(&self, witness, demand);
         Solution {
             state: self.state,
             verdict,
@@ -158,14 +158,14 @@ impl Exact {
 ///
 /// A [`SceneError`] if the grid is too coarse or the scene leaves the range of `f64`. A solver that fails is no error:
 /// its answer comes back with a [`Status`] that says so.
-pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> {
+pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, SceneError> {
     let Settings { method, solver, intervals, tolerance } = *settings;
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals)?;
 
-    let (nodal, claims_success, words, own_residual, unknowns, iterations, work) = if scene.foundation().is_none() {
+    let (nodal, reports_success, words, own_residual, unknowns, iterations, work) = if scene.foundation().is_none() {
         (
-            methods::free_beam(&discrete, method.bending()),
+            methods::free_beam(&discrete, method.discretisation()),
             true,
             "no foundation, nothing to solve".to_owned(),
             None,
@@ -174,31 +174,29 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Outcome, SceneError> 
             0,
         )
     } else {
-        let programme = method.programme(&discrete);
+        let qp = method.qp(&discrete);
         let answer = match solver {
             Solver::ActiveSet => multigrid::solve(&scaled.scene, method, &discrete)?,
-            Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => {
-                solver.run(programme.as_ref(), tolerance)
-            }
+            Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => solver.run(qp.as_ref(), tolerance),
         };
-        let Answer { x, gradient, claims_success, words, own_residual, iterations, work } = answer;
+        let Answer { x, gradient, reports_success, words, own_residual, iterations, work } = answer;
         let nodal = match solver {
             // Contact forces and clearances, by all methods.
-            Solver::ActiveSet => Nodal::new(&discrete, method.bending(), gradient, x),
+            Solver::ActiveSet => Nodal::new(&discrete, method.discretisation(), gradient, x),
             Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => method.nodal(&discrete, x, gradient),
         };
-        (nodal, claims_success, words, own_residual, programme.dimension(), iterations, work)
+        (nodal, reports_success, words, own_residual, qp.dimension(), iterations, work)
     };
     let state = methods::contact_state(discrete, nodal);
 
     let kkt = Kkt::of(&scaled.scene, &state);
     let state = state.in_units_of(&scaled.scale);
-    let status = Status::of(kkt.is_some_and(|kkt| kkt.holds()) && state.is_finite(), claims_success);
-    Ok(Outcome {
+    let status = Status::of(kkt.is_some_and(|kkt| kkt.holds()) && state.is_finite(), reports_success);
+    Ok(RawSolution {
         state,
         status,
         solver_status: words,
-        solver_claims_success: claims_success,
+        solver_reports_success: reports_success,
         own_residual,
         residual: kkt.map_or(f64::INFINITY, |kkt| kkt.residual()),
         unknowns,

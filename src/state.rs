@@ -29,7 +29,7 @@ pub enum Regime {
 impl Regime {
     /// The word that the JSON and the report use.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",
             Self::Points => "points",
@@ -158,12 +158,12 @@ fn place_of(mut values: impl Iterator<Item = (f64, f64)>, extreme: f64, equal: f
 
 /// How a discretised beam bends between its nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Bending {
+pub enum Discretisation {
     /// Finite differences: curvature sits at the nodes, `M_i = −EI (v_{i−1} − 2 v_i + v_{i+1}) / Δ²`.
-    AtNodes,
+    FiniteDifferences,
     /// Beam elements: with forces at the nodes only, `M` is linear and `v` cubic between them, and both are exact.
     #[default]
-    Between,
+    BeamElements,
 }
 
 /// Values at the interior nodes of a grid, `x_1 … x_n`.
@@ -172,7 +172,7 @@ pub enum Bending {
 pub struct Nodes {
     /// How the beam bends between them.
     #[cfg_attr(feature = "cli", serde(skip))]
-    pub bending: Bending,
+    pub discretisation: Discretisation,
     /// Places \[length\].
     pub x: Vec<f64>,
     /// Deflection `v`, positive downwards \[length\].
@@ -240,7 +240,7 @@ impl ContactState {
             moment: extremes(self.moment, scale.moment()),
             energy: self.energy * scale.energy(),
             nodes: self.nodes.map(|nodes| Nodes {
-                bending: nodes.bending,
+                discretisation: nodes.discretisation,
                 x: times(nodes.x, length),
                 deflection: times(nodes.deflection, depth),
                 clearance: times(nodes.clearance, depth),

@@ -15,7 +15,7 @@
 //! `deflection_error`. Where an error *is* demanded ([`crate::adaptive`]), the guaranteed error counts in what the solver left
 //! undone, and so the residual has to be no smaller than a tenth of what is demanded.
 //!
-//! [`Outcome::status`] is the first row alone, and [`Exact::status`] that of beam theory: what they solved is their own problem.
+//! [`RawSolution::status`] is the first row alone, and [`Exact::status`] that of beam theory: what they solved is their own problem.
 //!
 //! Contact forces from elsewhere are accepted if the deflection that they cause is certain to a hundredth of its largest value.
 //!
@@ -41,7 +41,7 @@
 use std::fmt;
 
 use crate::certificate::{ACCEPTED_ERROR, CERTIFIED_RESIDUAL, Certificate, Judged, certify};
-use crate::route::Outcome;
+use crate::route::RawSolution;
 use crate::scene::Scene;
 use crate::state::ContactState;
 use crate::theory::Exact;
@@ -79,7 +79,7 @@ impl Status {
 
     /// The word that JSON and report use.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Certified => "certified",
             Self::NotCertified => "not-certified",
@@ -90,7 +90,7 @@ impl Status {
 
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
+        f.pad(self.name())
     }
 }
 
@@ -207,11 +207,11 @@ pub struct Verdict {
 impl Verdict {
     /// On the answer of a method on a grid.
     #[must_use]
-    pub fn of_outcome(outcome: &Outcome, witness: &Witness<'_>, demand: &Demand) -> Self {
+    pub fn of_raw(outcome: &RawSolution, witness: &Witness<'_>, demand: &Demand) -> Self {
         let own = (!within(outcome.residual, demand.residual))
             .then_some(Refusal::Residual { residual: outcome.residual, most: demand.residual });
         let certificate = certificate(&outcome.state, witness);
-        Self::new(certificate, &outcome.state, own, demand, outcome.solver_claims_success)
+        Self::new(certificate, &outcome.state, own, demand, outcome.solver_reports_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.

@@ -41,9 +41,9 @@ mod order;
 mod plan;
 
 use crate::certificate::CERTIFIED_RESIDUAL;
-use crate::route::{Method, Outcome, Solver};
+use crate::route::{Method, RawSolution, Solver};
 use crate::scene::{Scene, SceneError};
-use crate::solve::{DEFAULT_TOLERANCE, Settings, Solution, solve};
+use crate::solve::{DEFAULT_TOLERANCE, Settings, Solution, solve_raw};
 use crate::verdict::{Demand, Refusal, Verdict};
 use crate::witness::Witness;
 
@@ -136,7 +136,7 @@ pub struct Trial {
     pub contacts_proven: bool,
     /// Whether the solver says that it succeeded.
     #[cfg_attr(feature = "cli", serde(skip))]
-    pub claims_success: bool,
+    pub reports_success: bool,
     /// Why it is not enough; none if it is.
     #[cfg_attr(feature = "cli", serde(skip))]
     pub refusal: Option<Refusal>,
@@ -193,7 +193,7 @@ pub fn adapt(scene: &Scene, request: &Request) -> Result<Adapted, SceneError> {
     let mut search = Search::new(scene, request);
     loop {
         let settings = search.settings();
-        let outcome = solve(scene, &settings)?;
+        let outcome = solve_raw(scene, &settings)?;
         if let Some(adapted) = search.record(settings, outcome) {
             return Ok(adapted);
         }
@@ -235,8 +235,8 @@ impl<'a> Search<'a> {
     }
 
     /// Takes the answer for [`Search::settings`]; hands back the best one when the search has ended.
-    pub fn record(&mut self, settings: Settings, outcome: Outcome) -> Option<Adapted> {
-        let (work, claims_success) = (outcome.work, outcome.solver_claims_success);
+    pub fn record(&mut self, settings: Settings, outcome: RawSolution) -> Option<Adapted> {
+        let (work, reports_success) = (outcome.work, outcome.solver_reports_success);
         let solution = outcome.judged(&self.witness, &self.request.demand());
         let verdict = &solution.verdict;
         self.trials.push(Trial {
@@ -248,7 +248,7 @@ impl<'a> Search<'a> {
             residual: solution.residual,
             error: verdict.error,
             contacts_proven: verdict.certificate.as_ref().is_some_and(|c| c.contacts_proven),
-            claims_success,
+            reports_success,
             refusal: verdict.refusal,
         });
         let better = self.best.as_ref().is_none_or(|(_, best)| rank(verdict) <= rank(&best.verdict));

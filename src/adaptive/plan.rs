@@ -104,7 +104,7 @@ impl Plan {
         let Some(refusal) = last.refusal else { return Next::End(End::Reached) };
         // NaN is not small.
         let unsolved = self.demand.residual < last.residual || last.residual.is_nan();
-        if DEFAULT_TOLERANCE < last.tolerance && last.claims_success && (unsolved || !last.contacts_proven) {
+        if DEFAULT_TOLERANCE < last.tolerance && last.reports_success && (unsolved || !last.contacts_proven) {
             let tolerance = (STRICTER * last.tolerance).max(DEFAULT_TOLERANCE);
             return Next::Solve { intervals: last.intervals, tolerance };
         }
@@ -210,7 +210,7 @@ mod tests {
     fn tried(plan: &Plan, (intervals, tolerance): (usize, f64), law: impl Fn(f64) -> f64) -> Trial {
         let error = law(as_number(intervals));
         let refusal = (plan.error < error).then_some(Refusal::Error { share: error, most: plan.error });
-        let (residual, contacts_proven, claims_success) = (0.0, true, true);
+        let (residual, contacts_proven, reports_success) = (0.0, true, true);
         Trial {
             intervals,
             tolerance,
@@ -220,7 +220,7 @@ mod tests {
             residual,
             error,
             contacts_proven,
-            claims_success,
+            reports_success,
             refusal,
         }
     }

@@ -11,7 +11,7 @@
 //! the same [`DoubleSum`] with both ends at zero; no method and no solver is asked.
 
 use crate::scene::{Grid, Scene};
-use crate::state::{Bending, ContactState, Reactions};
+use crate::state::{ContactState, Discretisation, Reactions};
 
 /// A state whose worst residual is at most this is certified.
 ///
@@ -59,7 +59,7 @@ impl Kkt {
             return None;
         }
         let u = grid.depths(scene);
-        let caused = Equilibrium::of(scene, grid, p, nodes.bending);
+        let caused = Equilibrium::of(scene, grid, p, nodes.discretisation);
 
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
@@ -164,7 +164,7 @@ pub(super) struct Equilibrium {
 
 impl Equilibrium {
     /// Contact forces are as many as the grid has inner nodes.
-    pub(super) fn of(scene: &Scene, grid: Grid, contact_force: &[f64], bending: Bending) -> Self {
+    pub(super) fn of(scene: &Scene, grid: Grid, contact_force: &[f64], discretisation: Discretisation) -> Self {
         let magnitude = |sum: f64, force: &f64| sum + force.abs();
         let [mut first, mut last] = [[0.0]; 2];
         grid.loads(scene.load(), 0, &mut first);
@@ -182,9 +182,9 @@ impl Equilibrium {
 
         // (Δ²/EI) c_i/Δ, which become v_i/Δ.
         let unit = grid.spacing() * grid.spacing() / scene.beam().bending_stiffness();
-        let [own, beside] = match bending {
-            Bending::AtNodes => [unit, 0.0],
-            Bending::Between => [4.0 * (unit / 6.0), unit / 6.0],
+        let [own, beside] = match discretisation {
+            Discretisation::FiniteDifferences => [unit, 0.0],
+            Discretisation::BeamElements => [4.0 * (unit / 6.0), unit / 6.0],
         };
         let mut before = 0.0;
         let after = moment.iter().skip(1).chain(&[0.0]);

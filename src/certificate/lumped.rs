@@ -12,7 +12,7 @@
 use super::contact_load::{ContactLoad, NotAForce};
 use super::kkt::Equilibrium;
 use crate::scene::{Grid, Scene, SceneError};
-use crate::state::{Bending, Nodes};
+use crate::state::{Discretisation, Nodes};
 
 /// Contact forces at all inner nodes of equal intervals, and the beam that bends under them and under the nodal loads (25),
 /// exact between the nodes. Forces that pull are cut off.
@@ -97,13 +97,13 @@ fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
     let count = forces.len();
     let grid = Grid::uniform(scene, count + 1)?;
     forces.iter_mut().for_each(|p| *p /= scale.force);
-    let bending = Bending::Between;
-    let Equilibrium { moment, deflection, .. } = Equilibrium::of(scene, grid, &forces, bending);
+    let discretisation = Discretisation::BeamElements;
+    let Equilibrium { moment, deflection, .. } = Equilibrium::of(scene, grid, &forces, discretisation);
     let times = |values: Vec<f64>, unit: f64| values.into_iter().map(|value| value * unit).collect::<Vec<_>>();
     let x = Grid::uniform(given, count + 1)?.interior_places();
     let deflection = times(deflection, scale.depth);
     Ok(Nodes {
-        bending,
+        discretisation,
         clearance: x.iter().zip(&deflection).map(|(&x, v)| given.depth(x) - v).collect(),
         x,
         deflection,

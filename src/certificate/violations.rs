@@ -22,7 +22,7 @@ pub enum ViolationKind {
 impl ViolationKind {
     /// Its name in tables and JSON.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Tension => "tension",
             Self::Penetration => "penetration",

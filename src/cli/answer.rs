@@ -6,7 +6,7 @@ use palkki::adaptive::{End, Request, Search, Trial};
 use palkki::state::Nodes;
 use palkki::theory::{self, TheoryError};
 use palkki::verdict::Demand;
-use palkki::{Settings, Solution, Witness, solve};
+use palkki::{Settings, Solution, Witness, solve_raw};
 
 use super::input::Input;
 use super::output::Failure;
@@ -78,7 +78,7 @@ impl Answer {
     /// The answer of a method on a grid, certified from a witness.
     pub(super) fn discretised(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let start = Instant::now();
-        let outcome = solve(&input.scene, settings).map_err(|error| input.error(error))?;
+        let outcome = solve_raw(&input.scene, settings).map_err(|error| input.error(error))?;
         let seconds = start.elapsed().as_secs_f64();
         Ok(Self::on_grid(settings, outcome.judged(witness, &Demand::default()), seconds))
     }
@@ -90,7 +90,7 @@ impl Answer {
         let adapted = loop {
             let settings = search.settings();
             let start = Instant::now();
-            let outcome = solve(&input.scene, &settings).map_err(|error| input.error(error))?;
+            let outcome = solve_raw(&input.scene, &settings).map_err(|error| input.error(error))?;
             times.push(start.elapsed().as_secs_f64());
             if let Some(adapted) = search.record(settings, outcome) {
                 break adapted;
@@ -107,7 +107,7 @@ impl Answer {
     }
 
     fn on_grid(settings: &Settings, solution: Solution, seconds: f64) -> Self {
-        let (method, solver) = (settings.method.word(), settings.solver.word());
+        let (method, solver) = (settings.method.name(), settings.solver.name());
         Self { method, solver, intervals: Some(settings.intervals), seconds, solution, grids: None }
     }
 

@@ -1,8 +1,9 @@
 //! `certify`: how good are contact forces that some program computed?
 
 use palkki::Witness;
-use palkki::certificate::{Lumped, Violation, ViolationKind, violations, violations_at_nodes};
-use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
+use palkki::certificate::{
+    Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
+};
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
 use palkki::state::Contact;

@@ -22,7 +22,7 @@ pub(super) struct Comparison {
 #[derive(Debug)]
 pub(super) struct Compared {
     pub(super) answer: Answer,
-    /// Against the active-set answer for the same programme: what the solver is responsible for.
+    /// Against the active-set answer for the same quadratic program: what the solver is responsible for.
     pub(super) solver_error: Option<Difference>,
     /// Against beam theory: what the grid is responsible for, too.
     pub(super) model_error: Option<Difference>,
@@ -84,7 +84,7 @@ fn reference(answers: &[(Method, Answer)], method: Method) -> Option<&Answer> {
         Method::Complementarity => Method::Complementarity,
         Method::Displacement | Method::Force => Method::Force,
     };
-    let found = answers.iter().find(|(m, answer)| *m == method && answer.solver == Solver::ActiveSet.word());
+    let found = answers.iter().find(|(m, answer)| *m == method && answer.solver == Solver::ActiveSet.name());
     found.map(|(_, answer)| answer).filter(|answer| answer.solution.verdict.status == Status::Certified)
 }
 

@@ -4,8 +4,7 @@
 //! What has the same fields here as in the library is derived there; here is what the contract orders or names in another way.
 
 use palkki::adaptive::{End, Trial};
-use palkki::certificate::Certificate;
-use palkki::certificate::Violation;
+use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
 use palkki::state::{Contact, Extremes, Nodes, Reactions, Regime};
 use serde::Serialize;

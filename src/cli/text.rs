@@ -74,7 +74,7 @@ fn how(answer: &Answer) -> String {
         ("method", method),
         ("solver", format!("{}, which says: {}", answer.solver, solution.solver_status)),
         ("status", status),
-        ("regime", solution.state.regime.word().to_owned()),
+        ("regime", solution.state.regime.name().to_owned()),
         ("unknowns", solution.unknowns.to_string()),
         ("iterations", solution.iterations.to_string()),
         ("seconds", magnitude(answer.seconds)),

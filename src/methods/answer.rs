@@ -3,13 +3,13 @@
 
 use super::{Discrete, statics};
 use crate::scene::Grid;
-use crate::state::{Bending, Contact, ContactState, Extremes, Nodes, Reactions, Regime};
+use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime};
 
 /// What an answer means for the interior nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Nodal {
     /// How the beam bends between the nodes.
-    pub bending: Bending,
+    pub discretisation: Discretisation,
     /// Deflection `v_1 … v_n`.
     pub deflection: Vec<f64>,
     /// Clearance `h = u − v`.
@@ -22,7 +22,12 @@ impl Nodal {
     /// With the deflection `v = u − h`; where the ground lies so deep that this difference has few digits left, or none,
     /// `v = C t` by statics.
     #[must_use]
-    pub fn new(discrete: &Discrete, bending: Bending, clearance: Vec<f64>, contact_force: Vec<f64>) -> Self {
+    pub fn new(
+        discrete: &Discrete,
+        discretisation: Discretisation,
+        clearance: Vec<f64>,
+        contact_force: Vec<f64>,
+    ) -> Self {
         /// Ground this many times as deep as the beam deflects: three of sixteen digits are what the difference may lose, and
         /// more than statics lose on any grid on which the difference would be the better one.
         const DEEP: f64 = 1e3;
@@ -30,14 +35,14 @@ impl Nodal {
         let size = DEEP * discrete.sizes().x;
         if discrete.depths.iter().any(|&u| size < u) {
             let carried: Vec<f64> = discrete.interior_loads().iter().zip(&contact_force).map(|(q, p)| q - p).collect();
-            let by_statics = discrete.deflection(&carried, bending);
+            let by_statics = discrete.deflection(&carried, discretisation);
             for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
                 if size < u {
                     *v = statics;
                 }
             }
         }
-        Self { bending, deflection, clearance, contact_force }
+        Self { discretisation, deflection, clearance, contact_force }
     }
 }
 
@@ -50,10 +55,10 @@ const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
 
 /// The beam under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
-pub fn free_beam(discrete: &Discrete, bending: Bending) -> Nodal {
-    let deflection = discrete.deflection(discrete.interior_loads(), bending);
+pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
+    let deflection = discrete.deflection(discrete.interior_loads(), discretisation);
     Nodal {
-        bending,
+        discretisation,
         clearance: discrete.clearances(&deflection),
         contact_force: vec![0.0; deflection.len()],
         deflection,
@@ -79,9 +84,11 @@ pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
     let contacts = contacts(&nodal, sizes.x.max(rounded), sizes.gradient, |i| grid.place(i));
     // Places are counted in intervals until an extreme is found.
     let seen = nodal_extremes(&nodal.deflection);
-    let deflection = match nodal.bending {
-        Bending::AtNodes => seen,
-        Bending::Between => cubic_extremes(&nodal.deflection, &moments, spacing * spacing / (6.0 * stiffness), seen),
+    let deflection = match nodal.discretisation {
+        Discretisation::FiniteDifferences => seen,
+        Discretisation::BeamElements => {
+            cubic_extremes(&nodal.deflection, &moments, spacing * spacing / (6.0 * stiffness), seen)
+        }
     };
     let moment = nodal_extremes(&moments);
     // The forces are not needed any more.
@@ -94,7 +101,7 @@ pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
         moment: placed(moment, &grid),
         energy,
         nodes: Some(Nodes {
-            bending: nodal.bending,
+            discretisation: nodal.discretisation,
             x: carried,
             deflection: nodal.deflection,
             clearance: nodal.clearance,

@@ -19,7 +19,7 @@
 use super::contact_set::{ContactSet, OnContacts};
 use super::{Discrete, sparse};
 use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// The quadratic program (32) of method 1: `x = h`, `g = p`.
 #[derive(Debug, Clone, Copy)]
@@ -72,7 +72,7 @@ impl Qp for Complementarity<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
-        Some(sparse::potential(self.0, Bending::AtNodes, self.sizes()))
+        Some(sparse::potential(self.0, Discretisation::FiniteDifferences, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
@@ -86,7 +86,8 @@ impl Qp for Complementarity<'_> {
 
     /// `EI v'''' = q` at the free nodes, with `v = u` at the others: a chain of links that touches there.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
-        let OnContacts { contact_force, clearance } = ContactSet::where_held(free).solve(self.0, Bending::AtNodes)?;
+        let OnContacts { contact_force, clearance } =
+            ContactSet::where_held(free).solve(self.0, Discretisation::FiniteDifferences)?;
         Ok(Stationary { x: clearance, gradient: contact_force.iter().map(|p| p / self.0.spacing).collect() })
     }
 

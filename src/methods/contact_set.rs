@@ -30,7 +30,7 @@ use std::ops::Range;
 use super::span::{Span, links};
 use super::{Discrete, statics};
 use crate::qp::{Band, FreeSet, NotPositiveDefinite, Row};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// Rounding of a contact force or a clearance, in units in the last place of the numbers that it is a difference of: a
 /// profile is evaluated, a chord drawn, sums of loads are taken in blocks.
@@ -73,22 +73,26 @@ impl ContactSet {
     /// # Errors
     ///
     /// [`NotPositiveDefinite`] if a number is not finite.
-    pub(crate) fn solve(self, discrete: &Discrete, bending: Bending) -> Result<OnContacts, NotPositiveDefinite> {
+    pub(crate) fn solve(
+        self,
+        discrete: &Discrete,
+        discretisation: Discretisation,
+    ) -> Result<OnContacts, NotPositiveDefinite> {
         let span = |first: usize, last: usize| Span::under(&discrete.loads[first + 1..last]);
-        self.solve_at(discrete, bending, span, 1..discrete.intervals)
+        self.solve_at(discrete, discretisation, span, 1..discrete.intervals)
     }
 
     /// The same at the interior nodes of a range, with what is known of the spans between any two nodes.
     pub(crate) fn solve_at(
         self,
         discrete: &Discrete,
-        bending: Bending,
+        discretisation: Discretisation,
         span: impl Fn(usize, usize) -> Span,
         range: Range<usize>,
     ) -> Result<OnContacts, NotPositiveDefinite> {
         let span = |first, last| if first + 1 == last { Span::INTERVAL } else { span(first, last) };
-        let moments = self.moments(discrete, bending, &span)?;
-        let beam = Beam { discrete, bending, span, nodes: self.nodes, moments };
+        let moments = self.moments(discrete, discretisation, &span)?;
+        let beam = Beam { discrete, discretisation, span, nodes: self.nodes, moments };
         let mut nodal = OnContacts { contact_force: vec![0.0; range.len()], clearance: vec![0.0; range.len()] };
         beam.contact_forces(&range, &mut nodal.contact_force);
         beam.clearances(&range, &mut nodal.clearance);
@@ -99,7 +103,7 @@ impl ContactSet {
     fn moments(
         &self,
         discrete: &Discrete,
-        bending: Bending,
+        discretisation: Discretisation,
         span: &impl Fn(usize, usize) -> Span,
     ) -> Result<Vec<f64>, NotPositiveDefinite> {
         let (nodes, end) = (&self.nodes, self.nodes.len() - 1);
@@ -113,7 +117,7 @@ impl ContactSet {
             let right = span(nodes[i], nodes[i + 1]);
             let (a, b) = (left.steps, right.steps);
             // Zero for a beam, 1/a and 1/b for a chain of links.
-            let [at_left, at_right] = [a, b].map(|steps| links(bending, steps));
+            let [at_left, at_right] = [a, b].map(|steps| links(discretisation, steps));
             let bend = discrete.bend(nodes[i - 1], nodes[i], nodes[i + 1]);
             equations.push(Row {
                 diagonal: 2.0 * (a + b) + (at_left + at_right),
@@ -132,7 +136,7 @@ impl ContactSet {
 /// A beam on its contacts, with the moments there \[force · Δ\].
 struct Beam<'a, S> {
     discrete: &'a Discrete,
-    bending: Bending,
+    discretisation: Discretisation,
     /// The span between two nodes.
     span: S,
     nodes: Vec<usize>,
@@ -181,16 +185,16 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
                 _ if node == last => [ends[1], 0.0],
                 _ => {
                     let parts = [first..node, node..last].map(|part| (self.span)(part.start, part.end));
-                    parts[0].between(parts[1], discrete.loads[node], ends, self.bending)
+                    parts[0].between(parts[1], discrete.loads[node], ends, self.discretisation)
                 }
             };
             let [[m0, sag0], [m1, sag1]] = [inner.start - 1, inner.end].map(at);
             curvature.resize(inner.len(), 0.0);
             statics::funicular(&discrete.loads[inner.clone()], [m0, m1], 1.0, &mut curvature);
             // Mohr's analogy, in 6 EI / Δ³.
-            statics::curvatures(&mut curvature, [m0, m1], |m| match self.bending {
-                Bending::AtNodes => 6.0 * m[1],
-                Bending::Between => m[0] + 4.0 * m[1] + m[2],
+            statics::curvatures(&mut curvature, [m0, m1], |m| match self.discretisation {
+                Discretisation::FiniteDifferences => 6.0 * m[1],
+                Discretisation::BeamElements => m[0] + 4.0 * m[1] + m[2],
             });
             let sags = &mut clearance[inner.start - range.start..inner.end - range.start];
             statics::funicular(&curvature, [sag0, sag1], sixth, sags);

@@ -3,7 +3,7 @@
 use super::statics;
 use crate::qp::Sizes;
 use crate::scene::{Foundation, Grid, Scene, SceneError};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// Nodal data of a scene on a grid. The scene is dimensionless and has a foundation.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,8 +73,8 @@ impl Discrete {
 
     /// Deflection at the interior nodes under nodal forces `t_1 … t_n`: `v = C t`, (25), by statics and without `C`.
     #[must_use]
-    pub fn deflection(&self, forces: &[f64], bending: Bending) -> Vec<f64> {
-        deflection(forces, self.spacing, self.stiffness, bending)
+    pub fn deflection(&self, forces: &[f64], discretisation: Discretisation) -> Vec<f64> {
+        deflection(forces, self.spacing, self.stiffness, discretisation)
     }
 
     /// Clearances `h = u − v` at the interior nodes.
@@ -147,7 +147,7 @@ fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
     let grid = Grid::uniform(scene, intervals)?;
     let (loads, depths) = (grid.nodal_loads(scene.load()), grid.depths(scene));
     let stiffness = scene.beam().bending_stiffness();
-    let free = deflection(&loads[1..intervals], grid.spacing(), stiffness, Bending::Between);
+    let free = deflection(&loads[1..intervals], grid.spacing(), stiffness, Discretisation::BeamElements);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
     let mut deflection = largest(&mut free.iter().zip(&depths).map(|(v, u)| v.abs().min(u.abs())));
     if deflection <= 0.0 {
@@ -168,6 +168,6 @@ fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
 }
 
 /// Deflection at the interior nodes under nodal forces.
-fn deflection(forces: &[f64], spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
-    statics::deflections(statics::moments(forces, spacing), spacing, stiffness, bending)
+fn deflection(forces: &[f64], spacing: f64, stiffness: f64, discretisation: Discretisation) -> Vec<f64> {
+    statics::deflections(statics::moments(forces, spacing), spacing, stiffness, discretisation)
 }

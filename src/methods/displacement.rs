@@ -25,7 +25,7 @@ use nalgebra::DMatrix;
 use super::contact_set::{ContactSet, OnContacts};
 use super::{Discrete, sparse};
 use crate::qp::{Band, FreeSet, Matrix, NotPositiveDefinite, Qp, Row, Sizes, SparseForm, Stationary};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// The quadratic program (32) of method 2: `x = h`, `g = p` as nodal forces.
 #[derive(Debug, Clone, Copy)]
@@ -92,7 +92,7 @@ impl Qp for Displacement<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
-        Some(sparse::potential(self.0, Bending::Between, self.sizes()))
+        Some(sparse::potential(self.0, Discretisation::BeamElements, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
@@ -106,7 +106,8 @@ impl Qp for Displacement<'_> {
 
     /// `K v = q` at the free nodes, with `v = u` at the others: a beam that touches there.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
-        let OnContacts { contact_force, clearance } = ContactSet::where_held(free).solve(self.0, Bending::Between)?;
+        let OnContacts { contact_force, clearance } =
+            ContactSet::where_held(free).solve(self.0, Discretisation::BeamElements)?;
         Ok(Stationary { x: clearance, gradient: contact_force })
     }
 

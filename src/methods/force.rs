@@ -10,7 +10,7 @@
 //! `C` (26) is there for whoever wants a matrix. On a given set of contacts the three-moment equations of `contact_set.rs`
 //! give the same answer in O(n) and without the condition number of `C`, which grows like `n⁴`.
 
-// Discrepancy: quadratic-programme
+// Discrepancy: quadratic-quadratic program
 //
 // Equations (29)–(32), among them the quadratic program "minimise ½ xᵀA x − bᵀx, x ≥ 0", are lost. It is rebuilt from its
 // gradient (33), its optimality conditions (34), (35) and from (28), which survive.
@@ -20,7 +20,7 @@ use nalgebra::DMatrix;
 use super::contact_set::{ContactSet, OnContacts};
 use super::{Discrete, sparse};
 use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// The quadratic program (32) of method 3: `x = p` as nodal forces, `g = h`.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +50,7 @@ impl Qp for Force<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
-        Some(sparse::complementary(self.0, Bending::Between, self.sizes()))
+        Some(sparse::complementary(self.0, Discretisation::BeamElements, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
@@ -59,12 +59,13 @@ impl Qp for Force<'_> {
 
     fn gradient(&self, p: &[f64]) -> Vec<f64> {
         let forces: Vec<f64> = self.0.interior_loads().iter().zip(p).map(|(q, p)| q - p).collect();
-        self.0.clearances(&self.0.deflection(&forces, Bending::Between))
+        self.0.clearances(&self.0.deflection(&forces, Discretisation::BeamElements))
     }
 
     /// `h = 0` at the free nodes, with `p = 0` at the others: a beam that touches at the free nodes.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
-        let OnContacts { contact_force, clearance } = ContactSet::where_free(free).solve(self.0, Bending::Between)?;
+        let OnContacts { contact_force, clearance } =
+            ContactSet::where_free(free).solve(self.0, Discretisation::BeamElements)?;
         Ok(Stationary { x: contact_force, gradient: clearance })
     }
 

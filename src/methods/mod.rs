@@ -31,7 +31,7 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use crate::qp::Qp;
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// The three methods of the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -50,7 +50,7 @@ impl Method {
 
     /// The word that command line, JSON and report use.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Complementarity => "complementarity",
             Self::Displacement => "displacement",
@@ -60,7 +60,7 @@ impl Method {
 
     /// The quadratic program (32) that this method makes of a scene on a grid.
     #[must_use]
-    pub fn programme(self, discrete: &Discrete) -> Box<dyn Qp + '_> {
+    pub fn qp(self, discrete: &Discrete) -> Box<dyn Qp + '_> {
         match self {
             Self::Complementarity => Box::new(Complementarity(discrete)),
             Self::Displacement => Box::new(Displacement(discrete)),
@@ -70,10 +70,10 @@ impl Method {
 
     /// How the beam of this method bends between the nodes.
     #[must_use]
-    pub fn bending(self) -> Bending {
+    pub fn discretisation(self) -> Discretisation {
         match self {
-            Self::Complementarity => Bending::AtNodes,
-            Self::Displacement | Self::Force => Bending::Between,
+            Self::Complementarity => Discretisation::FiniteDifferences,
+            Self::Displacement | Self::Force => Discretisation::BeamElements,
         }
     }
 
@@ -95,7 +95,7 @@ impl Method {
             Self::Displacement => (x, gradient),
             Self::Force => (gradient, x),
         };
-        Nodal::new(discrete, self.bending(), clearance, contact_force)
+        Nodal::new(discrete, self.discretisation(), clearance, contact_force)
     }
 
     /// `cond A = ‖A‖ ‖A⁻¹‖` of its matrix in the Euclidean norm, on `intervals` equal intervals of any beam.
@@ -126,6 +126,6 @@ impl Method {
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
+        f.pad(self.name())
     }
 }

@@ -12,7 +12,7 @@
 //! digits are lost, however many spans are joined. Lengths are counted in intervals, so moments have the unit `force · Δ`
 //! and `ϑ = 6 EI θ / Δ²` has that of a force times an interval squared.
 
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// Loads of a stretch of the beam, as its two ends feel them when it is a simple beam. Positive rotations sag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -77,12 +77,12 @@ impl Span {
 
     /// Moment and sag (in `6 EI / Δ³`, below the chord) between this part of a span and the next one, for given moments at
     /// the ends of both together.
-    pub(super) fn between(self, next: Self, load: f64, ends: [f64; 2], bending: Bending) -> [f64; 2] {
+    pub(super) fn between(self, next: Self, load: f64, ends: [f64; 2], discretisation: Discretisation) -> [f64; 2] {
         let (a, b) = (self.steps, next.steps);
         let (left, right) = (a / (a + b), b / (a + b));
         let moment = (self.shares[1] + next.shares[0] + load) * a * right + (ends[0] * right + ends[1] * left);
-        let kink = (self.rotations[1] + (a * (ends[0] + 2.0 * moment) + links(bending, a) * (moment - ends[0])))
-            + (next.rotations[0] + (b * (ends[1] + 2.0 * moment) + links(bending, b) * (moment - ends[1])));
+        let kink = (self.rotations[1] + (a * (ends[0] + 2.0 * moment) + links(discretisation, a) * (moment - ends[0])))
+            + (next.rotations[0] + (b * (ends[1] + 2.0 * moment) + links(discretisation, b) * (moment - ends[1])));
         [moment, kink * a * right]
     }
 }
@@ -94,10 +94,10 @@ impl Span {
 /// ```
 ///
 /// with the linear `φ` that falls from 1 to 0, over inner nodes; the held node at the end adds 3 on both sides.
-pub(super) fn links(bending: Bending, steps: f64) -> f64 {
-    match bending {
-        Bending::AtNodes => 1.0 / steps,
-        Bending::Between => 0.0,
+pub(super) fn links(discretisation: Discretisation, steps: f64) -> f64 {
+    match discretisation {
+        Discretisation::FiniteDifferences => 1.0 / steps,
+        Discretisation::BeamElements => 0.0,
     }
 }
 

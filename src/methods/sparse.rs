@@ -23,10 +23,10 @@
 
 use super::Discrete;
 use crate::qp::{Sizes, SparseForm, UpperColumns};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
-pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> SparseForm {
+pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let n = discrete.interior();
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     let fine = (n as f64).sqrt();
@@ -34,7 +34,7 @@ pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> 
     let (depth, force) = (depth / fine, force * fine);
     // (Δ/EI) M₀ over X/Δ; the same for these units as for X and G, but for the factor √n.
     let coupling = stiffness_number(discrete).sqrt() * fine;
-    let (own, beside) = shares(bending);
+    let (own, beside) = shares(discretisation);
     let mut equations: Vec<_> = (0..n).map(|j| around(j, n, coupling * own, coupling * beside)).collect();
     equations.extend((0..n).map(|j| around(j, n, 2.0, -1.0)));
     let mut linear = vec![0.0; n];
@@ -42,11 +42,11 @@ pub(super) fn potential(discrete: &Discrete, bending: Bending, sizes: Sizes) -> 
     let bend = |i: usize| -discrete.spacing / depth * discrete.bend(i - 1, i, i + 1);
     let right = (1..=n).map(bend).collect();
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
-    SparseForm { quadratic: quadratic(n, bending, 1.0), linear, equations, right, signed: n, sizes }
+    SparseForm { quadratic: quadratic(n, discretisation, 1.0), linear, equations, right, signed: n, sizes }
 }
 
 /// Method 3: moments, then contact forces.
-pub(super) fn complementary(discrete: &Discrete, bending: Bending, sizes: Sizes) -> SparseForm {
+pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let n = discrete.interior();
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let mut equations: Vec<_> = (0..n).map(|j| around(j, n, -2.0, 1.0)).collect();
@@ -54,7 +54,7 @@ pub(super) fn complementary(discrete: &Discrete, bending: Bending, sizes: Sizes)
     let mut linear = vec![0.0; n];
     linear.extend(discrete.depths.iter().map(|u| u / depth));
     let right = discrete.interior_loads().iter().map(|q| -q / force).collect();
-    let quadratic = quadratic(n, bending, stiffness_number(discrete));
+    let quadratic = quadratic(n, discretisation, stiffness_number(discrete));
     SparseForm { quadratic, linear, equations, right, signed: n, sizes }
 }
 
@@ -66,10 +66,10 @@ fn stiffness_number(discrete: &Discrete) -> f64 {
 }
 
 /// The curvature `c`: share of the node itself and of each neighbour.
-fn shares(bending: Bending) -> (f64, f64) {
-    match bending {
-        Bending::AtNodes => (1.0, 0.0),
-        Bending::Between => (4.0 / 6.0, 1.0 / 6.0),
+fn shares(discretisation: Discretisation) -> (f64, f64) {
+    match discretisation {
+        Discretisation::FiniteDifferences => (1.0, 0.0),
+        Discretisation::BeamElements => (4.0 / 6.0, 1.0 / 6.0),
     }
 }
 
@@ -80,8 +80,8 @@ fn around(j: usize, n: usize, own: f64, beside: f64) -> Vec<(usize, f64)> {
 }
 
 /// `P`: the curvature of the n moments times a factor, nothing for the n others.
-fn quadratic(n: usize, bending: Bending, factor: f64) -> UpperColumns {
-    let (own, beside) = shares(bending);
+fn quadratic(n: usize, discretisation: Discretisation, factor: f64) -> UpperColumns {
+    let (own, beside) = shares(discretisation);
     let mut columns = UpperColumns::default();
     for j in 0..2 * n {
         columns.starts.push(columns.rows.len());

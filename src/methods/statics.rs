@@ -1,6 +1,6 @@
 //! Statics of a simple beam under nodal forces: the "basic structure" to which the force method goes back.
 
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// Intervals of a block of [`funicular`]: sums of so many numbers lose next to nothing, and a block stays in the nearest
 /// cache.
@@ -116,11 +116,16 @@ pub(super) fn moments(forces: &[f64], spacing: f64) -> Vec<f64> {
 ///
 /// Mohr's analogy: `−(v_{i−1} − 2 v_i + v_{i+1})/Δ = Δ M_i / EI` for finite differences, and
 /// `Δ (M_{i−1} + 4 M_i + M_{i+1}) / (6 EI)` for moments that are linear between the nodes.
-pub(super) fn deflections(mut moments: Vec<f64>, spacing: f64, stiffness: f64, bending: Bending) -> Vec<f64> {
+pub(super) fn deflections(
+    mut moments: Vec<f64>,
+    spacing: f64,
+    stiffness: f64,
+    discretisation: Discretisation,
+) -> Vec<f64> {
     let unit = spacing * spacing / stiffness;
-    curvatures(&mut moments, [0.0; 2], |m| match bending {
-        Bending::AtNodes => unit * m[1],
-        Bending::Between => unit / 6.0 * (m[0] + 4.0 * m[1] + m[2]),
+    curvatures(&mut moments, [0.0; 2], |m| match discretisation {
+        Discretisation::FiniteDifferences => unit * m[1],
+        Discretisation::BeamElements => unit / 6.0 * (m[0] + 4.0 * m[1] + m[2]),
     });
     let mut deflections = vec![0.0; moments.len()];
     funicular(&moments, [0.0; 2], 1.0, &mut deflections);

@@ -18,7 +18,7 @@ use crate::methods::{Discrete, Method};
 use crate::qp::FreeSet;
 use crate::scene::{Scene, SceneError};
 use crate::solvers::{Answer, active_set};
-use crate::state::Bending;
+use crate::state::Discretisation;
 use part::Parts;
 use refined::refined;
 use windows::Windows;
@@ -56,23 +56,28 @@ pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Resul
 /// The answer, and the number of solves of the whole on the finest grid.
 fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer, usize), SceneError> {
     let mut cost = Cost::default();
-    let mut free = start(scene, method.bending(), discrete.intervals, &mut cost)?;
+    let mut free = start(scene, method.discretisation(), discrete.intervals, &mut cost)?;
     let coarse = cost.whole;
-    let mut windows = Windows { beam: &Parts::new(discrete, method.bending()), cost };
+    let mut windows = Windows { beam: &Parts::new(discrete, method.discretisation()), cost };
     let end = windows.optimum(&mut free);
     let Cost { whole, windows, variables } = windows.cost;
     Ok((active_set::answer(end, discrete.interior(), whole + windows, variables), whole - coarse))
 }
 
 /// Contact to start from on a grid, by a coarser one; everywhere on the coarsest.
-fn start(scene: &Scene, bending: Bending, intervals: usize, cost: &mut Cost) -> Result<FreeSet, SceneError> {
+fn start(
+    scene: &Scene,
+    discretisation: Discretisation,
+    intervals: usize,
+    cost: &mut Cost,
+) -> Result<FreeSet, SceneError> {
     let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
     if coarse < COARSEST {
         return Ok(FreeSet::all(intervals - 1));
     }
-    let mut free = start(scene, bending, coarse, cost)?;
+    let mut free = start(scene, discretisation, coarse, cost)?;
     let discrete = Discrete::new(scene, coarse)?;
-    let mut windows = Windows { beam: &Parts::new(&discrete, bending), cost: *cost };
+    let mut windows = Windows { beam: &Parts::new(&discrete, discretisation), cost: *cost };
     windows.guess(&mut free);
     *cost = windows.cost;
     Ok(refined(&free, intervals))
@@ -115,7 +120,7 @@ pub(super) mod tests {
             let scaled = scene.scaled().expect("in range");
             let discrete = Discrete::new(&scaled.scene, 16_000).expect("a grid");
             let (answer, whole) = counted(&scaled.scene, Method::Force, &discrete).expect("in range");
-            assert!(answer.claims_success && whole <= FEW, "{whole} solves of the whole: {:?}", scene.foundation());
+            assert!(answer.reports_success && whole <= FEW, "{whole} solves of the whole: {:?}", scene.foundation());
         }
     }
 }

@@ -8,7 +8,7 @@ use super::spans::Spans;
 use crate::methods::Discrete;
 use crate::methods::contact_set::{ContactSet, OnContacts};
 use crate::qp::{FreeSet, NotPositiveDefinite, Sizes, Stationary};
-use crate::state::Bending;
+use crate::state::Discretisation;
 
 /// `2^−FAR` is less than half a unit in the last place.
 const FAR: usize = 54;
@@ -16,13 +16,13 @@ const FAR: usize = 54;
 /// A beam, of which any part can be solved at a price that hardly depends on the rest.
 pub(super) struct Parts<'a> {
     discrete: &'a Discrete,
-    bending: Bending,
+    discretisation: Discretisation,
     spans: Spans,
 }
 
 impl<'a> Parts<'a> {
-    pub(super) fn new(discrete: &'a Discrete, bending: Bending) -> Self {
-        Self { discrete, bending, spans: Spans::new(&discrete.loads) }
+    pub(super) fn new(discrete: &'a Discrete, discretisation: Discretisation) -> Self {
+        Self { discrete, discretisation, spans: Spans::new(&discrete.loads) }
     }
 
     /// Sizes of contact forces and clearances.
@@ -38,7 +38,8 @@ impl<'a> Parts<'a> {
         // Variable i is node i + 1.
         let nodes = range.start + 1..range.end + 1;
         let contacts = ContactSet::of_part(contacts(free, range));
-        let OnContacts { contact_force, clearance } = contacts.solve_at(self.discrete, self.bending, span, nodes)?;
+        let OnContacts { contact_force, clearance } =
+            contacts.solve_at(self.discrete, self.discretisation, span, nodes)?;
         Ok(Stationary { x: contact_force, gradient: clearance })
     }
 }
@@ -81,8 +82,8 @@ mod tests {
             let scaled = scene.scaled().expect("in range");
             let discrete = Discrete::new(&scaled.scene, 400).expect("a grid");
             for method in Method::ALL {
-                let qp = method.programme(&discrete);
-                let parts = Parts::new(&discrete, method.bending());
+                let qp = method.qp(&discrete);
+                let parts = Parts::new(&discrete, method.discretisation());
                 let Sizes { x: force, gradient: depth } = parts.sizes();
                 for share in [2, 5, 40] {
                     let contact: FreeSet = (0..qp.dimension()).map(|_| once_in(share)).collect();

@@ -32,7 +32,7 @@ fn state(forces: &[f64], clearance: f64) -> ContactState {
         moment: Extremes { max: 0.875, max_at: x[1], min: 0.0, min_at: 0.0 },
         energy: -1.0,
         nodes: Some(Nodes {
-            bending: crate::state::Bending::Between,
+            discretisation: crate::state::Discretisation::BeamElements,
             deflection: x.iter().map(|x| 0.1 * x * (LENGTH - x)).collect(),
             clearance: vec![clearance; x.len()],
             contact_force: forces.to_vec(),
@@ -97,7 +97,7 @@ fn nothing_at_all_can_be_drawn() {
     state.reactions = Reactions::default();
     (state.deflection, state.moment) = (Extremes::default(), Extremes::default());
     state.nodes = Some(Nodes {
-        bending: crate::state::Bending::Between,
+        discretisation: crate::state::Discretisation::BeamElements,
         x: vec![5e-301],
         deflection: vec![0.0],
         clearance: vec![f64::INFINITY],

@@ -23,9 +23,6 @@ pub use free_set::FreeSet;
 pub use matrix::{Matrix, UpperColumns};
 pub use sparse::SparseForm;
 
-/// The name that [`Qp`] has in other rooms.
-pub use Qp as Programme;
-
 /// A quadratic program (32) that can use its structure.
 pub trait Qp {
     /// `n`, the number of variables; at least 1.

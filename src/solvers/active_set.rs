@@ -84,7 +84,7 @@ pub(crate) fn answer(
         Ok((Stationary { x, gradient }, optimal)) => Answer {
             x,
             gradient,
-            claims_success: optimal,
+            reports_success: optimal,
             words: if optimal { "optimal" } else { "no further descent above rounding" }.to_owned(),
             own_residual: None,
             iterations,

@@ -76,7 +76,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     Answer {
         x: solution.x[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
         gradient: solution.z[r..].iter().map(|z| z * form.sizes.gradient).collect(),
-        claims_success: claims_success(solution.status),
+        reports_success: reports_success(solution.status),
         words: format!("{:?}", solution.status),
         own_residual: Some(OwnResidual::of_clarabel(&form, [&solution.x, &solution.z, &solution.s], asked)),
         iterations: solution.iterations as usize,
@@ -85,7 +85,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
 }
 
 /// Whether a status says that the optimum was reached. Whatever it says, the judge looks at what came back.
-fn claims_success(status: SolverStatus) -> bool {
+fn reports_success(status: SolverStatus) -> bool {
     match status {
         SolverStatus::Solved | SolverStatus::AlmostSolved => true,
         SolverStatus::Unsolved
@@ -124,7 +124,7 @@ mod tests {
         ];
         for (number, (status, claimed)) in claims.into_iter().enumerate() {
             assert_eq!(status as usize, number, "the statuses of the library in their order");
-            assert_eq!(claims_success(status), claimed, "{status:?}");
+            assert_eq!(reports_success(status), claimed, "{status:?}");
         }
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn solve(qp: &dyn Qp) -> Answer {
         Ok(point) => Answer {
             x: point.x,
             gradient: point.gradient,
-            claims_success: true,
+            reports_success: true,
             words: "x ≥ 0".to_owned(),
             own_residual: None,
             iterations: rounds,

@@ -62,7 +62,7 @@ impl Solver {
 
     /// The word that command line, JSON and report use.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::FourStep => "four-step",
             Self::ActiveSet => "active-set",
@@ -105,7 +105,7 @@ impl Solver {
 
 impl fmt::Display for Solver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.word())
+        f.pad(self.name())
     }
 }
 
@@ -117,7 +117,7 @@ pub struct Answer {
     /// The gradient `g`, or the multipliers of `x ≥ 0` where the solver has its own, length n.
     pub gradient: Vec<f64>,
     /// True if the solver says that it reached the optimum.
-    pub claims_success: bool,
+    pub reports_success: bool,
     /// The end of the run in the solver's own words.
     pub words: String,
     /// Of a library that came to an end: what it left of its own problem.
@@ -134,7 +134,7 @@ impl Answer {
         Self {
             x: vec![f64::NAN; n],
             gradient: vec![f64::NAN; n],
-            claims_success: false,
+            reports_success: false,
             words,
             own_residual: None,
             iterations: 0,

@@ -90,7 +90,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     };
     Answer {
         gradient: qp.gradient(&x),
-        claims_success: winner.is_some(),
+        reports_success: winner.is_some(),
         words,
         own_residual: None,
         iterations: sweeps,

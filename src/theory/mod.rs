@@ -15,7 +15,7 @@
 //!
 //! [`flat()`] is the paper's own case in closed form, [`closed`] has others.
 //!
-//! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the programme (32).
+//! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 
 mod bernstein;
 mod breakpoints;

@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use palkki::route::{Method, Outcome, Solver};
+use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::Nodes;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 /// A valid scene with every key of the contract, and one of the kinds of foundation.
 pub(crate) const EVERY_KEY: &str = r#"
@@ -75,13 +75,13 @@ pub(crate) fn uniform(l: f64, ei: f64, load: f64, foundation: Foundation) -> Sce
 
 /// Solves by one route with the default tolerance.
 #[track_caller]
-pub(crate) fn run(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Outcome {
-    solve(scene, &Settings::new(method, solver, intervals)).unwrap_or_else(|e| panic!("{method} {solver}: {e}"))
+pub(crate) fn run(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> RawSolution {
+    solve_raw(scene, &Settings::new(method, solver, intervals)).unwrap_or_else(|e| panic!("{method} {solver}: {e}"))
 }
 
 /// The nodal values of an outcome.
 #[track_caller]
-pub(crate) fn nodes(outcome: &Outcome) -> &Nodes {
+pub(crate) fn nodes(outcome: &RawSolution) -> &Nodes {
     outcome.state.nodes.as_ref().expect("a discretised method has nodes")
 }
 

@@ -6,7 +6,7 @@ use std::fmt;
 use divan::Bencher;
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 use palkki_evidence::paper::{example, theory};
 use palkki_evidence::random;
 
@@ -41,7 +41,7 @@ fn slow(solver: Solver) -> bool {
 fn measure<const N: usize>(bencher: Bencher<'_, '_>, Route(method, solver): Route) {
     let scene = example().expect("the example is well posed");
     let settings = Settings::new(method, solver, N + 1);
-    bencher.bench(|| solve(divan::black_box(&scene), &settings));
+    bencher.bench(|| solve_raw(divan::black_box(&scene), &settings));
 }
 
 #[divan::bench(args = routes(|solver| !slow(solver)), consts = INTERIOR, sample_count = 20, max_time = 1)]
@@ -59,7 +59,7 @@ fn iterative<const N: usize>(bencher: Bencher<'_, '_>, route: Route) {
 fn a_million_intervals<const SEGMENTS: u32>(bencher: Bencher<'_, '_>, method: Method) {
     let example = example().expect("the example is well posed");
     let scene = if SEGMENTS == 0 { example } else { random::smooth(SEGMENTS, 1e4, 1) };
-    bencher.bench(|| solve(divan::black_box(&scene), &Settings::new(method, Solver::ActiveSet, 1_000_000)));
+    bencher.bench(|| solve_raw(divan::black_box(&scene), &Settings::new(method, Solver::ActiveSet, 1_000_000)));
 }
 
 #[divan::bench]

@@ -83,7 +83,7 @@ pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
         tell(&format!("seed {seed}: {what}"));
     }
     let families: Vec<Family> =
-        tally.families.into_iter().map(|(family, count)| Family::new(family.word(), count)).collect();
+        tally.families.into_iter().map(|(family, count)| Family::new(family.name(), count)).collect();
     data::write(root, PATH, &families)?;
     match tally.wrong.len() {
         0 => tell(&format!("nothing wrong; the counts are in {PATH}")),

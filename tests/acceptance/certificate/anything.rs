@@ -1,7 +1,6 @@
 //! Any forces on any scene: no panic, and what is said is true.
 
-use palkki::certificate::violations;
-use palkki::certificate::{ContactLoad, Judged, certify};
+use palkki::certificate::{ContactLoad, Judged, certify, violations};
 use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 use palkki::theory;

@@ -1,7 +1,6 @@
 //! What a certificate says, against closed forms, in a scene in which no unit is one.
 
-use palkki::certificate::Certificate;
-use palkki::certificate::stiffness;
+use palkki::certificate::{Certificate, stiffness};
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 use super::{of_forces, places};

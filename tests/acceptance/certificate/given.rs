@@ -1,7 +1,6 @@
 //! What is given: forces as they are read, and which condition they violate, against closed forms.
 
-use palkki::certificate::ContactLoad;
-use palkki::certificate::{NotAForce, Violation, ViolationKind, violations};
+use palkki::certificate::{ContactLoad, NotAForce, Violation, ViolationKind, violations};
 use palkki::scene::Foundation;
 
 use crate::scenes::uniform;

@@ -1,7 +1,8 @@
 //! Contact forces under a load that is lumped at nodes: closed forms, our own answers, and what is refused.
 
-use palkki::certificate::{NotLumped, ViolationKind, violations, violations_at_nodes};
-use palkki::certificate::{ContactLoad, Judged, Lumped, certify};
+use palkki::certificate::{
+    ContactLoad, Judged, Lumped, NotLumped, ViolationKind, certify, violations, violations_at_nodes,
+};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::Nodes;

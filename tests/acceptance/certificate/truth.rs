@@ -7,7 +7,7 @@ use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::state::Nodes;
 use palkki::theory::{self, Exact};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::{of_forces, places};
 use palkki_evidence::random::{self, Random};
@@ -27,7 +27,7 @@ fn forces(random: &mut Random, scene: &Scene, exact: &Exact) -> Vec<(f64, f64)> 
     };
     let intervals = 2 + random.below(60);
     let outcome =
-        solve(scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("the grid is fine enough");
+        solve_raw(scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("the grid is fine enough");
     let Some(nodes) = outcome.state.nodes else { return made_up(random) };
     let mut given: Vec<(f64, f64)> = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied()).collect();
     match random.below(6) {

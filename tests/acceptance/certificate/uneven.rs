@@ -41,7 +41,7 @@ fn random_scenes() {
         let scenes = uneven::scenes(kind, 40, 1984).expect("the scenes are well posed");
         let compared: usize = scenes
             .iter()
-            .map(|scene| check(kind.word(), scene, &[17, 60, 250], &[Solver::ActiveSet, Solver::FourStep]))
+            .map(|scene| check(kind.name(), scene, &[17, 60, 250], &[Solver::ActiveSet, Solver::FourStep]))
             .sum();
         assert!(scenes.len() * 3 * 3 < compared, "theory is certified on most scenes");
     }

@@ -2,25 +2,25 @@
 
 use palkki::route::{Method, Solver, Status};
 use palkki::verdict::{Demand, Refusal, Verdict};
-use palkki::{Settings, Witness, solve, theory};
+use palkki::{Settings, Witness, solve_raw, theory};
 use palkki_evidence::paper::example;
 
-fn outcome(intervals: usize) -> palkki::route::Outcome {
+fn outcome(intervals: usize) -> palkki::route::RawSolution {
     let scene = example().expect("the example is well posed");
-    solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("an answer")
+    solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("an answer")
 }
 
-fn of_outcome(outcome: &palkki::route::Outcome, demand: &Demand) -> Verdict {
-    Verdict::of_outcome(outcome, &Witness::of(&example().expect("the example is well posed")), demand)
+fn of_raw(outcome: &palkki::route::RawSolution, demand: &Demand) -> Verdict {
+    Verdict::of_raw(outcome, &Witness::of(&example().expect("the example is well posed")), demand)
 }
 
 #[test]
 fn a_coarse_grid_is_not_punished_unless_an_error_is_demanded() {
     let coarse = outcome(4);
-    let verdict = of_outcome(&coarse, &Demand::default());
+    let verdict = of_raw(&coarse, &Demand::default());
     assert_eq!((verdict.status, verdict.refusal), (Status::Certified, None));
     assert!(0.1 < verdict.error, "the error of four intervals stands beside it: {}", verdict.error);
-    let verdict = of_outcome(&coarse, &Demand::of_error(0.1));
+    let verdict = of_raw(&coarse, &Demand::of_error(0.1));
     assert_eq!(verdict.status, Status::NotCertified);
     assert!(matches!(verdict.refusal, Some(Refusal::Error { .. })), "{:?}", verdict.refusal);
 }
@@ -29,21 +29,21 @@ fn a_coarse_grid_is_not_punished_unless_an_error_is_demanded() {
 fn an_answer_to_another_question_is_refused() {
     let mut wrong = outcome(30);
     wrong.residual = 1e-8;
-    let refusal = of_outcome(&wrong, &Demand::default()).refusal;
+    let refusal = of_raw(&wrong, &Demand::default()).refusal;
     assert!(matches!(refusal, Some(Refusal::Residual { .. })), "{refusal:?}");
-    assert_eq!(of_outcome(&wrong, &Demand::of_error(1e-2)).refusal, None, "the guaranteed error has it in it");
+    assert_eq!(of_raw(&wrong, &Demand::of_error(1e-2)).refusal, None, "the guaranteed error has it in it");
     wrong.residual = f64::NAN;
-    assert_ne!(of_outcome(&wrong, &Demand::of_error(1e-2)).refusal, None, "NaN is not small");
+    assert_ne!(of_raw(&wrong, &Demand::of_error(1e-2)).refusal, None, "NaN is not small");
 }
 
 #[test]
 fn no_numbers_no_certificate() {
     let mut wrong = outcome(30);
     wrong.state.nodes.as_mut().expect("nodes").contact_force[3] = f64::NAN;
-    let verdict = of_outcome(&wrong, &Demand::default());
+    let verdict = of_raw(&wrong, &Demand::default());
     assert_eq!((verdict.status, verdict.refusal), (Status::NotCertified, Some(Refusal::NoNumbers)));
-    wrong.solver_claims_success = false;
-    assert_eq!(of_outcome(&wrong, &Demand::default()).status, Status::NotConverged);
+    wrong.solver_reports_success = false;
+    assert_eq!(of_raw(&wrong, &Demand::default()).status, Status::NotConverged);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! JSON, against the contract.
 
 use palkki::route::{Method, Solver};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 use serde_json::Value;
 
 use super::{EXAMPLE, Folder, scene};
@@ -71,7 +71,7 @@ fn json_numbers_read_back_as_the_same_bits() {
     let (_, text, _) = folder.json("solve example.toml --method displacement --intervals 30");
     let settings =
         Settings { method: Method::Displacement, solver: Solver::ActiveSet, intervals: 30, tolerance: 1e-10 };
-    let state = solve(&scene(EXAMPLE), &settings).expect("an answer").state;
+    let state = solve_raw(&scene(EXAMPLE), &settings).expect("an answer").state;
     for (key, value) in [("energy", state.energy), ("contact_force", state.contact_force())] {
         let line = text.lines().find_map(|line| line.strip_prefix(&format!("  \"{key}\": "))).expect("the key");
         let read: f64 = line.trim_end_matches(',').parse().expect("a number");
@@ -119,7 +119,7 @@ fn compare_has_every_method_with_every_solver() {
     for method in Method::ALL {
         for solver in Solver::ALL {
             let found: Vec<_> =
-                routes.iter().filter(|r| r["method"] == method.word() && r["solver"] == solver.word()).collect();
+                routes.iter().filter(|r| r["method"] == method.name() && r["solver"] == solver.name()).collect();
             let [route] = found[..] else { panic!("{method} × {solver} is there once, not {} times", found.len()) };
             let reference = if method == Method::Complementarity { "complementarity" } else { "force" };
             assert_eq!(route["solver_error"]["reference"], format!("{reference}/active-set"));

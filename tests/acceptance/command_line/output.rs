@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Stdio;
 
 use palkki::route::{Method, Solver};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::{EXAMPLE, Folder, SURVEYED, scene};
 
@@ -19,7 +19,7 @@ fn csv_holds_the_nodes_to_the_last_bit() {
     assert_eq!(lines.next(), Some("x,deflection,clearance,contact_force,moment"));
     let settings =
         Settings { method: Method::Displacement, solver: Solver::ActiveSet, intervals: 12, tolerance: 1e-10 };
-    let nodes = solve(&scene(EXAMPLE), &settings).expect("an answer").state.nodes.expect("nodes");
+    let nodes = solve_raw(&scene(EXAMPLE), &settings).expect("an answer").state.nodes.expect("nodes");
     let columns = [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];
     let mut rows = 0;
     for (i, line) in lines.enumerate() {

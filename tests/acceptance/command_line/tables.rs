@@ -118,7 +118,7 @@ fn table_of_compare_has_a_row_for_each_route() {
     for method in Method::ALL {
         for solver in Solver::ALL {
             let rows =
-                run.out.lines().filter(|line| line.split_whitespace().take(2).eq([method.word(), solver.word()]));
+                run.out.lines().filter(|line| line.split_whitespace().take(2).eq([method.name(), solver.name()]));
             assert_eq!(rows.count(), 1, "{method} × {solver} in\n{}", run.out);
         }
     }

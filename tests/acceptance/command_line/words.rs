@@ -14,10 +14,10 @@ const REGIMES: [Regime; 3] = [Regime::None, Regime::Points, Regime::Zone];
 fn words_do_not_change_unnoticed() {
     let row = |kind: &str, words: &[&str]| format!("{kind:<8} {}\n", words.join(" "));
     let table = [
-        row("method", &Method::ALL.map(Method::word)),
-        row("solver", &Solver::ALL.map(Solver::word)),
-        row("status", &STATUSES.map(Status::word)),
-        row("regime", &REGIMES.map(Regime::word)),
+        row("method", &Method::ALL.map(Method::name)),
+        row("solver", &Solver::ALL.map(Solver::name)),
+        row("status", &STATUSES.map(Status::name)),
+        row("regime", &REGIMES.map(Regime::name)),
     ]
     .concat();
     assert_table!("words", "What command line, JSON and report call things", table);
@@ -25,10 +25,10 @@ fn words_do_not_change_unnoticed() {
 
 #[test]
 fn no_two_things_share_a_word() {
-    let mut words = Method::ALL.map(Method::word).to_vec();
-    words.extend(Solver::ALL.map(Solver::word));
-    words.extend(STATUSES.map(Status::word));
-    words.extend(REGIMES.map(Regime::word));
+    let mut words = Method::ALL.map(Method::name).to_vec();
+    words.extend(Solver::ALL.map(Solver::name));
+    words.extend(STATUSES.map(Status::name));
+    words.extend(REGIMES.map(Regime::name));
     assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), words.len(), "{words:?}");
 }
 

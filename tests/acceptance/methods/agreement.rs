@@ -1,8 +1,8 @@
 //! Agreement: every method with every solver on every scene of the report, pairwise.
 
 use palkki::methods::Discrete;
-use palkki::problem::{Dense, Matrix};
-use palkki::route::{Method, Outcome, Solver, Status};
+use palkki::qp::{Dense, Matrix};
+use palkki::route::{Method, RawSolution, Solver, Status};
 use palkki::scene::Scene;
 
 use crate::scenes::{apart, largest, nodes, report, run};
@@ -23,7 +23,7 @@ const DEFLECTION: f64 = 1e-7;
 const BY_MATRICES: f64 = 1e-9;
 
 /// Largest differences of contact forces over the load, and of deflections over the largest one.
-fn differences(scene: &Scene, a: &Outcome, b: &Outcome) -> (f64, f64) {
+fn differences(scene: &Scene, a: &RawSolution, b: &RawSolution) -> (f64, f64) {
     let (a, b) = (nodes(a), nodes(b));
     let load = scene.load().magnitude(scene.beam().length());
     (apart(&a.contact_force, &b.contact_force) / load, apart(&a.deflection, &b.deflection) / largest(&b.deflection))
@@ -69,11 +69,11 @@ fn the_energy_methods_agree_to_rounding() {
             let without = run(&scaled.scene, Method::Force, Solver::ActiveSet, intervals);
             let without = nodes(&without);
             for method in [Method::Displacement, Method::Force] {
-                let qp = method.programme(&discrete);
+                let qp = method.qp(&discrete);
                 let Matrix::Dense(matrix) = qp.matrix() else { panic!("{method} has a full matrix") };
                 let qp = Dense { matrix, linear: qp.linear().into(), sizes: qp.sizes() };
                 let answer = Solver::ActiveSet.run(&qp, 0.0);
-                assert!(answer.claims_success, "{name}, {method}, {intervals}: {}", answer.words);
+                assert!(answer.reports_success, "{name}, {method}, {intervals}: {}", answer.words);
                 let with = method.nodal(&discrete, answer.x, answer.gradient);
                 let force = apart(&with.contact_force, &without.contact_force) / load;
                 let deflection = apart(&with.deflection, &without.deflection) / largest(&without.deflection);
@@ -112,7 +112,7 @@ fn four_steps_claim_success_everywhere_and_are_not_believed() {
     for (name, scene) in report() {
         for method in Method::ALL {
             let outcome = run(&scene, method, Solver::FourStep, 60);
-            assert!(outcome.solver_claims_success, "{name}, {method}: {}", outcome.solver_status);
+            assert!(outcome.solver_reports_success, "{name}, {method}: {}", outcome.solver_status);
             assert_ne!(outcome.status, Status::NotConverged, "{name}, {method}");
             refused += usize::from(outcome.status == Status::NotCertified);
         }

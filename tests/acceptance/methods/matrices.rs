@@ -3,10 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use palkki::adaptive::observed_order;
 use palkki::methods::{Discrete, Method, flexibility};
-use palkki::problem::{Dense, FreeSet, Programme, Sizes};
+use palkki::qp::{Dense, FreeSet, Qp};
 use palkki::scene::{Foundation, Scene};
 use palkki_evidence::paper::claims::energy_methods::dense;
-use palkki_evidence::paper::uneven::{Unevenness, scenes};
 use palkki_evidence::random::Random;
 
 use crate::scenes::{apart, example, largest, report, uniform};
@@ -26,8 +25,8 @@ fn product_rounding(intervals: usize) -> f64 {
 fn stiffness_and_flexibility_are_inverse() {
     for intervals in [2, 3, 4, 10, 30, 100] {
         let discrete = discrete(&example(), intervals);
-        let k = dense(Method::Displacement.programme(&discrete).as_ref());
-        let c = dense(Method::Force.programme(&discrete).as_ref());
+        let k = dense(Method::Displacement.qp(&discrete).as_ref());
+        let c = dense(Method::Force.qp(&discrete).as_ref());
         let n = intervals - 1;
         let error = (k * c - DMatrix::identity(n, n)).amax();
         assert!(error <= product_rounding(intervals), "{intervals} intervals: K C − I has an entry of {error:.1e}");
@@ -62,7 +61,7 @@ fn the_force_method_stores_eq_26() {
     let scene = uniform(1.5, 1.25, 1.0, Foundation::Flat { depth: 0.01 });
     for intervals in [2, 7, 30] {
         let discrete = discrete(&scene, intervals);
-        let c = dense(Method::Force.programme(&discrete).as_ref());
+        let c = dense(Method::Force.qp(&discrete).as_ref());
         for ((i, j), entry) in c
             .row_iter()
             .enumerate()
@@ -88,7 +87,7 @@ fn the_difference_operator_is_of_second_order() {
                 let length = discrete.spacing * f64::from(intervals);
                 let number = wave * std::f64::consts::PI / length;
                 let v: Vec<f64> = (1..intervals).map(|i| (number * discrete.spacing * f64::from(i)).sin()).collect();
-                let a = Method::Complementarity.programme(&discrete).matrix();
+                let a = Method::Complementarity.qp(&discrete).matrix();
                 let fourth = discrete.stiffness * number * number * number * number;
                 let error = (0..v.len()).map(|i| (a.row_times(i, &v) / fourth - v[i]).abs()).fold(0.0, f64::max);
                 (discrete.spacing, error)
@@ -112,12 +111,12 @@ fn structured_solves_agree_with_dense_ones_on_any_face() {
     for (name, scene) in report() {
         for method in Method::ALL {
             let discrete = discrete(&scene, 24);
-            let programme = method.programme(&discrete);
-            let sizes = programme.sizes();
-            let other = Dense { matrix: dense(programme.as_ref()), linear: programme.linear().into(), sizes };
+            let qp = method.qp(&discrete);
+            let sizes = qp.sizes();
+            let other = Dense { matrix: dense(qp.as_ref()), linear: qp.linear().into(), sizes };
             for share in [0.0, 0.2, 0.5, 0.8, 1.0] {
                 let free: FreeSet = (0..23).map(|_| random.between(0.0, 1.0) < share).collect();
-                let a = programme.stationary(&free).expect("a definite face");
+                let a = qp.stationary(&free).expect("a definite face");
                 let b = other.stationary(&free).expect("a definite face");
                 let bound = |values: &[f64]| DENSE * largest(values).max(LEAST);
                 let scale = |values: &[f64], size: f64| values.iter().map(|v| v / size).collect::<Vec<_>>();
@@ -140,7 +139,7 @@ fn condition_numbers_are_quotients_of_eigenvalues() {
         let discrete = discrete(&example(), intervals);
         for method in Method::ALL {
             let expected = method.condition(intervals);
-            let eigenvalues = dense(method.programme(&discrete).as_ref()).symmetric_eigenvalues();
+            let eigenvalues = dense(method.qp(&discrete).as_ref()).symmetric_eigenvalues();
             let found = eigenvalues.max() / eigenvalues.min();
             // The least eigenvalue has lost as many digits as the condition number has.
             let rounding = FEW_OPERATIONS * (1.0 + expected);
@@ -165,65 +164,16 @@ fn eq_33_is_the_product_with_the_matrix() {
     for (name, scene) in report() {
         for method in Method::ALL {
             let discrete = discrete(&scene, 24);
-            let programme = method.programme(&discrete);
-            let sizes = programme.sizes();
+            let qp = method.qp(&discrete);
+            let sizes = qp.sizes();
             let x: Vec<f64> = (0..23).map(|_| sizes.x * random.between(-1.0, 1.0)).collect();
-            let product = dense(programme.as_ref()) * DVector::from_column_slice(&x);
-            let expected: Vec<f64> = product.iter().zip(programme.linear()).map(|(ax, b)| ax - b).collect();
+            let product = dense(qp.as_ref()) * DVector::from_column_slice(&x);
+            let expected: Vec<f64> = product.iter().zip(qp.linear()).map(|(ax, b)| ax - b).collect();
             // Cancellation is measured by the largest term of the sum, |A| |x|.
-            let terms = dense(programme.as_ref()).abs() * DVector::from_column_slice(&x).abs();
-            let size = terms.amax() + largest(&programme.linear());
-            let error = apart(&programme.gradient(&x), &expected) / size;
+            let terms = dense(qp.as_ref()).abs() * DVector::from_column_slice(&x).abs();
+            let size = terms.amax() + largest(&qp.linear());
+            let error = apart(&qp.gradient(&x), &expected) / size;
             assert!(error <= FEW_OPERATIONS * 23.0, "{name} {method}: gradient off by {error:.1e}");
-        }
-    }
-}
-
-/// Of the sizes: systems of condition number 3, and the end of what is felt from far away.
-const ROUNDED: f64 = 1e-11;
-
-/// Methods 1 and 2 on the same contact set by equations of their own, and parts of them.
-#[test]
-fn the_dual_has_the_same_points() {
-    let mut random = Random::new(4);
-    for scene in Unevenness::ALL.into_iter().flat_map(|kind| scenes(kind, 3, 7).expect("scenes")) {
-        let discrete = discrete(&scene, 400);
-        for method in [Method::Complementarity, Method::Displacement] {
-            let own = method.programme(&discrete);
-            let dual = own.dual().expect("method 3");
-            let unit = if method == Method::Complementarity { discrete.spacing } else { 1.0 };
-            for share in [2, 5, 40] {
-                let touching: Vec<bool> = (0..own.dimension()).map(|_| random.once_in(share)).collect();
-                let free: Vec<bool> = touching.iter().map(|touches| !touches).collect();
-                let point = own.stationary(&free).expect("definite");
-                let Sizes { x: depth, gradient: force } = discrete.sizes();
-                for range in [0..own.dimension(), 120..190, 300..301] {
-                    let near = dual.stationary_near(&touching, range.clone()).expect("definite");
-                    for (k, i) in range.enumerate() {
-                        // Held at random places the beam carries more than its load.
-                        let scale = 1.0 + point.gradient[i].abs() * unit / force + point.x[i].abs() / depth;
-                        let apart = ((near.x[k] - point.gradient[i] * unit) / force)
-                            .abs()
-                            .max(((near.gradient[k] - point.x[i]) / depth).abs());
-                        assert!(apart <= ROUNDED * scale, "{method}, node {}: {apart:.1e} of {scale:.1e}", i + 1);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// `A⁻¹` of method 1, up to the unit of its pressures.
-#[test]
-fn the_chain_has_the_inverse_matrix() {
-    let discrete = discrete(&example(), 12);
-    let own = Method::Complementarity.programme(&discrete);
-    let (a, c) = (own.matrix(), own.dual().expect("method 3").matrix());
-    for i in 0..own.dimension() {
-        for j in 0..own.dimension() {
-            let column: Vec<f64> = (0..own.dimension()).map(|k| a.entry(k, j) * discrete.spacing).collect();
-            let expected = f64::from(u8::from(i == j));
-            assert!((c.row_times(i, &column) - expected).abs() < ROUNDED, "row {i}, column {j}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use palkki::DEFAULT_TOLERANCE;
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
-use palkki::problem::{FreeSet, residual};
+use palkki::qp::{FreeSet, residual};
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::solvers::active_set_from;
@@ -41,7 +41,7 @@ fn every_method_and_solver_comes_to_the_same_answer_without_it() {
         for intervals in [10, 170, 1000] {
             let discrete = Discrete::new(&scaled.scene, intervals).expect("enough intervals");
             for method in Method::ALL {
-                let qp = method.programme(&discrete);
+                let qp = method.qp(&discrete);
                 let with = run(scene, method, Solver::ActiveSet, intervals);
                 let with = nodes(&with);
                 let few = if intervals == 10 { Solver::ALL.as_slice() } else { &[Solver::ActiveSet] };
@@ -50,7 +50,7 @@ fn every_method_and_solver_comes_to_the_same_answer_without_it() {
                     let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
                     asked += usize::from(solver != Solver::ActiveSet);
                     let allowed = if solver == Solver::ActiveSet {
-                        assert!(answer.claims_success, "{k}, {method}, {intervals}: {}", answer.words);
+                        assert!(answer.reports_success, "{k}, {method}, {intervals}: {}", answer.words);
                         [SAME_POINT; 2]
                     } else if found <= CERTIFIED_RESIDUAL {
                         CERTIFIED
@@ -87,10 +87,10 @@ fn the_start_does_not_change_the_answer() {
         let scaled = scene.scaled().expect("numbers in range");
         let discrete = Discrete::new(&scaled.scene, 170).expect("enough intervals");
         for method in Method::ALL {
-            let qp = method.programme(&discrete);
+            let qp = method.qp(&discrete);
             let all_free = Solver::ActiveSet.run(qp.as_ref(), 0.0);
             let none_free = active_set_from(qp.as_ref(), FreeSet::none(qp.dimension()));
-            assert!(all_free.claims_success && none_free.claims_success, "{method}");
+            assert!(all_free.reports_success && none_free.reports_success, "{method}");
             let size = qp.sizes().x.max(largest(&all_free.x));
             assert!(apart(&all_free.x, &none_free.x) <= SAME_POINT * size, "{method}, {}", scene.title());
         }

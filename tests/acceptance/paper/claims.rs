@@ -188,7 +188,7 @@ fn curved_beam() {
 fn verdicts_do_not_change_unnoticed() {
     let row = |claim: &Claim| {
         let reading = claim.reading.map_or_else(String::new, |reading| format!("  {reading}"));
-        format!("{:<28} {}{reading}\n", claim.name, claim.verdict.word())
+        format!("{:<28} {}{reading}\n", claim.name, claim.verdict.name())
     };
     let table: String = ledger().claims().iter().map(row).collect();
     assert_table!("claims", "The claims of the paper, and what became of them", table);

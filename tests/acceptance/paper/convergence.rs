@@ -22,7 +22,7 @@ fn measured(method: Method, quantity: Quantity) -> Series {
 #[track_caller]
 fn order(method: Method, quantity: Quantity, expected: f64, slack: f64) {
     let order = measured(method, quantity).order;
-    assert!((order - expected).abs() < slack, "{method}, {}: observed order {order:.2}", quantity.word());
+    assert!((order - expected).abs() < slack, "{method}, {}: observed order {order:.2}", quantity.name());
 }
 
 /// Reactions and deflections scatter: leaving out every second grid moves the slope by this much.
@@ -83,7 +83,7 @@ fn the_energy_methods_have_the_same_errors() {
     for quantity in Quantity::OF_THE_EXAMPLE {
         let (a, b) = (measured(Method::Displacement, quantity), measured(Method::Force, quantity));
         for ((n, a), (_, b)) in a.errors.iter().zip(&b.errors) {
-            assert!((a - b).abs() <= ROUNDING, "{}, {n} intervals: {a:e} and {b:e}", quantity.word());
+            assert!((a - b).abs() <= ROUNDING, "{}, {n} intervals: {a:e} and {b:e}", quantity.name());
         }
     }
 }
@@ -130,7 +130,7 @@ fn check_scene(name: &str, expected: [f64; 3]) {
             assert!(
                 expected - SCATTER_OF_OCTAVES <= order,
                 "{name}, {method}, {}: order {order:.2} instead of {expected}, {worst:?}",
-                series.quantity.word()
+                series.quantity.name()
             );
         }
     }
@@ -169,7 +169,7 @@ fn a_hundred_thousand_intervals_come_close() {
         // strongly, since their arms are parts of the beam. The energy has the square of it.
         let allowed = if series.quantity == Quantity::Energy { 1e-8 } else { 5e-5 };
         let error = series.errors[0].1;
-        assert!(error <= allowed, "{}: {error:e}", series.quantity.word());
+        assert!(error <= allowed, "{}: {error:e}", series.quantity.name());
     }
 }
 

@@ -46,7 +46,7 @@ fn contacts_of_every_scene() {
     for (name, scene) in report() {
         let outcome = run(&scene, Method::Force, Solver::ActiveSet, 30);
         let (state, length) = (outcome.state, scene.beam().length());
-        let _ = writeln!(table, "{name}: {}, {}", outcome.status, state.regime.word());
+        let _ = writeln!(table, "{name}: {}, {}", outcome.status, state.regime.name());
         table.extend(state.contacts.iter().map(zone));
         table += &totals(&state);
         table += &extremes("deflection", &state.deflection, length);
@@ -64,7 +64,7 @@ fn exact_solutions_of_every_scene() {
         let exact = palkki::theory::solve(&scene).expect("the scene is in range");
         let state = &exact.state;
         let unknowns = exact.unknowns;
-        let _ = writeln!(table, "{name}: {}, {}, unknowns {unknowns}", exact.status, state.regime.word());
+        let _ = writeln!(table, "{name}: {}, {}, unknowns {unknowns}", exact.status, state.regime.name());
         for contact in &state.contacts {
             table += zone(contact).trim_end();
             if let Some([from, to]) = contact.end_forces {
@@ -122,7 +122,7 @@ fn certified_errors_of_every_scene() {
             let _ = write!(table, "\n{:<30}", format!("{name} {method}"));
             for intervals in grids {
                 let outcome = run(&scene, method, Solver::ActiveSet, intervals);
-                let verdict = Verdict::of_outcome(&outcome, &witness, &Demand::default());
+                let verdict = Verdict::of_raw(&outcome, &witness, &Demand::default());
                 let _ = write!(table, "{:>9.1e}", verdict.error);
             }
         }

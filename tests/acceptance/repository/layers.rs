@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::text::{code, files, first_word_of, none, offenders, words};
 
-/// Words of mechanics. `solvers` and `problem` know the programme (32) and nothing of what it stands for.
+/// Words of mechanics. `solvers` and `problem` know the quadratic program (32) and nothing of what it stands for.
 const MECHANICS: [&str; 14] = [
     "beam",
     "beams",
@@ -42,11 +42,11 @@ fn solvers_never_mention_a_beam() {
 }
 
 #[test]
-fn the_problem_knows_no_beam() {
+fn the_quadratic_program_knows_no_beam() {
     let found = offenders(&room("src/qp"), |line| {
         first_word_of(code(line), &MECHANICS).map(|word| format!("`{word}` is a word of mechanics"))
     });
-    none(&found, "the programme (32) is plain mathematics; only comments may say what it stands for");
+    none(&found, "the quadratic program (32) is plain mathematics; only comments may say what it stands for");
 }
 
 #[test]

@@ -90,7 +90,7 @@ fn another_process_prints_the_same_bits() {
         .zip([Method::Complementarity, Method::Displacement, Method::Force, Method::Force])
         .flat_map(|(name, method)| Solver::ALL.map(|solver| (name, method, solver)))
     {
-        let route = ["--method", method.word(), "--solver", solver.word(), "--intervals", &intervals];
+        let route = ["--method", method.name(), "--solver", solver.name(), "--intervals", &intervals];
         // Two at once, so that each is a load on the machine for the other.
         let [a, b] = [(); 2].map(|()| process(name, &route)).map(printed);
         assert_eq!(a, b, "{name}, {method}, {solver}: two processes");

@@ -20,8 +20,8 @@ fn full_exchanges_without_a_fallback_go_round_in_circles() {
     for instance in corpus() {
         let scaled = instance.scene.scaled().expect("in range");
         let discrete = Discrete::new(&scaled.scene, instance.intervals).expect("enough intervals");
-        let programme = instance.method.programme(&discrete);
-        let end = full_exchange(programme.as_ref()).expect("definite");
+        let qp = instance.method.qp(&discrete);
+        let end = full_exchange(qp.as_ref()).expect("definite");
         assert!(matches!(end, End::Circle { period, .. } if period == instance.period), "{}: {end:?}", instance.line);
     }
 }
@@ -30,7 +30,7 @@ fn full_exchanges_without_a_fallback_go_round_in_circles() {
 fn the_four_steps_end_there_at_the_optimum_or_not() {
     for instance in corpus() {
         let outcome = run(&instance.scene, instance.method, Solver::FourStep, instance.intervals);
-        assert_eq!(outcome.status.word(), instance.four_step, "{}", instance.line);
+        assert_eq!(outcome.status.name(), instance.four_step, "{}", instance.line);
     }
 }
 
@@ -48,8 +48,8 @@ fn exchanges_go_round_in_circles_or_wander_in_dense_contact() {
     for instance in exchanges::dense().expect("every line is an instance") {
         let scaled = instance.scene.scaled().expect("in range");
         let discrete = Discrete::new(&scaled.scene, instance.intervals).expect("enough intervals");
-        let programme = Method::Force.programme(&discrete);
-        let end = exchanges::exchange_of_runs(programme.as_ref()).expect("definite");
+        let qp = Method::Force.qp(&discrete);
+        let end = exchanges::exchange_of_runs(qp.as_ref()).expect("definite");
         assert_eq!(end, instance.end, "{}", instance.line);
     }
 }

@@ -1,23 +1,23 @@
 //! Solvers: where contact is hard to find, what they cost, what libraries do at the edge, which grid an accuracy asked for takes.
 
-mod costs;
 mod adaptive;
+mod costs;
 mod exchanges;
 mod libraries;
 mod windows;
 
-use palkki::route::{Method, Outcome, Solver, Status};
+use palkki::route::{Method, RawSolution, Solver, Status};
 use palkki::scene::Scene;
 
 use crate::scenes::run;
 
 /// The active set ends at the optimum, certified, with at most so many solves, those of windows and of coarser grids counted.
 #[track_caller]
-fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> Outcome {
+fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> RawSolution {
     let outcome = run(scene, method, Solver::ActiveSet, intervals);
     let (name, taken, residual) = (scene.title(), outcome.iterations, outcome.residual);
     let told = format!("{name}, {method}, {intervals}: {taken} solves, residual {residual:.1e}");
     assert_eq!(outcome.status, Status::Certified, "{told}");
-    assert!(outcome.solver_claims_success && taken <= solves, "{told}");
+    assert!(outcome.solver_reports_success && taken <= solves, "{told}");
     outcome
 }

@@ -13,7 +13,7 @@ const LOADS: [f64; 2] = [1.0, 1e4];
 #[track_caller]
 fn certified(ground: Ground, segments: u32, load: f64) -> Exact {
     let exact = theory::solve(&survey(ground, segments, load).expect("a scene")).expect("an answer");
-    let told = format!("{}, {segments}, {load}: {:e}, {:?}", ground.word(), exact.residual, exact.violations);
+    let told = format!("{}, {segments}, {load}: {:e}, {:?}", ground.name(), exact.residual, exact.violations);
     assert_eq!(exact.status, Status::Certified, "{told}");
     exact
 }
@@ -23,7 +23,7 @@ fn rough_surveys_of_a_hundred_thousand_points_are_certified() {
     for ground in [Ground::Walk, Ground::Noise] {
         for load in LOADS {
             let exact = certified(ground, 100_000, load);
-            assert!(exact.unknowns < 1000, "{}: few of its points carry, but {}", ground.word(), exact.unknowns);
+            assert!(exact.unknowns < 1000, "{}: few of its points carry, but {}", ground.name(), exact.unknowns);
         }
     }
 }
@@ -39,9 +39,9 @@ fn surveys_of_a_thousand_points_agree_with_a_fine_grid_in_energy() {
             let exact = certified(ground, 1000, load);
             let scene = survey(ground, 1000, load).expect("a scene");
             let outcome = run(&scene, Method::Force, Solver::ActiveSet, 100_000);
-            assert_eq!(outcome.status, Status::Certified, "{}, {load}", ground.word());
+            assert_eq!(outcome.status, Status::Certified, "{}, {load}", ground.name());
             let off = ((outcome.state.energy - exact.state.energy) / exact.state.energy).abs();
-            assert!(off <= OFF, "{}, {load}: energies differ by {off:e}", ground.word());
+            assert!(off <= OFF, "{}, {load}: energies differ by {off:e}", ground.name());
         }
     }
 }

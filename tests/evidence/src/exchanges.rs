@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::paper::scene_over;
 use crate::random::smooth;
-use palkki::problem::{FreeSet, NotPositiveDefinite, Programme};
+use palkki::qp::{FreeSet, NotPositiveDefinite, Qp};
 use palkki::route::Method;
 use palkki::scene::{Foundation, Scene};
 
@@ -52,7 +52,7 @@ fn instance(line: &'static str) -> Option<Instance> {
     };
     Some(Instance {
         line,
-        method: Method::ALL.into_iter().find(|m| m.word() == method)?,
+        method: Method::ALL.into_iter().find(|m| m.name() == method)?,
         intervals: intervals.parse().ok()?,
         period: period.parse().ok()?,
         four_step,
@@ -79,28 +79,25 @@ pub enum End {
 
 /// Full exchanges from the face on which all variables are free, without a fallback: every free variable that came out
 /// negative is set to zero and every one at zero with a negative gradient is released, all at once, until there are none.
-pub fn full_exchange(programme: &dyn Programme) -> Result<End, NotPositiveDefinite> {
-    exchanges(programme, |negative, _| negative)
+pub fn full_exchange(qp: &dyn Qp) -> Result<End, NotPositiveDefinite> {
+    exchanges(qp, |negative, _| negative)
 }
 
 /// Exchanges from the face on which all variables are free: of the free variables that came out negative all change, of those
 /// at zero with a negative gradient the ones that are chosen. There are finitely many faces, so it ends at the optimum or comes
 /// back to a face.
-pub fn exchanges(
-    programme: &dyn Programme,
-    chosen: impl Fn(Vec<usize>, &[f64]) -> Vec<usize>,
-) -> Result<End, NotPositiveDefinite> {
+pub fn exchanges(qp: &dyn Qp, chosen: impl Fn(Vec<usize>, &[f64]) -> Vec<usize>) -> Result<End, NotPositiveDefinite> {
     /// Of the size: far above the rounding of these small solves, far below their violations.
     const SIGN: f64 = 1e-12;
-    let sizes = programme.sizes();
-    let mut free = FreeSet::all(programme.dimension());
+    let sizes = qp.sizes();
+    let mut free = FreeSet::all(qp.dimension());
     let mut seen = BTreeMap::new();
     loop {
         let solves = seen.len();
         if let Some(before) = seen.insert(free.clone(), solves) {
             return Ok(End::Circle { solves, period: solves - before });
         }
-        let point = programme.stationary(&free)?;
+        let point = qp.stationary(&free)?;
         let dropped = free.variables().filter(|&i| point.x[i] < -SIGN * sizes.x);
         let negative =
             (0..free.dimension()).filter(|&i| !free.contains(i) && point.gradient[i] < -SIGN * sizes.gradient);
@@ -149,8 +146,8 @@ fn dense_instance(line: &'static str) -> Option<Dense> {
 }
 
 /// Exchanges as the active set has them before windows: of each run of neighbours with a negative gradient the steepest one.
-pub fn exchange_of_runs(programme: &dyn Programme) -> Result<End, NotPositiveDefinite> {
-    exchanges(programme, |negative, gradient| {
+pub fn exchange_of_runs(qp: &dyn Qp) -> Result<End, NotPositiveDefinite> {
+    exchanges(qp, |negative, gradient| {
         let runs = negative.chunk_by(|i, j| i + 1 == *j);
         runs.filter_map(|run| run.iter().copied().min_by(|&i, &j| gradient[i].total_cmp(&gradient[j]))).collect()
     })

@@ -2,11 +2,11 @@
 //! acceptance suite and by the report.
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
-use palkki::problem::{FreeSet, Matrix, NotPositiveDefinite, Programme, Sizes, Stationary, residual};
+use palkki::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, Stationary, residual};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 /// A situation.
 #[derive(Debug, Clone, Copy)]
@@ -22,12 +22,12 @@ enum Given {
     /// The beam of the example under its load, over `[foundation]` with this line, on so many intervals.
     Scene { foundation: &'static str, load: f64, intervals: usize },
     /// `min ½ xᵀ A x − bᵀ x, x ≥ 0` with a tridiagonal `A`: diagonal, off-diagonal, entries of `b`.
-    Programme { diagonal: f64, beside: f64, linear: &'static [f64] },
+    Qp { diagonal: f64, beside: f64, linear: &'static [f64] },
 }
 
 /// What came out.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
+pub struct RawSolution {
     /// What the library says, or what we say where it was not asked.
     pub word: String,
     /// True if it says that it succeeded.
@@ -47,8 +47,8 @@ const fn scene(name: &'static str, foundation: &'static str, load: f64, interval
     Situation { name, given: Given::Scene { foundation, load, intervals }, tolerance: ASKED }
 }
 
-const fn programme(name: &'static str, diagonal: f64, beside: f64, linear: &'static [f64]) -> Situation {
-    Situation { name, given: Given::Programme { diagonal, beside, linear }, tolerance: ASKED }
+const fn program(name: &'static str, diagonal: f64, beside: f64, linear: &'static [f64]) -> Situation {
+    Situation { name, given: Given::Qp { diagonal, beside, linear }, tolerance: ASKED }
 }
 
 /// All of them.
@@ -66,23 +66,23 @@ pub const ALL: &[Situation] = &[
     scene("300 intervals", "depth = 1", 1.0, 300),
     Situation { tolerance: 1e-300, ..scene("a tolerance that nothing can reach", "depth = 1", 1.0, 6) },
     Situation { tolerance: 1e300, ..scene("a tolerance that anything reaches", "depth = 1", 1.0, 30) },
-    programme("no unknown at all", 2.0, -1.0, &[]),
-    programme("a NaN in A", f64::NAN, -1.0, &[1.0, -1.0, 1.0]),
-    programme("an infinite number in b", 2.0, -1.0, &[1.0, f64::INFINITY, 1.0]),
-    programme("A of size 10²⁰⁰", 2e200, -1e200, &[1e200, -1e200, 1e200]),
-    programme("A of size 10⁻²⁰⁰", 2e-200, -1e-200, &[1e-200, -1e-200, 1e-200]),
-    programme("A indefinite, no minimum", -2.0, 1.0, &[1.0, 1.0, 1.0]),
-    programme("A zero, no minimum", 0.0, 0.0, &[1.0, 1.0, 1.0]),
-    programme("A singular, a line of minima", 1.0, -1.0, &[0.0, 0.0]),
+    program("no unknown at all", 2.0, -1.0, &[]),
+    program("a NaN in A", f64::NAN, -1.0, &[1.0, -1.0, 1.0]),
+    program("an infinite number in b", 2.0, -1.0, &[1.0, f64::INFINITY, 1.0]),
+    program("A of size 10²⁰⁰", 2e200, -1e200, &[1e200, -1e200, 1e200]),
+    program("A of size 10⁻²⁰⁰", 2e-200, -1e-200, &[1e-200, -1e-200, 1e-200]),
+    program("A indefinite, no minimum", -2.0, 1.0, &[1.0, 1.0, 1.0]),
+    program("A zero, no minimum", 0.0, 0.0, &[1.0, 1.0, 1.0]),
+    program("A singular, a line of minima", 1.0, -1.0, &[0.0, 0.0]),
 ];
 
-/// A programme with a tridiagonal matrix; nothing is asked of its numbers.
+/// A quadratic program with a tridiagonal matrix; nothing is asked of its numbers.
 struct Banded {
     rows: Vec<[f64; 3]>,
     linear: Vec<f64>,
 }
 
-impl Programme for Banded {
+impl Qp for Banded {
     fn dimension(&self) -> usize {
         self.rows.len()
     }
@@ -111,35 +111,35 @@ impl Programme for Banded {
 
 impl Situation {
     /// Hands it to a library, by the force method where it is a scene.
-    pub fn run(&self, library: Solver) -> Result<Outcome, String> {
+    pub fn run(&self, library: Solver) -> Result<RawSolution, String> {
         match self.given {
             Given::Scene { foundation, load, intervals } => {
                 let scene = read(foundation, load)?;
                 let settings =
                     Settings { tolerance: self.tolerance, ..Settings::new(Method::Force, library, intervals) };
-                let outcome = solve(&scene, &settings).map_err(|error| error.to_string())?;
-                Ok(Outcome {
+                let outcome = solve_raw(&scene, &settings).map_err(|error| error.to_string())?;
+                Ok(RawSolution {
                     word: outcome.solver_status,
-                    claims: outcome.solver_claims_success,
+                    claims: outcome.solver_reports_success,
                     status: outcome.status,
                     iterations: outcome.iterations,
                 })
             }
-            Given::Programme { diagonal, beside, linear } => {
+            Given::Qp { diagonal, beside, linear } => {
                 let rows = vec![[diagonal, beside, 0.0]; linear.len()];
-                let programme = Banded { rows, linear: linear.to_vec() };
-                let answer = library.run(&programme, self.tolerance);
+                let qp = Banded { rows, linear: linear.to_vec() };
+                let answer = library.run(&qp, self.tolerance);
                 // Its own multipliers are not believed: the gradient is taken anew.
-                let found = residual(programme.sizes(), &answer.x, &programme.gradient(&answer.x));
-                let status = match answer.claims_success {
+                let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
+                let status = match answer.reports_success {
                     _ if found <= CERTIFIED_RESIDUAL && answer.x.len() == linear.len() && !linear.is_empty() => {
                         Status::Certified
                     }
                     true => Status::NotCertified,
                     false => Status::NotConverged,
                 };
-                let (word, claims) = (answer.words, answer.claims_success);
-                Ok(Outcome { word, claims, status, iterations: answer.iterations })
+                let (word, claims) = (answer.words, answer.reports_success);
+                Ok(RawSolution { word, claims, status, iterations: answer.iterations })
             }
         }
     }

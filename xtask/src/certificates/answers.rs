@@ -3,8 +3,8 @@
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
+use palkki::{Settings, solve_raw};
 use palkki_evidence::faults::{FalseBound, THEORY, Truth};
-use palkki::{Settings, solve};
 
 use serde::{Deserialize, Serialize};
 
@@ -52,7 +52,7 @@ pub(crate) fn rows(name: &str, scene: &Scene, grids: &[usize]) -> Result<Vec<Row
 }
 
 fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals: usize) -> Result<Row, Cause> {
-    let outcome = solve(truth.scene, &Settings::new(method, solver, intervals))?;
+    let outcome = solve_raw(truth.scene, &Settings::new(method, solver, intervals))?;
     let nodes = outcome.state.nodes.ok_or("a discretised state has nodes")?;
     let (word, error, certified) = match truth.nodes(&nodes) {
         None => (REFUSED, f64::INFINITY, f64::INFINITY),
@@ -63,10 +63,10 @@ fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals:
     };
     Ok(Row {
         scene: name.to_owned(),
-        method: method.word().to_owned(),
-        solver: solver.word().to_owned(),
+        method: method.name().to_owned(),
+        solver: solver.name().to_owned(),
         intervals,
-        status: outcome.status.word().to_owned(),
+        status: outcome.status.name().to_owned(),
         outcome: word.to_owned(),
         // Digits of an error that is rounding are rounding themselves.
         truth: if error < THEORY { 0.0 } else { error },

@@ -7,10 +7,10 @@ use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
+use palkki::{Settings, solve_raw};
 use palkki_evidence::faults::{
     CONTACT_FAULTS, Certified, Distance, FAULTS, SIZES, Truth, every_second, scaled_ground, scaled_load,
 };
-use palkki::{Settings, solve};
 
 use serde::{Deserialize, Serialize};
 
@@ -126,7 +126,7 @@ pub(crate) fn rows(name: &str, scene: &Scene, all: &[(String, Scene)]) -> Result
 }
 
 fn answer(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<ContactState, Cause> {
-    Ok(solve(scene, &Settings::new(method, solver, intervals))?.state)
+    Ok(solve_raw(scene, &Settings::new(method, solver, intervals))?.state)
 }
 
 struct Trial<'a> {

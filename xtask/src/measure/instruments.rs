@@ -22,7 +22,7 @@ use std::time::Instant;
 
 use palkki::methods::Method;
 use palkki::solvers::Solver;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::plan::{Job, Route};
 use crate::{Cause, scenes};
@@ -77,7 +77,7 @@ pub(super) fn again(task: &str, arguments: &[String]) -> io::Result<Command> {
 /// Kilobytes at the most of a solve in a process of its own.
 pub(super) fn peak(scene: &str, job: Job) -> Option<u64> {
     let Route::Solver(method, solver) = job.route else { return None };
-    let words = [scene, method.word(), solver.word()].map(str::to_owned);
+    let words = [scene, method.name(), solver.name()].map(str::to_owned);
     let numbers = [job.intervals.to_string(), format!("{:e}", job.tolerance)];
     let output = again("peak", &[&words[..], &numbers].concat()).ok()?.output().ok()?;
     String::from_utf8(output.stdout).ok()?.trim().parse().ok()
@@ -96,18 +96,18 @@ pub(crate) struct Weighed {
 }
 
 fn method(word: &str) -> Result<Method, String> {
-    Method::ALL.into_iter().find(|method| method.word() == word).ok_or_else(|| "no such method".to_owned())
+    Method::ALL.into_iter().find(|method| method.name() == word).ok_or_else(|| "no such method".to_owned())
 }
 
 fn solver(word: &str) -> Result<Solver, String> {
-    Solver::ALL.into_iter().find(|solver| solver.word() == word).ok_or_else(|| "no such solver".to_owned())
+    Solver::ALL.into_iter().find(|solver| solver.name() == word).ok_or_else(|| "no such solver".to_owned())
 }
 
 impl Weighed {
     /// Solves, and answers with the peak of this process in kilobytes.
     pub(crate) fn own_peak(&self, root: &Path) -> Result<u64, Cause> {
         let Self { method, solver, intervals, tolerance, .. } = *self;
-        let outcome = solve(&scenes::read(root, &self.scene)?, &Settings { method, solver, intervals, tolerance })?;
+        let outcome = solve_raw(&scenes::read(root, &self.scene)?, &Settings { method, solver, intervals, tolerance })?;
         let peak = high_water_mark();
         // The answer is in memory until here.
         drop(outcome);

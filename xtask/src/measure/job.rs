@@ -3,15 +3,15 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use palkki::certificate::Kkt;
 use palkki::adaptive::{End, Request, adapt};
+use palkki::certificate::Kkt;
 use palkki::methods::{Discrete, Method, contact_state};
-use palkki::problem::FreeSet;
+use palkki::qp::FreeSet;
 use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
-use palkki::{Settings, Witness, solve, theory, verdict};
+use palkki::{Settings, Witness, solve_raw, theory, verdict};
 
 use super::instruments::{Tridiagonal, peak};
 use super::line::Line;
@@ -88,7 +88,7 @@ fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
         says_solved: Some(success),
         iterations: Some(iterations),
         unknowns: Some(unknowns),
-        ..begun.clone().ended(status.word())
+        ..begun.clone().ended(status.name())
     };
     match job.route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),
@@ -99,11 +99,11 @@ fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
         }
         Route::Solver(method, solver) => {
             let Job { intervals, tolerance, .. } = job;
-            let found = solve(scene, &Settings { method, solver, intervals, tolerance })?;
+            let found = solve_raw(scene, &Settings { method, solver, intervals, tolerance })?;
             let line = Line {
                 did_as_asked: found.own_residual.map(|own| own.is_met()),
                 own_residual: found.own_residual.and_then(|own| rounded(own.residual, 2)),
-                ..line(found.status, found.solver_claims_success, found.iterations, found.unknowns)
+                ..line(found.status, found.solver_reports_success, found.iterations, found.unknowns)
             };
             Ok(Answer { state: found.state, residual: found.residual, line, added: None })
         }
@@ -131,25 +131,25 @@ fn repair(
 ) -> Result<Answer, Cause> {
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, job.intervals)?;
-    let programme = Method::Force.programme(&discrete);
-    let answer = solver.run(programme.as_ref(), job.tolerance);
+    let qp = Method::Force.qp(&discrete);
+    let answer = solver.run(qp.as_ref(), job.tolerance);
     let start = Instant::now();
-    let sizes = programme.sizes();
+    let sizes = qp.sizes();
     // In contact where the force is larger than the clearance, each in its own measure.
     let touching: FreeSet =
         answer.x.iter().zip(&answer.gradient).map(|(p, h)| h / sizes.gradient < p / sizes.x).collect();
-    let (x, gradient) = match programme.stationary(&touching) {
+    let (x, gradient) = match qp.stationary(&touching) {
         Ok(point) => (point.x, point.gradient),
         Err(_) => (answer.x, answer.gradient),
     };
-    let unknowns = programme.dimension();
-    drop(programme);
+    let unknowns = qp.dimension();
+    drop(qp);
     let nodal = Method::Force.nodal(&discrete, x, gradient);
     let state = contact_state(discrete, nodal);
     let verdict = Kkt::of(&scaled.scene, &state);
     let certified = verdict.is_some_and(|kkt| kkt.holds());
     let status = if certified { Status::Certified } else { Status::NotCertified };
-    let line = line(status, answer.claims_success, answer.iterations, unknowns);
+    let line = line(status, answer.reports_success, answer.iterations, unknowns);
     let added = Some(start.elapsed().as_secs_f64());
     let residual = verdict.map_or(f64::INFINITY, |kkt| kkt.residual());
     Ok(Answer { state: state.in_units_of(&scaled.scale), residual, line, added })

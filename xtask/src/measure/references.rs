@@ -13,9 +13,9 @@ use std::time::Instant;
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
-use palkki::state::{Bending, Contact, ContactState};
+use palkki::state::{Contact, ContactState, Discretisation};
 use palkki::theory::{self, Exact};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::plan::{Job, Route};
 use crate::Cause;
@@ -68,16 +68,16 @@ impl References {
 
     /// The proven optimum of the discrete problem of a job.
     pub(super) fn reference(&self, scene: &Scene, job: Job) -> Option<Rc<Reference>> {
-        let bending = match job.route {
+        let discretisation = match job.route {
             Route::Exact | Route::Adaptive(..) => return None,
-            Route::Solver(method, _) | Route::Optimum(method) => method.bending(),
-            Route::Repair(_) => Bending::Between,
+            Route::Solver(method, _) | Route::Optimum(method) => method.discretisation(),
+            Route::Repair(_) => Discretisation::BeamElements,
         };
-        let key = (job.intervals, bending == Bending::AtNodes);
+        let key = (job.intervals, discretisation == Discretisation::FiniteDifferences);
         if let Some(known) = self.known.borrow().get(&key) {
             return known.clone();
         }
-        let found = Reference::new(scene, job.intervals, bending, &|x| self.in_largest(x)).map(Rc::new);
+        let found = Reference::new(scene, job.intervals, discretisation, &|x| self.in_largest(x)).map(Rc::new);
         self.known.borrow_mut().insert(key, found.clone());
         found
     }
@@ -144,16 +144,22 @@ struct Found<'a> {
 impl Reference {
     /// The optimum on `intervals`; none beyond [`FINEST`], and none if the search does not end. `looked_at` says which nodes
     /// belong to the contact that is looked at.
-    fn new(scene: &Scene, intervals: usize, bending: Bending, looked_at: &dyn Fn(f64) -> bool) -> Option<Self> {
+    fn new(
+        scene: &Scene,
+        intervals: usize,
+        discretisation: Discretisation,
+        looked_at: &dyn Fn(f64) -> bool,
+    ) -> Option<Self> {
         if FINEST < intervals {
             return None;
         }
-        let method = if bending == Bending::AtNodes { Method::Complementarity } else { Method::Force };
-        let begin = solve(scene, &Settings::new(method, Solver::ActiveSet, intervals)).ok()?.state.nodes?;
+        let method =
+            if discretisation == Discretisation::FiniteDifferences { Method::Complementarity } else { Method::Force };
+        let begin = solve_raw(scene, &Settings::new(method, Solver::ActiveSet, intervals)).ok()?.state.nodes?;
         let touches: Vec<bool> = begin.contact_force.iter().map(|p| 0.0 < *p).collect();
 
         let start = Instant::now();
-        let problem = given::problem(scene, intervals, bending)?;
+        let problem = given::problem(scene, intervals, discretisation)?;
         let (solution, _, exchanges) = problem.optimum(touches)?;
         let forces = begin.x.iter().zip(&solution.contact_force[1..]);
         let looked_at = forces.filter(|(x, _)| looked_at(**x)).map(|(_, p)| p);

@@ -11,12 +11,12 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use palkki_evidence::extremes::{Ground, survey};
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
-use palkki::{Settings, solve, theory};
+use palkki::{Settings, solve_raw, theory};
+use palkki_evidence::extremes::{Ground, survey};
 use serde::{Deserialize, Serialize};
 
 use super::instruments::{again, high_water_mark};
@@ -84,7 +84,7 @@ pub(crate) struct Job {
 }
 
 fn ground(word: &str) -> Result<Ground, String> {
-    Ground::ALL.into_iter().find(|ground| ground.word() == word).ok_or_else(|| "no such ground".to_owned())
+    Ground::ALL.into_iter().find(|ground| ground.name() == word).ok_or_else(|| "no such ground".to_owned())
 }
 
 fn route(word: &str) -> Result<Route, String> {
@@ -93,7 +93,7 @@ fn route(word: &str) -> Result<Route, String> {
 
 impl Job {
     fn arguments(self) -> [String; 4] {
-        [self.ground.word().to_owned(), self.points.to_string(), format!("{:e}", self.load), self.route.name()]
+        [self.ground.name().to_owned(), self.points.to_string(), format!("{:e}", self.load), self.route.name()]
     }
 
     /// Intervals of its grid: a multiple of the segments; 0 for the exact solution.
@@ -167,7 +167,7 @@ impl Row for Line {
 impl Line {
     /// Nothing is known of it yet.
     fn of(job: Job) -> Self {
-        let (ground, route) = (job.ground.word().to_owned(), job.route.name());
+        let (ground, route) = (job.ground.name().to_owned(), job.route.name());
         Self { ground, points: job.points, load: job.load, route, intervals: job.intervals(), ..Self::default() }
     }
 
@@ -298,7 +298,7 @@ fn once(job: Job, scene: &Scene) -> Line {
     match job.route {
         Route::Exact => match theory::solve(scene) {
             Ok(exact) => Line {
-                status: exact.status.word().to_owned(),
+                status: exact.status.name().to_owned(),
                 residual: rounded(exact.residual, 2),
                 energy: rounded(exact.state.energy, 15),
                 iterations: Some(exact.iterations),
@@ -311,9 +311,9 @@ fn once(job: Job, scene: &Scene) -> Line {
         },
         Route::Force(solver) => {
             let intervals = usize::try_from(job.intervals()).unwrap_or(usize::MAX);
-            match solve(scene, &Settings::new(Method::Force, solver, intervals)) {
+            match solve_raw(scene, &Settings::new(Method::Force, solver, intervals)) {
                 Ok(outcome) => Line {
-                    status: outcome.status.word().to_owned(),
+                    status: outcome.status.name().to_owned(),
                     residual: rounded(outcome.residual, 2),
                     energy: rounded(outcome.state.energy, 15),
                     iterations: Some(outcome.iterations),

@@ -28,11 +28,11 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use minijinja::Value;
-use palkki_evidence::paper::claims::Ledger;
-use palkki::route::{Method, Outcome, Solver};
+use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::{Scene, SceneError};
 use palkki::state::{ContactState, Nodes};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
+use palkki_evidence::paper::claims::Ledger;
 
 use crate::table::Table;
 use crate::{Cause, tell, workers};
@@ -42,7 +42,7 @@ mod prelude {
     pub(super) use minijinja::{Value, context};
     pub(super) use palkki::route::{Method, Solver, Status};
     pub(super) use palkki::scene::{Foundation, Scene};
-    pub(super) use palkki::{Settings, solve, theory};
+    pub(super) use palkki::{Settings, solve_raw, theory};
 
     pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes, worst_difference};
     pub(super) use crate::table::{Table, row};
@@ -160,8 +160,8 @@ fn routes() -> impl Iterator<Item = (Method, Solver)> {
 }
 
 /// A scene solved on a grid, to the tolerance that is the default.
-fn on_grid(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<Outcome, Cause> {
-    Ok(solve(scene, &Settings::new(method, solver, intervals))?)
+fn on_grid(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<RawSolution, Cause> {
+    Ok(solve_raw(scene, &Settings::new(method, solver, intervals))?)
 }
 
 /// The nodes of an answer on a grid.

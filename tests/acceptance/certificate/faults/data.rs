@@ -24,7 +24,7 @@ fn every_answer_has_its_certificate_and_none_is_an_exception() {
         for method in Method::ALL {
             for solver in Solver::ALL {
                 for intervals in GRIDS {
-                    let key = [scene.as_str(), method.word(), solver.word(), intervals];
+                    let key = [scene.as_str(), method.name(), solver.name(), intervals];
                     let found = rows.iter().filter(|row| row[..4] == key).count();
                     assert_eq!(found, 1, "{key:?} has one row");
                 }

@@ -4,9 +4,9 @@
 //! (34) and (35) are checked at every node, without rounding or with all of it counted in. `A` is positive definite, so there
 //! is no other optimum, and floating-point answers are compared with this one.
 
-use palkki::route::{Method, Outcome, Solver, Status};
+use palkki::route::{Method, RawSolution, Solver, Status};
 use palkki::scene::{Foundation, Scene};
-use palkki::state::Bending;
+use palkki::state::Discretisation;
 use palkki_evidence::authority::RBig;
 
 use crate::scenes::{example, nodes, run, scene, uniform};
@@ -21,12 +21,12 @@ const AT_29: f64 = 1e-14;
 const AT_9999: f64 = 1e-11;
 
 /// The beam and load of the example over depths `u(i/N)`: l = 10, EI = 125/96, q₀ = 1.
-fn example_over(intervals: i64, bending: Bending, depth: impl Fn(&RBig) -> RBig) -> Problem<RBig> {
+fn example_over(intervals: i64, discretisation: Discretisation, depth: impl Fn(&RBig) -> RBig) -> Problem<RBig> {
     let spacing = RBig::fraction(10, intervals);
     let half = spacing.over(&RBig::whole(2));
     let at = |i| if i == 0 || i == intervals { RBig::zero() } else { depth(&RBig::fraction(i, intervals)) };
     Problem {
-        bending,
+        discretisation,
         stiffness: fraction(125, 96),
         loads: (0..=intervals).map(|i| if i == 0 || i == intervals { half.clone() } else { spacing.clone() }).collect(),
         depths: (0..=intervals).map(at).collect(),
@@ -36,14 +36,14 @@ fn example_over(intervals: i64, bending: Bending, depth: impl Fn(&RBig) -> RBig)
 
 /// The contact set of a certified outcome.
 #[track_caller]
-fn contact(outcome: &Outcome) -> Vec<bool> {
+fn contact(outcome: &RawSolution) -> Vec<bool> {
     assert_eq!(outcome.status, Status::Certified, "the route is certified");
     nodes(outcome).contact_force.iter().map(|p| 0.0 < *p).collect()
 }
 
 /// The exact answer on the contact set of a route, with proof that it is the optimum.
 #[track_caller]
-fn proven<T: Number>(problem: &Problem<T>, outcome: &Outcome) -> Solution<T> {
+fn proven<T: Number>(problem: &Problem<T>, outcome: &RawSolution) -> Solution<T> {
     let contact = contact(outcome);
     let (exact, optimal, exchanges) = problem.optimum(contact.clone()).expect("an optimum is found");
     assert_eq!(exchanges, 0, "(34), (35) hold on {contact:?}, and not on {optimal:?} only");
@@ -51,7 +51,7 @@ fn proven<T: Number>(problem: &Problem<T>, outcome: &Outcome) -> Solution<T> {
 }
 
 #[track_caller]
-fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, outcome: &Outcome, tolerance: f64) {
+fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, outcome: &RawSolution, tolerance: f64) {
     let errors = Forward::errors(problem, exact, &outcome.state).expect("all values are numbers");
     for (what, error) in errors.all() {
         assert!(error <= tolerance, "{what} is off by {error:.1e}: {errors:?}");
@@ -63,7 +63,7 @@ fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, outcome: &Outcom
 fn fractions(scene: &Scene, intervals: i64, tolerance: f64, depth: impl Fn(&RBig) -> RBig + Copy) {
     let grid = usize::try_from(intervals).expect("positive");
     for method in [Method::Force, Method::Complementarity] {
-        let problem = example_over(intervals, method.bending(), depth);
+        let problem = example_over(intervals, method.discretisation(), depth);
         let outcome = run(scene, method, Solver::ActiveSet, grid);
         let exact = proven(&problem, &outcome);
         assert!(exact.uncertainty() == RBig::zero(), "nothing is rounded");
@@ -84,7 +84,7 @@ fn both_authorities_find_the_same_fractions() {
     for method in [Method::Force, Method::Complementarity] {
         let (dense, found) = super::exact(&super::paper(), &example(), method);
         let touches: Vec<bool> = found.contact_force.iter().map(|p| 0.0 < *p).collect();
-        let exact = example_over(30, method.bending(), |_| RBig::whole(1)).solve(&touches);
+        let exact = example_over(30, method.discretisation(), |_| RBig::whole(1)).solve(&touches);
         for (i, (p, v)) in (1..).zip(dense.contact_force.iter().zip(&dense.deflection)) {
             assert!(exact.contact_force[i] == *p && exact.deflection(i) == *v, "{method}, node {i}");
         }
@@ -123,7 +123,7 @@ const CERTAIN: f64 = 1e-40;
 /// In integers: proven, and the force route within `tolerance`.
 #[track_caller]
 fn integers(scene: &Scene, intervals: usize, tolerance: f64) {
-    let problem = given::problem(scene, intervals, Bending::Between).expect("no step");
+    let problem = given::problem(scene, intervals, Discretisation::BeamElements).expect("no step");
     let outcome = run(scene, Method::Force, Solver::ActiveSet, intervals);
     let exact = proven(&problem, &outcome);
     assert!(exact.uncertainty().to_double() < CERTAIN, "{:e}", exact.uncertainty().to_double());
@@ -147,8 +147,8 @@ fn uneven_foundations_in_integers() {
 #[test]
 fn fractions_and_integers_agree() {
     let outcome = run(&example(), Method::Force, Solver::ActiveSet, 30);
-    let fractions = proven(&example_over(30, Bending::Between, |_| RBig::whole(1)), &outcome);
-    let integers = proven(&given::problem(&example(), 30, Bending::Between).expect("flat"), &outcome);
+    let fractions = proven(&example_over(30, Discretisation::BeamElements, |_| RBig::whole(1)), &outcome);
+    let integers = proven(&given::problem(&example(), 30, Discretisation::BeamElements).expect("flat"), &outcome);
     for i in 1..30 {
         let (p, q) = (fractions.contact_force[i].to_double(), integers.contact_force[i].to_double());
         // 500/384 is rounded once before it becomes a multiple of 2⁻²⁵⁶.
@@ -165,7 +165,7 @@ fn fractions_and_integers_agree() {
 #[test]
 fn another_contact_set_is_refused() {
     let outcome = run(&example(), Method::Force, Solver::ActiveSet, 10_000);
-    let problem = given::problem(&example(), 10_000, Bending::Between).expect("flat");
+    let problem = given::problem(&example(), 10_000, Discretisation::BeamElements).expect("flat");
     let contact = contact(&outcome);
     let first = contact.iter().position(|touches| *touches).expect("the example touches");
     for other in [first - 1, first] {

@@ -1,6 +1,6 @@
 //! More load where the beam lies on the ground anyway, no contact, contact everywhere, deeper ground.
 
-use palkki::route::{Method, Outcome, Solver, Status};
+use palkki::route::{Method, RawSolution, Solver, Status};
 use palkki::scene::{Foundation, PointLoad};
 use palkki::state::Regime;
 
@@ -9,7 +9,7 @@ use crate::scenes::{apart, largest, nodes, run, scene, uniform};
 
 const INTERVALS: usize = 40;
 
-fn solved(parts: &Parts, method: Method) -> Outcome {
+fn solved(parts: &Parts, method: Method) -> RawSolution {
     let outcome = run(&parts.scene(), method, Solver::ActiveSet, INTERVALS);
     assert_eq!(outcome.status, Status::Certified, "{method}: {parts:?}");
     outcome

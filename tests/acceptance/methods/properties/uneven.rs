@@ -31,7 +31,7 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
         for method in Method::ALL {
             let outcome = run(scene, method, Solver::ActiveSet, intervals);
             touched += usize::from(outcome.state.regime != Regime::None);
-            if outcome.status != Status::Certified || !outcome.solver_claims_success {
+            if outcome.status != Status::Certified || !outcome.solver_reports_success {
                 failures.push(format!(
                     "scene {k}, {method}, {intervals} intervals: {}, residual {:.1e}, {}",
                     outcome.status, outcome.residual, outcome.solver_status
@@ -82,12 +82,12 @@ fn four_steps_end_at_stationary_points_of_a_face() {
         let scaled = scene.scaled().expect("numbers in range");
         let discrete = Discrete::new(&scaled.scene, 30).expect("enough intervals");
         for method in Method::ALL {
-            let programme = method.programme(&discrete);
-            let sizes = programme.sizes();
-            let answer = Solver::FourStep.run(programme.as_ref(), 0.0);
-            assert!(answer.claims_success, "{method}: {}", answer.words);
+            let qp = method.qp(&discrete);
+            let sizes = qp.sizes();
+            let answer = Solver::FourStep.run(qp.as_ref(), 0.0);
+            assert!(answer.reports_success, "{method}: {}", answer.words);
             // Anew, from x alone.
-            let gradient = programme.gradient(&answer.x);
+            let gradient = qp.gradient(&answer.x);
             for (x, g) in answer.x.iter().zip(gradient) {
                 assert!(0.0 <= *x, "{method}: x = {x:e}");
                 assert!(*x <= 0.0 || g.abs() <= STATIONARY * sizes.gradient, "{method}: x = {x:e}, g = {g:e}");

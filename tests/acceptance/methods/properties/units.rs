@@ -62,7 +62,7 @@ const BY_HAND: [Solver; 3] = [Solver::FourStep, Solver::ActiveSet, Solver::Nsor]
 fn state(parts: &Parts, method: Method, solver: Solver) -> ContactState {
     // A loose tolerance for NSOR: what is asked here is the same bits, not many digits.
     let settings = Settings { tolerance: 1e-4, ..Settings::new(method, solver, 14) };
-    palkki::solve(&parts.scene(), &settings).expect("numbers in range").state
+    palkki::solve_raw(&parts.scene(), &settings).expect("numbers in range").state
 }
 
 #[test]

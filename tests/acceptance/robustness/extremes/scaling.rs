@@ -28,7 +28,7 @@ fn units_do_not_matter() {
             let mut reference: Option<(Vec<f64>, Status)> = None;
             for (factors, extreme) in units().expect("scenes in range") {
                 let outcome =
-                    palkki::solve(&extreme.scene, &Settings::new(method, solver, GRID)).expect("numbers in range");
+                    palkki::solve_raw(&extreme.scene, &Settings::new(method, solver, GRID)).expect("numbers in range");
                 let found = undone(&outcome.state, factors);
                 let original = Factors { name: factors.name, length: 1.0, depth: 1.0, force: 1.0 };
                 if factors == original {

@@ -17,7 +17,7 @@
 //!
 //! with ε = 0 for beam elements and 1 for finite differences.
 
-use palkki::state::Bending;
+use palkki::state::Discretisation;
 
 use super::number::Number;
 
@@ -25,7 +25,7 @@ use super::number::Number;
 #[derive(Debug, Clone)]
 pub struct Problem<T> {
     /// Beam elements or finite differences.
-    pub bending: Bending,
+    pub discretisation: Discretisation,
     /// `Δ`.
     pub spacing: T,
     /// `EI`.
@@ -137,14 +137,14 @@ impl<T: Number> Problem<T> {
         }
         let mut rotations = rotations.map(|r| r.over(&length));
         let twice = length.plus(&length);
-        match self.bending {
+        match self.discretisation {
             // The half of κ at a support that belongs to this side: 2 m₀ + m₁.
-            Bending::Between => {
+            Discretisation::BeamElements => {
                 rotations[0] = rotations[0].plus(&m[1]);
                 rotations[1] = rotations[1].plus(&m[m.len() - 2]);
                 Span { slope, rotations, own: twice, other: length }
             }
-            Bending::AtNodes => {
+            Discretisation::FiniteDifferences => {
                 let less = T::whole(1).over(&length);
                 Span { slope, rotations, own: twice.plus(&less), other: length.minus(&less) }
             }
@@ -153,9 +153,9 @@ impl<T: Number> Problem<T> {
 
     /// `κ` at the inner nodes of a stretch with the moments `m`.
     fn curvatures(&self, m: &[T]) -> Vec<T> {
-        let curvature = |m: &[T]| match self.bending {
-            Bending::Between => m[0].plus(&T::whole(4).times(&m[1])).plus(&m[2]),
-            Bending::AtNodes => T::whole(6).times(&m[1]),
+        let curvature = |m: &[T]| match self.discretisation {
+            Discretisation::BeamElements => m[0].plus(&T::whole(4).times(&m[1])).plus(&m[2]),
+            Discretisation::FiniteDifferences => T::whole(6).times(&m[1]),
         };
         m.windows(3).map(curvature).collect()
     }

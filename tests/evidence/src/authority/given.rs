@@ -2,13 +2,13 @@
 //! bits.
 
 use palkki::scene::{Foundation, Scene};
-use palkki::state::Bending;
+use palkki::state::Discretisation;
 
 use super::clapeyron::Problem;
 use super::number::{Fixed, Number};
 
 /// `scene` on `intervals`; none without a foundation, and none for a polyline with a step.
-pub fn problem(scene: &Scene, intervals: usize, bending: Bending) -> Option<Problem<Fixed>> {
+pub fn problem(scene: &Scene, intervals: usize, discretisation: Discretisation) -> Option<Problem<Fixed>> {
     let steps = i64::try_from(intervals).ok()?;
     let length = Fixed::of(scene.beam().length());
     let spacing = length.over(&Fixed::whole(steps));
@@ -16,7 +16,7 @@ pub fn problem(scene: &Scene, intervals: usize, bending: Bending) -> Option<Prob
     let depth = depths(scene.foundation()?)?;
     let at = |i: i64| if i == 0 || i == steps { Fixed::zero() } else { depth(&place(i)) };
     Some(Problem {
-        bending,
+        discretisation,
         stiffness: Fixed::of(scene.beam().bending_stiffness()),
         loads: loads(scene, intervals, &spacing),
         depths: (0..=steps).map(at).collect(),

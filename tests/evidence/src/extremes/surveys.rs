@@ -35,7 +35,7 @@ impl Ground {
 
     /// Its name in tables.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Walk => "random walk",
             Self::Noise => "white noise",

@@ -238,7 +238,7 @@ pub fn scaled_load(scene: &Scene, share: f64) -> Result<Scene, SceneError> {
 pub fn every_second(state: &ContactState) -> ContactState {
     let every_second = |list: &Vec<f64>| list.iter().skip(1).step_by(2).copied().collect();
     let nodes = state.nodes.as_ref().map(|nodes| Nodes {
-        bending: nodes.bending,
+        discretisation: nodes.discretisation,
         x: every_second(&nodes.x),
         deflection: every_second(&nodes.deflection),
         clearance: every_second(&nodes.clearance),

@@ -4,7 +4,7 @@
 //! witness that is only believed where it is proven), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
 
 use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate};
-use palkki::route::{Outcome, Status};
+use palkki::route::{RawSolution, Status};
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::Exact;
@@ -120,7 +120,7 @@ pub(super) fn judge(
     trial: &mut Trial,
     scene: &Scene,
     settings: &Settings,
-    outcome: &Outcome,
+    outcome: &RawSolution,
     exact: Option<&Exact>,
 ) -> Option<Certificate> {
     let who = name(settings);
@@ -149,7 +149,13 @@ pub(super) fn judge(
 }
 
 /// Two certified answers to one discrete problem.
-pub(super) fn same(trial: &mut Trial, settings: &Settings, scene: &Scene, state: &ContactState, reference: &Outcome) {
+pub(super) fn same(
+    trial: &mut Trial,
+    settings: &Settings,
+    scene: &Scene,
+    state: &ContactState,
+    reference: &RawSolution,
+) {
     if reference.status != Status::Certified {
         return;
     }

@@ -18,5 +18,5 @@ pub fn scene(seed: u64) -> String {
     let (family, draft, _) = trial::draft(seed);
     let (_, trial) = trial::run(seed);
     let wrong: String = trial.wrong.iter().map(|what| format!("# {what}\n")).collect();
-    format!("# {}\n{wrong}{}", family.word(), draft.text())
+    format!("# {}\n{wrong}{}", family.name(), draft.text())
 }

@@ -31,7 +31,7 @@ impl Family {
 
     /// Its name in tables.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Ordinary => "ordinary",
             Self::Ties => "ties",

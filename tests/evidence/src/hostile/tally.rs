@@ -53,7 +53,7 @@ impl Tally {
                 let count = self.families.entry(family).or_default();
                 count.runs += 1;
                 count.panics += 1;
-                self.wrong.push((seed, format!("{}: panic", family.word())));
+                self.wrong.push((seed, format!("{}: panic", family.name())));
             }
         }
     }
@@ -104,6 +104,6 @@ impl Tally {
             *most = work.max(*most);
         }
         count.wrong += usize::from(!trial.wrong.is_empty());
-        self.wrong.extend(trial.wrong.into_iter().map(|what| (seed, format!("{}: {what}", family.word()))));
+        self.wrong.extend(trial.wrong.into_iter().map(|what| (seed, format!("{}: {what}", family.name()))));
     }
 }

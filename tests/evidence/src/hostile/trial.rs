@@ -7,7 +7,7 @@ use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::theory;
 use palkki::verdict::{Demand, Verdict};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::draft::Draft;
 use super::laws::{balanced, judge, overlap, same, within};
@@ -79,12 +79,12 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
     let settings = settings(&mut random);
     let reference = Settings { solver: Solver::ActiveSet, method: same_optimum(settings.method), ..settings };
     let judged = |trial: &mut Trial, settings: &Settings| {
-        let outcome = solve(&scene, settings).ok()?;
+        let outcome = solve_raw(&scene, settings).ok()?;
         let certificate = judge(trial, &scene, settings, &outcome, exact.as_ref());
         if let (Some(a), Some(b)) = (&bounds, &certificate) {
             overlap(trial, settings, a, b);
         }
-        trial.contradicted |= outcome.solver_claims_success && outcome.status != Status::Certified;
+        trial.contradicted |= outcome.solver_reports_success && outcome.status != Status::Certified;
         trial.work[1] = trial.work[1].max(outcome.iterations);
         Some(outcome)
     };
@@ -104,7 +104,7 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
     (family, trial)
 }
 
-/// The method that has the same optimum as this one, and the best conditioned programme.
+/// The method that has the same optimum as this one, and the best conditioned quadratic program.
 fn same_optimum(method: Method) -> Method {
     if method == Method::Complementarity { method } else { Method::Force }
 }

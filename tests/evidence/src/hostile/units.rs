@@ -5,7 +5,7 @@ use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::draft::Draft;
 use super::laws::name;
@@ -52,7 +52,7 @@ pub(super) fn in_other_units(
     if let (Some(a), Ok(b)) = (exact, theory::solve(&other)) {
         compare("theory", (&a.state, a.status), (&b.state, b.status));
     }
-    if let (Ok(a), Ok(b)) = (solve(scene, settings), solve(&other, settings)) {
+    if let (Ok(a), Ok(b)) = (solve_raw(scene, settings), solve_raw(&other, settings)) {
         compare(&name(settings), (&a.state, a.status), (&b.state, b.status));
     }
 }

@@ -9,7 +9,7 @@ use palkki::scene::{Scene, SceneError};
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::theory::Exact;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::{example, theory};
 
@@ -42,7 +42,7 @@ impl Quantity {
 
     /// Its name in tables.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::EndReaction => "end reaction",
             Self::Energy => "energy",
@@ -106,7 +106,7 @@ pub struct Series {
 ///
 /// # Errors
 ///
-/// None for the example on such grids; the type is that of [`solve`].
+/// None for the example on such grids; the type is that of [`solve_raw`].
 pub fn of_the_example(method: Method, intervals: &[usize]) -> Result<Vec<Series>, SceneError> {
     let quantities = Quantity::OF_THE_EXAMPLE.map(|quantity| (quantity, quantity.exact()));
     errors(&example()?, &quantities, method, intervals)
@@ -116,7 +116,7 @@ pub fn of_the_example(method: Method, intervals: &[usize]) -> Result<Vec<Series>
 ///
 /// # Errors
 ///
-/// Those of [`solve`].
+/// Those of [`solve_raw`].
 pub fn of_scene(scene: &Scene, exact: &Exact, method: Method, intervals: &[usize]) -> Result<Vec<Series>, SceneError> {
     let quantities = Quantity::OF_ANY_SCENE.map(|quantity| (quantity, quantity.of(&exact.state)));
     errors(scene, &quantities, method, intervals)
@@ -128,7 +128,7 @@ fn errors(
     method: Method,
     intervals: &[usize],
 ) -> Result<Vec<Series>, SceneError> {
-    let state = |&n: &usize| Ok((n, solve(scene, &Settings::new(method, Solver::ActiveSet, n))?.state));
+    let state = |&n: &usize| Ok((n, solve_raw(scene, &Settings::new(method, Solver::ActiveSet, n))?.state));
     let states = intervals.iter().map(state).collect::<Result<Vec<_>, SceneError>>()?;
     let of = |&(quantity, exact): &(Quantity, f64)| {
         let error = |state: &ContactState| (quantity.of(state) - exact).abs() / exact.abs();

@@ -20,7 +20,7 @@ use palkki::scene::SceneError;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
 use palkki::theory::FlatSolution;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 /// Contact pressure of a method beside beam theory: Figures 4 and 7.
 #[derive(Debug, Clone)]
@@ -50,7 +50,7 @@ pub struct Deflections {
 ///
 /// # Errors
 ///
-/// None for the data of the paper; the type is that of [`solve`].
+/// None for the data of the paper; the type is that of [`solve_raw`].
 pub fn figure_4() -> Result<Pressures, SceneError> {
     pressures(Method::Complementarity)
 }
@@ -80,6 +80,6 @@ fn pressures(method: Method) -> Result<Pressures, SceneError> {
 }
 
 fn nodes(method: Method) -> Result<Nodes, SceneError> {
-    let outcome = solve(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?;
+    let outcome = solve_raw(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?;
     Ok(outcome.state.nodes.unwrap_or_default())
 }

@@ -19,7 +19,7 @@ impl Unevenness {
 
     /// Its name in tables.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Wave => "waves",
             Self::Rough => "rough polylines",

@@ -3,10 +3,10 @@
 use palkki::Witness;
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
-use palkki_evidence::paper::{INTERVALS, example, theory};
-use palkki::route::Outcome;
+use palkki::route::RawSolution;
 use palkki::scene::SceneError;
 use palkki::verdict::{Demand, Verdict};
+use palkki_evidence::paper::{INTERVALS, example, theory};
 
 use super::prelude::*;
 use palkki_evidence::authority::rational::{Data, fraction, number};
@@ -24,7 +24,7 @@ struct Authority {
 struct Run {
     method: Method,
     solver: Solver,
-    outcome: Outcome,
+    outcome: RawSolution,
     forces: Vec<f64>,
 }
 
@@ -52,7 +52,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         let share = error / tolerances.of(solver);
         worst = worst.max(share);
         agree += usize::from(share <= 1.0);
-        let verdict = Verdict::of_outcome(&run.outcome, &witness, &Demand::default());
+        let verdict = Verdict::of_raw(&run.outcome, &witness, &Demand::default());
         certified += usize::from(verdict.status == Status::Certified);
         let first = run.forces.get(authority.first).copied().unwrap_or(f64::NAN);
         let [force, reaction] = [first, reaction].map(|value| fixed(value, tolerances.places(solver)));
@@ -146,7 +146,7 @@ impl Tolerances {
     /// For the example on the paper's grid.
     fn new() -> Result<Self, SceneError> {
         let discrete = Discrete::new(&example()?, INTERVALS)?;
-        let matrix = Method::Displacement.programme(&discrete).matrix();
+        let matrix = Method::Displacement.qp(&discrete).matrix();
         let n = matrix.dimension();
         let row = |i: usize| (0..n).map(|j| matrix.entry(i, j).abs()).sum::<f64>();
         let norm = (0..n).map(row).fold(0.0, f64::max);

@@ -3,15 +3,16 @@
 //! libraries. What `palkki certify` finds about them, told that the load is nodal and not told.
 
 use nalgebra::{DMatrix, DVector};
-use palkki::certificate::bounds::{Violation, ViolationKind, violations, violations_at_nodes};
-use palkki::certificate::{ACCEPTED_ERROR, ContactLoad, Judged, Lumped, certify};
+use palkki::DEFAULT_TOLERANCE;
+use palkki::certificate::{
+    ACCEPTED_ERROR, ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
+};
 use palkki::methods::Discrete;
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
-use palkki::problem::Dense;
+use palkki::qp::Dense;
 use palkki::state::Nodes;
-use palkki_evidence::faults::{THEORY, Truth};
 use palkki::verdict::accepts;
-use palkki::DEFAULT_TOLERANCE;
+use palkki_evidence::faults::{THEORY, Truth};
 use palkki_evidence::paper;
 
 use super::prelude::*;
@@ -196,7 +197,7 @@ fn of_libraries(study: &Study<'_>) -> Result<(Table, usize, usize, usize), Cause
     let (mut met, mut passed, mut accepted) = (0, 0, 0);
     for (method, solver, tolerance) in RUNS {
         let settings = Settings { tolerance, ..Settings::new(method, solver, LIBRARY_INTERVALS) };
-        let outcome = solve(&wave, &settings)?;
+        let outcome = solve_raw(&wave, &settings)?;
         let own = outcome.own_residual.ok_or("a library has a residual of its own")?;
         let certified = outcome.status == Status::Certified;
         let found = Found::of(&wave, String::new(), &of_nodes(&outcome.state.nodes.unwrap_or_default()))?;
@@ -241,16 +242,16 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
     let length = beam.length();
     let spring = ratio * 48.0 * beam.bending_stiffness() / (length * length * length);
     let discrete = Discrete::new(&scaled.scene, intervals)?;
-    let rigid = Method::Force.programme(&discrete);
+    let rigid = Method::Force.qp(&discrete);
     let (n, flexibility) = (rigid.dimension(), rigid.matrix());
     let softness = |i: usize, j: usize| if i == j { 1.0 / spring } else { 0.0 };
-    let programme = Dense {
+    let qp = Dense {
         matrix: DMatrix::from_fn(n, n, |i, j| flexibility.entry(i, j) + softness(i, j)),
         linear: DVector::from_vec(rigid.linear()),
         sizes: rigid.sizes(),
     };
-    let answer = Solver::ActiveSet.run(&programme, 0.0);
-    if !answer.claims_success {
+    let answer = Solver::ActiveSet.run(&qp, 0.0);
+    if !answer.reports_success {
         return Err(format!("springs of ratio {ratio}: {}", answer.words).into());
     }
     let scale = &scaled.scale;

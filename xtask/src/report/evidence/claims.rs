@@ -1,11 +1,11 @@
 //! The claims of the paper and its advice, beside what was measured.
 
-use palkki_evidence::paper::claims::four_step::FINEST;
-use palkki_evidence::paper::claims::nsor::GRIDS;
-use palkki_evidence::paper::claims::accuracy::{Errors, errors};
-use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::scene::SceneError;
+use palkki_evidence::paper::claims::accuracy::{Errors, errors};
+use palkki_evidence::paper::claims::four_step::FINEST;
+use palkki_evidence::paper::claims::nsor::GRIDS;
+use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
 
 use super::prelude::*;
 use crate::report::links::anchor;
@@ -58,7 +58,7 @@ fn heading(claim: &Claim) -> String {
 /// The verdict, and which reading it is about.
 fn verdict(claim: &Claim) -> String {
     let reading = claim.reading.map(|reading| format!(", {reading}"));
-    format!("{}{}", claim.verdict.word(), reading.unwrap_or_default())
+    format!("{}{}", claim.verdict.name(), reading.unwrap_or_default())
 }
 
 /// Sweeps over intervals, both logarithmic.

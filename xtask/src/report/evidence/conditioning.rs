@@ -28,7 +28,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let grazing = grazing::measured()?;
     let values = context! {
         table => table(&all, &drawn.1),
-        method => DRAWN.word(),
+        method => DRAWN.name(),
         finest, matrix_until,
         active_set => context! {
             reaction => worst(&all, |run, _| Some(run.reaction)),
@@ -148,7 +148,8 @@ mod tests {
     #[test]
     fn the_active_set_has_an_error_of_rounding_where_the_condition_number_promises_nothing() {
         for method in Method::ALL {
-            let grid = routes::grid(&palkki_evidence::paper::example().expect("well posed"), method, 1000).expect("a grid");
+            let grid =
+                routes::grid(&palkki_evidence::paper::example().expect("well posed"), method, 1000).expect("a grid");
             let run = grid.run(super::ACTIVE_SET).expect("it goes that far");
             assert!(run.certified && -4 < run.promised(&grid), "{method}: {run:?}");
             // Contact forces near lift-off lose a factor n; a few units in the last place of that, and the margin of three.

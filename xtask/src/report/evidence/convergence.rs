@@ -1,7 +1,7 @@
 //! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
 
-use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
 use palkki::plot::study::{Named, convergence};
+use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
 
 use super::prelude::*;
 
@@ -18,7 +18,8 @@ const FINE_HALVINGS: u32 = 10;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // The force method has the same nodal values as the displacement method.
-    let (differences, energy) = (of_the_example(Method::Complementarity, &GRIDS)?, of_the_example(Method::Displacement, &GRIDS)?);
+    let (differences, energy) =
+        (of_the_example(Method::Complementarity, &GRIDS)?, of_the_example(Method::Displacement, &GRIDS)?);
     let fast = differences.iter().any(|s| s.quantity == Quantity::Energy && 2.5 < s.order);
     let first_force = study.ledger()?.usable.grids.iter().map(|grid| (grid.intervals, grid.first_force));
     let first_force: Vec<_> = first_force.map(|(intervals, error)| context! { intervals, error }).collect();
@@ -36,7 +37,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let fine = of_scene(&crests, &theory::solve(&crests)?, Method::Force, &every)?;
     let fine_rows: Vec<_> = fine
         .iter()
-        .map(|a| context! { quantity => a.quantity.word(), error => last(&a.errors), order => a.order })
+        .map(|a| context! { quantity => a.quantity.name(), error => last(&a.errors), order => a.order })
         .collect();
 
     let values = context! {
@@ -82,15 +83,15 @@ fn example_table(differences: &[Series], energy: &[Series]) -> Table {
     ])
     .rows(differences.iter().zip(energy).map(|(a, b)| {
         let cells = |s: &Series| [short(first(&s.errors)), short(last(&s.errors)), format!("{:.2}", s.order)];
-        [&row![a.quantity.word()][..], &cells(a), &cells(b)].concat()
+        [&row![a.quantity.name()][..], &cells(a), &cells(b)].concat()
     }))
 }
 
 fn example_figure(energy: &[Series]) -> Result<String, Cause> {
     let series: Vec<Named<'_>> =
-        energy.iter().map(|s| Named { label: s.quantity.word(), points: places(&s.errors) }).collect();
+        energy.iter().map(|s| Named { label: s.quantity.name(), points: places(&s.errors) }).collect();
     let listed: Vec<String> =
-        energy.iter().map(|s| format!("{} with order {:.1}", s.quantity.word(), s.order)).collect();
+        energy.iter().map(|s| format!("{} with order {:.1}", s.quantity.name(), s.order)).collect();
     let orders = |of: bool| energy.iter().filter(move |s| (s.quantity == Quantity::LiftOff) == of).map(|s| s.order);
     // The least of the others.
     let (lift_off, rest) = (orders(true).fold(0.0, f64::max), orders(false).fold(f64::INFINITY, f64::min));
@@ -110,7 +111,7 @@ fn example_data(methods: &[&[Series]]) -> Table {
     let rows = methods
         .iter()
         .flat_map(|series| series.iter())
-        .flat_map(|s| s.errors.iter().map(|(n, error)| row![s.method, s.quantity.word(), n, scientific(*error, 2)]));
+        .flat_map(|s| s.errors.iter().map(|(n, error)| row![s.method, s.quantity.name(), n, scientific(*error, 2)]));
     Table::new(["method", "quantity", "intervals", "relative_error"]).rows(rows)
 }
 
@@ -152,7 +153,7 @@ fn uneven_figure(found: &[(&str, Vec<Series>)]) -> Result<String, Cause> {
 fn uneven_data(found: &[(&str, Vec<Series>)]) -> Table {
     let rows = found.iter().flat_map(|(name, found)| {
         found.iter().flat_map(move |a| {
-            a.errors.iter().map(move |(n, error)| row![name, a.method, a.quantity.word(), n, scientific(*error, 2)])
+            a.errors.iter().map(move |(n, error)| row![name, a.method, a.quantity.name(), n, scientific(*error, 2)])
         })
     });
     Table::new(["scene", "method", "quantity", "intervals", "relative_error"]).rows(rows)

@@ -112,7 +112,7 @@ fn planned() -> Table {
     };
     let row = |name: &str, of: &dyn Fn(Route) -> bool| row![name, finest(of, true), finest(of, false)];
     let solvers =
-        Solver::ALL.map(|solver| row(solver.word(), &move |route| matches!(route, Route::Solver(_, s) if s == solver)));
+        Solver::ALL.map(|solver| row(solver.name(), &move |route| matches!(route, Route::Solver(_, s) if s == solver)));
     let optimum = row("proven optimum", &|route| matches!(route, Route::Optimum(_)));
     let others = format!("on {}", OTHERS.join(", "));
     Table::new(["solver", "finest grid on the example", &others]).rows(solvers.into_iter().chain([optimum]))

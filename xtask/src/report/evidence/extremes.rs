@@ -2,8 +2,8 @@
 
 mod map;
 
+use palkki::route::RawSolution;
 use palkki_evidence::extremes::{Extreme, POWERS, borders, sizes, units};
-use palkki::route::Outcome;
 
 use super::prelude::*;
 
@@ -88,7 +88,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
 const NSOR: usize = 8;
 
 /// A run of a discretised route, and what it is beside the active set on the same quadratic program.
-fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcome) -> Result<Verdict, Cause> {
+fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &RawSolution) -> Result<Verdict, Cause> {
     let outcome = on_grid(&extreme.scene, method, solver, extreme.intervals)?;
     if outcome.status != Status::Certified {
         return Ok(Verdict::NotCertified);
@@ -107,7 +107,7 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &Outcom
 }
 
 /// The active set on the same quadratic program.
-fn reference(extreme: &Extreme, method: Method) -> Result<Outcome, Cause> {
+fn reference(extreme: &Extreme, method: Method) -> Result<RawSolution, Cause> {
     on_grid(&extreme.scene, method, Solver::ActiveSet, extreme.intervals)
 }
 

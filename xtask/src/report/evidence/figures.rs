@@ -1,13 +1,13 @@
 //! Figures 4, 7 and 8 of the paper, drawn again, and the first nodal contact force, which jumps from grid to grid.
 
 use palkki::methods::Method;
-use palkki_evidence::paper::convergence::Quantity;
-use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 use palkki::plot::PlotError;
 use palkki::plot::paper::{Nodal, Theory, contact as contact_forces, shape};
 use palkki::plot::study::{Named, first_force as drawn_first_force};
 use palkki::state::{ContactState, Nodes};
 use palkki::theory::FlatSolution;
+use palkki_evidence::paper::convergence::Quantity;
+use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 
 use super::prelude::*;
 

@@ -45,7 +45,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         grids.push(row![scene.title()].into_iter().chain(searched.cells));
         for (method, solver) in routes() {
             let outcome = on_grid(&scene, method, solver, INTERVALS)?;
-            let reports = if outcome.solver_claims_success { "success" } else { "failure" };
+            let reports = if outcome.solver_reports_success { "success" } else { "failure" };
             runs.push(row![name, method, solver, outcome.status, reports]);
         }
 
@@ -54,8 +54,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let drawn = Curves::exact(&scene, &exact);
         drawings.push((format!("scene-{name}"), curves(&scene, &drawn, "exact solution")?, table(&drawn)));
     }
-    let four_step = |run: &&[String; 5]| run[2] == Solver::FourStep.word();
-    let is_certified = |run: &&[String; 5]| run[3] == Status::Certified.word();
+    let four_step = |run: &&[String; 5]| run[2] == Solver::FourStep.name();
+    let is_certified = |run: &&[String; 5]| run[3] == Status::Certified.name();
     let others = || runs.iter().filter(|run| !four_step(run));
     let values = context! {
         count => cards.len(),

@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use palkki::methods::Discrete;
-use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
 use palkki::plot::study::{Named, regimes as drawn};
 use palkki::plot::{Arrow, Arrows, Axis, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, PlotError, Style};
 use palkki::scene::{Beam, Load};
 use palkki::state::Regime;
+use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
 
 use super::prelude::*;
 
@@ -104,7 +104,7 @@ pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut matrices = String::new();
     for (method, name) in Method::ALL.into_iter().zip(["A of method 1, in EI/Δ⁴", "K, in EI/Δ³", "C, in Δ³/EI"])
     {
-        let matrix = method.programme(&discrete).matrix();
+        let matrix = method.qp(&discrete).matrix();
         writeln!(matrices, "{name}")?;
         for i in 0..n {
             let row: String = (0..n).map(|j| format!("{:>10}", fixed(matrix.entry(i, j), 4))).collect();

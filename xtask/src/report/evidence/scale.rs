@@ -36,7 +36,7 @@ type Survey = (Ground, f64, u32);
 fn line(scale: &Scale, (ground, load, points): Survey, route: Route) -> Option<&Line> {
     let wanted = route.name();
     scale.lines.iter().find(|line| {
-        line.ground == ground.word()
+        line.ground == ground.name()
             && line.load.total_cmp(&load).is_eq()
             && line.points == points
             && line.route == wanted
@@ -128,7 +128,7 @@ fn slowest_beside_grid(scale: &Scale, surveys: &[Survey]) -> Option<String> {
         surveys.iter().filter_map(|&survey| Some((survey, seconds(survey, EXACT)? / seconds(survey, ACTIVE_SET)?)));
     let ((ground, load, points), _) = ratios.max_by(|a, b| a.1.total_cmp(&b.1))?;
     let points = count(points);
-    Some(format!("{}, q = {}, {points} points", ground.word(), load_name(load)))
+    Some(format!("{}, q = {}, {points} points", ground.name(), load_name(load)))
 }
 
 /// By how much the energy on the grid of the active set differs from that of the exact solution, over the latter.
@@ -145,7 +145,7 @@ fn without_result(scale: &Scale) -> Vec<String> {
         for ground in Ground::ALL {
             for load in LOADS {
                 let lines = scale.lines.iter().filter(|line| {
-                    line.route == route.name() && line.ground == ground.word() && line.load.total_cmp(&load).is_eq()
+                    line.route == route.name() && line.ground == ground.name() && line.load.total_cmp(&load).is_eq()
                 });
                 let first = lines.filter(|line| !line.is_certified()).min_by_key(|line| line.points);
                 told.extend(first.map(|line| {
@@ -154,7 +154,7 @@ fn without_result(scale: &Scale) -> Vec<String> {
                     format!(
                         "{}, {}, q = {}: {} at {points} points{why}",
                         label(route),
-                        ground.word(),
+                        ground.name(),
                         load_name(load),
                         line.status
                     )
@@ -180,7 +180,7 @@ fn table(scale: &Scale, surveys: &[Survey]) -> Table {
         let contacts = contacts.map_or_else(|| "–".to_owned(), count);
         let [exact, active_set, interior] = [EXACT, ACTIVE_SET, INTERIOR_POINT].map(seconds);
         let off = error_cell(grid_off(scale, survey));
-        row![ground.word(), load_name(load), count(points), contacts, exact, active_set, interior, off]
+        row![ground.name(), load_name(load), count(points), contacts, exact, active_set, interior, off]
     });
     Table::new(header).rows(rows)
 }

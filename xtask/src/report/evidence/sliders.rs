@@ -56,7 +56,7 @@ fn depths() -> Result<Table, Cause> {
         data.push(row![
             fixed(depth, 6),
             fixed(share, 8),
-            exact.state.regime.word(),
+            exact.state.regime.name(),
             fixed(contact.map_or(0.0, |c| c.from), 4),
             fixed(contact.map_or(0.0, |c| c.end_forces.map_or(c.force, |[left, _]| left)), 4),
             fixed(exact.state.reactions.left, 4),

@@ -7,9 +7,9 @@ use palkki::DEFAULT_TOLERANCE;
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
 
-use palkki_evidence::exchanges::{End, Instance, corpus, full_exchange};
 use super::prelude::*;
 use crate::text;
+use palkki_evidence::exchanges::{End, Instance, corpus, full_exchange};
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let settings = Solver::ALL.map(|solver| row![solver, solver.settings(DEFAULT_TOLERANCE)]);
@@ -63,9 +63,10 @@ fn own_criteria(root: &Path) -> Result<(Value, Table), Cause> {
                     if too_long(solver, intervals) {
                         continue;
                     }
-                    let outcome = solve(scene, &Settings { tolerance, ..Settings::new(method, solver, intervals) })?;
+                    let outcome =
+                        solve_raw(scene, &Settings { tolerance, ..Settings::new(method, solver, intervals) })?;
                     own_tolerance = outcome.own_residual.map(|own| own.asked);
-                    let (says, passes) = (outcome.solver_claims_success, outcome.status == Status::Certified);
+                    let (says, passes) = (outcome.solver_reports_success, outcome.status == Status::Certified);
                     let met = outcome.own_residual.map(|own| own.is_met());
                     let [says_word, met_word, passes_word] =
                         [Some(says), met, Some(passes)].map(|is| is.map_or("", yes_no));
@@ -141,8 +142,8 @@ fn hard_instances() -> Result<(Value, Table), Cause> {
 fn exchanged(instance: &Instance) -> Result<End, Cause> {
     let scaled = instance.scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, instance.intervals)?;
-    let programme = instance.method.programme(&discrete);
-    full_exchange(programme.as_ref()).map_err(|error| error.to_string().into())
+    let qp = instance.method.qp(&discrete);
+    full_exchange(qp.as_ref()).map_err(|error| error.to_string().into())
 }
 
 /// Whether the answer passes our check, and the solves that it took.

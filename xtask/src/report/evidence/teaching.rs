@@ -2,10 +2,10 @@
 
 use palkki::certificate::{Judged, certify};
 use palkki::methods::Discrete;
-use palkki::problem::FreeSet;
+use palkki::qp::FreeSet;
+use palkki::{DEFAULT_TOLERANCE, theory as exact_theory};
 use palkki_evidence::paper::convergence::{Quantity, of_scene};
 use palkki_evidence::paper::{INTERVALS, example, theory};
-use palkki::{DEFAULT_TOLERANCE, theory as exact_theory};
 
 use super::prelude::*;
 
@@ -49,16 +49,16 @@ type Rounds = Vec<(Vec<f64>, Option<usize>)>;
 /// The four steps by finite differences, round by round, and the contact forces at their end. They have to be those of the
 /// solver.
 fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
-    let programme = Method::Complementarity.programme(discrete);
-    let mut free = FreeSet::all(programme.dimension());
+    let qp = Method::Complementarity.qp(discrete);
+    let mut free = FreeSet::all(qp.dimension());
     let mut rounds: Rounds = Vec::new();
     loop {
-        let point = programme.stationary(&free)?;
+        let point = qp.stationary(&free)?;
         let negative = free.variables().filter(|&i| point.x[i] < 0.0);
         let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
         rounds.push((point.x, smallest));
         let Some(smallest) = smallest else {
-            let answer = Solver::FourStep.run(programme.as_ref(), DEFAULT_TOLERANCE);
+            let answer = Solver::FourStep.run(qp.as_ref(), DEFAULT_TOLERANCE);
             if rounds.last().is_none_or(|(x, _)| *x != answer.x) || answer.iterations != rounds.len() {
                 return Err("the four steps of the exercise are not those of the solver".into());
             }

@@ -4,7 +4,7 @@
 use palkki::methods::Method;
 use palkki::scene::{Foundation, Load, PointLoad, Scene, SceneError};
 use palkki::solvers::Solver;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::{Claim, Verdict, bound};
 use crate::paper::{INTERVALS, PRINTED_FORCE, PRINTED_REACTION, PRINTED_USEFUL_INTERVALS, beam, example, theory};
@@ -31,10 +31,10 @@ const HALF_A_UNIT: f64 = 0.005;
 ///
 /// # Errors
 ///
-/// None for the example; the type is that of [`solve`].
+/// None for the example; the type is that of [`solve_raw`].
 pub fn printed() -> Result<Printed, SceneError> {
     let first = |method| -> Result<(f64, f64, f64), SceneError> {
-        let state = solve(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?.state;
+        let state = solve_raw(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?.state;
         let nodes = state.nodes.unwrap_or_default();
         let index = nodes.contact_force.iter().position(|p| 0.0 < *p).unwrap_or(0);
         Ok((nodes.x[index], nodes.contact_force[index], state.reactions.left))
@@ -103,7 +103,7 @@ const ROUNDING: f64 = 1e-10;
 ///
 /// # Errors
 ///
-/// None for these scenes; the type is that of [`solve`].
+/// None for these scenes; the type is that of [`solve_raw`].
 #[expect(clippy::cast_precision_loss, reason = "40 intervals")]
 pub fn point_forces() -> Result<PointForces, SceneError> {
     let beam = beam()?;
@@ -120,7 +120,7 @@ pub fn point_forces() -> Result<PointForces, SceneError> {
                 b * x * (l * l - b * b - x * x) / (6.0 * ei * l)
             };
             for method in [Method::Displacement, Method::Complementarity] {
-                let state = solve(&scene, &Settings::new(method, Solver::ActiveSet, intervals))?.state;
+                let state = solve_raw(&scene, &Settings::new(method, Solver::ActiveSet, intervals))?.state;
                 let nodes = state.nodes.unwrap_or_default();
                 let errors = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v / exact(x) - 1.0).abs());
                 let error = errors.fold(0.0, f64::max);
@@ -208,7 +208,7 @@ const FINE: usize = 300;
 ///
 /// # Errors
 ///
-/// None for the example; the type is that of [`solve`].
+/// None for the example; the type is that of [`solve_raw`].
 pub fn usable() -> Result<Usable, SceneError> {
     let grids = [errors(INTERVALS)?, errors(PRINTED_USEFUL_INTERVALS)?, errors(FINE)?];
     let looked_at: Vec<Errors> = (1..=20).map(|k| errors(20 * k)).collect::<Result<_, _>>()?;
@@ -223,12 +223,12 @@ pub fn usable() -> Result<Usable, SceneError> {
 ///
 /// # Errors
 ///
-/// None for the example with at least 12 intervals; the type is that of [`solve`].
+/// None for the example with at least 12 intervals; the type is that of [`solve_raw`].
 #[expect(clippy::cast_precision_loss, reason = "a few hundred intervals")]
 pub fn errors(intervals: usize) -> Result<Errors, SceneError> {
     let scene = example()?;
     let exact = theory();
-    let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals))?.state;
+    let state = solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals))?.state;
     let nodes = state.nodes.clone().unwrap_or_default();
     let nodal_load = scene.load().uniform() * scene.beam().length() / intervals as f64;
     let touching: Vec<f64> = nodes.contact_force.iter().copied().filter(|p| 0.0 < *p).collect();

@@ -4,11 +4,11 @@
 use nalgebra::DMatrix;
 use palkki::certificate::{Judged, certify};
 use palkki::methods::{Discrete, Method};
-use palkki::problem::{Dense, FreeSet, Matrix, Programme, Stationary};
+use palkki::qp::{Dense, FreeSet, Matrix, Qp, Stationary};
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::{Answer, Solver};
 use palkki::state::Contact;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::{Claim, Verdict, bound};
 use crate::paper::uneven::{Unevenness, scenes};
@@ -56,10 +56,10 @@ fn differences(scene: &Scene) -> Result<(f64, f64), SceneError> {
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, INTERVALS)?;
     let nodal = |method: Method| {
-        let programme = method.programme(&discrete);
-        let (linear, sizes) = (programme.linear().into(), programme.sizes());
+        let qp = method.qp(&discrete);
+        let (linear, sizes) = (qp.linear().into(), qp.sizes());
         let Answer { x, gradient, .. } =
-            Solver::ActiveSet.run(&Dense { matrix: dense(programme.as_ref()), linear, sizes }, 0.0);
+            Solver::ActiveSet.run(&Dense { matrix: dense(qp.as_ref()), linear, sizes }, 0.0);
         method.nodal(&discrete, x, gradient)
     };
     let (a, b) = (nodal(Method::Displacement), nodal(Method::Force));
@@ -79,15 +79,15 @@ fn differences(scene: &Scene) -> Result<(f64, f64), SceneError> {
 pub fn inverse_defect(intervals: usize) -> Result<f64, SceneError> {
     let scene = example()?;
     let discrete = Discrete::new(&scene, intervals)?;
-    let matrix = |method: Method| dense(method.programme(&discrete).as_ref());
+    let matrix = |method: Method| dense(method.qp(&discrete).as_ref());
     let product = matrix(Method::Displacement) * matrix(Method::Force);
     Ok((&product - DMatrix::identity(product.nrows(), product.ncols())).amax())
 }
 
 /// The matrix of a quadratic program as numbers in rows and columns.
 #[must_use]
-pub fn dense(programme: &dyn Programme) -> DMatrix<f64> {
-    match programme.matrix() {
+pub fn dense(qp: &dyn Qp) -> DMatrix<f64> {
+    match qp.matrix() {
         Matrix::Dense(a) => a,
         banded @ Matrix::Pentadiagonal(_) => {
             let n = banded.dimension();
@@ -192,11 +192,11 @@ fn digits(intervals: usize) -> Result<Digits, SceneError> {
         point.map_or_else(|| vec![f64::NAN; intervals - 1], |p| if of_x { p.x } else { p.gradient })
     };
     let with_matrix = |method: Method| -> Dense {
-        let programme = method.programme(&discrete);
-        Dense { matrix: dense(programme.as_ref()), linear: programme.linear().into(), sizes: programme.sizes() }
+        let qp = method.qp(&discrete);
+        Dense { matrix: dense(qp.as_ref()), linear: qp.linear().into(), sizes: qp.sizes() }
     };
     let (stiffness, flexibility) = (with_matrix(Method::Displacement), with_matrix(Method::Force));
-    let reference = forces(Method::Force.programme(&discrete).stationary(&touches).ok(), true);
+    let reference = forces(Method::Force.qp(&discrete).stationary(&touches).ok(), true);
     let error = |forces: Vec<f64>| {
         let worst = forces.iter().zip(&reference).map(|(a, b)| (a - b).abs());
         worst.fold(0.0, |worst: f64, e| if e.is_nan() { f64::INFINITY } else { worst.max(e) }) / total
@@ -290,7 +290,7 @@ pub struct BothSides {
 ///
 /// # Errors
 ///
-/// None for the example; the type is that of [`solve`].
+/// None for the example; the type is that of [`solve_raw`].
 pub fn both_sides() -> Result<BothSides, SceneError> {
     let scene = example()?;
     let exact = theory().energy;
@@ -299,7 +299,7 @@ pub fn both_sides() -> Result<BothSides, SceneError> {
     let zone = theory().lift_off.map(|a| Contact { from: a, to: length - a, ..Contact::at(a, 0.0) });
     let mut grids = Vec::new();
     for intervals in [PRINTED_USEFUL_INTERVALS, INTERVALS, 100] {
-        let state = |method| solve(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).map(|o| o.state);
+        let state = |method| solve_raw(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).map(|o| o.state);
         let (displacement, force) = (state(Method::Displacement)?, state(Method::Force)?);
         let nodes = force.nodes.unwrap_or_default();
         let certificate = certify(&scene, Judged::Nodes(&nodes), zone.as_slice())?;

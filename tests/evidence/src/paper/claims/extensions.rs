@@ -4,10 +4,10 @@
 
 use nalgebra::{DMatrix, DVector};
 use palkki::methods::{Method, flexibility};
-use palkki::problem::{Dense, FreeSet, Programme, Sizes, residual};
+use palkki::qp::{Dense, FreeSet, Qp, Sizes, residual};
 use palkki::scene::{Foundation, SceneError};
 use palkki::solvers::Solver;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 use super::{Claim, Verdict, bound};
 use crate::paper::{INTERVALS, beam, scene_over};
@@ -40,12 +40,12 @@ pub fn any_body() -> Taut {
     let depths = DVector::from_element(n, depth);
     let loads = DVector::from_element(n, load * spacing);
     let linear = &stiffness * &depths - &loads;
-    let programme = Dense { matrix: stiffness, linear, sizes: Sizes { x: depth, gradient: load * length } };
-    let answer = Solver::ActiveSet.run(&programme, 0.0);
+    let qp = Dense { matrix: stiffness, linear, sizes: Sizes { x: depth, gradient: load * length } };
+    let answer = Solver::ActiveSet.run(&qp, 0.0);
     let first = depth - answer.x[0];
     let reaction = tension * first / spacing + 0.5 * load * spacing;
     Taut {
-        residual: residual(programme.sizes, &answer.x, &answer.gradient),
+        residual: residual(qp.sizes, &answer.x, &answer.gradient),
         end_reaction: reaction / (2.0 * tension * load * depth).sqrt() - 1.0,
     }
 }
@@ -104,8 +104,8 @@ pub fn elastic_foundation() -> Result<Springs, SceneError> {
     let loads = DVector::from_element(n, spacing);
     let linear = &c * &loads;
     let matrix = &c + DMatrix::identity(n, n) / (MODULUS * spacing);
-    let programme = Dense { matrix, linear, sizes: Sizes { x: l, gradient: 1.0 / MODULUS } };
-    let answer = Solver::ActiveSet.run(&programme, 0.0);
+    let qp = Dense { matrix, linear, sizes: Sizes { x: l, gradient: 1.0 / MODULUS } };
+    let answer = Solver::ActiveSet.run(&qp, 0.0);
     let deflection = answer.x[n / 2] / (MODULUS * spacing);
 
     let term = |m: usize| {
@@ -115,10 +115,7 @@ pub fn elastic_foundation() -> Result<Springs, SceneError> {
         4.0 / wave * sign / (ei * ratio * ratio * ratio * ratio + MODULUS)
     };
     let series: f64 = (0..500).rev().map(|k| term(2 * k + 1)).sum();
-    Ok(Springs {
-        residual: residual(programme.sizes, &answer.x, &answer.gradient),
-        deflection: deflection / series - 1.0,
-    })
+    Ok(Springs { residual: residual(qp.sizes, &answer.x, &answer.gradient), deflection: deflection / series - 1.0 })
 }
 
 impl Springs {
@@ -182,7 +179,7 @@ pub fn unknown_rigid_motion() -> Result<Unsupported, SceneError> {
     let free = relative.transpose() * stiffness * &relative;
     let eigenvalues = free.clone().symmetric_eigenvalues();
     let largest = eigenvalues.max();
-    let programme = Dense {
+    let qp = Dense {
         linear: DVector::from_element(n + 2, 1.0),
         sizes: Sizes { x: 1.0, gradient: 1.0 },
         // Symmetric up to rounding, shifted by less than rounding of the largest entry: semidefinite, not definite.
@@ -190,7 +187,7 @@ pub fn unknown_rigid_motion() -> Result<Unsupported, SceneError> {
     };
     Ok(Unsupported {
         rigid_motions: eigenvalues.iter().filter(|e| e.abs() <= 1e-9 * largest).count(),
-        first_step_works: programme.stationary(&FreeSet::all(n + 2)).is_ok(),
+        first_step_works: qp.stationary(&FreeSet::all(n + 2)).is_ok(),
     })
 }
 
@@ -242,7 +239,7 @@ const DEPTH: f64 = 1.0;
 ///
 /// # Errors
 ///
-/// None; the type is that of [`solve`].
+/// None; the type is that of [`solve_raw`].
 #[expect(clippy::cast_precision_loss, reason = "30 intervals")]
 pub fn curved_beam() -> Result<Curved, SceneError> {
     let beam = beam()?;
@@ -250,7 +247,7 @@ pub fn curved_beam() -> Result<Curved, SceneError> {
     let rise = 4.0 * CAMBER / l;
     let foundation = Foundation::Polynomial { coefficients: vec![DEPTH, rise, -rise / l] };
     let scene = scene_over(foundation)?;
-    let state = solve(&scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
+    let state = solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, INTERVALS))?.state;
     let contact_force = state.contact_force();
     let straight = state.nodes.unwrap_or_default();
 

@@ -7,7 +7,7 @@ use palkki::methods::Method;
 use palkki::route::Status;
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::Solver;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 /// Grids of the example: 4 to this many intervals.
 pub const FINEST: usize = 200;
@@ -48,7 +48,7 @@ pub struct Evidence {
 ///
 /// # Errors
 ///
-/// None for these scenes; the type is that of [`solve`].
+/// None for these scenes; the type is that of [`solve_raw`].
 pub fn measure() -> Result<Evidence, SceneError> {
     let example = example()?;
     let uneven = [scenes(Unevenness::Wave, SCENES, SEED)?, scenes(Unevenness::Rough, SCENES, SEED)?];
@@ -56,7 +56,7 @@ pub fn measure() -> Result<Evidence, SceneError> {
     for method in Method::ALL {
         let mut infeasible = 0;
         let mut optimal = |scene: &Scene, intervals: usize| -> Result<bool, SceneError> {
-            let outcome = solve(scene, &Settings::new(method, Solver::FourStep, intervals))?;
+            let outcome = solve_raw(scene, &Settings::new(method, Solver::FourStep, intervals))?;
             let nodes = outcome.state.nodes.unwrap_or_default();
             // Step 2° looks at the unknown alone: the clearance, or the contact force.
             let unknown = if method == Method::Force { &nodes.contact_force } else { &nodes.clearance };

@@ -28,7 +28,7 @@ pub enum Verdict {
 impl Verdict {
     /// Its word in tables.
     #[must_use]
-    pub fn word(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Confirmed => "confirmed",
             Self::Qualified => "qualified",

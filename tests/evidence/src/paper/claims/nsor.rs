@@ -12,7 +12,7 @@ use palkki::adaptive::observed_order;
 use palkki::methods::Method;
 use palkki::scene::SceneError;
 use palkki::solvers::Solver;
-use palkki::{Settings, solve};
+use palkki::{Settings, solve_raw};
 
 /// Grids on which sweeps are counted.
 pub const GRIDS: [usize; 5] = [10, 15, 20, 30, 40];
@@ -50,22 +50,22 @@ pub struct Evidence {
 ///
 /// # Errors
 ///
-/// None for the example; the type is that of [`solve`].
+/// None for the example; the type is that of [`solve_raw`].
 #[expect(clippy::cast_precision_loss, reason = "counts of sweeps")]
 pub fn measure() -> Result<Evidence, SceneError> {
     let scene = example()?;
-    let run = |method, solver, intervals| solve(&scene, &Settings::new(method, solver, intervals));
+    let run = |method, solver, intervals| solve_raw(&scene, &Settings::new(method, solver, intervals));
     let mut counts = Vec::new();
     for method in Method::ALL {
         let (mut sweeps, mut converged, mut finest, mut work) = (Vec::new(), true, 0, 0);
         for intervals in GRIDS {
             let outcome = run(method, Solver::Nsor, intervals)?;
-            converged &= outcome.solver_claims_success;
+            converged &= outcome.solver_reports_success;
             sweeps.push((intervals, outcome.iterations));
             work = outcome.work;
         }
         for intervals in FINER.into_iter().rev().chain(GRIDS.into_iter().rev()) {
-            if run(method, Solver::Nsor, intervals)?.solver_claims_success {
+            if run(method, Solver::Nsor, intervals)?.solver_reports_success {
                 finest = intervals;
                 break;
             }
@@ -128,7 +128,7 @@ impl Evidence {
         let cheapest = self.counts.iter().map(|c| c.cost).fold(f64::INFINITY, f64::min);
         let dearest = self.counts.iter().map(|c| c.cost).fold(0.0, f64::max);
         let finest = self.counts.iter().map(|c| c.finest).min().unwrap_or(0);
-        let the_only_one = self.verdict_as_the_only_one().word();
+        let the_only_one = self.verdict_as_the_only_one().name();
         Claim {
             name: "nsor_for_large_n",
             statement: "If n is large, a usable algorithm is NSOR (or: the usable algorithm).",

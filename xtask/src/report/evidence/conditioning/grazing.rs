@@ -4,10 +4,10 @@
 //! to `μ`, and `p = K h` ties the two together, so that both go to zero like `√μ`, where at a contact with pressure or a node
 //! with clearance the error goes like `μ`.
 
-use palkki::methods::{Discrete, free_beam};
-use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
-use palkki::plot::{Axis, Figure, Layer, Panel, Style};
 use palkki::adaptive::observed_order;
+use palkki::methods::{Discrete, free_beam};
+use palkki::plot::{Axis, Figure, Layer, Panel, Style};
+use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
 
 use super::routes::exponent;
 use crate::report::evidence::prelude::*;
@@ -44,7 +44,7 @@ struct Errors {
 /// The beam of the example on a foundation that it touches everywhere and does not press.
 fn grazing(method: Method) -> Result<Scene, Cause> {
     let free = Scene::new(beam()?, example()?.load().clone(), None)?;
-    let nodal = free_beam(&Discrete::new(&free, INTERVALS)?, method.bending());
+    let nodal = free_beam(&Discrete::new(&free, INTERVALS)?, method.discretisation());
     let discrete = Discrete::new(&free, INTERVALS)?;
     let inner = discrete.grid.interior_places().into_iter().zip(nodal.deflection).map(|(x, v)| [x, v]);
     let points = std::iter::once([0.0, 0.0]).chain(inner).chain([[free.beam().length(), 0.0]]).collect();
@@ -63,7 +63,7 @@ pub(super) fn reference(method: Method) -> Result<(Vec<f64>, f64), Cause> {
 fn errors(scene: &Scene, method: Method) -> Result<Vec<Errors>, Cause> {
     let run = |solver, tolerance| -> Result<_, Cause> {
         let settings = Settings { tolerance, ..Settings::new(method, solver, INTERVALS) };
-        let mut outcome = solve(scene, &settings)?;
+        let mut outcome = solve_raw(scene, &settings)?;
         let nodes = outcome.state.nodes.take().ok_or("a discretised state has nodes")?;
         Ok((outcome, nodes))
     };

@@ -6,13 +6,13 @@
 
 use palkki::certificate::Kkt;
 use palkki::methods::{Discrete, contact_state};
-use palkki_evidence::paper::example;
-use palkki::problem::{Band, Dense, FreeSet, Matrix, Programme, Row};
+use palkki::qp::{Band, Dense, FreeSet, Matrix, Qp, Row};
 use palkki::state::ContactState;
+use palkki_evidence::paper::example;
 
+use crate::report::evidence::prelude::*;
 use palkki_evidence::authority::given;
 use palkki_evidence::authority::number::Number;
-use crate::report::evidence::prelude::*;
 
 /// Grids of the table.
 const GRIDS: [usize; 8] = [10, 30, 100, 300, 1000, 3000, 10_000, 100_000];
@@ -92,7 +92,7 @@ struct Reference {
 impl Reference {
     /// Found from a guess of the contact set; none if the search does not end.
     fn of(scene: &Scene, method: Method, guess: Vec<bool>) -> Option<Self> {
-        let problem = given::problem(scene, guess.len() + 1, method.bending())?;
+        let problem = given::problem(scene, guess.len() + 1, method.discretisation())?;
         let (solution, touches, _) = problem.optimum(guess)?;
         Some(Self {
             contact_force: solution.contact_force[1..=touches.len()].iter().map(Number::to_double).collect(),
@@ -141,7 +141,7 @@ pub(super) fn grid(scene: &Scene, method: Method, intervals: usize) -> Result<Gr
     for solver in Solver::ALL.into_iter().filter(|&solver| intervals <= finest(method, solver)) {
         let outcome = on_grid(scene, method, solver, intervals)?;
         let certified = outcome.status == Status::Certified;
-        runs.push(reference.beside(scene, solver.word(), &outcome.state, (outcome.residual, certified))?);
+        runs.push(reference.beside(scene, solver.name(), &outcome.state, (outcome.residual, certified))?);
     }
     Ok(Grid { intervals, condition: exponent(method.condition(intervals) / 3.0), runs })
 }
@@ -157,15 +157,15 @@ fn solved_by_matrix(scene: &Scene, method: Method, touches: &[bool]) -> Result<O
     }
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals)?;
-    let programme = method.programme(&discrete);
+    let qp = method.qp(&discrete);
     let free: FreeSet = touches.iter().map(|&touches| touches == method.is_free_in_contact()).collect();
-    let point = match programme.matrix() {
+    let point = match qp.matrix() {
         Matrix::Dense(matrix) => {
-            let dense = Dense { matrix, linear: programme.linear().into(), sizes: programme.sizes() };
+            let dense = Dense { matrix, linear: qp.linear().into(), sizes: qp.sizes() };
             dense.stationary(&free).ok().map(|point| (point.x, point.gradient))
         }
-        banded @ Matrix::Pentadiagonal(_) => on_band(programme.as_ref(), &banded, &free).map(|x| {
-            let gradient = programme.gradient(&x);
+        banded @ Matrix::Pentadiagonal(_) => on_band(qp.as_ref(), &banded, &free).map(|x| {
+            let gradient = qp.gradient(&x);
             (x, gradient)
         }),
     };
@@ -175,9 +175,9 @@ fn solved_by_matrix(scene: &Scene, method: Method, touches: &[bool]) -> Result<O
 }
 
 /// `A_ff x_f = b_f` by a banded factorisation.
-fn on_band(programme: &dyn Programme, matrix: &Matrix, free: &FreeSet) -> Option<Vec<f64>> {
+fn on_band(qp: &dyn Qp, matrix: &Matrix, free: &FreeSet) -> Option<Vec<f64>> {
     let chosen: Vec<usize> = free.variables().collect();
-    let linear = programme.linear();
+    let linear = qp.linear();
     let mut equations = Band::with_capacity(chosen.len());
     for (k, &i) in chosen.iter().enumerate() {
         let above = [k + 1, k + 2].map(|l| chosen.get(l).map_or(0.0, |&j| matrix.entry(i, j)));

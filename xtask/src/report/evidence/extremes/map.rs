@@ -1,9 +1,9 @@
 //! One map: every solver, and beam theory over waves, against the depth of the ground.
 
 use palkki::certificate::{Judged, certify};
-use palkki_evidence::extremes::{Extreme, POWERS, deep};
 use palkki::plot::table::{Cell, Tone, verdict_map};
 use palkki::scene::{Beam, Load};
+use palkki_evidence::extremes::{Extreme, POWERS, deep};
 
 use super::{Count, NSOR, Verdict, checked, reference};
 use crate::report::evidence::prelude::*;
@@ -75,7 +75,7 @@ fn of_solver(solver: Solver) -> Result<Strip, Cause> {
             for intervals in GRIDS.into_iter().filter(|&intervals| solver != Solver::Nsor || intervals <= NSOR) {
                 let extreme = Extreme { intervals, ..flat.clone() };
                 let verdict = checked(&extreme, method, solver, &reference(&extreme, method)?)?;
-                strip.add(column, method.word(), intervals.to_string(), verdict);
+                strip.add(column, method.name(), intervals.to_string(), verdict);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The figures: time and memory over the points of a survey, both logarithmic.
 
-use palkki_evidence::extremes::Ground;
 use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
+use palkki_evidence::extremes::Ground;
 
 use super::{ACTIVE_SET, EXACT, INTERIOR_POINT, Survey, certified, label, load_name};
 use crate::measure::scale::{LOADS, Line, Route, Scale};
@@ -71,7 +71,7 @@ pub(super) fn time(scale: &Scale, surveys: &[Survey]) -> Result<Titled, PlotErro
         for load in LOADS {
             let same = |(g, l, _): &&Survey| *g == ground && l.total_cmp(&load).is_eq();
             let of_panel: Vec<Survey> = surveys.iter().filter(same).copied().collect();
-            let what = format!("{}, q = {}", ground.word(), load_name(load));
+            let what = format!("{}, q = {}", ground.name(), load_name(load));
             let series = |route| (what.clone(), route, places(scale, &of_panel, route, &|line| line.median_s));
             all.extend(ROUTES.map(series));
         }
