@@ -10,7 +10,7 @@
 //! `C` (26) is there for whoever wants a matrix. On a given set of contacts the three-moment equations of `contact_set.rs`
 //! give the same answer in O(n) and without the condition number of `C`, which grows like `n⁴`.
 
-// Discrepancy: quadratic-quadratic program
+// Discrepancy: quadratic-program
 //
 // Equations (29)–(32), among them the quadratic program "minimise ½ xᵀA x − bᵀx, x ≥ 0", are lost. It is rebuilt from its
 // gradient (33), its optimality conditions (34), (35) and from (28), which survive.

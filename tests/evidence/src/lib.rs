@@ -6,6 +6,8 @@
 //! random and adversarial ones. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what holds for
 //! any text that is read, and [`numdiff`] compares texts as printed numbers.
 
+#![cfg(feature = "full")]
+
 pub mod authority;
 pub mod exchanges;
 pub mod extremes;

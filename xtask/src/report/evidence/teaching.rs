@@ -91,6 +91,14 @@ fn four_steps(scene: &Scene) -> Result<Value, Cause> {
     })
 }
 
+/// The node that pulls most, the round in which it was held, and the next node to the right that was held already.
+fn pulling(rounds: &Rounds, forces: &[f64]) -> Option<[usize; 3]> {
+    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j]))?;
+    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst))?;
+    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
+    Some([worst, round, before.filter(|i| worst < *i).min()?])
+}
+
 /// Exercise 3: the first grid on which the four steps fail, beside the one before.
 fn failure(scene: &Scene) -> Result<Value, Cause> {
     let run = |solver: Solver, n: usize| on_grid(scene, Method::Complementarity, solver, n);
@@ -104,12 +112,20 @@ fn failure(scene: &Scene) -> Result<Value, Cause> {
         table.push(row![n, outcome.iterations, passes, reactions[0], reactions[1]]);
     }
     let discrete = Discrete::new(scene, intervals)?;
-    let (rounds, forces) = rounds(&discrete)?;
-    let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j])).ok_or("there are nodes")?;
-    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst)).ok_or("a node pulls that is free")?;
-    // The next node to the right that was held already in that round.
-    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
-    let held = before.filter(|i| worst < *i).min().ok_or("no node was held before")?;
+    let (mut rounds, mut forces) = rounds(&discrete)?;
+    // Scene and grid are symmetric, and rounding decides on which side the four steps begin: the exercise tells it from the left.
+    let found = match pulling(&rounds, &forces) {
+        Some(found) => found,
+        None => {
+            forces.reverse();
+            for (x, smallest) in &mut rounds {
+                x.reverse();
+                *smallest = smallest.map(|i| forces.len() - 1 - i);
+            }
+            pulling(&rounds, &forces).ok_or("no node was held before")?
+        }
+    };
+    let [worst, round, held] = found;
     let best = run(Solver::ActiveSet, intervals)?;
     Ok(context! {
         intervals,
