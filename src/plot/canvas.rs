@@ -1,10 +1,11 @@
-//! The sheet of paper: lines, areas and words in drawing units, as elements of SVG.
+//! The sheet of paper: lines, areas and words in drawing units, drawn by plotters' SVG backend.
 //!
 //! No system font is read, so the size of text is an estimate, on the generous side.
 
-use std::fmt::Write as _;
+use plotters::backend::{DrawingBackend, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
-use super::figure::escaped;
 use super::palette::{Color, Dash, Marker};
 use super::{PlotError, finite};
 
@@ -12,6 +13,9 @@ use super::{PlotError, finite};
 pub(super) const SHAFT: u32 = 7;
 /// Size of ordinary text \[drawing units\]: 8 pixels on a telephone, 18 where the drawing is 900 pixels wide.
 pub(super) const TEXT: f64 = 48.0;
+
+/// The backend divides a font size by this before it writes it; we multiply, so that sizes are as we say.
+const BACKEND_FONT_FACTOR: f64 = 1.24;
 
 /// Where a text lies relative to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,62 +41,36 @@ impl Type {
     pub(super) const TITLE: Self = Self { size: 58.0, ..Self::BOLD };
 }
 
-/// What is drawn on: elements of SVG, one a line, without what is the default of the document.
-#[derive(Debug)]
-pub(super) struct Canvas {
-    written: String,
-    /// Look of the path that the next line may go on with.
-    open: Option<String>,
+/// What is drawn on.
+pub(super) struct Canvas<'a> {
+    backend: SVGBackend<'a>,
 }
 
-impl Canvas {
-    /// A white sheet of `size` drawing units.
-    pub(super) fn new([width, height]: [u32; 2]) -> Self {
-        let white = hex(Color::WHITE);
-        let written = format!("<rect x=\"0\" y=\"0\" width=\"{width}\" height=\"{height}\" fill=\"{white}\"/>\n");
-        Self { written, open: None }
+impl<'a> Canvas<'a> {
+    /// A white sheet of `width` by `height` drawing units that writes to `buffer`.
+    pub(super) fn new(buffer: &'a mut String, [width, height]: [u32; 2]) -> Result<Self, PlotError> {
+        let mut backend = SVGBackend::with_string(buffer, (width, height));
+        let corner = pixel([f64::from(width), f64::from(height)])?;
+        done(backend.draw_rect((0, 0), corner, &rgb(Color::WHITE), true))?;
+        Ok(Self { backend })
     }
 
-    /// The elements.
-    pub(super) fn finish(mut self) -> String {
-        self.end_path();
-        self.written
+    /// Ends the drawing; without it an error in the last step would be lost.
+    pub(super) fn present(mut self) -> Result<(), PlotError> {
+        done(self.backend.present())
     }
 
-    fn end_path(&mut self) {
-        if self.open.take().is_some() {
-            self.written.push_str("\"/>\n");
-        }
-    }
-
-    fn element(&mut self, element: &str) {
-        self.end_path();
-        self.written.push_str(element);
-        self.written.push('\n');
-    }
-
-    /// A line through `points`. Lines of one look that follow each other are one path.
+    /// A line through `points`.
     pub(super) fn line(&mut self, points: &[Point], color: Color, width: u32, dash: Dash) -> Result<(), PlotError> {
         for stroke in dashes(&simplified(points)?, dash.pattern()).iter().filter(|stroke| 1 < stroke.len()) {
-            let look = format!(" fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\"", hex(color));
-            let path = pixels(stroke)?;
-            if self.open.as_ref() != Some(&look) {
-                self.end_path();
-                // Writing to a string does not fail.
-                let _ = write!(self.written, "<path{look} d=\"");
-                self.open = Some(look);
-            }
-            let _ = write!(self.written, "M{path}");
+            done(self.backend.draw_path(pixels(stroke)?, &ShapeStyle::from(&rgb(color)).stroke_width(width)))?;
         }
         Ok(())
     }
 
     /// A filled polygon.
     pub(super) fn fill(&mut self, points: &[Point], color: Color, opacity: f64) -> Result<(), PlotError> {
-        let path = pixels(&simplified(points)?)?;
-        let opacity = if opacity < 1.0 { format!(" opacity=\"{opacity}\"") } else { String::new() };
-        self.element(&format!("<polygon{opacity} fill=\"{}\" points=\"{path}\"/>", hex(color)));
-        Ok(())
+        done(self.backend.fill_polygon(pixels(&simplified(points)?)?, &rgb(color).mix(opacity)))
     }
 
     /// A filled rectangle between two opposite corners.
@@ -113,10 +91,7 @@ impl Canvas {
         let [x, y] = at;
         match marker {
             Marker::Circle => self.disc(at, R, color),
-            Marker::OpenCircle => {
-                let stroke = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"5\"", hex(color));
-                self.circle(at, R, &stroke)
-            }
+            Marker::OpenCircle => self.circle(at, R, ShapeStyle::from(&rgb(color)).stroke_width(5)),
             Marker::Square => self.rectangle([x - R, y - R], [x + R, y + R], color, 1.0),
             Marker::Triangle => self.fill(&[[x, y - 1.3 * R], [x + 1.2 * R, y + R], [x - 1.2 * R, y + R]], color, 1.0),
             Marker::Diamond => {
@@ -151,13 +126,12 @@ impl Canvas {
 
     /// A filled circle.
     pub(super) fn disc(&mut self, at: Point, radius: f64, color: Color) -> Result<(), PlotError> {
-        self.circle(at, radius, &format!("fill=\"{}\" stroke-width=\"1\"", hex(color)))
+        self.circle(at, radius, ShapeStyle::from(&rgb(color)).filled())
     }
 
-    fn circle(&mut self, at: Point, radius: f64, look: &str) -> Result<(), PlotError> {
-        let ([x, y], [radius, _]) = (pixel(at)?, pixel([radius, 0.0])?);
-        self.element(&format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {look}/>"));
-        Ok(())
+    fn circle(&mut self, at: Point, radius: f64, style: ShapeStyle) -> Result<(), PlotError> {
+        let radius = pixel([radius, 0.0])?.0.unsigned_abs();
+        done(self.backend.draw_circle(pixel(at)?, radius, &style, style.filled))
     }
 
     /// An arrow from `tail` to `tip`; its head never is longer than the arrow.
@@ -191,27 +165,20 @@ impl Canvas {
         if text.is_empty() {
             return Ok(());
         }
-        // The "middle" of a line is half an x-height above its base line; a digit is taller than an x.
+        let style = if kind.bold { FontStyle::Bold } else { FontStyle::Normal };
+        let turn = if kind.turned { FontTransform::Rotate270 } else { FontTransform::None };
+        let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style).transform(turn);
+        let across = match align {
+            Align::Left => HPos::Left,
+            Align::Center => HPos::Center,
+            Align::Right => HPos::Right,
+        };
+        let color = rgb(kind.color);
+        let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
+        // The backend's "centre" puts the base line half an x-height below the point; a digit is taller than an x.
         let lower = 0.09 * kind.size;
-        let [x, y] = pixel(if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] })?;
-        let mut look = String::new();
-        match align {
-            Align::Left => {}
-            Align::Center => look.push_str(" text-anchor=\"middle\""),
-            Align::Right => look.push_str(" text-anchor=\"end\""),
-        }
-        if kind.size.to_bits() != TEXT.to_bits() {
-            let _ = write!(look, " font-size=\"{}\"", kind.size);
-        }
-        let _ = write!(look, " fill=\"{}\"", hex(kind.color));
-        if kind.bold {
-            look.push_str(" font-weight=\"bold\"");
-        }
-        if kind.turned {
-            let _ = write!(look, " transform=\"rotate(270, {x}, {y})\"");
-        }
-        self.element(&format!("<text x=\"{x}\" y=\"{y}\" dy=\"0.5ex\"{look}>{}</text>", escaped(text)));
-        Ok(())
+        let at = if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] };
+        done(self.backend.draw_text(text, &style, pixel(at)?))
     }
 }
 
@@ -237,23 +204,26 @@ pub(super) fn wrapped(text: &str, width: f64, kind: Type) -> Vec<String> {
     lines
 }
 
-fn hex(Color(red, green, blue): Color) -> String {
-    format!("#{red:02X}{green:02X}{blue:02X}")
+/// What the backend says, as an error of ours.
+fn done<E: std::error::Error>(drawn: Result<(), E>) -> Result<(), PlotError> {
+    drawn.map_err(|error| PlotError::Backend(error.to_string()))
+}
+
+fn rgb(Color(red, green, blue): Color) -> RGBColor {
+    RGBColor(red, green, blue)
 }
 
 /// The nearest whole drawing units; a place off the sheet stays off it, without overflow.
 #[expect(clippy::cast_possible_truncation, reason = "the value is finite and clamped to what an i32 holds")]
-fn pixel([x, y]: Point) -> Result<[i32; 2], PlotError> {
+fn pixel([x, y]: Point) -> Result<(i32, i32), PlotError> {
     let whole = |value: f64| -> Result<i32, PlotError> {
         Ok(finite("a place on the drawing", value)?.clamp(-1e6, 1e6).round() as i32)
     };
-    Ok([whole(x)?, whole(y)?])
+    Ok((whole(x)?, whole(y)?))
 }
 
-/// Places as SVG has them, `1,2 3,4`.
-fn pixels(points: &[Point]) -> Result<String, PlotError> {
-    let places = points.iter().map(|&point| pixel(point).map(|[x, y]| format!("{x},{y}")));
-    Ok(places.collect::<Result<Vec<_>, _>>()?.join(" "))
+fn pixels(points: &[Point]) -> Result<Vec<(i32, i32)>, PlotError> {
+    points.iter().map(|&point| pixel(point)).collect()
 }
 
 /// A place on the drawing, `[right, down]`.
@@ -350,17 +320,7 @@ pub(super) fn sampled(line: &[Point], step: f64) -> Vec<Point> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Canvas, Color, Dash, PlotError, dashes, simplified};
-
-    #[test]
-    fn lines_of_one_look_become_one_path() {
-        let mut canvas = Canvas::new([9, 9]);
-        for y in [1.0, 2.0] {
-            canvas.line(&[[0.0, y], [9.0, y]], Color::BLACK, 1, Dash::Solid).expect("finite places");
-        }
-        let paths = "<path fill=\"none\" stroke=\"#000000\" stroke-width=\"1\" d=\"M0,1 9,1M0,2 9,2\"/>\n";
-        assert!(canvas.finish().ends_with(paths), "one path of two lines");
-    }
+    use super::{PlotError, dashes, simplified};
 
     #[test]
     fn dashes_follow_the_line_round_a_corner() {

@@ -1,6 +1,8 @@
 //! A figure: a title, a description for those who cannot see it, and panels; and the SVG document that it becomes, with a nominal
 //! size, colours for dark surroundings, and few words for each element.
 
+use std::fmt::Write as _;
+
 use super::canvas::{Align, Canvas, TEXT, Type, wrapped};
 use super::palette::dark_rules;
 use super::panel::Panel;
@@ -125,26 +127,69 @@ pub(super) fn document(
 ) -> Result<String, PlotError> {
     // Whole pixels, or the last row of them would be half empty.
     let height = height.div_ceil(UNITS_PER_PIXEL) * UNITS_PER_PIXEL;
-    let mut canvas = Canvas::new([WIDTH, height]);
+    let mut drawn = String::new();
+    let mut canvas = Canvas::new(&mut drawn, [WIDTH, height])?;
     draw(&mut canvas)?;
+    canvas.present()?;
+    // The backend opens the document without title and with one size for both; its first line makes room for ours.
+    let body = drawn.split_once('\n').map_or("", |(_, body)| body);
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {WIDTH} {height}\" \
          role=\"img\" aria-labelledby=\"title desc\" font-family=\"sans-serif\" font-size=\"{TEXT}\">\n\
          <title id=\"title\">{}</title>\n\
          <desc id=\"desc\">{}</desc>\n\
          <style>@media (prefers-color-scheme: dark) {{ {} }}</style>\n\
-         {}</svg>\n",
+         {}",
         WIDTH / UNITS_PER_PIXEL,
         height / UNITS_PER_PIXEL,
         escaped(title),
         escaped(description),
-        dark_rules(""),
-        canvas.finish(),
+        dark_rules(),
+        compact(body),
     ))
 }
 
+/// The elements of plotters' backend, one a line, without what is the default, and lines of one look that follow each other as
+/// one path.
+fn compact(body: &str) -> String {
+    const POINTS: &str = " points=\"";
+    let font_size = format!(" font-size=\"{TEXT}\"");
+    // In texts quotes are escaped, so that nothing of them looks like an attribute.
+    let defaults =
+        [" opacity=\"1\"", " stroke=\"none\"", " font-family=\"sans-serif\"", " text-anchor=\"start\"", &font_size];
+    let mut out = String::new();
+    let mut open: Option<String> = None;
+    for line in body.lines() {
+        let line = defaults.iter().fold(line.replace(" \"/>", "\"/>"), |line, default| line.replace(default, ""));
+        let path = line.strip_prefix("<polyline").and_then(|rest| rest.trim_end_matches("\"/>").split_once(POINTS));
+        if let Some((look, points)) = path {
+            if open.as_deref() != Some(look) {
+                close(&mut out, &mut open);
+                let _ = write!(out, "<path{look} d=\"");
+                open = Some(look.to_owned());
+            }
+            let _ = write!(out, "M{points}");
+            continue;
+        }
+        close(&mut out, &mut open);
+        out.push_str(&line);
+        // A text stands on a line between its tags.
+        if line.starts_with("</text") || line.ends_with("/>") || line.starts_with("</svg") {
+            out.push('\n');
+        }
+    }
+    out
+}
+
+/// Ends a path, if one is open.
+fn close(out: &mut String, open: &mut Option<String>) {
+    if open.take().is_some() {
+        out.push_str("\"/>\n");
+    }
+}
+
 /// `text` as XML character data. Control characters, which XML cannot hold at all, become spaces.
-pub(super) fn escaped(text: &str) -> String {
+fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -162,7 +207,7 @@ pub(super) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Figure, PlotError, document, escaped};
+    use super::{Figure, PlotError, compact, document, escaped};
     use crate::plot::{Axis, Layer, Panel, Style};
 
     fn panel(i: usize) -> Panel {
@@ -206,6 +251,17 @@ mod tests {
     #[test]
     fn xml_is_escaped() {
         assert_eq!(escaped("a < b & \"c\" > 'd'\u{7}"), "a &lt; b &amp; &quot;c&quot; &gt; &apos;d&apos; ");
+    }
+
+    #[test]
+    fn lines_of_one_look_become_one_path() {
+        let line =
+            |y: i32| format!("<polyline fill=\"none\" opacity=\"1\" stroke=\"#000000\" points=\"0,{y} 9,{y} \"/>\n");
+        let text = "<text x=\"1\" opacity=\"1\">\na opacity=&quot;1&quot;\n</text>\n";
+        assert_eq!(
+            compact(&format!("{}{}{text}</svg>\n", line(1), line(2))),
+            "<path fill=\"none\" stroke=\"#000000\" d=\"M0,1 9,1M0,2 9,2\"/>\n<text x=\"1\">a opacity=&quot;1&quot;</text>\n</svg>\n"
+        );
     }
 
     #[test]

@@ -85,6 +85,9 @@ pub enum PlotError {
     /// A state without values at nodes: its curves have to be sampled by whoever knows them.
     #[error("a state without nodes has no curves of its own; sample them into `Curves`")]
     NoNodes,
+    /// The drawing library failed; drawing to a string, nothing should.
+    #[error("the figure could not be drawn: {0}")]
+    Backend(String),
 }
 
 /// `value` if it is finite.

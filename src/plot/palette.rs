@@ -23,12 +23,11 @@ const DARK: [(Color, &str); 12] = [
     (Color::GROUND, "#3B352C"),
 ];
 
-/// Style rules that turn a figure dark, each selector behind `scope`: empty, or for example `html.dark ` where a page decides.
-#[must_use]
-pub(super) fn dark_rules(scope: &str) -> String {
+/// Style rules that turn a figure dark.
+pub(super) fn dark_rules() -> String {
     let rule = |(Color(red, green, blue), dark): (Color, &str)| {
         let color = format!("#{red:02X}{green:02X}{blue:02X}");
-        format!("{scope}[fill=\"{color}\"]{{fill:{dark}}}{scope}[stroke=\"{color}\"]{{stroke:{dark}}}")
+        format!("[fill=\"{color}\"]{{fill:{dark}}}[stroke=\"{color}\"]{{stroke:{dark}}}")
     };
     DARK.map(rule).concat()
 }

@@ -57,7 +57,7 @@ fn the_core_is_pure_rust() {
     let is = |name: &str, foreign: &str| name.split(' ').next() == Some(foreign);
     let found: Vec<String> = core.iter().filter(|name| FOREIGN.iter().any(|f| is(name, f))).cloned().collect();
     none(&found, "the core needs no C compiler, no cmake, and nothing that only a feature needs");
-    for known in ["cc", "cmake", "osqp-sys", "clarabel", "clap"] {
+    for known in ["cc", "cmake", "osqp-sys", "plotters", "clap"] {
         assert!(all.iter().any(|name| is(name, known)), "with all features there is {known}: {all:?}");
     }
 }

@@ -107,7 +107,7 @@ fn citations(text: &str) -> Vec<(&str, &str)> {
 }
 
 /// The crates whose versions can change a number or a line of the report.
-const NUMERICAL: [&str; 5] = ["nalgebra", "clarabel", "osqp", "libm", "insta"];
+const NUMERICAL: [&str; 6] = ["nalgebra", "clarabel", "osqp", "libm", "plotters", "insta"];
 
 /// The part of `Cargo.lock` that is read.
 #[derive(Debug, Deserialize)]
