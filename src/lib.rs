@@ -39,7 +39,7 @@
 //! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve()`] |
 //! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
 //! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::status_of_forces`] |
-//! | draw | `plot::curves`, `plot::solution`, with the feature `plot` |
+//! | draw | `plot::curves`, with the feature `plot` |
 //!
 //! # Notation
 //!

@@ -3,24 +3,6 @@
 use super::{PlotError, finite};
 use crate::text::{decade, fixed, power_of_ten, significant, ten_to};
 
-/// How numbers are spread over an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scale {
-    /// Evenly.
-    Linear,
-    /// By their logarithm.
-    Log,
-}
-
-/// Which way the numbers of a vertical axis grow.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// Upwards.
-    Up,
-    /// Downwards, as deflections do.
-    Down,
-}
-
 /// One axis of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
@@ -28,10 +10,10 @@ pub struct Axis {
     pub label: String,
     /// Unit of the numbers.
     pub unit: Option<String>,
-    /// Linear or logarithmic.
-    pub scale: Scale,
-    /// Which way the numbers grow; a horizontal axis always grows to the right.
-    pub direction: Direction,
+    /// Whether the numbers are spread by their logarithm, or else evenly.
+    pub log: bool,
+    /// Whether the numbers of a vertical axis grow downwards, as deflections do; a horizontal axis grows to the right.
+    pub down: bool,
     /// Numbers that the axis reaches at least, whatever the data.
     pub include: Vec<f64>,
     /// Part of the range that is added at either end, so that lines do not run along the frame.
@@ -46,8 +28,8 @@ impl Axis {
         Self {
             label: label.into(),
             unit: None,
-            scale: Scale::Linear,
-            direction: Direction::Up,
+            log: false,
+            down: false,
             include: Vec::new(),
             padding: 0.04,
             numbers: true,
@@ -63,13 +45,13 @@ impl Axis {
     /// Growing downwards.
     #[must_use]
     pub fn down(self) -> Self {
-        Self { direction: Direction::Down, ..self }
+        Self { down: true, ..self }
     }
 
     /// Logarithmic.
     #[must_use]
     pub fn log(self) -> Self {
-        Self { scale: Scale::Log, ..self }
+        Self { log: true, ..self }
     }
 
     /// Without numbers: the panel only shows what has a scale of its own, such as forces.
@@ -95,29 +77,26 @@ impl Axis {
         let mut range: Option<[f64; 2]> = None;
         for value in data.chain(self.include.iter().copied()) {
             let value = finite("a coordinate of the figure", value)?;
-            if self.scale == Scale::Log && value <= 0.0 {
+            if self.log && value <= 0.0 {
                 return Err(PlotError::NotPositive { what: "a coordinate of the figure", value });
             }
             range = Some(range.map_or([value; 2], |[lo, hi]| [lo.min(value), hi.max(value)]));
         }
         let [lo, hi] = range.ok_or(PlotError::Empty { what: "a panel" })?;
-        let (lo, hi, ticks, factor) = match self.scale {
-            Scale::Linear => {
-                let [lo, hi] = widened(lo, hi, self.padding);
-                let (ticks, factor) = linear_ticks(lo, hi, count);
-                (lo, hi, ticks, factor)
-            }
-            Scale::Log => {
-                let [lo, hi] = [libm::log10(lo), libm::log10(hi)];
-                // A range of one number gets half a decade on either side.
-                let room = if lo < hi { self.padding * (hi - lo) } else { 0.5 };
-                let (lo, hi) = (lo - room, hi + room);
-                (lo, hi, log_ticks(lo, hi, count), 0)
-            }
+        let (lo, hi, ticks, factor) = if self.log {
+            let [lo, hi] = [libm::log10(lo), libm::log10(hi)];
+            // A range of one number gets half a decade on either side.
+            let room = if lo < hi { self.padding * (hi - lo) } else { 0.5 };
+            let (lo, hi) = (lo - room, hi + room);
+            (lo, hi, log_ticks(lo, hi, count), 0)
+        } else {
+            let [lo, hi] = widened(lo, hi, self.padding);
+            let (ticks, factor) = linear_ticks(lo, hi, count);
+            (lo, hi, ticks, factor)
         };
         let (ticks, factor) = if self.numbers { (ticks, factor) } else { (Vec::new(), 0) };
-        let [start, end] = if self.direction == Direction::Down { [end, start] } else { [start, end] };
-        Ok(Resolved { scale: self.scale, lo, hi, start, end, ticks, factor })
+        let [start, end] = if self.down { [end, start] } else { [start, end] };
+        Ok(Resolved { log: self.log, lo, hi, start, end, ticks, factor })
     }
 
     /// Label and unit, with the power of ten that the numbers along the axis leave out.
@@ -138,7 +117,7 @@ impl Axis {
 /// An axis that knows its numbers and its place on the drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Resolved {
-    scale: Scale,
+    log: bool,
     /// Least and greatest number; their decimal logarithms on a logarithmic axis.
     lo: f64,
     hi: f64,
@@ -152,14 +131,12 @@ pub(super) struct Resolved {
 impl Resolved {
     /// Drawing coordinate of a number.
     pub(super) fn place(&self, value: f64) -> f64 {
-        let value = if self.scale == Scale::Log { libm::log10(value) } else { value };
+        let value = if self.log { libm::log10(value) } else { value };
         // Halves, so that a range of the whole of f64 does not overflow.
         let s = (0.5 * value - 0.5 * self.lo) / (0.5 * self.hi - 0.5 * self.lo);
         self.start + (self.end - self.start) * s
     }
-}
 
-impl Resolved {
     /// The axis of forces beside an axis of something else: both have their zero at `zero`, and forces from `least` to `most`
     /// fit between `bottom` and `top`.
     pub(super) fn of_forces(
@@ -178,7 +155,7 @@ impl Resolved {
         if !axis.numbers {
             (ticks, factor) = (Vec::new(), 0);
         }
-        Self { scale: Scale::Linear, lo, hi, start: bottom, end: top, ticks, factor }
+        Self { log: false, lo, hi, start: bottom, end: top, ticks, factor }
     }
 }
 

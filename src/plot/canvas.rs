@@ -3,7 +3,9 @@
 //! No system font is read, so the size of text is an estimate, on the generous side.
 
 use plotters::backend::{DrawingBackend, SVGBackend};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+/// Where a text lies relative to its point.
+pub(super) use plotters::style::text_anchor::HPos as Align;
+use plotters::style::text_anchor::{Pos, VPos};
 use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 
 use super::palette::{Color, Dash, Marker};
@@ -16,14 +18,6 @@ pub(super) const TEXT: f64 = 48.0;
 
 /// The backend divides a font size by this before it writes it; we multiply, so that sizes are as we say.
 const BACKEND_FONT_FACTOR: f64 = 1.24;
-
-/// Where a text lies relative to its point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Align {
-    Left,
-    Center,
-    Right,
-}
 
 /// How words look.
 #[derive(Debug, Clone, Copy)]
@@ -168,13 +162,8 @@ impl<'a> Canvas<'a> {
         let style = if kind.bold { FontStyle::Bold } else { FontStyle::Normal };
         let turn = if kind.turned { FontTransform::Rotate270 } else { FontTransform::None };
         let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style).transform(turn);
-        let across = match align {
-            Align::Left => HPos::Left,
-            Align::Center => HPos::Center,
-            Align::Right => HPos::Right,
-        };
         let color = rgb(kind.color);
-        let style = TextStyle::from(font).color(&color).pos(Pos::new(across, VPos::Center));
+        let style = TextStyle::from(font).color(&color).pos(Pos::new(align, VPos::Center));
         // The backend's "centre" puts the base line half an x-height below the point; a digit is taller than an x.
         let lower = 0.09 * kind.size;
         let at = if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] };

@@ -13,8 +13,6 @@ pub struct PointForce {
     pub at: f64,
     /// Its value \[force\].
     pub force: f64,
-    /// How many nodal forces it is the resultant of; 1 for a force that stands for itself.
-    pub nodes: usize,
 }
 
 /// The beam in its final position. Curves are joined linearly; a jump is two values at the same place.
@@ -110,7 +108,7 @@ fn contact_forces(state: &ContactState, nodes: &Nodes, x: &[f64]) -> (Vec<Vec<Pl
     let mut forces = Vec::new();
     for run in runs(state, nodes) {
         let f = |i: usize| nodes.contact_force[i];
-        let single = |i: usize| PointForce { at: nodes.x[i], force: f(i), nodes: 1 };
+        let single = |i: usize| PointForce { at: nodes.x[i], force: f(i) };
         if run.len() <= SINGLE_FORCES {
             forces.extend(run.filter(|&i| f(i) != 0.0).map(single));
             continue;
@@ -159,7 +157,7 @@ fn resultant(nodes: &Nodes, range: std::ops::Range<usize>) -> PointForce {
     let force: f64 = range.clone().map(|i| nodes.contact_force[i]).sum();
     let moment: f64 = range.clone().map(|i| nodes.contact_force[i] * nodes.x[i]).sum();
     let at = if 0.0 < force { moment / force } else { nodes.x[range.start] };
-    PointForce { at, force, nodes: range.len() }
+    PointForce { at, force }
 }
 
 /// Equal intervals between samples; a drawing is 2400 units wide.
@@ -209,7 +207,7 @@ fn point_forces(exact: &Exact) -> Vec<PointForce> {
     forces.sort_by(|a, b| a.0.total_cmp(&b.0));
     // A zone that ends at a support has no force there.
     forces.retain(|&(_, force)| force != 0.0);
-    forces.into_iter().map(|(at, force)| PointForce { at, force, nodes: 1 }).collect()
+    forces.into_iter().map(|(at, force)| PointForce { at, force }).collect()
 }
 
 #[cfg(test)]
@@ -220,8 +218,8 @@ mod tests {
     use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime};
     use crate::theory;
 
-    /// Place, force and number of nodes of each concentrated force.
-    type Forces = Vec<(f64, f64, usize)>;
+    /// Place and value of each concentrated force.
+    type Forces = Vec<(f64, f64)>;
 
     /// A state on unit intervals whose nodes carry `forces`, with the given contacts.
     fn forces_of(forces: &[f64], contacts: &[[f64; 2]]) -> (Forces, Vec<Vec<[f64; 2]>>) {
@@ -239,13 +237,13 @@ mod tests {
         };
         let places: Vec<f64> = std::iter::once(0.0).chain(x).chain([f64::from(u32::MAX)]).collect();
         let (pressure, forces) = contact_forces(&state, &nodes, &places);
-        (forces.iter().map(|f| (f.at, f.force, f.nodes)).collect(), pressure)
+        (forces.iter().map(|f| (f.at, f.force)).collect(), pressure)
     }
 
     #[test]
     fn a_short_contact_keeps_its_forces() {
         let (forces, pressure) = forces_of(&[0.0, 2.0, 0.0, 1.0, 0.0], &[[2.0, 2.0], [4.0, 4.0]]);
-        assert_eq!(forces, [(2.0, 2.0, 1), (4.0, 1.0, 1)]);
+        assert_eq!(forces, [(2.0, 2.0), (4.0, 1.0)]);
         assert_eq!(pressure, Vec::<Vec<[f64; 2]>>::new());
     }
 
@@ -254,7 +252,7 @@ mod tests {
         // One open node behind the left end does not part the contact.
         let nodal = [0.0, 3.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.5, 1.0, 3.0, 0.0];
         let (forces, pressure) = forces_of(&nodal, &[[2.0, 3.0], [5.0, 10.0]]);
-        assert_eq!(forces, [(2.25, 4.0, 2), (9.75, 4.0, 2)]);
+        assert_eq!(forces, [(2.25, 4.0), (9.75, 4.0)]);
         let distributed: f64 =
             pressure.iter().flatten().collect::<Vec<_>>().chunks(2).map(|p| p[0][1] * (p[1][0] - p[0][0])).sum();
         let total: f64 = forces.iter().map(|f| f.1).sum::<f64>() + distributed;
@@ -264,24 +262,8 @@ mod tests {
     #[test]
     fn a_peak_inside_a_contact_is_a_force() {
         let (forces, pressure) = forces_of(&[2.0, 1.0, 1.0, 1.0, 8.0, 1.0, 1.0, 1.0, 2.0], &[[1.0, 9.0]]);
-        assert_eq!(forces[1], (5.0, 8.0, 1));
+        assert_eq!(forces[1], (5.0, 8.0));
         assert_eq!(pressure.len(), 2, "the pressure is parted by the force");
-    }
-
-    #[test]
-    fn a_state_without_nodes_has_no_curves() {
-        let beam = crate::scene::Beam::new(1.0, 1.0).expect("a beam");
-        let scene = crate::scene::Scene::new(beam, crate::scene::Load::default(), None).expect("a scene");
-        let state = ContactState {
-            regime: Regime::None,
-            reactions: Reactions::default(),
-            contacts: Vec::new(),
-            deflection: Extremes::default(),
-            moment: Extremes::default(),
-            energy: 0.0,
-            nodes: None,
-        };
-        assert!(matches!(Curves::of(&scene, &state), Err(super::PlotError::NoNodes)));
     }
 
     /// Rounding of some hundred sums.

@@ -36,14 +36,17 @@ pub(super) fn draw(
             }
             // In the upper half of the frame there is more room below the point.
             let below = at[1] < 0.5 * (frame.top + frame.bottom);
-            labels.ask(Label { text: text.clone(), at, color: Color::BLACK, optional: false, below });
+            labels.ask(Label { below, ..Label::new(text, at, Color::BLACK) });
             Ok(())
         }
         Layer::Supports { at: [left, right] } => {
             support(canvas, axes.place(*left), false)?;
             support(canvas, axes.place(*right), true)
         }
-        Layer::Load(sketch) => load(canvas, sketch, axes, labels),
+        Layer::Load(sketch) => {
+            distributed(canvas, sketch, axes, labels)?;
+            point_loads(canvas, sketch, axes, labels)
+        }
     }
 }
 
@@ -75,7 +78,7 @@ fn series(
     let (Some(&first), Some(&last)) = (line.first(), line.last()) else {
         return Ok(());
     };
-    let label = |at: Point| Label { text: name.to_owned(), at, color: style.color, optional: false, below: false };
+    let label = |at: Point| Label::new(name, at, style.color);
     match [last, first].into_iter().find(|end| style.dash.is_some() && frame.names_beside(end[0], name)) {
         Some(end) => labels.name(label(end)),
         None => labels.ask(label(last)),
@@ -93,27 +96,26 @@ fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels)
         let tip = [tail[0], tail[1] + axes.length(force)];
         canvas.arrow(tail, tip, layer.color, SHAFT, layer.dash)?;
         labels.avoid(sampled(&[tail, tip], INK));
-        labels.ask(Label {
-            text: arrow.text.clone(),
-            at: tip,
-            color: layer.color,
-            optional: arrow.optional,
-            below: force < 0.0,
-        });
+        let label = Label::new(&arrow.text, tip, layer.color);
+        labels.ask(Label { optional: arrow.optional, below: force < 0.0, ..label });
     }
     Ok(())
 }
 
 /// A line, and a light colour between it and the level `base`.
 fn area(canvas: &mut Canvas, line: &[Point], base: f64, color: Color, labels: &mut Labels) -> Result<(), PlotError> {
-    if let (Some(first), Some(last)) = (line.first(), line.last()) {
-        let ends = [[last[0], base], [first[0], base]];
-        let outline: Vec<Point> = line.iter().copied().chain(ends).collect();
-        canvas.fill(&outline, color, 0.25)?;
+    if line.is_empty() {
+        return Ok(());
     }
+    canvas.fill(&closed(line, base), color, 0.25)?;
     canvas.line(line, color, 5, Dash::Solid)?;
     labels.avoid(sampled(line, INK));
     Ok(())
+}
+
+/// The outline of what is between a line and the level `base`.
+fn closed(line: &[Point], base: f64) -> Vec<Point> {
+    line.iter().copied().chain(line.last().map(|p| [p[0], base])).chain(line.first().map(|p| [p[0], base])).collect()
 }
 
 /// A dotted line across the frame.
@@ -137,17 +139,14 @@ fn reference(
     };
     canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;
     labels.avoid(sampled(&line, INK));
-    labels.ask(Label { text: text.to_owned(), at: near, color: Color::GRAY, optional: false, below: false });
+    labels.ask(Label::new(text, near, Color::GRAY));
     Ok(())
 }
 
 /// Ground below a line, with short strokes along it as on a drawing board.
 fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
-    let (Some(first), Some(last)) = (line.first(), line.last()) else {
-        return Ok(());
-    };
-    let outline: Vec<Point> = line.iter().copied().chain([[last[0], frame.bottom], [first[0], frame.bottom]]).collect();
-    canvas.fill(&outline, Color::GROUND, 1.0)?;
+    let Some(first) = line.first() else { return Ok(()) };
+    canvas.fill(&closed(line, frame.bottom), Color::GROUND, 1.0)?;
     let mut x = first[0] + 24.0;
     for pair in line.windows(2) {
         let ([from, y], [to, to_y]) = (pair[0], pair[1]);
@@ -181,12 +180,6 @@ fn support(canvas: &mut Canvas, [x, y]: Point, rolls: bool) -> Result<(), PlotEr
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
 }
 
-/// Draws the load, and asks for the labels that it wants.
-fn load(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
-    distributed(canvas, sketch, axes, labels)?;
-    point_loads(canvas, sketch, axes, labels)
-}
-
 fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {
     /// Height of the greatest intensity, distance from the beam, distance of the arrows.
     const BLOCK: f64 = 90.0;
@@ -206,8 +199,7 @@ fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
         let edge = |[x, q]: Place| [axes.x.place(x), base - BLOCK * (q / largest)];
         let outline: Vec<Point> = sketch.intensity.iter().map(|&p| edge(p)).collect();
         if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
-            let closed: Vec<Point> = outline.iter().copied().chain([[last[0], base], [first[0], base]]).collect();
-            canvas.fill(&closed, Color::SKY, 0.3)?;
+            canvas.fill(&closed(&outline, base), Color::SKY, 0.3)?;
             canvas.line(&outline, Color::BLUE, 3, Dash::Solid)?;
             canvas.line(&[[first[0], base], [last[0], base]], Color::BLUE, 3, Dash::Solid)?;
         }
@@ -224,8 +216,7 @@ fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
             }
         }
         for (x, q, text) in &sketch.values {
-            let at = edge([*x, q.max(0.0)]);
-            labels.ask(Label { text: text.clone(), at, color: Color::BLUE, optional: false, below: false });
+            labels.ask(Label::new(text, edge([*x, q.max(0.0)]), Color::BLUE));
         }
         labels.avoid(sampled(&outline, INK));
     }
@@ -248,7 +239,7 @@ fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
         let (tail, tip) = if 0.0 < *force { (far, near) } else { (near, far) };
         canvas.arrow(tail, tip, Color::BLACK, SHAFT, Dash::Solid)?;
         labels.avoid(sampled(&[near, far], INK));
-        labels.ask(Label { text: text.clone(), at: far, color: Color::BLACK, optional: false, below: false });
+        labels.ask(Label::new(text, far, Color::BLACK));
     }
     Ok(())
 }

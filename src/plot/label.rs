@@ -17,6 +17,13 @@ pub(super) struct Label {
     pub(super) below: bool,
 }
 
+impl Label {
+    /// A label that must be written, preferred above its point.
+    pub(super) fn new(text: &str, at: Point, color: Color) -> Self {
+        Self { text: text.to_owned(), at, color, optional: false, below: false }
+    }
+}
+
 /// A rectangle on the drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frame {

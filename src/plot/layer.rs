@@ -132,40 +132,27 @@ impl Layer {
         Self::Series { points, style, label: label.into() }
     }
 
-    /// Numbers on the x axis that the layer needs.
-    pub(super) fn xs(&self) -> Vec<f64> {
+    /// Numbers on the x axis and on the y axis that the layer needs.
+    pub(super) fn needs(&self) -> [Vec<f64>; 2] {
+        let of = |points: &[Place]| [0, 1].map(|k| points.iter().map(|p| p[k]).collect::<Vec<f64>>());
         match self {
-            Self::Series { points, .. } | Self::Area { points, .. } | Self::Foundation { points } => firsts(points),
-            Self::Arrows(arrows) => arrows.arrows.iter().map(|a| a.at[0]).collect(),
-            Self::Zones { intervals, .. } => intervals.iter().flatten().copied().collect(),
-            Self::Reference { at: Reference::X(x), .. } => vec![*x],
-            Self::Reference { at: Reference::Y(_), .. } => Vec::new(),
-            Self::Note { at, .. } => vec![at[0]],
-            Self::Supports { at } => firsts(at),
-            Self::Load(load) => {
-                let mut xs = firsts(&load.intensity);
-                xs.extend(load.points.iter().map(|p| p.0));
-                xs
-            }
-        }
-    }
-
-    /// Numbers on the y axis that the layer needs.
-    pub(super) fn ys(&self) -> Vec<f64> {
-        match self {
-            Self::Series { points, .. } | Self::Foundation { points } => seconds(points),
+            Self::Series { points, .. } | Self::Foundation { points } => of(points),
             Self::Area { points, level, .. } => {
-                let mut ys = seconds(points);
+                let [xs, mut ys] = of(points);
                 ys.push(*level);
-                ys
+                [xs, ys]
             }
-            Self::Arrows(arrows) => arrows.arrows.iter().map(|a| a.at[1]).collect(),
-            Self::Zones { level, .. } => vec![*level],
-            Self::Reference { at: Reference::Y(y), .. } => vec![*y],
-            Self::Reference { at: Reference::X(_), .. } => Vec::new(),
-            Self::Note { at, .. } => vec![at[1]],
-            Self::Supports { at } => seconds(at),
-            Self::Load(load) => vec![load.level],
+            Self::Arrows(arrows) => of(&arrows.arrows.iter().map(|a| a.at).collect::<Vec<_>>()),
+            Self::Zones { intervals, level } => [intervals.iter().flatten().copied().collect(), vec![*level]],
+            Self::Reference { at: Reference::X(x), .. } => [vec![*x], Vec::new()],
+            Self::Reference { at: Reference::Y(y), .. } => [Vec::new(), vec![*y]],
+            Self::Note { at, .. } => of(&[*at]),
+            Self::Supports { at } => of(at),
+            Self::Load(load) => {
+                let [mut xs, _] = of(&load.intensity);
+                xs.extend(load.points.iter().map(|p| p.0));
+                [xs, vec![load.level]]
+            }
         }
     }
 
@@ -184,12 +171,4 @@ impl Layer {
             _ => None,
         }
     }
-}
-
-fn firsts(points: &[Place]) -> Vec<f64> {
-    points.iter().map(|p| p[0]).collect()
-}
-
-fn seconds(points: &[Place]) -> Vec<f64> {
-    points.iter().map(|p| p[1]).collect()
 }

@@ -146,8 +146,8 @@ impl Panel {
     }
 
     fn axes(&self, frame: &Frame) -> Result<Axes, PlotError> {
-        let xs = self.layers.iter().flat_map(Layer::xs);
-        let ys = self.layers.iter().flat_map(Layer::ys);
+        let needs: Vec<[Vec<f64>; 2]> = self.layers.iter().map(Layer::needs).collect();
+        let [xs, ys] = [0, 1].map(|k| needs.iter().flat_map(move |needs| needs[k].iter().copied()));
         let (low, high) = (frame.bottom - self.footroom, frame.top + self.headroom);
         let count = ((low - high) / 110.0).max(2.0);
         let y = self.y.resolve(ys, [low, high], count)?;

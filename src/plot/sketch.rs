@@ -111,7 +111,7 @@ pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Load
         };
         let (start, end) = (q(from), q(to));
         intensity.extend([[from, start], [to, end]]);
-        let text = |value: f64| format!("q = {}", with_unit(value, units.pressure.as_ref()));
+        let text = |value: f64| format!("q = {}", with_unit(value, &units.pressure));
         if start.to_bits() == end.to_bits() {
             if start != 0.0 {
                 values.push((middle, start, text(start)));
@@ -122,7 +122,7 @@ pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Load
             values.push((to, end, text(end)));
         }
     }
-    let points = load.point().iter().map(|p| (p.at, p.force, with_unit(p.force.abs(), units.force.as_ref()))).collect();
+    let points = load.point().iter().map(|p| (p.at, p.force, with_unit(p.force.abs(), &units.force))).collect();
     // Above the highest point of the beam, which may rise above the line of its supports.
     let level = curves.deflection.iter().fold(0.0_f64, |least, v| least.min(*v));
     LoadSketch { level, intensity, values, points }
@@ -144,9 +144,9 @@ impl UnitLabels {
 }
 
 /// `1.182 kN`
-pub(super) fn with_unit(value: f64, unit: Option<&String>) -> String {
+pub(super) fn with_unit(value: f64, unit: &Option<String>) -> String {
     let number = significant(value, DIGITS);
-    unit.map_or(number.clone(), |unit| format!("{number} {unit}"))
+    unit.as_ref().map_or(number.clone(), |unit| format!("{number} {unit}"))
 }
 
 #[cfg(test)]

@@ -10,16 +10,7 @@ use super::panel::Panel;
 use super::sketch::{Ground, UnitLabels, foundation_line, sketch, with_unit};
 use super::{PlotError, finite, same_length};
 use crate::scene::Scene;
-use crate::state::{ContactState, Extremes};
-
-/// Draws a discretised solution.
-///
-/// # Errors
-///
-/// Those of [`Curves::of`] and of [`curves`].
-pub fn solution(scene: &Scene, state: &ContactState) -> Result<String, PlotError> {
-    curves(scene, &Curves::of(scene, state)?, "")
-}
+use crate::state::Extremes;
 
 /// Draws a solution given as curves; `subtitle`, the method for example, follows the title of the scene.
 ///
@@ -37,8 +28,12 @@ pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, 
     let mut panels = vec![shape(scene, curves, &foundation, &units)?];
     panels.extend(clearance(scene, curves, &units)?);
     panels.push(forces(scene, curves, &units));
-    panels.push(moment(scene, curves, &units)?);
-    panels.push(shear(scene, curves, &units)?);
+    let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down();
+    let moment = ("M", zip(&curves.x, &curves.moment), Color::BLUE);
+    panels.push(diagram(scene, y, moment, &curves.moment_extremes, &units)?);
+    let y = Axis::new("shear force V = dM/dx").unit(units.force.clone());
+    let ends = Extremes::of(curves.shear.iter().map(|p| (p[0], p[1])));
+    panels.push(diagram(scene, y, ("V", curves.shear.clone(), Color::GREEN), &ends, &units)?);
     if let Some(last) = panels.last_mut() {
         "x".clone_into(&mut last.x.label);
     }
@@ -62,7 +57,7 @@ pub fn sheet<'a>(
 
 /// The figure in words.
 fn description(curves: &Curves, ground: &Ground, units: &UnitLabels) -> String {
-    let length = units.length.as_ref();
+    let length = &units.length;
     let mut parts = vec![format!(
         "From top to bottom: deflected beam{}, contact forces, bending moment and shear force along the beam; deflection \
          and moment are positive downwards.",
@@ -87,7 +82,7 @@ fn description(curves: &Curves, ground: &Ground, units: &UnitLabels) -> String {
         parts.push(format!("It touches at {}{more}.", stretches.join(", ")));
     }
     let m = &curves.moment_extremes;
-    let unit = units.moment.as_ref();
+    let unit = &units.moment;
     parts.push(format!(
         "Bending moment from {} at {} to {} at {}.",
         with_unit(m.min, unit),
@@ -96,7 +91,7 @@ fn description(curves: &Curves, ground: &Ground, units: &UnitLabels) -> String {
         with_unit(m.max_at, length)
     ));
     let r = curves.reactions;
-    let force = units.force.as_ref();
+    let force = &units.force;
     parts.push(format!("Reactions {} left and {} right.", with_unit(r.left, force), with_unit(r.right, force)));
     parts.join(" ")
 }
@@ -110,13 +105,13 @@ fn along(scene: &Scene, units: &UnitLabels) -> Axis {
 }
 
 /// An extreme, labelled with its value and its place.
-fn extreme(name: &str, at: f64, value: f64, unit: Option<&String>, length: Option<&String>) -> Layer {
-    let text = format!("{name} = {} at x = {}", with_unit(value, unit), with_unit(at, length));
+fn extreme(name: &str, at: f64, value: f64, unit: &Option<String>, units: &UnitLabels) -> Layer {
+    let text = format!("{name} = {} at x = {}", with_unit(value, unit), with_unit(at, &units.length));
     Layer::Note { at: [at, value], text, dot: true }
 }
 
 /// Labels for both extremes, each only if it stands out from zero.
-fn extremes(name: &str, e: &Extremes, unit: Option<&String>, length: Option<&String>) -> Result<Vec<Layer>, PlotError> {
+fn extremes(name: &str, e: &Extremes, unit: &Option<String>, units: &UnitLabels) -> Result<Vec<Layer>, PlotError> {
     /// A value below this part of the other extreme lies on the zero line of the drawing.
     const VISIBLE: f64 = 0.02;
     for value in [e.max, e.max_at, e.min, e.min_at] {
@@ -125,10 +120,10 @@ fn extremes(name: &str, e: &Extremes, unit: Option<&String>, length: Option<&Str
     let most = e.max.abs().max(e.min.abs());
     let mut notes = Vec::new();
     if VISIBLE * most < e.max {
-        notes.push(extreme(name, e.max_at, e.max, unit, length));
+        notes.push(extreme(name, e.max_at, e.max, unit, units));
     }
     if e.min < -VISIBLE * most {
-        notes.push(extreme(name, e.min_at, e.min, unit, length));
+        notes.push(extreme(name, e.min_at, e.min, unit, units));
     }
     Ok(notes)
 }
@@ -148,12 +143,9 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
     let length = scene.beam().length();
     let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(640.0);
-    for points in &ground.pieces {
-        panel = panel.with(Layer::Foundation { points: points.clone() });
-    }
-    for (at, text) in &ground.below {
-        panel = panel.with(Layer::Note { at: *at, text: text.clone(), dot: false });
-    }
+    panel.layers.extend(ground.pieces.iter().map(|points| Layer::Foundation { points: points.clone() }));
+    let below = ground.below.iter().map(|(at, text)| Layer::Note { at: *at, text: text.clone(), dot: false });
+    panel.layers.extend(below);
     let sketch = sketch(scene, curves, units);
     let load = !sketch.is_empty();
     // For a block of load and its value, and for the longer arrows of point loads.
@@ -169,9 +161,7 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
     if load {
         panel = panel.with(Layer::Load(sketch));
     }
-    for note in extremes("v", &curves.deflection_extremes, units.length.as_ref(), units.length.as_ref())? {
-        panel = panel.with(note);
-    }
+    panel.layers.extend(extremes("v", &curves.deflection_extremes, &units.length, units)?);
     Ok(panel)
 }
 
@@ -185,23 +175,18 @@ fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
         .tall(310.0)
         .room(150.0, footroom(&ground))
         .forces(Axis::new("").bare());
-    for points in ground.pieces {
-        panel = panel.with(Layer::Foundation { points });
-    }
+    panel.layers.extend(ground.pieces.into_iter().map(|points| Layer::Foundation { points }));
     let at = |x: f64| beam.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
     let zone = |&[from, to]: &[f64; 2]| -> Vec<Place> {
         let inside = beam.iter().copied().filter(|p| from < p[0] && p[0] < to);
         std::iter::once([from, at(from)]).chain(inside).chain([[to, at(to)]]).collect()
     };
-    let zones: Vec<Vec<Place>> = curves.contacts.iter().map(zone).collect();
     let forces = curves.point_forces.iter();
     let arrows = forces.map(|f| Arrow { at: [f.at, at(f.at)], force: f.force, text: String::new(), optional: true });
     let arrows = Arrows { arrows: arrows.collect(), color: Color::VERMILLION, dash: Dash::Solid };
     let thick = |width: u32, color: Color| Style { width, ..Style::solid(color) };
     panel = panel.with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] });
-    for points in zones {
-        panel = panel.with(Layer::line(points, thick(18, Color::VERMILLION)));
-    }
+    panel.layers.extend(curves.contacts.iter().map(zone).map(|zone| Layer::line(zone, thick(18, Color::VERMILLION))));
     panel.with(Layer::line(beam, thick(7, Color::BLACK))).with(Layer::Arrows(arrows))
 }
 
@@ -225,7 +210,7 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
             .with(Layer::line(points, Style::solid(Color::BLUE)))
             .with(Layer::Zones { intervals: curves.contacts.clone(), level: 0.0 });
         // A beam that lies on the ground from end to end has no clearance to name.
-        let note = extreme("h", at, value, units.length.as_ref(), units.length.as_ref());
+        let note = extreme("h", at, value, &units.length, units);
         if value == 0.0 { panel } else { panel.with(note) }
     };
     let between: Vec<Place> = match &curves.contacts[..] {
@@ -264,9 +249,8 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
         Panel::new(along(scene, units), axis).forces(arrows).room(1.6 * TEXT, footroom)
     };
     panel = panel.tall(HEIGHT);
-    for zone in &curves.pressure {
-        panel = panel.with(Layer::Area { points: zone.clone(), level: 0.0, color: Color::VERMILLION });
-    }
+    let area = |zone: &Vec<Place>| Layer::Area { points: zone.clone(), level: 0.0, color: Color::VERMILLION };
+    panel.layers.extend(curves.pressure.iter().map(area));
     let layer = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
     let supports = reactions.map(|(at, force)| arrow(at, force, false, units)).to_vec();
     panel
@@ -276,7 +260,7 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
 }
 
 fn arrow(at: f64, force: f64, optional: bool, units: &UnitLabels) -> Arrow {
-    Arrow { at: [at, 0.0], force, text: with_unit(force, units.force.as_ref()), optional }
+    Arrow { at: [at, 0.0], force, text: with_unit(force, &units.force), optional }
 }
 
 /// Of many forces only the largest are written, and only where there is room.
@@ -293,23 +277,17 @@ fn contact_arrows(forces: &[PointForce], units: &UnitLabels) -> Vec<Arrow> {
     arrows
 }
 
-fn moment(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
-    let y = Axis::new("bending moment M, on the side in tension").unit(units.moment.clone()).down().including(&[0.0]);
-    let mut panel = Panel::new(along(scene, units), y).tall(470.0).room(84.0, 84.0).with(zero_line(scene));
-    panel = panel.with(Layer::Area { points: zip(&curves.x, &curves.moment), level: 0.0, color: Color::BLUE });
-    for note in extremes("M", &curves.moment_extremes, units.moment.as_ref(), units.length.as_ref())? {
-        panel = panel.with(note);
-    }
-    Ok(panel)
-}
-
-fn shear(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Panel, PlotError> {
-    let y = Axis::new("shear force V = dM/dx").unit(units.force.clone()).including(&[0.0]);
-    let mut panel = Panel::new(along(scene, units), y).tall(470.0).room(84.0, 84.0).with(zero_line(scene));
-    panel = panel.with(Layer::Area { points: curves.shear.clone(), level: 0.0, color: Color::GREEN });
-    let ends = Extremes::of(curves.shear.iter().map(|p| (p[0], p[1])));
-    for note in extremes("V", &ends, units.force.as_ref(), units.length.as_ref())? {
-        panel = panel.with(note);
-    }
+/// A quantity along the beam as an area between its curve and the beam, with its extremes.
+fn diagram(
+    scene: &Scene,
+    y: Axis,
+    (name, points, color): (&str, Vec<Place>, Color),
+    e: &Extremes,
+    units: &UnitLabels,
+) -> Result<Panel, PlotError> {
+    let unit = y.unit.clone();
+    let mut panel = Panel::new(along(scene, units), y.including(&[0.0])).tall(470.0).room(84.0, 84.0);
+    panel = panel.with(zero_line(scene)).with(Layer::Area { points, level: 0.0, color });
+    panel.layers.extend(extremes(name, e, &unit, units)?);
     Ok(panel)
 }

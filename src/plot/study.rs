@@ -32,15 +32,13 @@ pub fn convergence(title: &str, description: &str, series: &[Named<'_>]) -> Resu
         zeros += series.points.len() - points.len();
         all.extend_from_slice(&points);
         if !points.is_empty() {
-            let (style, label) = (Style::of_series(i), series.label.to_owned());
-            panel = panel.with(Layer::named(points, style, label));
+            panel = panel.with(Layer::named(points, Style::of_series(i), series.label));
         }
     }
     for order in [1_i32, 2] {
         if let Some(points) = slope(&all, f64::from(order)) {
-            let style = Style { width: 4, ..Style::solid(Color::PALE) };
-            let label = format!("order {order}");
-            panel.layers.insert(0, Layer::named(points, Style { color: Color::GRAY, ..style }, label));
+            let style = Style { width: 4, ..Style::solid(Color::GRAY) };
+            panel.layers.insert(0, Layer::named(points, style, format!("order {order}")));
         }
     }
     let mut description = format!("{description} Grey lines fall with order 1 and order 2.");
@@ -86,7 +84,7 @@ pub fn regimes(
 ) -> Result<String, PlotError> {
     // In units of 1/384 the borders are 1 and 5.
     let scaled = |points: &[Place]| -> Vec<Place> { points.iter().map(|p| [p[0] / ZONE_ENDS, p[1]]).collect() };
-    let (theory, computed, example) = (scaled(theory), (scaled(&computed.points), computed.label), scaled(&[example]));
+    let theory = scaled(theory);
     let reach = theory.iter().fold(1.2 * CONTACT_ENDS / ZONE_ENDS, |most, p| most.max(p[0]));
     let x = Axis {
         padding: 0.0,
@@ -102,10 +100,12 @@ pub fn regimes(
         panel = panel.with(Layer::Note { at: [0.5 * (pair[0] + pair[1]), 0.55], text: text.to_owned(), dot: false });
     }
     let marks = Style::marks(Color::BLUE, Marker::OpenCircle);
-    panel = panel.with(Layer::line(theory, Style::theory())).with(Layer::named(computed.0, marks, computed.1));
-    for at in example {
-        panel = panel.with(Layer::named(vec![at], Style::marks(Color::VERMILLION, Marker::Star), name));
-    }
+    panel = panel.with(Layer::line(theory, Style::theory())).with(Layer::named(
+        scaled(&computed.points),
+        marks,
+        computed.label,
+    ));
+    panel = panel.with(Layer::named(scaled(&[example]), Style::marks(Color::VERMILLION, Marker::Star), name));
     Figure::new(title, description, vec![panel]).svg()
 }
 
@@ -194,10 +194,8 @@ mod tests {
     }
 
     #[test]
-    fn errors_without_a_place_are_refused() {
+    fn errors_that_are_all_zero_are_refused() {
         let figure = |points: &[[f64; 2]]| convergence("", "", &[named("", points)]);
-        assert!(matches!(figure(&[[1.0, f64::NAN]]), Err(PlotError::NotFinite { .. })), "NaN");
-        assert!(matches!(figure(&[[1.0, -1.0]]), Err(PlotError::NotPositive { .. })), "negative");
         assert!(matches!(figure(&[[1.0, 0.0]]), Err(PlotError::Empty { .. })), "nothing left");
         assert!(figure(&[[1.0, 1.0]]).is_ok(), "one grid has no slope");
     }
@@ -218,20 +216,18 @@ mod tests {
         let flat = Price {
             ground: "flat ground",
             lines: vec![
-                named("active set", &[[1.7, 0.005], [3.8, 0.028], [5.0, 0.06], [7.7, 0.7], [11.0, 140.0]]),
-                named("clarabel", &[[1.7, 0.05], [3.8, 0.68], [5.6, 10.0], [8.4, 640.0]]),
-                named("four steps", &[[1.7, 0.003], [4.1, 0.5], [5.7, 5.5], [7.7, 500.0]]),
-                named("NSOR", &[[1.7, 0.003], [2.7, 0.31], [3.8, 38.0]]),
+                named("active set", &[[1.7, 0.005], [11.0, 140.0]]),
+                named("clarabel", &[[1.7, 0.05], [8.4, 640.0]]),
             ],
             exact: [14.0, 0.017],
         };
         let uneven = Price {
             ground: "uneven ground",
-            lines: vec![named("active set", &[[1.3, 0.004], [4.3, 1.2], [6.1, 80.0]]), named("clarabel", &[])],
+            lines: vec![named("active set", &[[1.3, 0.004], [6.1, 80.0]]), named("clarabel", &[])],
             exact: [14.0, 0.11],
         };
         let svg = price("One more digit", "Two panels.", "correct digits", &[flat, uneven]).expect("a figure");
-        for text in ["flat ground: time [ms]", "uneven ground: time [ms]", ">NSOR<"] {
+        for text in ["flat ground: time [ms]", "uneven ground: time [ms]"] {
             assert!(svg.contains(text), "`{text}` is missing");
         }
         assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");

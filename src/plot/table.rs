@@ -8,11 +8,6 @@ use super::{PlotError, count};
 /// Height of a line of text.
 const LINE: f64 = 1.25 * TEXT;
 
-/// Room for the names of rows.
-fn name_width<'a>(names: impl Iterator<Item = &'a str>) -> f64 {
-    names.fold(0.0_f64, |most, name| most.max(text_width(name, Type::PLAIN))).min(0.5 * f64::from(WIDTH)) + 32.0
-}
-
 /// What a cell says; its letter says it again for those who do not see the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
@@ -76,12 +71,12 @@ pub fn verdict_map(
         }
     }
     let sheet = f64::from(WIDTH);
-    let left = MARGIN + name_width(rows.iter().map(|row| row.0));
-    let width = ((sheet - MARGIN - left) / count(columns.len())).min(420.0);
-    // Names that do not fit above their columns run upwards.
     let longest = |names: &mut dyn Iterator<Item = &str>| {
         names.fold(0.0_f64, |most, name| most.max(text_width(name, Type::PLAIN)))
     };
+    let left = MARGIN + longest(&mut rows.iter().map(|row| row.0)).min(0.5 * sheet) + 32.0;
+    let width = ((sheet - MARGIN - left) / count(columns.len())).min(420.0);
+    // Names that do not fit above their columns run upwards.
     let turned = width - 16.0 < longest(&mut columns.iter().flat_map(|c| c.split_whitespace()));
     let headings: Vec<Vec<String>> = columns.iter().map(|c| wrapped(c, width - 16.0, Type::PLAIN)).collect();
     let heading = if turned {
