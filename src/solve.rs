@@ -175,15 +175,17 @@ pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, Scen
         )
     } else {
         let qp = method.qp(&discrete);
-        let answer = match solver {
-            Solver::ActiveSet => multigrid::solve(&scaled.scene, method, &discrete)?,
-            Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => solver.run(qp.as_ref(), tolerance),
+        let answer = if solver == Solver::ActiveSet {
+            multigrid::solve(&scaled.scene, method, &discrete)?
+        } else {
+            solver.run(qp.as_ref(), tolerance)
         };
         let Answer { x, gradient, reports_success, words, own_residual, iterations, work } = answer;
-        let nodal = match solver {
+        let nodal = if solver == Solver::ActiveSet {
             // Contact forces and clearances, by all methods.
-            Solver::ActiveSet => Nodal::new(&discrete, method.discretisation(), gradient, x),
-            Solver::FourStep | Solver::Nsor | Solver::Clarabel | Solver::Osqp => method.nodal(&discrete, x, gradient),
+            Nodal::new(&discrete, method.discretisation(), gradient, x)
+        } else {
+            method.nodal(&discrete, x, gradient)
         };
         (nodal, reports_success, words, own_residual, qp.dimension(), iterations, work)
     };
