@@ -58,29 +58,37 @@ impl Kkt {
         if [x, v, h, moment].iter().any(|list| list.len() != p.len()) {
             return None;
         }
-        let u = grid.depths(scene);
         let caused = Equilibrium::of(scene, grid, p, nodes.discretisation);
 
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        let idle = if caused.load == 0.0 { within_reach(&u) } else { 0.0 };
+        let idle = if caused.load == 0.0 { within_reach(&grid.depths(scene)) } else { 0.0 };
         let force = nonzero(caused.load.max(caused.contact).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         let depth = nonzero(largest(v.iter().map(|v| v.abs())).max(idle).max(ROUNDING * flexibility * force));
 
-        let [penetration, tension, complementarity, elastic, moments, clearances, out_of_place] =
-            largest_each((0..p.len()).map(|i| {
-                let clearance = u[i] - v[i];
+        let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
+        let mut worst = [0.0; 7];
+        caused.walk(|first, caused_moment, caused_deflection| {
+            let (places, u) = (&mut places[..caused_moment.len()], &mut depths[..caused_moment.len()]);
+            grid.places(first + 1, places);
+            scene.depths(places, u);
+            let rows = (0..places.len()).map(|k| {
+                let i = first + k;
+                let clearance = u[k] - v[i];
                 [
                     -clearance,
                     -p[i],
                     (clearance / depth).min(p[i] / force),
-                    (v[i] - caused.deflection[i]).abs(),
-                    (moment[i] - caused.moment[i]).abs(),
-                    mistaken(h[i], u[i], clearance),
-                    (x[i] - grid.place(i + 1)).abs(),
+                    (v[i] - caused_deflection[k]).abs(),
+                    (moment[i] - caused_moment[k]).abs(),
+                    mistaken(h[i], u[k], clearance),
+                    (x[i] - places[k]).abs(),
                 ]
-            }));
+            });
+            worst = largest_each(worst, rows);
+        });
+        let [penetration, tension, complementarity, elastic, moments, clearances, out_of_place] = worst;
         // Reactions that balance forces, and moments about the left support.
         let Reactions { left, right } = state.reactions;
         let balance = largest([(caused.total - left - right).abs(), (caused.right - right).abs()]);
@@ -108,20 +116,23 @@ impl Kkt {
 
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    largest_each(values.into_iter().map(|value| [value]))[0]
+    largest_each([0.0], values.into_iter().map(|value| [value]))[0]
 }
 
-/// The same of each column of a table.
-fn largest_each<const COLUMNS: usize>(rows: impl Iterator<Item = [f64; COLUMNS]>) -> [f64; COLUMNS] {
-    let mut most = [0.0; COLUMNS];
+/// The same of each column of a table, of which the upper part has been seen.
+fn largest_each<const COLUMNS: usize>(
+    mut most: [f64; COLUMNS],
+    rows: impl Iterator<Item = [f64; COLUMNS]>,
+) -> [f64; COLUMNS] {
+    let mut unknown = [false; COLUMNS];
     for row in rows {
-        for (most, value) in most.iter_mut().zip(row) {
-            // Most are not larger than one before, and for these a comparison is all.
-            if value > *most || value.is_nan() {
-                *most = if value.is_nan() { f64::INFINITY } else { value };
-            }
+        for ((most, unknown), value) in most.iter_mut().zip(&mut unknown).zip(row) {
+            // Not `max`: a comparison is all that a number needs.
+            *most = if *most < value { value } else { *most };
+            *unknown |= value.is_nan();
         }
     }
+    most.iter_mut().zip(unknown).filter(|(_, unknown)| *unknown).for_each(|(most, _)| *most = f64::INFINITY);
     most
 }
 
@@ -147,11 +158,14 @@ fn nonzero(size: f64) -> f64 {
 }
 
 /// The beam in equilibrium with the nodal loads of a scene and with contact forces at the inner nodes of a grid.
+///
+/// Deflections of a fine grid are not kept: whoever wants them [walks](Self::walk) along the beam.
 pub(super) struct Equilibrium {
-    /// `M_i` at the inner nodes.
-    pub(super) moment: Vec<f64>,
-    /// `v_i` at the inner nodes.
-    pub(super) deflection: Vec<f64>,
+    grid: Grid,
+    /// `M_i/Δ` at the inner nodes \[force\].
+    moment: Vec<f64>,
+    /// `(Δ²/EI) c_i/Δ` of a moment `M_i/Δ = 1`: at its own node, and at each neighbour.
+    curvature: [f64; 2],
     /// Sum of all forces, those on the supports included \[force\].
     total: f64,
     /// What of it the right support carries \[force\].
@@ -161,6 +175,9 @@ pub(super) struct Equilibrium {
     /// The same of contact forces.
     contact: f64,
 }
+
+/// Nodes of a step of a walk, a multiple of [`BLOCK`]: few enough for the nearest cache.
+const BATCH: usize = 256;
 
 impl Equilibrium {
     /// Contact forces are as many as the grid has inner nodes.
@@ -180,25 +197,49 @@ impl Equilibrium {
         let (left, inner) = DoubleSum::between_supports(&mut moment);
         let (total, right) = (inner + first + last, (inner - left) + last);
 
-        // (Δ²/EI) c_i/Δ, which become v_i/Δ.
         let unit = grid.spacing() * grid.spacing() / scene.beam().bending_stiffness();
-        let [own, beside] = match discretisation {
+        let curvature = match discretisation {
             Discretisation::FiniteDifferences => [unit, 0.0],
             Discretisation::BeamElements => [4.0 * (unit / 6.0), unit / 6.0],
         };
-        let mut before = 0.0;
-        let after = moment.iter().skip(1).chain(&[0.0]);
-        let curvature = moment.iter().zip(after).map(|(&m, after)| {
-            let share = own * m + beside * (before + after);
-            before = m;
-            share
+        Self { grid, moment, curvature, total, right, load, contact }
+    }
+
+    /// From the left to the right support, some neighbouring nodes at a time: the index of the first one, counted from 0 at
+    /// node 1, and `M_i` and `v_i` of all.
+    pub(super) fn walk(&self, mut visit: impl FnMut(usize, &[f64], &[f64])) {
+        let mut shot = DoubleSum::default();
+        self.curvatures(|_, curvatures| shot.along(curvatures));
+        let mut sums = DoubleSum::rising(shot.aimed(self.moment.len()));
+        let mut moments = [0.0; BATCH];
+        self.curvatures(|first, deflections| {
+            // (Δ²/EI) c_i/Δ become v_i/Δ.
+            sums.along(deflections);
+            let moments = &mut moments[..deflections.len()];
+            moments.copy_from_slice(&self.moment[first..first + deflections.len()]);
+            for value in moments.iter_mut().chain(deflections.iter_mut()) {
+                *value *= self.grid.spacing();
+            }
+            visit(first, moments, deflections);
         });
-        let mut deflection: Vec<f64> = curvature.collect();
-        DoubleSum::between_supports(&mut deflection);
-        for value in moment.iter_mut().chain(&mut deflection) {
-            *value *= grid.spacing();
+    }
+
+    /// `(Δ²/EI) c_i/Δ` of some neighbouring nodes at a time, with the index of the first one.
+    fn curvatures(&self, mut visit: impl FnMut(usize, &mut [f64])) {
+        let [own, beside] = self.curvature;
+        let mut curvatures = [0.0; BATCH];
+        let mut before = 0.0;
+        for (b, moments) in self.moment.chunks(BATCH).enumerate() {
+            let first = b * BATCH;
+            let behind = self.moment.get(first + BATCH).copied().unwrap_or(0.0);
+            let after = moments.iter().skip(1).chain([&behind]);
+            let curvatures = &mut curvatures[..moments.len()];
+            for ((share, &m), after) in curvatures.iter_mut().zip(moments).zip(after) {
+                *share = own * m + beside * (before + after);
+                before = m;
+            }
+            visit(first, curvatures);
         }
-        Self { moment, deflection, total, right, load, contact }
     }
 }
 
@@ -222,19 +263,27 @@ const BLOCK: usize = 16;
 
 impl DoubleSum {
     /// From `f_1 … f_{N−1}` to `y_1 … y_{N−1}` with `y_0 = y_N = 0`; `s_0`, and the sum of all `f`.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     fn between_supports(falls: &mut [f64]) -> (f64, f64) {
-        // A shot from a horizontal start misses the right end by N times the slope that is looked for.
         let mut shot = Self::default();
         let mut heights = [0.0; BLOCK];
         for block in falls.chunks(BLOCK) {
             heights[..block.len()].copy_from_slice(block);
             shot.along(&mut heights[..block.len()]);
         }
-        let slope = -shot.next() / (falls.len() + 1) as f64;
-        let mut sums = Self { slope: Sum { value: slope, lost: 0.0 }, ..Self::default() };
-        sums.along(falls);
+        let slope = shot.aimed(falls.len());
+        Self::rising(slope).along(falls);
         (slope, -shot.slope.total())
+    }
+
+    /// `s_0` for `y_N = 0`: a shot from a horizontal start, at its last inner node, misses the right end by `N` times that slope.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    fn aimed(self, inner: usize) -> f64 {
+        -self.next() / (inner + 1) as f64
+    }
+
+    /// From the left support with a slope.
+    fn rising(slope: f64) -> Self {
+        Self { slope: Sum { value: slope, lost: 0.0 }, ..Self::default() }
     }
 
     /// Over the next nodes: what the slope loses at each of them gives way to the height there.

@@ -98,7 +98,11 @@ fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
     let grid = Grid::uniform(scene, count + 1)?;
     forces.iter_mut().for_each(|p| *p /= scale.force);
     let discretisation = Discretisation::BeamElements;
-    let Equilibrium { moment, deflection, .. } = Equilibrium::of(scene, grid, &forces, discretisation);
+    let (mut moment, mut deflection) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    Equilibrium::of(scene, grid, &forces, discretisation).walk(|_, moments, deflections| {
+        moment.extend_from_slice(moments);
+        deflection.extend_from_slice(deflections);
+    });
     let times = |values: Vec<f64>, unit: f64| values.into_iter().map(|value| value * unit).collect::<Vec<_>>();
     let x = Grid::uniform(given, count + 1)?.interior_places();
     let deflection = times(deflection, scale.depth);

@@ -77,12 +77,12 @@ fn largest(values: &[f64]) -> f64 {
 
 /// Not `f64::max`, which would overlook what is no number.
 fn maximum(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, |most, v| if most >= v { most } else { v })
+    values.into_iter().fold(0.0, |most: f64, v| if most.is_nan() || v <= most { most } else { v })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::OwnResidual;
+    use super::{OwnResidual, maximum};
     use crate::qp::{Sizes, SparseForm, UpperColumns};
 
     /// Minimise ½ z² − z over z ≥ 0: z = 1, no multiplier.
@@ -103,6 +103,15 @@ mod tests {
         let of_osqp = OwnResidual::of_osqp(&native(), &[1.0], &[0.0], 1e-12);
         for own in [of_clarabel, of_osqp] {
             assert!(own.residual == 0.0 && own.is_met(), "{own:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_the_largest_wherever_it_stands() {
+        for place in 0..3 {
+            let mut values = [1.0, 3.0, 2.0];
+            values[place] = f64::NAN;
+            assert!(maximum(values).is_nan(), "at {place}");
         }
     }
 
