@@ -40,7 +40,7 @@ fn profiles(length: f64, lower: f64) -> Vec<Foundation> {
 fn ground_at_a_support_is_level_within_rounding() {
     let mut above = 0;
     for length in LENGTHS {
-        for (profile, lower) in profiles(length, 0.0).into_iter().zip(profiles(length, 1e-9)) {
+        for (profile, lower) in profiles(length, 0.0).into_iter().zip(profiles(length, 1e-12)) {
             above += usize::from([0.0, length].iter().any(|x| (-1e-9..0.0).contains(&profile.depth(*x))));
             // Some waves are above the other support.
             if [0.0, length].iter().any(|x| profile.depth(*x) < -1e-9) {
@@ -51,7 +51,8 @@ fn ground_at_a_support_is_level_within_rounding() {
             let [touching, below] = [profile, lower].map(|profile| scene(length, profile).expect("a scene"));
             let exact = [&touching, &below].map(|scene| solve_exactly(scene).expect("an answer"));
             assert_eq!(exact[0].verdict.status, Status::Certified, "{name}: {:?}", exact[0].verdict);
-            let close = |energies: [f64; 2]| (energies[0] - energies[1]).abs() <= 1e-6 * energies[1].abs();
+            // On a crest below a support the energy changes with the square root of what the ground is lowered by.
+            let close = |energies: [f64; 2]| (energies[0] - energies[1]).abs() <= 1e-4 * energies[1].abs();
             assert!(close([0, 1].map(|i| exact[i].state.energy)), "{name}");
             for method in [Method::Complementarity, Method::Displacement, Method::Force] {
                 let settings = Settings::new(method, Solver::ActiveSet, 60);
