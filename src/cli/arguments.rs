@@ -111,10 +111,11 @@ pub(super) struct Solve {
     pub(super) nodes: bool,
     #[command(flatten)]
     pub(super) common: Common,
-    /// Write the values along the beam to this file, as CSV: those at the nodes, or samples of the exact solution
+    /// Write the values along the beam to this file, as CSV: those at the nodes, or samples of the exact solution; `-` is
+    /// standard output, and the answer then goes to standard error
     #[arg(long, value_name = "FILE")]
     pub(super) csv: Option<PathBuf>,
-    /// Draw beam, foundation, contact forces, moment and shear into this file
+    /// Draw beam, foundation, contact forces, moment and shear into this file, or `-` as above
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
 }

@@ -2,14 +2,17 @@
 //! at a clock.
 //!
 //! Exit codes: 0, an answer that passed our own check; 1, there is an answer and it did not; 2, bad input or usage, or
-//! output that cannot be written. With 2 there is nothing on standard output and no file is written.
+//! output that cannot be written. With 2 there is nothing on standard output and no file is written, unless it is standard output,
+//! or a device, that fails: then files are already whole and in their places.
 
 mod answer;
 mod arguments;
 mod certify;
 mod compare;
 mod csv;
+mod files;
 mod given;
+mod held;
 mod input;
 mod json;
 mod output;
@@ -26,8 +29,9 @@ use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
 use self::arguments::{Arguments, Command, Common, Format, Solve};
+use self::files::Files;
 use self::input::Input;
-use self::output::{Failure, Files};
+use self::output::{Failure, Stream};
 
 const CERTIFIED: u8 = 0;
 const NOT_CERTIFIED: u8 = 1;
@@ -64,9 +68,9 @@ pub(crate) fn run() -> ExitCode {
 }
 
 fn finish_with_message(message: &clap::Error) -> ExitCode {
-    // Nobody is left to tell if this does not reach anybody.
-    let _ = message.print();
-    ExitCode::from(u8::try_from(message.exit_code()).unwrap_or(FAILED))
+    // Nobody is left to tell if this does not reach anybody; help that was asked for and not given is no success.
+    let code = if message.print().is_ok() { u8::try_from(message.exit_code()).unwrap_or(FAILED) } else { FAILED };
+    ExitCode::from(code)
 }
 
 fn solve(arguments: &Solve) -> Result<u8, Failure> {
@@ -79,17 +83,18 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     }
     let answer = Answer::of(&input, route)?;
     if let Some(path) = &arguments.csv {
-        files.stage(path, &csv::table(&input.scene, &answer))?;
+        files.stage(path, csv::table(&input.scene, &answer))?;
     }
     if let Some(path) = &arguments.plot {
-        files.stage(path, &figure(&input, &answer)?)?;
+        files.stage(path, figure(&input, &answer)?)?;
     }
     let text = match arguments.common.format {
         Format::Text => text::solve(&input, &answer, arguments.nodes),
         Format::Json => json::solve(&input, &answer, arguments.nodes),
     };
+    let stream = files.stream_of_answer();
     files.publish()?;
-    output::print(&text)?;
+    output::print(stream, &text)?;
     Ok(if answer.solution.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
@@ -110,10 +115,13 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let Common { scene, format } = &arguments.common;
     let input = Input::read(scene)?;
     let comparison = compare::Comparison::of(&input, arguments.intervals)?;
-    output::print(&match format {
-        Format::Text => compare::text(&input, &comparison),
-        Format::Json => json::compare(&input, &comparison),
-    })?;
+    output::print(
+        Stream::Output,
+        &match format {
+            Format::Text => compare::text(&input, &comparison),
+            Format::Json => json::compare(&input, &comparison),
+        },
+    )?;
     let certified = comparison.routes.iter().any(|route| route.answer.solution.verdict.status == Status::Certified);
     Ok(if certified { CERTIFIED } else { NOT_CERTIFIED })
 }
@@ -122,10 +130,13 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let Common { scene, format } = &arguments.common;
     let input = Input::read(scene)?;
     let finding = certify::Finding::of(&input, arguments)?;
-    output::print(&match format {
-        Format::Text => certify::text(&input, &finding),
-        Format::Json => json::certify(&input, &finding),
-    })?;
+    output::print(
+        Stream::Output,
+        &match format {
+            Format::Text => certify::text(&input, &finding),
+            Format::Json => json::certify(&input, &finding),
+        },
+    )?;
     Ok(if finding.status() == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 

@@ -43,7 +43,7 @@ impl Foundation {
     /// # Errors
     ///
     /// A number that is not finite, a wavelength that is not positive, a polyline that is not one or does not reach from
-    /// support to support, depths that overflow, or a foundation above a support.
+    /// support to support, depths that overflow, or a foundation above a support by more than the rounding of its depth there.
     pub fn checked(self, beam: &Beam) -> Result<Self, SceneError> {
         match &self {
             Self::Flat { depth } => {
@@ -76,7 +76,7 @@ impl Foundation {
                 let (quantity, what) = (Quantity::Wavelength, "the depth at a support");
                 return Err(SceneError::Overflow { quantity, what, value: depth });
             }
-            if depth < 0.0 {
+            if depth < -self.level_within(at, beam.length()) {
                 return Err(SceneError::AboveSupport { support, at, depth });
             }
         }
@@ -132,11 +132,11 @@ impl Foundation {
         match self {
             Self::Flat { depth: u } => Self::Flat { depth: u / depth },
             Self::Polynomial { coefficients } => {
-                let mut unit = 1.0;
-                let scaled = coefficients.iter().map(|c| {
-                    let c = c / depth * unit;
-                    unit *= length;
-                    c
+                // Not times a power of the length, which may leave the range of f64 where the product does not.
+                let exponent = i64::from(libm::ilogb(length));
+                let scaled = (0..).zip(coefficients).map(|(j, c)| {
+                    let exponent = (exponent * j).clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+                    libm::scalbn(c / depth, i32::try_from(exponent).unwrap_or_default())
                 });
                 Self::Polynomial { coefficients: scaled.collect() }
             }

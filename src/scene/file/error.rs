@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Problem;
+use super::problem::is_forbidden;
 use super::table::Span;
 
 /// Why a file is no scene, or no survey.
@@ -127,7 +128,9 @@ fn floor_char_boundary(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
 }
 
-/// `text` with control characters escaped.
+/// `text` with characters escaped that a terminal obeys.
 fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { c.escape_default().to_string() } else { c.to_string() }).collect()
+    text.chars()
+        .map(|c| if c.is_control() || is_forbidden(c) { c.escape_default().to_string() } else { c.to_string() })
+        .collect()
 }

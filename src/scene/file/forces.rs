@@ -1,7 +1,7 @@
 //! Contact forces as CSV, `x,force`, one force in each row, laid out like a survey.
 
 use super::excerpt::excerpt;
-use super::survey::{Field, Survey, fields};
+use super::survey::Survey;
 use super::{FileError, Problem};
 
 const FIELDS: [&str; 2] = ["x", "force"];
@@ -15,21 +15,21 @@ const FIELDS: [&str; 2] = ["x", "force"];
 /// Text that is not such a file, numbers that are not finite, and places that are not on the beam, all with line and column.
 pub fn parse_forces(name: &str, text: &str, length: f64) -> Result<Vec<(f64, f64)>, Box<FileError>> {
     let file = Survey { name: name.to_owned(), text: text.to_owned() };
-    let mut rows = file.rows();
+    let (layout, mut rows) = (file.layout(), file.rows());
     let Some((header, span)) = rows.next() else {
         return Err(file.error(0..0, Problem::ForcesWithoutHeader));
     };
-    if !fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
+    if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
         return Err(file.error(span, Problem::ForcesHeader { found: excerpt(header) }));
     }
     let forces = rows.map(|(row, span)| {
-        let mut given = fields(row, span.start);
+        let mut given = layout.fields(row, span.start);
         let (Some(x), Some(force), None) = (given.next(), given.next(), given.next()) else {
-            let found = fields(row, span.start).count();
+            let found = layout.fields(row, span.start).count();
             return Err(file.error(span, Problem::ForcesFields { found }));
         };
         let at = x.1.clone();
-        let (x, force) = (number(&file, FIELDS[0], x)?, number(&file, FIELDS[1], force)?);
+        let (x, force) = (file.number(layout, FIELDS[0], x)?, file.number(layout, FIELDS[1], force)?);
         if (0.0..=length).contains(&x) {
             Ok((x, force))
         } else {
@@ -37,11 +37,4 @@ pub fn parse_forces(name: &str, text: &str, length: f64) -> Result<Vec<(f64, f64
         }
     });
     forces.collect()
-}
-
-fn number(file: &Survey, quantity: &'static str, (text, span): Field<'_>) -> Result<f64, Box<FileError>> {
-    match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        _ => Err(file.error(span, Problem::SurveyNumber { quantity, found: excerpt(text) })),
-    }
 }

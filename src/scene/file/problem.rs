@@ -171,6 +171,37 @@ pub enum Problem {
         /// What is there.
         found: String,
     },
+    /// A decimal point in a file that has decimal commas.
+    #[error("`{quantity}` is {found:?}, but other numbers of this file have a decimal comma")]
+    BothDecimalMarks {
+        /// `x`, `depth` or `force`.
+        quantity: &'static str,
+        /// What is there.
+        found: String,
+    },
+    /// A character that would make a figure unreadable, or its text another one than is written.
+    #[error("`{path}` must not have the character U+{:04X}, its character {place}: {}", u32::from(*character), why_forbidden(*character))]
+    ForbiddenCharacter {
+        /// Path of the text.
+        path: String,
+        /// Which character.
+        character: char,
+        /// Which of the characters of the text it is, from 1.
+        place: usize,
+    },
+}
+
+/// Characters of the text of a figure that are refused: noncharacters are not allowed in XML 1.0, and controls of the direction
+/// of writing make a text look as if it were another.
+pub(super) fn is_forbidden(character: char) -> bool {
+    matches!(character, '\u{fffe}' | '\u{ffff}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+fn why_forbidden(character: char) -> &'static str {
+    match character {
+        '\u{fffe}' | '\u{ffff}' => "it is no character of XML, in which figures are written",
+        _ => "it turns the direction of writing, so that the text looks like another one",
+    }
 }
 
 impl Problem {
@@ -183,6 +214,13 @@ impl Problem {
             Self::MissingKey { key, expected: "a table", .. } => Some(format!("expected a table `[{key}]`")),
             Self::MissingKey { key, expected, .. } => Some(format!("expected `{key} = …`, {expected}")),
             Self::BeyondRange { .. } => Some(format!("expected a magnitude of at most {:e}", f64::MAX)),
+            Self::BothDecimalMarks { .. } => {
+                Some("expected one decimal mark in all numbers, and nothing between thousands".to_owned())
+            }
+            Self::SurveyFields { found: 3.. } | Self::ForcesFields { found: 3.. } => Some(
+                "expected decimal points; with decimal commas, `;` between the fields, in the header as well"
+                    .to_owned(),
+            ),
             Self::KeyTwice { .. } => Some("expected only once".to_owned()),
             Self::NoFoundationKind { .. } => Some("expected exactly one of them, or no [foundation] at all".to_owned()),
             Self::SeveralFoundationKinds { .. } => Some("expected exactly one of them".to_owned()),

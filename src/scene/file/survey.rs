@@ -2,6 +2,9 @@
 //!
 //! Blank lines and lines that start with `#` are left out, spaces round a field are trimmed, a byte order mark and
 //! Windows line ends are accepted. Nothing is quoted: the fields are numbers.
+//!
+//! Where a comma is the decimal mark, spreadsheets part the fields by `;`. A file whose header does so may have decimal commas;
+//! one that has any has no decimal points, as a point could then part thousands.
 
 use std::path::Path;
 
@@ -21,41 +24,82 @@ pub(super) struct Survey {
 /// A field of a row: its text, trimmed, and where it is.
 pub(super) type Field<'a> = (&'a str, Span);
 
+/// How the rows of a file are written.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Layout {
+    separator: char,
+    decimal_comma: bool,
+}
+
+impl Layout {
+    /// The fields of a row that starts at byte `start` of its file.
+    pub(super) fn fields(self, row: &str, start: usize) -> impl Iterator<Item = Field<'_>> {
+        pieces(row, self.separator, start)
+    }
+
+    /// A finite number. `1e999` parses as infinity, `nan` and `inf` as what they say: none of them is a level or a force.
+    fn number(self, text: &str) -> Option<f64> {
+        let number = match self.decimal_comma {
+            true if text.contains('.') => return None,
+            true => text.replace(',', ".").parse::<f64>(),
+            false => text.parse::<f64>(),
+        };
+        number.ok().filter(|number| number.is_finite())
+    }
+}
+
 impl Survey {
     /// The points, as many as the file has: whether they make a polyline is for the scene to judge.
     pub(super) fn points(&self) -> Result<Vec<[f64; 2]>, Box<FileError>> {
-        let mut rows = self.rows();
+        let (layout, mut rows) = (self.layout(), self.rows());
         let Some((header, span)) = rows.next() else {
             return Err(self.error(0..0, Problem::SurveyWithoutHeader));
         };
-        if !fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
+        if !layout.fields(header, span.start).map(|(name, _)| name).eq(FIELDS) {
             return Err(self.error(span, Problem::SurveyHeader { found: excerpt(header) }));
         }
-        rows.map(|(row, span)| self.point(row, span)).collect()
+        rows.map(|(row, span)| self.point(layout, row, span)).collect()
     }
 
-    fn point(&self, row: &str, span: Span) -> Result<[f64; 2], Box<FileError>> {
-        let mut given = fields(row, span.start);
+    fn point(&self, layout: Layout, row: &str, span: Span) -> Result<[f64; 2], Box<FileError>> {
+        let mut given = layout.fields(row, span.start);
         let (Some(x), Some(depth), None) = (given.next(), given.next(), given.next()) else {
-            let found = fields(row, span.start).count();
+            let found = layout.fields(row, span.start).count();
             return Err(self.error(span, Problem::SurveyFields { found }));
         };
-        Ok([self.number(FIELDS[0], x)?, self.number(FIELDS[1], depth)?])
+        Ok([self.number(layout, FIELDS[0], x)?, self.number(layout, FIELDS[1], depth)?])
     }
 
-    fn number(&self, quantity: &'static str, (text, span): Field<'_>) -> Result<f64, Box<FileError>> {
-        // `1e999` parses as infinity, `nan` and `inf` as what they say: none of them is a level.
-        match text.parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(self.error(span, Problem::SurveyNumber { quantity, found: excerpt(text) })),
-        }
+    /// The layout of the file: `;` parts its fields if it does so in the header, and then commas are decimal.
+    pub(super) fn layout(&self) -> Layout {
+        let semicolon = self.rows().next().is_some_and(|(header, _)| header.contains(';'));
+        let decimal_comma = semicolon && self.rows().skip(1).any(|(row, _)| row.contains(','));
+        Layout { separator: if semicolon { ';' } else { ',' }, decimal_comma }
+    }
+
+    pub(super) fn number(
+        &self,
+        layout: Layout,
+        quantity: &'static str,
+        (text, span): Field<'_>,
+    ) -> Result<f64, Box<FileError>> {
+        let wrong = || {
+            let found = excerpt(text);
+            let problem = if layout.decimal_comma && text.contains('.') {
+                Problem::BothDecimalMarks { quantity, found }
+            } else {
+                Problem::SurveyNumber { quantity, found }
+            };
+            self.error(span.clone(), problem)
+        };
+        layout.number(text).ok_or_else(wrong)
     }
 
     /// Name and place of coordinate `axis` of point `index`.
     pub(super) fn place(&self, index: usize, axis: usize) -> (&'static str, Span) {
         let end = self.text.len();
-        let row = self.rows().nth(index + 1);
-        let field = row.and_then(|(row, span)| fields(row, span.start).nth(axis));
+        let (layout, row) = (self.layout(), self.rows().nth(index + 1));
+        let field = row.and_then(|(row, span)| layout.fields(row, span.start).nth(axis));
         (FIELDS[axis], field.map_or(end..end, |(_, span)| span))
     }
 
@@ -74,10 +118,6 @@ impl Survey {
     pub(super) fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
         Source { name: &self.name, text: &self.text }.error(span, problem)
     }
-}
-
-pub(super) fn fields(row: &str, start: usize) -> impl Iterator<Item = Field<'_>> {
-    pieces(row, ',', start)
 }
 
 /// Pieces of a text that starts at byte `start` of its file, trimmed.

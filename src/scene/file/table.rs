@@ -7,6 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::Problem;
 use super::excerpt::excerpt;
+use super::problem::is_forbidden;
 
 /// Bytes of the file, from `start` up to `end`.
 pub(super) type Span = std::ops::Range<usize>;
@@ -147,7 +148,12 @@ impl<'a> Value<'a> {
     /// Text without line breaks or other control characters: it is printed in tables and figures.
     pub(super) fn line_of_text(&self) -> Result<String, Error> {
         match self.value.get_ref() {
-            DeValue::String(text) if !text.contains(|c: char| c.is_control()) => Ok(text.to_string()),
+            DeValue::String(text) if !text.contains(|c: char| c.is_control()) => {
+                let forbidden = (1..).zip(text.chars()).find(|&(_, character)| is_forbidden(character));
+                let Some((place, character)) = forbidden else { return Ok(text.to_string()) };
+                let problem = Problem::ForbiddenCharacter { path: self.path.clone(), character, place };
+                Err(Error { span: self.span(), problem })
+            }
             _ => Err(self.wrong_type("one line of text")),
         }
     }

@@ -16,7 +16,7 @@ fn forces_are_read() {
 #[test]
 fn what_is_no_force_is_refused_with_its_place() {
     for (text, message, place) in [
-        ("x;force\n1;2\n", "must begin with the header `x,force`", "forces.csv:1:1"),
+        ("x|force\n1|2\n", "must begin with the header `x,force`", "forces.csv:1:1"),
         ("\n", "neither header nor forces", "forces.csv:1:1"),
         ("x,force\n1,2,3\n", "2 fields", "forces.csv:2:1"),
         ("x,force\n1,2\n3,nan\n", "`force` must be a finite number", "forces.csv:3:3"),

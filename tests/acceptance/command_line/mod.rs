@@ -125,6 +125,11 @@ impl Folder {
     }
 }
 
+/// A pipe that nobody reads any more.
+fn no_reader() -> std::io::PipeWriter {
+    std::io::pipe().expect("a pipe").1
+}
+
 fn scene(text: &str) -> Scene {
     parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a valid scene")
 }

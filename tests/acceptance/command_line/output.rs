@@ -6,7 +6,7 @@ use std::process::Stdio;
 use palkki::route::{Method, Solver};
 use palkki::{Settings, solve_raw};
 
-use super::{EXAMPLE, Folder, SURVEYED, scene};
+use super::{EXAMPLE, Folder, SURVEYED, no_reader, scene};
 
 #[test]
 fn csv_holds_the_nodes_to_the_last_bit() {
@@ -54,10 +54,10 @@ fn a_file_that_cannot_be_written_ends_the_run_before_anything_is_printed() {
     fs::create_dir(folder.path("directory.csv")).expect("a directory");
     let force = "solve example.toml --method force --csv";
     insta::assert_snapshot!(folder.refused(&format!("{force} nowhere/nodes.csv")), @r#"error: cannot write "nowhere/nodes.csv": there is no such directory"#);
-    insta::assert_snapshot!(folder.refused(&format!("{force} directory.csv")), @r#"error: cannot write "directory.csv": it is not a regular file"#);
+    insta::assert_snapshot!(folder.refused(&format!("{force} directory.csv")), @r#"error: cannot write "directory.csv": it is a directory"#);
     insta::assert_snapshot!(folder.refused(&format!("{force} example.toml")), @r#"error: cannot write "example.toml": it is the scene itself, or its survey"#);
     insta::assert_snapshot!(folder.refused(&format!("{force} example.toml/nodes.csv")), @r#"error: cannot write "example.toml/nodes.csv": there is no such directory"#);
-    insta::assert_snapshot!(folder.refused(&format!("{force} ..")), @r#"error: cannot write "..": it is not a regular file"#);
+    insta::assert_snapshot!(folder.refused(&format!("{force} ..")), @r#"error: cannot write "..": it is a directory"#);
     insta::assert_snapshot!(folder.refused(&format!("{force} both --plot both")), @r#"error: cannot write "both": it is named twice"#);
     insta::assert_snapshot!(folder.refused("solve surveyed.toml --method force --csv levels.csv"), @r#"error: cannot write "levels.csv": it is the scene itself, or its survey"#);
 }
@@ -74,13 +74,11 @@ fn a_link_is_followed_and_stays_a_link() {
 }
 
 #[test]
-fn a_reader_that_closes_the_pipe_is_no_failure() {
+fn a_reader_that_closes_the_pipe_gets_no_message_and_no_success() {
     let folder = Folder::new("pipe");
     let mut command = folder.command("solve example.toml --method force --intervals 300 --format json");
-    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
-    drop(child.stdout.take());
-    let output = child.wait_with_output().expect("the program ends");
-    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), b"".as_slice()));
+    let output = command.stdout(no_reader()).output().expect("the program runs");
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(2), b"".as_slice()));
 }
 
 #[cfg(target_os = "linux")]
@@ -91,6 +89,102 @@ fn a_full_disk_behind_standard_output_is_a_failure() {
     let output = folder.command("solve example.toml --method force").stdout(full).output().expect("the program runs");
     assert_eq!(output.status.code(), Some(2));
     assert!(output.stderr.starts_with(b"error: cannot print the answer: "), "it says why");
+}
+
+/// A file that is there keeps its mode, whatever the mask for new ones is; one that may not be written stays, unless the
+/// user may write everything.
+#[cfg(unix)]
+#[test]
+fn a_file_keeps_its_mode() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let folder = Folder::new("modes");
+    for mode in [0o600, 0o640, 0o644, 0o666, 0o660, 0o755, 0o444, 0o400] {
+        for option in ["--csv", "--plot"] {
+            folder.write("file", "what was there before");
+            fs::set_permissions(folder.path("file"), fs::Permissions::from_mode(mode)).expect("a mode");
+            let may_write = fs::OpenOptions::new().write(true).open(folder.path("file")).is_ok();
+            let arguments = format!("solve example.toml --method force {option} file");
+            if may_write {
+                let run = folder.run(&arguments);
+                assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{mode:o}");
+                assert_ne!(folder.read("file"), "what was there before", "{mode:o}");
+            } else {
+                assert!(folder.refused(&arguments).contains("denied"), "{mode:o}");
+            }
+            let found = fs::metadata(folder.path("file")).expect("the file").permissions().mode() & 0o777;
+            assert_eq!(found, mode, "{found:o} instead of {mode:o}");
+            fs::remove_file(folder.path("file")).expect("the file goes");
+        }
+    }
+}
+
+/// A name may be as long as the file system takes: 255 bytes on those that are usual.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_name_may_be_as_long_as_a_name_can_be() {
+    let folder = Folder::new("names");
+    for length in [1, 200, 240, 249, 254, 255] {
+        let name = "n".repeat(length);
+        let run = folder.run(&format!("solve example.toml --method force --csv {name}"));
+        assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{length} bytes");
+        assert!(folder.read(&name).starts_with("x,"), "{length} bytes");
+    }
+    folder.refused(&format!("solve example.toml --method force --csv {}", "n".repeat(256)));
+}
+
+/// Standard output behind `-` and behind its names has the table, and the answer goes to standard error; both are whole, into
+/// a pipe and into a file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_table_to_standard_output_leaves_the_answer_to_standard_error() {
+    let folder = Folder::new("dash");
+    let answer = folder.run("solve example.toml --method force --intervals 12");
+    for (option, begins) in [("--csv", "x,"), ("--plot", "<svg ")] {
+        let solve = "solve example.toml --method force --intervals 12";
+        assert_eq!(folder.run(&format!("{solve} {option} file")).code, Some(0));
+        let file = folder.read("file");
+        assert!(file.starts_with(begins), "{file}");
+        for name in ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"] {
+            let run = folder.run(&format!("{solve} {option} {name}"));
+            assert_eq!(run.code, Some(0), "{name}: {}", run.err);
+            assert!(run.out == file, "{name}: {}", run.out);
+            assert_eq!(run.err.lines().count(), answer.out.lines().count(), "{name}: {}", run.err);
+            let into = fs::File::create(folder.path("into")).expect("a file");
+            let output = folder.command(&format!("{solve} {option} {name}")).stdout(into).output().expect("it runs");
+            assert_eq!(output.status.code(), Some(0), "{name}");
+            assert!(folder.read("into") == file && !output.stderr.is_empty(), "{name}");
+        }
+        let run = folder.run(&format!("{solve} {option} /dev/stderr"));
+        assert_eq!((run.code, run.out.lines().count()), (Some(0), answer.out.lines().count()));
+        assert!(run.err == file, "{}", run.err);
+    }
+    folder.refused("solve example.toml --method force --csv - --plot /dev/stdout");
+    let into = fs::File::create(folder.path("into")).expect("a file");
+    let output = folder.command("solve example.toml --csv into").stdout(into).output().expect("it runs");
+    assert_eq!(output.status.code(), Some(2), "one file for table and answer");
+    assert!(!fs::exists(folder.path("-")).expect("a folder"), "no file is called -");
+}
+
+/// Whenever a signal comes, there is the old file or the new one, and no other.
+#[cfg(unix)]
+#[test]
+fn a_signal_leaves_nothing_behind() {
+    use std::time::Duration;
+    let folder = Folder::new("signals");
+    let (solve, mut ended) = ("solve example.toml --method force --intervals 30000 --csv nodes.csv --plot beam.svg", 0);
+    for (round, signal) in (0..24).zip(["INT", "TERM"].into_iter().cycle()) {
+        folder.write("nodes.csv", "what was there before");
+        let mut child = folder.command(solve).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("it starts");
+        std::thread::sleep(Duration::from_millis(10 * round));
+        let id = child.id().to_string();
+        let _ = std::process::Command::new("kill").args([&format!("-{signal}"), &id]).stderr(Stdio::null()).status();
+        ended += u32::from(child.wait().expect("it ends").code().is_none());
+        let table = folder.read("nodes.csv");
+        assert!(table == "what was there before" || table.lines().count() == 30_000, "{round}: half a table");
+        let names: Vec<_> = folder.contents().into_iter().map(|(path, _)| path).collect();
+        assert!(names.iter().all(|path| !path.to_string_lossy().ends_with(".tmp")), "{round}: {names:?}");
+    }
+    assert!(0 < ended, "no signal came in time");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod borders;
 mod closed;
+mod level;
 mod near;
 mod statics;
 mod surveys;

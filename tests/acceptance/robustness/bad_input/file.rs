@@ -222,6 +222,20 @@ fn wrong_type_coefficient() {
     ");
 }
 
+/// Every character that a figure could not hold or that would turn the direction of its text, in a title and in a unit.
+#[test]
+fn forbidden_characters() {
+    let turning = ('\u{202a}'..='\u{202e}').chain('\u{2066}'..='\u{2069}');
+    for character in turning.chain(['\u{fffe}', '\u{ffff}']) {
+        let found = message("\"A valid scene\"", &format!("\"A v{character}lid scene\""));
+        let expected = format!("`title` must not have the character U+{:04X}, its character 4: ", u32::from(character));
+        assert!(found.contains(&expected), "{found}");
+        assert!(!found.lines().next().unwrap_or_default().contains(character), "it is not repeated");
+    }
+    let escaped = message("\"A valid scene\"", "\"A \\u202evalid scene\"");
+    assert!(escaped.contains("U+202E, its character 3: it turns the direction of writing"), "{escaped}");
+}
+
 #[test]
 fn wrong_type_title_of_two_lines() {
     insta::assert_snapshot!(message("\"A valid scene\"", "\"A valid\\nscene\""), @r#"

@@ -2,7 +2,7 @@
 
 use palkki::scene::file::ReadProblem;
 
-use super::{survey, unreadable};
+use super::{EVERY_KEY, survey, unreadable};
 
 #[test]
 fn unreadable_survey() {
@@ -65,8 +65,35 @@ fn survey_fields() {
      --> site/levels.csv:3:1
       |
     3 | 5,0,5
-      | ^^^^^
+      | ^^^^^ expected decimal points; with decimal commas, `;` between the fields, in the header as well
     ");
+}
+
+#[test]
+fn survey_with_two_decimal_marks() {
+    insta::assert_snapshot!(survey("x;depth\n0;1,5\n5;1.000\n10;1\n"), @r#"
+    error: `depth` is "1.000", but other numbers of this file have a decimal comma
+     --> site/levels.csv:3:3
+      |
+    3 | 5;1.000
+      |   ^^^^^ expected one decimal mark in all numbers, and nothing between thousands
+    "#);
+}
+
+/// As spreadsheets write them where the comma is the decimal mark: the same scene, to the bit.
+#[test]
+fn surveys_with_semicolons_and_decimal_commas_are_read() {
+    use palkki::scene::file::parse;
+    let scene = EVERY_KEY.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
+    let read = |text: &str| parse("scene.toml", &scene, |_| Ok(text.to_owned())).expect("a survey");
+    let plain = "x,depth\n0,1\n2.5,0.75\n 7.25 ,1e-1\n10,1.125\n";
+    let semicolons = plain.replace(',', ";");
+    let commas = semicolons.replace('.', ",");
+    for text in
+        [&semicolons, &commas, &commas.replace('\n', "\r\n"), &format!("\u{feff}# made by hand, in a hurry\n{commas}")]
+    {
+        assert_eq!(read(text), read(plain), "{text}");
+    }
 }
 
 #[test]

@@ -1,0 +1,203 @@
+//! `--csv` and `--plot`: regular files whole or not at all, streams and devices directly.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::held::Held;
+use super::input::Input;
+use super::output::{self, Failure, PlaceProblem, Stream};
+
+/// Where a text goes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Place {
+    /// A regular file, or none yet: a new file is moved there when it is complete.
+    File(PathBuf),
+    /// A device or a named pipe: written directly.
+    Device(PathBuf),
+    /// A stream of this program.
+    Stream(Stream),
+}
+
+/// Files that are written beside their places first, and moved there when all of them are complete.
+///
+/// Whatever has not been moved when this is dropped is removed again; signals wait for that.
+#[derive(Debug, Default)]
+pub(super) struct Files {
+    places: Vec<(PathBuf, Place)>,
+    staged: Vec<Staged>,
+    direct: Vec<Direct>,
+    held: Option<Held>,
+}
+
+/// A file that is complete beside its place.
+#[derive(Debug)]
+struct Staged {
+    temporary: PathBuf,
+    place: PathBuf,
+}
+
+/// A text that is written to its place when all others are complete.
+#[derive(Debug)]
+struct Direct {
+    place: Place,
+    text: String,
+}
+
+impl Files {
+    /// Checks that a file can be put at `path`, as far as that can be told before.
+    pub(super) fn reserve(&mut self, path: &Path, input: &Input) -> Result<(), Failure> {
+        let place = place(path)?;
+        let not = |problem| Err(Failure::NoPlace { path: path.to_owned(), problem });
+        if self.places.iter().any(|(_, other)| *other == place) {
+            return not(PlaceProblem::Twice);
+        }
+        if let Place::File(file) = &place {
+            if input.files.iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == *file)) {
+                return not(PlaceProblem::TheInput);
+            }
+            if file.exists() {
+                if fs::canonicalize("/dev/stdout").is_ok_and(|output| output == *file) {
+                    return not(PlaceProblem::TheOutput);
+                }
+                // A file that its owner has locked is not replaced by another one.
+                open(file).map_err(|error| Failure::Write { path: path.to_owned(), error })?;
+            }
+        }
+        self.places.push((path.to_owned(), place));
+        Ok(())
+    }
+
+    /// The stream that is left for the answer.
+    pub(super) fn stream_of_answer(&self) -> Stream {
+        let taken = self.places.iter().any(|(_, place)| *place == Place::Stream(Stream::Output));
+        if taken { Stream::Error } else { Stream::Output }
+    }
+
+    /// Writes `text` beside `path`, which has been reserved.
+    pub(super) fn stage(&mut self, path: &Path, text: String) -> Result<(), Failure> {
+        let failed = |error| Failure::Write { path: path.to_owned(), error };
+        let reserved = self.places.iter().find(|(reserved, _)| reserved == path).map(|(_, place)| place.clone());
+        let place = reserved.map_or_else(|| place(path), Ok)?;
+        let Place::File(file) = place else {
+            self.direct.push(Direct { place, text });
+            return Ok(());
+        };
+        if self.held.is_none() {
+            self.held = Some(Held::new().map_err(failed)?);
+        }
+        let name = format!(".palkki.{}.{}.tmp", std::process::id(), self.staged.len());
+        let temporary = file.with_file_name(name);
+        let new = match create_like(&temporary, &file) {
+            Ok(new) => new,
+            // Nobody but the owner of its directory could replace this file, and it may be written.
+            Err(error) if error.kind() == io::ErrorKind::PermissionDenied && file.exists() => {
+                let _ = fs::remove_file(&temporary);
+                self.direct.push(Direct { place: Place::Device(file), text });
+                return Ok(());
+            }
+            Err(error) => return Err(failed(error)),
+        };
+        self.staged.push(Staged { temporary, place: file });
+        write(new, &text).map_err(failed)
+    }
+
+    /// Moves all files to their places, and writes what has no place to be moved to.
+    pub(super) fn publish(mut self) -> Result<(), Failure> {
+        while let Some(file) = self.staged.last() {
+            fs::rename(&file.temporary, &file.place)
+                .map_err(|error| Failure::Write { path: file.place.clone(), error })?;
+            self.staged.pop();
+        }
+        // A pipe may wait for its reader, and then a signal has to end the program.
+        self.held = None;
+        for Direct { place, text } in std::mem::take(&mut self.direct) {
+            match place {
+                Place::Stream(stream) => output::print(stream, &text)?,
+                Place::File(path) | Place::Device(path) => {
+                    let failed = |error| Failure::Write { path: path.clone(), error };
+                    let mut device = open(&path).map_err(failed)?;
+                    // Only what is longer than the new text; a device has no length.
+                    if device.metadata().is_ok_and(|there| there.is_file()) {
+                        device.set_len(0).map_err(failed)?;
+                    }
+                    device.write_all(text.as_bytes()).map_err(failed)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Files {
+    fn drop(&mut self) {
+        for file in &self.staged {
+            // If it cannot be removed either, the message about why it was not moved is the one to give.
+            let _ = fs::remove_file(&file.temporary);
+        }
+    }
+}
+
+/// Opens what is there, as a plain write does.
+fn open(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
+}
+
+fn write(mut file: File, text: &str) -> io::Result<()> {
+    file.write_all(text.as_bytes())?;
+    file.sync_all()
+}
+
+/// A new file with mode, owner and group of the one that it will replace.
+#[cfg(unix)]
+fn create_like(new: &Path, old: &Path) -> io::Result<File> {
+    use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _, fchown};
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    let Ok(there) = fs::metadata(old) else { return options.open(new) };
+    // Nobody else may open it before it has its mode.
+    let file = options.mode(0o600).open(new)?;
+    let made = file.metadata()?;
+    if (made.uid(), made.gid()) != (there.uid(), there.gid()) {
+        fchown(&file, Some(there.uid()), Some(there.gid()))?;
+    }
+    file.set_permissions(there.permissions())?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn create_like(new: &Path, _: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).create_new(true).open(new)
+}
+
+/// Where a file at `path` is in truth: moving something there must not replace a link, and still less a device.
+fn place(path: &Path) -> Result<Place, Failure> {
+    const NAMES: [(Stream, [&str; 3]); 2] = [
+        (Stream::Output, ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]),
+        (Stream::Error, ["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2"]),
+    ];
+    let not = |problem| Failure::NoPlace { path: path.to_owned(), problem };
+    if path == Path::new("-") {
+        return Ok(Place::Stream(Stream::Output));
+    }
+    if let Some((stream, _)) = NAMES.iter().find(|(_, names)| names.iter().any(|name| path == Path::new(name))) {
+        return Ok(Place::Stream(*stream));
+    }
+    match fs::metadata(path) {
+        Ok(there) if there.is_file() => {
+            let file = fs::canonicalize(path).map_err(|error| Failure::Write { path: path.to_owned(), error })?;
+            Ok(Place::File(file))
+        }
+        Ok(there) if there.is_dir() => Err(not(PlaceProblem::Directory)),
+        Ok(_) => Ok(Place::Device(path.to_owned())),
+        Err(_) => {
+            let name = path.file_name().ok_or_else(|| not(PlaceProblem::NoName))?;
+            let folder = match path.parent() {
+                Some(folder) if folder != Path::new("") => folder,
+                _ => Path::new("."),
+            };
+            let folder = fs::canonicalize(folder).map_err(|_| not(PlaceProblem::NoDirectory))?;
+            if folder.is_dir() { Ok(Place::File(folder.join(name))) } else { Err(not(PlaceProblem::NoDirectory)) }
+        }
+    }
+}
