@@ -38,7 +38,7 @@
 //! | read a scene file | [`scene::file::parse`] |
 //! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve()`] |
 //! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
-//! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::status_of_forces`] |
+//! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::Verdict::of_forces`] |
 //! | draw | `plot::curves`, with the feature `plot` |
 //!
 //! # Notation

@@ -111,6 +111,17 @@ pub fn magnitude_at_most(value: f64) -> String {
     bounding(value, magnitude, SLACK, |shown, value| value <= shown)
 }
 
+/// An upper bound that is a share: in per cent where that can be read, `0.25 %`, and otherwise as [`magnitude_at_most`].
+#[must_use]
+pub fn share_at_most(value: f64) -> String {
+    /// As in [`magnitude_at_most`].
+    const SLACK: f64 = 0.01;
+    if !(1e-4..10.0).contains(&value) {
+        return magnitude_at_most(value);
+    }
+    bounding(100.0 * value, |percent| plain(percent, 2), SLACK, |shown, percent| percent <= shown) + " %"
+}
+
 /// Steps of a tenth of a unit in the last of [`DIGITS`] digits, as a share, or less.
 const SLACK: f64 = 1e-10;
 
@@ -140,7 +151,7 @@ fn plain(value: f64, digits: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{decade, fixed, significant, ten_to};
+    use super::{decade, fixed, share_at_most, significant, ten_to};
 
     #[test]
     fn numbers_are_written_for_a_reader() {
@@ -153,6 +164,13 @@ mod tests {
         assert_eq!(significant(-1e-300, 3), "−1·10⁻³⁰⁰");
         assert_eq!(significant(0.001_234_5, 3), "0.00123");
         assert_eq!(fixed(-0.0, 1), "0.0");
+    }
+
+    #[test]
+    fn a_share_is_never_below_its_number() {
+        let shown = [0.1, 0.1001, 0.002_41, 0.82, 1.301, 1e-4, 9.9e-5, 3.21e-15, 12.34, 0.0].map(share_at_most);
+        assert_eq!(shown, ["10 %", "11 %", "0.25 %", "82 %", "140 %", "0.01 %", "9.9e-5", "3.3e-15", "1.3e1", "0"]);
+        assert_eq!(share_at_most(f64::INFINITY), "inf");
     }
 
     #[test]

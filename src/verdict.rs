@@ -1,5 +1,5 @@
-//! What `certified` means, in one place: which checks of the judge an answer has to pass, and in which words it is told that it
-//! did not.
+//! What `certified` means, in one place: which checks of the judge an answer has to pass, and in which words it is told how far
+//! it may be off, certified or not.
 //!
 //! The judge ([`crate::certificate`]) measures and does not decide: it has a residual of the discrete problem, and bounds for
 //! the continuous beam. An answer is **certified** if all of this holds.
@@ -9,22 +9,20 @@
 //! | its own problem | the worst of the KKT residuals is at most [`CERTIFIED_RESIDUAL`], or what was [demanded](Demand) | every condition holds everywhere, to 12 digits |
 //! | the certificate | there is one: all bounds are finite, `energy_lower ≤ energy_upper`, `0 ≤ gap` | the same |
 //! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it; its energy is between the bounds |
-//! | the error | only if demanded: `deflection_error` ≤ `EPS` × largest deflection | the same |
+//! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
 //!
-//! A coarse grid that nobody asked to be finer is not punished for its model error: that error stands beside the answer as
-//! `deflection_error`. Where an error *is* demanded ([`crate::adaptive`]), the guaranteed error counts in what the solver left
-//! undone, and so the residual has to be no smaller than a tenth of what is demanded.
+//! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
+//! ([`crate::adaptive`]), it counts in what the solver left undone, and the residual may be as large as a tenth of it.
+//! Contact forces from elsewhere have no problem of their own: of them the certificate and the error count ([`Verdict::of_forces`]).
 //!
 //! [`RawSolution::status`] is the first row alone, and [`Exact::status`] that of beam theory: what they solved is their own problem.
-//!
-//! Contact forces from elsewhere are accepted if the deflection that they cause is certain to a hundredth of its largest value.
 //!
 //! ```
 //! use palkki::Witness;
 //! use palkki::certificate::{ContactLoad, Judged, certify};
 //! use palkki::route::Status;
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
-//! use palkki::verdict::status_of_forces;
+//! use palkki::verdict::Verdict;
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
 //! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
@@ -34,18 +32,31 @@
 //! let witness = Witness::of(&scene);
 //! let certificate = certify(&scene, Judged::Forces(&forces), witness.contacts(7, &[]))?;
 //! assert!(certificate.energy_lower <= certificate.energy_upper);
-//! assert_eq!(status_of_forces(&certificate), Status::NotCertified, "off by up to {}", certificate.deflection_error);
+//! let verdict = Verdict::of_forces(&scene, certificate);
+//! assert_eq!(verdict.status, Status::NotCertified, "{verdict}");
+//! assert!(verdict.to_string().starts_with("the beam may be off by "), "{verdict}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 use std::fmt;
 
-use crate::certificate::{ACCEPTED_ERROR, CERTIFIED_RESIDUAL, Certificate, Judged, certify};
+use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, certify};
 use crate::route::RawSolution;
 use crate::scene::Scene;
 use crate::state::ContactState;
+use crate::text::share_at_most;
 use crate::theory::Exact;
 use crate::witness::Witness;
+
+/// Share of its largest value to which a deflection has to be certain: a tenth, what the paper calls usable.
+pub const USABLE: f64 = 0.1;
+
+/// The same of beam theory, which has no grid to blame.
+pub const EXACT: f64 = 1e-6;
+
+/// A deflection that is this share of the length of the beam or less, and known to be, is none: a beam that does not move is
+/// certain. The square root of the smallest number that there is comes to 1e-162.
+const AT_REST: f64 = 1e-140;
 
 /// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
 /// guaranteed error.
@@ -58,7 +69,7 @@ const ENERGY: f64 = 1e-9;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Status {
-    /// The answer passes our own check.
+    /// The answer passes our own check, and its deflection is certain enough.
     Certified,
     /// An answer came back and fails it.
     NotCertified,
@@ -99,24 +110,23 @@ impl fmt::Display for Status {
 pub struct Demand {
     /// Largest residual of the discrete problem; not asked of beam theory, which has conditions of its own.
     pub residual: f64,
-    /// `EPS`: largest guaranteed error of the deflection, as a share of the largest deflection.
-    pub error: Option<f64>,
+    /// Largest guaranteed error of the deflection, as a share of the largest deflection; of beam theory never more than
+    /// [`EXACT`].
+    pub error: f64,
 }
 
 impl Default for Demand {
     fn default() -> Self {
-        Self { residual: CERTIFIED_RESIDUAL, error: None }
+        Self { residual: CERTIFIED_RESIDUAL, error: USABLE }
     }
 }
 
 impl Demand {
-    /// The largest residual that is ever enough: with more, contact forces are no longer worth printing.
-    const LOOSEST: f64 = 1e-2;
-
-    /// A guaranteed error of the deflection of at most `share` of the largest deflection.
+    /// A guaranteed error of the deflection of at most `share` of the largest deflection, and never more than [`USABLE`].
     #[must_use]
     pub fn of_error(share: f64) -> Self {
-        Self { residual: (0.1 * share).clamp(CERTIFIED_RESIDUAL, Self::LOOSEST), error: Some(share) }
+        let error = share.min(USABLE);
+        Self { residual: (0.1 * error).max(CERTIFIED_RESIDUAL), error }
     }
 }
 
@@ -143,7 +153,7 @@ pub enum Refusal {
     #[error("its contact forces are not all numbers")]
     NoNumbers,
     /// Nothing could be proven for the continuous beam.
-    #[error("no finite bounds for the continuous beam could be proven from its contact forces")]
+    #[error("no finite bound on how far the beam may be off could be proven")]
     Unbounded,
     /// The bounds contradict each other; there is no such certificate.
     #[error(
@@ -179,19 +189,17 @@ pub enum Refusal {
         /// Upper bound.
         upper: f64,
     },
-    /// The guaranteed error is larger than what was demanded.
-    #[error(
-        "its guaranteed error is {share:.1e} of the largest deflection, more than the {most:.1e} that was demanded"
-    )]
+    /// The guaranteed error is larger than what is allowed.
+    #[error("the beam may be off by {} of its largest deflection, more than {}", share_at_most(*share), share_at_most(*most))]
     Error {
         /// Guaranteed error over the largest deflection.
         share: f64,
-        /// What was demanded.
+        /// What is allowed.
         most: f64,
     },
 }
 
-/// What the judge's measures come to.
+/// What the judge's measures come to. Displayed, it says how far the beam may be off, or what else is wrong.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Certified or not.
@@ -211,7 +219,8 @@ impl Verdict {
         let own = (!within(outcome.residual, demand.residual))
             .then_some(Refusal::Residual { residual: outcome.residual, most: demand.residual });
         let certificate = certificate(&outcome.state, witness);
-        Self::new(certificate, &outcome.state, own, demand, outcome.solver_reports_success)
+        let size = largest(&outcome.state);
+        Self::new(witness.scene(), certificate, size, own, demand.error, outcome.solver_reports_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.
@@ -223,22 +232,58 @@ impl Verdict {
             Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state)),
             Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
         };
-        Self::new(certificate, &exact.state, own, demand, exact.status != Status::NotConverged)
+        let most = demand.error.min(EXACT);
+        let size = largest(&exact.state);
+        Self::new(scene, certificate, size, own, most, exact.status != Status::NotConverged)
     }
 
+    /// On contact forces from somebody who says nothing of a grid: what counts is the deflection that they cause.
+    #[must_use]
+    pub fn of_forces(scene: &Scene, certificate: Certificate) -> Self {
+        let size = certificate.deflection;
+        Self::new(scene, Some(certificate), size, None, USABLE, true)
+    }
+
+    /// From the certificate, the largest deflection, what is wrong with how it solves its own problem, and the largest error.
     fn new(
+        scene: &Scene,
         certificate: Option<Certificate>,
-        state: &ContactState,
+        size: f64,
         own: Option<Refusal>,
-        demand: &Demand,
+        most: f64,
         reports_success: bool,
     ) -> Self {
-        let error = certificate.as_ref().map_or(f64::INFINITY, |c| share(c.deflection_error, largest(state)));
-        let refusal = own.or_else(|| certificate.as_ref().map_or(Some(Refusal::NoNumbers), flaw)).or_else(|| {
-            demand.error.filter(|most| !within(error, *most)).map(|most| Refusal::Error { share: error, most })
+        let error = certificate.as_ref().map_or(f64::INFINITY, |c| {
+            let none = AT_REST * scene.beam().length();
+            if within(c.deflection_error, none) && within(size, none) { 0.0 } else { c.deflection_error / size }
         });
+        let refusal = own
+            .or_else(|| certificate.as_ref().map_or(Some(Refusal::NoNumbers), flaw))
+            .or_else(|| (!within(error, most)).then_some(Refusal::Error { share: error, most }));
         let status = Status::of(refusal.is_none(), reports_success);
         Self { status, certificate, error, refusal }
+    }
+
+    /// Whether it solves its own problem, however far that is from the beam.
+    #[must_use]
+    pub fn solves_its_problem(&self) -> bool {
+        matches!(self.refusal, None | Some(Refusal::Error { .. } | Refusal::Unbounded))
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.refusal {
+            None if self.error == 0.0 => f.write_str("the deflection is certain")?,
+            None => write!(f, "the deflection is certain to {} of its largest value", share_at_most(self.error))?,
+            Some(refusal) => write!(f, "{refusal}")?,
+        }
+        let told = matches!(self.refusal, None | Some(Refusal::Error { .. }));
+        let coarse = self.certificate.as_ref().is_some_and(|c| !c.contacts_proven);
+        if told && coarse && 0.0 < self.error {
+            f.write_str(" (a coarse bound: no list of contacts was proven to be that of the beam)")?;
+        }
+        Ok(())
     }
 }
 
@@ -253,19 +298,6 @@ pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certif
         return None;
     }
     certify(witness.scene(), Judged::Nodes(nodes), witness.contacts(nodes.x.len(), &state.contacts)).ok()
-}
-
-/// Of forces from somebody who says nothing of a grid, see [`accepts`].
-#[must_use]
-pub fn status_of_forces(certificate: &Certificate) -> Status {
-    Status::of(accepts(certificate), true)
-}
-
-/// Whether forces from somebody who says nothing of a grid are accepted: their certificate is one, and the deflection that they
-/// cause is certain to [`ACCEPTED_ERROR`] of its largest value.
-#[must_use]
-pub fn accepts(certificate: &Certificate) -> bool {
-    flaw(certificate).is_none() && certificate.deflection_error <= ACCEPTED_ERROR * certificate.deflection
 }
 
 /// What is wrong with a certificate itself.
@@ -315,9 +347,4 @@ fn within(value: f64, most: f64) -> bool {
 /// The largest magnitude of the deflection.
 fn largest(state: &ContactState) -> f64 {
     state.deflection.max.abs().max(state.deflection.min.abs())
-}
-
-/// An error as a share; a beam that does not move at all has none.
-fn share(error: f64, size: f64) -> f64 {
-    if error == 0.0 { 0.0 } else { error / size }
 }

@@ -58,7 +58,8 @@ pub struct Request {
     pub method: Method,
     /// Which solver solves it.
     pub solver: Solver,
-    /// `EPS`: the guaranteed error of the deflection, as a share of the largest deflection.
+    /// `EPS`: the guaranteed error of the deflection, as a share of the largest deflection. An answer is certified only if it
+    /// is usable, so that nothing is won by asking for more than [`USABLE`](crate::verdict::USABLE).
     pub error: f64,
     /// The finest grid to be tried.
     pub most_intervals: usize,

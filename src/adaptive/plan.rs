@@ -69,7 +69,6 @@ pub(super) struct Plan {
     common: usize,
     /// The finest grid.
     most: usize,
-    error: f64,
     demand: Demand,
     loose: f64,
     /// The largest step that is taken at once.
@@ -83,7 +82,6 @@ impl Plan {
         Self {
             common: breaks::common_intervals(scene),
             most: request.most_intervals.max(2),
-            error: request.error,
             demand: request.demand(),
             loose: request.tolerance(),
             step,
@@ -137,7 +135,7 @@ impl Plan {
         let errors: Vec<(f64, f64)> = known.iter().map(|t| (1.0 / as_number(t.intervals), t.error)).collect();
         let order = observed_order(&errors);
         let order = if order.is_finite() { order.clamp(ORDERS[0], ORDERS[1]) } else { ORDER };
-        let factor = MARGIN * libm::pow(last.error / self.error, 1.0 / order);
+        let factor = MARGIN * libm::pow(last.error / self.demand.error, 1.0 / order);
         let factor = if factor.is_finite() { factor.clamp(LEAST_STEP, self.step) } else { BLIND_STEP };
         (as_number(last.intervals) * factor).ceil() as usize
     }
@@ -209,7 +207,7 @@ mod tests {
     /// A grid on which the error is `law(N)`.
     fn tried(plan: &Plan, (intervals, tolerance): (usize, f64), law: impl Fn(f64) -> f64) -> Trial {
         let error = law(as_number(intervals));
-        let refusal = (plan.error < error).then_some(Refusal::Error { share: error, most: plan.error });
+        let refusal = (plan.demand.error < error).then_some(Refusal::Error { share: error, most: plan.demand.error });
         let (residual, contacts_proven, reports_success) = (0.0, true, true);
         Trial {
             intervals,

@@ -52,10 +52,6 @@ use self::quantities::{energy, reactions};
 use crate::scene::{Foundation, Load, Scale, Scene, SceneError};
 use crate::state::{Contact, Nodes};
 
-/// Share of its largest value to which a deflection has to be certain to be accepted from somebody who says nothing of a
-/// grid: what can be read off a drawing, and a tenth of what the paper calls usable.
-pub const ACCEPTED_ERROR: f64 = 1e-2;
-
 /// The deflection that is judged.
 #[derive(Debug, Clone, Copy)]
 pub enum Judged<'a> {

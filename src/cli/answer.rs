@@ -5,7 +5,7 @@ use std::time::Instant;
 use palkki::adaptive::{End, Request, Search, Trial};
 use palkki::state::Nodes;
 use palkki::theory::{self, TheoryError};
-use palkki::verdict::Demand;
+use palkki::verdict::{Demand, Refusal};
 use palkki::{Settings, Solution, Witness, solve_raw};
 
 use super::input::Input;
@@ -109,6 +109,19 @@ impl Answer {
     fn on_grid(settings: &Settings, solution: Solution, seconds: f64) -> Self {
         let (method, solver) = (settings.method.name(), settings.solver.name());
         Self { method, solver, intervals: Some(settings.intervals), seconds, solution, grids: None }
+    }
+
+    /// How far the beam may be off, or what else is wrong, and what to do about it.
+    pub(super) fn reason(&self) -> String {
+        let verdict = &self.solution.verdict;
+        match (verdict.refusal, self.intervals, &self.grids) {
+            (Some(Refusal::Error { .. }), None, _) => format!("it meets all conditions of beam theory, and {verdict}"),
+            (Some(Refusal::Error { .. }), Some(_), Some(_)) => format!("it solves its grid, and {verdict}"),
+            (Some(Refusal::Error { .. }), Some(_), None) => {
+                format!("it solves its grid, and {verdict}: refine (--intervals), or ask for an error (--tolerance)")
+            }
+            _ => verdict.to_string(),
+        }
     }
 
     /// The values at the nodes of a grid.

@@ -8,7 +8,7 @@ use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
 use palkki::state::Contact;
 use palkki::text::{magnitude, magnitude_at_most, result};
-use palkki::verdict::{accepts, status_of_forces};
+use palkki::verdict::Verdict;
 
 use super::arguments::{Certify, LoadArgument};
 use super::input::Input;
@@ -27,6 +27,8 @@ pub(super) struct Finding {
     pub(super) perhaps: Option<usize>,
     /// The bounds.
     pub(super) certificate: Certificate,
+    /// What they come to.
+    pub(super) verdict: Verdict,
     /// What they violate, the worst first.
     pub(super) violations: Vec<Violation>,
 }
@@ -47,7 +49,8 @@ impl Finding {
             let certificate = certify(scene, Judged::Nodes(&lumped.nodes), contacts).map_err(|e| input.error(e))?;
             let violations = violations_at_nodes(&lumped);
             let intervals = Some(lumped.intervals());
-            return Ok(Self { load: lumped.load, intervals, perhaps: None, certificate, violations });
+            let verdict = Verdict::of_forces(scene, certificate.clone());
+            return Ok(Self { load: lumped.load, intervals, perhaps: None, certificate, verdict, violations });
         }
         // The reader has refused whatever this refuses.
         let load = ContactLoad::new(scene.beam().length(), rows).map_err(|_| {
@@ -56,13 +59,10 @@ impl Finding {
         })?;
         let certificate = certify(scene, Judged::Forces(&load), contacts).map_err(|error| input.error(error))?;
         let violations = violations(scene, &load).map_err(|error| input.error(error))?;
-        let perhaps = lumped.ok().filter(|_| !accepts(&certificate)).map(|lumped| lumped.intervals());
-        Ok(Self { load, intervals: None, perhaps, certificate, violations })
-    }
-
-    /// Certified if the deflection that the forces cause is certain enough, see [`accepts`].
-    pub(super) fn status(&self) -> Status {
-        status_of_forces(&self.certificate)
+        let verdict = Verdict::of_forces(scene, certificate.clone());
+        let refused = verdict.status != Status::Certified;
+        let perhaps = lumped.ok().filter(|_| refused).map(|lumped| lumped.intervals());
+        Ok(Self { load, intervals: None, perhaps, certificate, verdict, violations })
     }
 }
 
@@ -70,16 +70,7 @@ impl Finding {
 pub(super) fn text(input: &Input, finding: &Finding) -> String {
     let labels = Labels::of(input.scene.units());
     let mut text = heading(input);
-    let share = finding.certificate.deflection_error / finding.certificate.deflection;
-    let status = match finding.status() {
-        Status::Certified => {
-            format!("certified: the deflection is certain to {} of its largest value", magnitude_at_most(share))
-        }
-        status if share.is_finite() => {
-            format!("{status}: the deflection may be off by {} of its largest value", magnitude_at_most(share))
-        }
-        status => format!("{status}: nothing could be shown about these forces"),
-    };
+    let status = format!("{}: {}", finding.verdict.status, finding.verdict);
     let cut: f64 = finding.load.pulling().iter().map(|f| -f.1).sum();
     let cut = match finding.load.pulling().len() {
         0 => "none".to_owned(),

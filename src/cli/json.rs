@@ -63,6 +63,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         #[serde(skip_serializing_if = "Option::is_none")]
         intervals: Option<usize>,
         status: Status,
+        reason: String,
         certificate: CertificateObject,
         violations: &'a [Violation],
     }
@@ -71,7 +72,8 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
     print(&FindingObject {
         scene: input.title(),
         intervals: finding.intervals,
-        status: finding.status(),
+        status: finding.verdict.status,
+        reason: finding.verdict.to_string(),
         certificate: CertificateObject { best_deflection_error, ..(&finding.certificate).into() },
         violations: &finding.violations,
     })
@@ -89,8 +91,8 @@ struct RouteObject<'a> {
     solver: &'a str,
     intervals: Option<usize>,
     status: Status,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<String>,
+    /// How far the beam may be off, or what else is wrong.
+    reason: String,
     solver_status: &'a str,
     residual: f64,
     regime: Regime,
@@ -117,7 +119,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             solver: answer.solver,
             intervals: answer.intervals,
             status: verdict.status,
-            reason: verdict.refusal.map(|refusal| refusal.to_string()),
+            reason: answer.reason(),
             solver_status: &solution.solver_status,
             residual: solution.residual,
             regime: state.regime,

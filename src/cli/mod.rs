@@ -1,7 +1,7 @@
 //! The command line: arguments in, table or JSON out. With `xtask` the only room that reads files, writes files or looks
 //! at a clock.
 //!
-//! Exit codes: 0, an answer that passed our own check; 1, there is an answer and it did not; 2, bad input or usage, or
+//! Exit codes: 0, an answer that is certified; 1, there is an answer and it is not; 2, bad input or usage, or
 //! output that cannot be written. With 2 there is nothing on standard output and no file is written, unless it is standard output,
 //! or a device, that fails: then files are already whole and in their places.
 
@@ -137,7 +137,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
             Format::Json => json::certify(&input, &finding),
         },
     )?;
-    Ok(if finding.status() == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+    Ok(if finding.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
 impl Solve {

@@ -56,20 +56,14 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
 }
 
 fn how(answer: &Answer) -> String {
-    let (solution, verdict) = (&answer.solution, &answer.solution.verdict);
+    let solution = &answer.solution;
     let method = match answer.intervals {
         Some(intervals) => format!("{}, {intervals} intervals", answer.method),
         None => answer.method.to_owned(),
     };
     let residual = format!(" (residual {})", magnitude(solution.residual));
-    let why = verdict.refusal.map_or_else(String::new, |refusal| format!(", {refusal}"));
-    let status = match verdict.status {
-        Status::Certified => format!("{}{residual}", verdict.status),
-        Status::NotCertified => format!("{}: the answer fails our check{residual}{why}", verdict.status),
-        Status::NotConverged => {
-            format!("{}: the solver gave up, and what it had fails our check{residual}{why}", verdict.status)
-        }
-    };
+    let gave_up = if solution.verdict.status == Status::NotConverged { "the solver gave up; " } else { "" };
+    let status = format!("{}: {gave_up}{}{residual}", solution.verdict.status, answer.reason());
     list(&[
         ("method", method),
         ("solver", format!("{}, which says: {}", answer.solver, solution.solver_status)),

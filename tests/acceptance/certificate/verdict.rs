@@ -1,9 +1,12 @@
 //! What `certified` means: each way to lose the word, and what does not lose it.
 
 use palkki::route::{Method, Solver, Status};
-use palkki::verdict::{Demand, Refusal, Verdict};
+use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::text::share_at_most;
+use palkki::verdict::{Demand, Refusal, USABLE, Verdict};
 use palkki::{Settings, Witness, solve_raw, theory};
 use palkki_evidence::paper::example;
+use palkki_evidence::random;
 
 fn outcome(intervals: usize) -> palkki::route::RawSolution {
     let scene = example().expect("the example is well posed");
@@ -14,15 +17,97 @@ fn of_raw(outcome: &palkki::route::RawSolution, demand: &Demand) -> Verdict {
     Verdict::of_raw(outcome, &Witness::of(&example().expect("the example is well posed")), demand)
 }
 
+/// The rule at its border, on the paper's example: whatever is demanded, an answer is certified if and only if its error is at
+/// most a tenth and at most what is demanded.
 #[test]
-fn a_coarse_grid_is_not_punished_unless_an_error_is_demanded() {
-    let coarse = outcome(4);
-    let verdict = of_raw(&coarse, &Demand::default());
-    assert_eq!((verdict.status, verdict.refusal), (Status::Certified, None));
-    assert!(0.1 < verdict.error, "the error of four intervals stands beside it: {}", verdict.error);
-    let verdict = of_raw(&coarse, &Demand::of_error(0.1));
-    assert_eq!(verdict.status, Status::NotCertified);
-    assert!(matches!(verdict.refusal, Some(Refusal::Error { .. })), "{:?}", verdict.refusal);
+fn certified_is_what_is_certain_to_a_tenth_or_to_what_is_demanded() {
+    let [mut certified, mut refused] = [0, 0];
+    for intervals in 2..=40 {
+        let answer = outcome(intervals);
+        for demanded in [f64::INFINITY, 0.5, USABLE, 1e-2, 2e-3] {
+            let verdict = of_raw(&answer, &Demand::of_error(demanded));
+            let most = demanded.min(0.1);
+            if verdict.error <= most {
+                assert_eq!((verdict.status, verdict.refusal), (Status::Certified, None), "{intervals}: {verdict}");
+                certified += 1;
+            } else {
+                let refusal = Some(Refusal::Error { share: verdict.error, most });
+                assert_eq!(
+                    (verdict.status, verdict.refusal),
+                    (Status::NotCertified, refusal),
+                    "{intervals}: {verdict}"
+                );
+                assert!(verdict.solves_its_problem(), "{intervals}: {verdict}");
+                refused += 1;
+            }
+        }
+        assert_eq!(
+            of_raw(&answer, &Demand::default()),
+            of_raw(&answer, &Demand::of_error(USABLE)).clone(),
+            "{intervals}"
+        );
+    }
+    assert!(20 < certified && 20 < refused, "both sides of the border: {certified} and {refused}");
+}
+
+/// A beam that does not move is certain, and one whose witness was not the list of contacts says that the bound is coarse.
+#[test]
+fn the_words_say_how_far() {
+    let verdict = of_raw(&outcome(30), &Demand::default());
+    let share = share_at_most(verdict.error);
+    assert_eq!(verdict.to_string(), format!("the deflection is certain to {share} of its largest value"));
+
+    let mut coarse = verdict.clone();
+    coarse.certificate.as_mut().expect("numbers").contacts_proven = false;
+    assert!(coarse.to_string().starts_with(&verdict.to_string()) && coarse.to_string().contains("coarse"), "{coarse}");
+
+    let beam = Beam::new(10.0, 1.3).expect("positive");
+    for foundation in [None, Some(Foundation::Flat { depth: 1.0 }), Some(Foundation::Flat { depth: 0.0 })] {
+        let scene =
+            Scene::new(beam, Load::new(&beam, 0.0, vec![], vec![]).expect("no load"), foundation).expect("a scene");
+        let solution = palkki::solve_exactly(&scene).expect("an answer");
+        let words = (solution.verdict.status, solution.verdict.to_string());
+        assert_eq!(
+            words,
+            (Status::Certified, "the deflection is certain".to_owned()),
+            "exact, {:?}",
+            scene.foundation()
+        );
+        for method in Method::ALL {
+            let solution = palkki::solve(&scene, &Settings::new(method, Solver::ActiveSet, 30)).expect("an answer");
+            let words = (solution.verdict.status, solution.verdict.to_string());
+            assert_eq!(words, (Status::Certified, "the deflection is certain".to_owned()), "{method}");
+        }
+    }
+}
+
+/// Of random scenes: an answer of beam theory that is certified is certain to a millionth, and as a rule to twelve digits.
+#[test]
+fn exact_answers_are_certain_to_a_millionth() {
+    const COUNT: u64 = 1000;
+    let mut errors: Vec<f64> = Vec::new();
+    for i in 0..COUNT {
+        let scene = match i % 3 {
+            0 => random::scene(i),
+            1 => random::on_lattice(i),
+            _ => random::rough(i),
+        };
+        let Ok(exact) = theory::solve(&scene) else { continue };
+        let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
+        if verdict.status == Status::Certified {
+            assert!(verdict.error <= 1e-6, "{}: {verdict}", scene.title());
+            let size = exact.state.deflection.max.abs().max(exact.state.deflection.min.abs());
+            let bound = verdict.certificate.expect("certified").deflection_error;
+            // A beam that does not move has a bound that is the square root of the smallest number there is.
+            let at_rest = size == 0.0 && bound <= 1e-140 * scene.beam().length();
+            assert!(bound <= 1e-6 * size || at_rest, "{}: {bound} of {size}", scene.title());
+            errors.push(verdict.error);
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    assert!(900 < errors.len(), "{} of {COUNT} are certified", errors.len());
+    let median = errors[errors.len() / 2];
+    assert!(median < 1e-12, "the median is {median:e}");
 }
 
 #[test]

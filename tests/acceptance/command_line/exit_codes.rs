@@ -1,12 +1,14 @@
 //! Exit codes: 0, 1, 2, and what goes with each.
 
-use super::Folder;
+use serde_json::Value;
+
+use super::{EXAMPLE, Folder};
 
 #[test]
 fn a_certified_answer_is_printed_with_exit_code_0() {
     let run = Folder::new("certified").run("solve example.toml --method force");
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
-    assert!(run.out.contains("certified"), "{}", run.out);
+    assert!(run.out.contains("certified: the deflection is certain to "), "{}", run.out);
     // End reaction of the example on 30 intervals, from an independent computation with the paper's formulas.
     assert!(run.out.contains("1.186044111"), "{}", run.out);
 }
@@ -15,8 +17,47 @@ fn a_certified_answer_is_printed_with_exit_code_0() {
 fn an_answer_that_fails_the_check_is_printed_with_its_reason_and_exit_code_1() {
     let run = Folder::new("not_certified").run("solve ridge.toml --method displacement --solver four-step");
     assert_eq!((run.code, run.err.as_str()), (Some(1), ""));
-    assert!(run.out.contains("not-certified: the answer fails our check (residual "), "{}", run.out);
+    assert!(run.out.contains("not-certified: the residual of its discrete problem is "), "{}", run.out);
     assert!(run.out.contains("Equilibrium"), "what there is is printed: {}", run.out);
+}
+
+/// Thirty intervals have no node on the post: the answer solves its grid, and the beam is somewhere else.
+#[test]
+fn a_post_between_two_nodes_is_not_certified() {
+    let folder = Folder::new("post");
+    folder.write(
+        "post.toml",
+        EXAMPLE.replace("depth = 1", "points = [[0, 50], [5.1, 50], [5.15, 1], [5.2, 50], [10, 50]]"),
+    );
+    let arguments = "solve post.toml --method force --intervals 30";
+    let run = folder.run(arguments);
+    assert_eq!((run.code, run.err.as_str()), (Some(1), ""));
+    let line = run.out.lines().find(|line| line.trim_start().starts_with("status ")).expect("a status");
+    for words in [
+        "not-certified: it solves its grid, and the beam may be off by ",
+        " % of its largest deflection, more than 10 %: refine (--intervals), or ask for an error (--tolerance) (residual ",
+    ] {
+        assert!(line.contains(words), "{words:?} in {line}");
+    }
+    let (code, _, json) = folder.json(arguments);
+    assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")));
+    assert!(json["reason"].as_str().is_some_and(|reason| line.contains(reason)), "the same words: {}", json["reason"]);
+    let number = |value: &Value| value.as_f64().expect("a number");
+    assert!(0.1 * number(&json["deflection"]["max"]) < number(&json["certificate"]["deflection_error"]), "{json}");
+
+    // What the words advise.
+    for better in [
+        "solve post.toml --method force --tolerance 1e-2",
+        "solve post.toml --method force --intervals 200",
+        "solve post.toml",
+    ] {
+        assert_eq!(folder.run(better).code, Some(0), "{better}");
+    }
+    let (code, _, json) = folder.json("compare post.toml --intervals 30");
+    let routes = json["routes"].as_array().expect("an array");
+    let certified = routes.iter().filter(|route| route["status"] == "certified").map(|route| &route["method"]);
+    assert_eq!((code, certified.collect::<Vec<_>>()), (Some(0), vec![&Value::from("exact")]), "beam theory alone");
+    assert!(routes[2]["solver_error"].is_object(), "the active set still solves its grid");
 }
 
 #[test]

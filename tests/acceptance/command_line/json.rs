@@ -7,12 +7,13 @@ use serde_json::Value;
 use super::{EXAMPLE, Folder, scene};
 
 /// Keys of the contract in its order, with those that we add.
-pub(super) const KEYS: [&str; 19] = [
+pub(super) const KEYS: [&str; 20] = [
     "scene",
     "method",
     "solver",
     "intervals",
     "status",
+    "reason",
     "solver_status",
     "residual",
     "regime",
@@ -43,6 +44,10 @@ fn json_of_solve_has_the_shape_of_the_contract() {
     let (code, text, json) = folder.json("solve example.toml --method force");
     assert_eq!(code, Some(0));
     check_keys(&json, &KEYS);
+    assert!(
+        json["reason"].as_str().is_some_and(|reason| reason.starts_with("the deflection is certain to ")),
+        "{text}"
+    );
     let places: Vec<_> = KEYS.iter().map(|key| text.find(&format!("\n  \"{key}\": ")).expect("a key")).collect();
     assert!(places.is_sorted(), "the keys are in the order of the contract");
     assert_eq!(json["scene"], "Example");
@@ -110,9 +115,8 @@ fn compare_has_every_method_with_every_solver() {
     assert_eq!(json["intervals"], 12);
     let routes = json["routes"].as_array().expect("an array");
     for route in routes {
-        let reason = (route["status"] != "certified").then_some("reason");
         let errors = ["solver_error", "model_error"];
-        let keys: Vec<&str> = KEYS[1..18].iter().copied().chain(errors).chain(reason).collect();
+        let keys: Vec<&str> = KEYS[1..19].iter().copied().chain(errors).collect();
         check_keys(route, &keys);
         assert!(route["certificate"]["deflection_error"].is_number(), "every route has its certified error: {route}");
     }

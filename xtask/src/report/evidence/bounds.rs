@@ -5,13 +5,13 @@
 use nalgebra::{DMatrix, DVector};
 use palkki::DEFAULT_TOLERANCE;
 use palkki::certificate::{
-    ACCEPTED_ERROR, ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
+    ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
 };
 use palkki::methods::Discrete;
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::qp::Dense;
 use palkki::state::Nodes;
-use palkki::verdict::accepts;
+use palkki::verdict::{USABLE, Verdict};
 use palkki_evidence::faults::{THEORY, Truth};
 use palkki_evidence::paper;
 
@@ -45,7 +45,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         table,
         runs => data.len(),
         held, sharp,
-        accepted => ACCEPTED_ERROR,
+        accepted => USABLE,
         sags => sags()?,
         forces => of_forces(paper.iter().chain(&springs)),
         spaced => SPACED,
@@ -115,7 +115,7 @@ impl Found {
             who,
             exponent: 0,
             errors: certificates.each_ref().map(|c| c.deflection_error / c.deflection),
-            accepted: certificates.each_ref().map(accepts),
+            accepted: certificates.clone().map(|c| Verdict::of_forces(scene, c).status == Status::Certified),
             worst: [violations(scene, &load)?, violations_at_nodes(&lumped)].map(|all| all.into_iter().next()),
             reaction: (0.5 * (scene.load().resultant(length) - carried) / paper::theory().reaction - 1.0).abs(),
         })
