@@ -136,7 +136,10 @@ impl Windows<'_> {
     ) -> Result<Range<usize>, NotPositiveDefinite> {
         let n = free.dimension();
         while range.len() <= longest && 0 < self.left(n) {
-            self.descended(free, &range)?;
+            // A descent that rounding keeps from ending would not end the next time either.
+            if !self.descended(free, &range)? {
+                break;
+            }
             let wider = widened(range.clone(), range.len().max(n.isqrt()), n);
             let (point, wrong) = self.check(free, &wider)?;
             let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { break };
@@ -147,8 +150,8 @@ impl Windows<'_> {
         Ok(range)
     }
 
-    /// Makes a range optimal by a descent.
-    fn descended(&mut self, free: &mut FreeSet, range: &Range<usize>) -> Result<(), NotPositiveDefinite> {
+    /// Makes a range optimal by a descent. Whether it ended at an optimum.
+    fn descended(&mut self, free: &mut FreeSet, range: &Range<usize>) -> Result<bool, NotPositiveDefinite> {
         let (beam, mut solves, mut local) = (self.beam, 0, free.part(range.clone()));
         let most_solves = self.left(range.len());
         let on_range = |local: &FreeSet| {
@@ -162,7 +165,7 @@ impl Windows<'_> {
         let whole = range.len() == free.dimension();
         *(if whole { &mut self.cost.whole } else { &mut self.cost.windows }) += solves;
         self.cost.variables += solves * range.len();
-        end.map(|_| ())
+        end.map(|(_, optimal)| optimal)
     }
 
     /// Solves of `n` variables that the budget of a run still allows.
