@@ -88,5 +88,5 @@ pub mod theory;
 pub mod verdict;
 mod witness;
 
-pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, solve, solve_exactly, solve_raw};
+pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, left_out, solve, solve_exactly, solve_raw};
 pub use witness::Witness;

@@ -159,6 +159,20 @@ impl Exact {
 /// A [`SceneError`] if the grid is too coarse or the scene leaves the range of `f64`. A solver that fails is no error:
 /// its answer comes back with a [`Status`] that says so.
 pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, SceneError> {
+    by_route(scene, settings, None)
+}
+
+/// The row of a route that is left out of a comparison: an answer without numbers, for which the solver is not asked. `why` takes
+/// the place of the solver's own words.
+///
+/// # Errors
+///
+/// Those of [`solve_raw`].
+pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<RawSolution, SceneError> {
+    by_route(scene, settings, Some(why))
+}
+
+fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Result<RawSolution, SceneError> {
     let Settings { method, solver, intervals, tolerance } = *settings;
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals)?;
@@ -175,10 +189,10 @@ pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, Scen
         )
     } else {
         let qp = method.qp(&discrete);
-        let answer = if solver == Solver::ActiveSet {
-            multigrid::solve(&scaled.scene, method, &discrete)?
-        } else {
-            solver.run(qp.as_ref(), tolerance)
+        let answer = match (left_out, solver) {
+            (Some(why), _) => Answer::refused(qp.dimension(), why),
+            (None, Solver::ActiveSet) => multigrid::solve(&scaled.scene, method, &discrete)?,
+            (None, other) => other.run(qp.as_ref(), tolerance),
         };
         let Answer { x, gradient, reports_success, words, own_residual, iterations, work } = answer;
         let nodal = if solver == Solver::ActiveSet {

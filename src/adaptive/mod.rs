@@ -99,9 +99,10 @@ fn iterates(solver: Solver) -> bool {
     }
 }
 
-/// The finest grid of a solver. The active set needs seconds there; the libraries are no longer certified well before, and
-/// the four steps solve `n` times.
-fn most_intervals(solver: Solver) -> usize {
+/// The finest grid on which a solver is worth its cost. The active set needs seconds there; the libraries are no longer certified
+/// well before, and the four steps solve `n` times.
+#[must_use]
+pub fn most_intervals(solver: Solver) -> usize {
     match solver {
         Solver::ActiveSet => 1_000_000,
         #[cfg(feature = "clarabel")]
@@ -154,6 +155,16 @@ pub enum End {
     Limit {
         /// The finest grid.
         intervals: usize,
+    },
+    /// The solves on all grids went through as many unknowns as they may.
+    #[error(
+        "not reached: up to {intervals} intervals, the solves have gone through {most} unknowns, which is their limit"
+    )]
+    Spent {
+        /// The finest grid that was tried.
+        intervals: usize,
+        /// Unknowns that they may go through.
+        most: usize,
     },
     /// The route does not solve its own discrete problem well enough.
     #[error("not reached: this route ends at {intervals} intervals, where its answer fails our check: {refusal}")]

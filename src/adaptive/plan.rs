@@ -15,6 +15,7 @@ use super::{End, Request, Trial, breaks};
 use crate::route::Solver;
 use crate::scene::Scene;
 use crate::solve::DEFAULT_TOLERANCE;
+use crate::solvers::MOST_WORK;
 use crate::verdict::{Demand, Refusal};
 
 /// Intervals of the first grid, about.
@@ -111,6 +112,9 @@ impl Plan {
         }
         if stalled(trials) {
             return Next::End(End::Stalled { intervals: last.intervals });
+        }
+        if MOST_WORK <= trials.iter().map(|trial| trial.work).sum() {
+            return Next::End(End::Spent { intervals: last.intervals, most: MOST_WORK });
         }
         let finest = self.finest();
         if finest <= last.intervals {
@@ -257,6 +261,16 @@ mod tests {
         assert!(matches!(end, End::Stalled { intervals } if intervals <= 100_000), "{grids:?}");
         let (grids, end) = search(1e-3, |_| f64::INFINITY);
         assert!(matches!(end, End::Stalled { .. }), "nothing can be proven: {grids:?}");
+    }
+
+    #[test]
+    fn the_work_of_all_grids_together_has_a_limit() {
+        let plan = plan(1e-12);
+        let first = tried(&plan, plan.start(), |n| 1.0 / n);
+        let second = tried(&plan, (64, first.tolerance), |n| 1.0 / n);
+        let next = |work| plan.next(&[Trial { work: 7, ..first }, Trial { work, ..second }]);
+        assert!(matches!(next(MOST_WORK - 8), Next::Solve { .. }));
+        assert_eq!(next(MOST_WORK - 7), Next::End(End::Spent { intervals: 64, most: MOST_WORK }));
     }
 
     #[test]

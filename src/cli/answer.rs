@@ -2,11 +2,11 @@
 
 use std::time::Instant;
 
-use palkki::adaptive::{End, Request, Search, Trial};
+use palkki::adaptive::{End, Request, Search, Trial, most_intervals};
 use palkki::state::Nodes;
 use palkki::theory::{self, TheoryError};
 use palkki::verdict::{Demand, Refusal};
-use palkki::{Settings, Solution, Witness, solve_raw};
+use palkki::{Settings, Solution, Witness, left_out, solve_raw};
 
 use super::input::Input;
 use super::output::Failure;
@@ -81,6 +81,17 @@ impl Answer {
         let outcome = solve_raw(&input.scene, settings).map_err(|error| input.error(error))?;
         let seconds = start.elapsed().as_secs_f64();
         Ok(Self::on_grid(settings, outcome.judged(witness, &Demand::default()), seconds))
+    }
+
+    /// The same for a comparison of all routes, which leaves out those that are not worth their cost on so fine a grid.
+    pub(super) fn compared(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
+        let (intervals, most) = (settings.intervals, most_intervals(settings.solver));
+        if intervals <= most {
+            return Self::discretised(input, settings, witness);
+        }
+        let why = format!("not tried: {intervals} intervals, {most} is the limit of this solver in a comparison");
+        let outcome = left_out(&input.scene, settings, why).map_err(|error| input.error(error))?;
+        Ok(Self::on_grid(settings, outcome.judged(witness, &Demand::default()), 0.0))
     }
 
     fn adaptive(input: &Input, request: &Request) -> Result<Self, Failure> {

@@ -173,6 +173,9 @@ pub(super) struct Certify {
 /// More intervals than any computer that this runs on has memory for.
 const MOST_INTERVALS: usize = 10_000_000;
 
+/// The finest grid whose nodes are printed, written or drawn: their text takes some hundred megabytes for each million.
+pub(super) const MOST_INTERVALS_WRITTEN: usize = 3_000_000;
+
 /// `--format`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Format {

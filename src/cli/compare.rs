@@ -1,6 +1,6 @@
 //! `compare`: every method with every solver, set against two references.
 
-use palkki::route::{Method, Solver};
+use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
 use palkki::text::{magnitude, magnitude_at_most, result, share_at_most};
 use palkki::verdict::{Demand, EXACT, USABLE};
@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::answer::{Answer, Route};
 use super::input::Input;
 use super::output::Failure;
-use super::table::{Labels, Row, table};
+use super::table::{Labels, Row, list, table};
 
 /// All answers for one scene and one grid.
 #[derive(Debug)]
@@ -55,7 +55,7 @@ impl Comparison {
         for method in Method::ALL {
             for solver in Solver::ALL {
                 let settings = Settings::new(method, solver, intervals);
-                answers.push((method, Answer::discretised(input, &settings, &witness)?));
+                answers.push((method, Answer::compared(input, &settings, &witness)?));
             }
         }
         let differences: Vec<_> = answers
@@ -154,6 +154,7 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
     ];
     let title = format!("{}, {} intervals", input.title(), comparison.intervals);
     let mut text = table(&title, &header, &rows).trim_start().to_owned();
+    text.push_str(&not_tried(comparison));
     text += &format!(
         "\nCertified error: at most this far is the deflection from that of the beam, relative to its largest value.\n\
          Certified: it solves its problem, and that error is at most {}; of beam theory, at most {}.\n\
@@ -163,6 +164,19 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
         share_at_most(EXACT),
     );
     text
+}
+
+/// Why routes were not tried, a line each; empty if all were.
+fn not_tried(comparison: &Comparison) -> String {
+    let lines: Vec<(String, String)> = comparison
+        .routes
+        .iter()
+        .map(|compared| &compared.answer)
+        .filter(|answer| answer.solution.iterations == 0 && answer.solution.verdict.status == Status::NotConverged)
+        .map(|answer| (format!("{}/{}", answer.method, answer.solver), answer.solution.solver_status.clone()))
+        .collect();
+    let lines: Vec<(&str, String)> = lines.iter().map(|(route, why)| (route.as_str(), why.clone())).collect();
+    if lines.is_empty() { String::new() } else { format!("\n{}", list(&lines)) }
 }
 
 /// An error that is guaranteed, if there is one.

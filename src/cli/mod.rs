@@ -7,6 +7,7 @@
 
 mod answer;
 mod arguments;
+mod busy;
 mod certify;
 mod compare;
 mod csv;
@@ -81,7 +82,8 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     for path in [&arguments.csv, &arguments.plot].into_iter().flatten() {
         files.reserve(path, &input)?;
     }
-    let answer = Answer::of(&input, route)?;
+    let scene = arguments.common.scene.display();
+    let answer = busy::telling(format!("solving {scene}"), || Answer::of(&input, route))?;
     if let Some(path) = &arguments.csv {
         files.stage(path, csv::table(&input.scene, &answer))?;
     }
@@ -114,7 +116,8 @@ fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let Common { scene, format } = &arguments.common;
     let input = Input::read(scene)?;
-    let comparison = compare::Comparison::of(&input, arguments.intervals)?;
+    let what = format!("comparing all routes for {} on {} intervals", scene.display(), arguments.intervals);
+    let comparison = busy::telling(what, || compare::Comparison::of(&input, arguments.intervals))?;
     output::print(
         Stream::Output,
         &match format {
@@ -129,7 +132,8 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let Common { scene, format } = &arguments.common;
     let input = Input::read(scene)?;
-    let finding = certify::Finding::of(&input, arguments)?;
+    let what = format!("certifying {}", arguments.forces.display());
+    let finding = busy::telling(what, || certify::Finding::of(&input, arguments))?;
     output::print(
         Stream::Output,
         &match format {
@@ -155,6 +159,14 @@ impl Solve {
                 _ => Ok(Route::Exact(self.tolerance.map_or_else(Demand::default, Demand::of_error))),
             };
         };
+        let written = [("nodes", self.nodes), ("csv", self.csv.is_some()), ("plot", self.plot.is_some())];
+        if let Some(intervals) = self.intervals.filter(|intervals| arguments::MOST_INTERVALS_WRITTEN < *intervals)
+            && let Some((option, _)) = written.into_iter().find(|(_, asked)| *asked)
+        {
+            let most = arguments::MOST_INTERVALS_WRITTEN;
+            let message = format!("--{option} takes at most {most} intervals, but --intervals is {intervals}");
+            return Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message });
+        }
         let solver = self.solver.map_or(arguments::DEFAULT_SOLVER, |solver| solver.0);
         if let Self { intervals: None, tolerance: Some(error), .. } = *self {
             return Ok(Route::Adaptive(Request::new(method, solver, error)));

@@ -14,7 +14,8 @@ use std::ops::Range;
 use super::Cost;
 use super::part::Parts;
 use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
-use crate::solvers::active_set::{PATIENCE, Reduced, Violators, descend, exchange, optimum};
+use crate::solvers::MOST_WORK;
+use crate::solvers::active_set::{PATIENCE, Reduced, Violators, descend, exchange, optimum, solves_within};
 
 /// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
 /// times.
@@ -58,10 +59,12 @@ impl Windows<'_> {
     fn exchanged(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let (n, beam) = (free.dimension(), self.beam);
         let (mut idle, mut scale, mut solves) = (0, 1, 0);
-        let mut whole = reduced(beam, |free| beam.point(free, 0..n));
+        let mut whole = reduced(beam, |free| beam.point(free, 0..n), self.left(n));
         let end = optimum(&mut whole, free, &mut solves, |free, wrong| {
             let windows = around(wrong, scale * REACH, n);
-            if n < LOCAL * price(&windows) && idle < PATIENCE {
+            if self.left(n) == 0 {
+                return Ok(false);
+            } else if n < LOCAL * price(&windows) && idle < PATIENCE {
                 idle += 1;
             } else if scale * REACH < n {
                 self.solve_windows(free, windows, scale * WORTH[1])?;
@@ -94,7 +97,8 @@ impl Windows<'_> {
         worth: usize,
     ) -> Result<bool, NotPositiveDefinite> {
         let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
-        let most = spent(self.cost) + worth * free.dimension();
+        let n = free.dimension();
+        let most = spent(self.cost) + worth * n;
         let mut pending = windows;
         for round in 0..ROUNDS {
             let mut settled = Vec::new();
@@ -102,7 +106,7 @@ impl Windows<'_> {
                 // What is far off on one side may be so because of a window that waits for its turn.
                 let longest = (4 * REACH).max(range.len()) << round;
                 settled.push(self.solve_window(free, range, longest)?);
-                if most < spent(self.cost) {
+                if most < spent(self.cost) || self.left(n) == 0 {
                     return Ok(false);
                 }
             }
@@ -131,8 +135,11 @@ impl Windows<'_> {
         longest: usize,
     ) -> Result<Range<usize>, NotPositiveDefinite> {
         let n = free.dimension();
-        while range.len() <= longest {
-            self.descended(free, &range)?;
+        while range.len() <= longest && 0 < self.left(n) {
+            // A descent that rounding keeps from ending would not end the next time either.
+            if !self.descended(free, &range)? {
+                break;
+            }
             let wider = widened(range.clone(), range.len().max(n.isqrt()), n);
             let (point, wrong) = self.check(free, &wider)?;
             let (Some(first), Some(last)) = (wrong.first(), wrong.last()) else { break };
@@ -143,27 +150,34 @@ impl Windows<'_> {
         Ok(range)
     }
 
-    /// Makes a range optimal by a descent.
-    fn descended(&mut self, free: &mut FreeSet, range: &Range<usize>) -> Result<(), NotPositiveDefinite> {
+    /// Makes a range optimal by a descent. Whether it ended at an optimum.
+    fn descended(&mut self, free: &mut FreeSet, range: &Range<usize>) -> Result<bool, NotPositiveDefinite> {
         let (beam, mut solves, mut local) = (self.beam, 0, free.part(range.clone()));
-        let mut window = reduced(beam, |local: &FreeSet| {
+        let most_solves = self.left(range.len());
+        let on_range = |local: &FreeSet| {
             free.replace(range.start, local);
             beam.point(free, range.clone())
-        });
+        };
+        let mut window = reduced(beam, on_range, most_solves);
         let end = descend(&mut window, &mut local, &mut solves);
         drop(window);
         free.replace(range.start, &local);
         let whole = range.len() == free.dimension();
         *(if whole { &mut self.cost.whole } else { &mut self.cost.windows }) += solves;
         self.cost.variables += solves * range.len();
-        end.map(|_| ())
+        end.map(|(_, optimal)| optimal)
+    }
+
+    /// Solves of `n` variables that the budget of a run still allows.
+    fn left(&self, n: usize) -> usize {
+        solves_within(MOST_WORK.saturating_sub(self.cost.variables), n)
     }
 
     /// A range as it is: the point, and its variables on the wrong side.
     fn check(&mut self, free: &FreeSet, range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
         self.cost.windows += 1;
         self.cost.variables += range.len();
-        let mut part = reduced(self.beam, |_: &FreeSet| self.beam.point(free, range.clone()));
+        let mut part = reduced(self.beam, |_: &FreeSet| self.beam.point(free, range.clone()), 1);
         let local = free.part(range.clone());
         let point = (part.point)(&local)?;
         let violators = Violators::of(&part, &point, &local);
@@ -175,9 +189,10 @@ impl Windows<'_> {
 fn reduced<'a>(
     beam: &Parts<'_>,
     point: impl FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a,
+    most_solves: usize,
 ) -> Reduced<'a> {
     // What could be rounding is zero already.
-    Reduced { point: Box::new(point), sizes: beam.sizes(), rounding: 0.0 }
+    Reduced { point: Box::new(point), sizes: beam.sizes(), rounding: 0.0, most_solves }
 }
 
 /// What one solve of each window costs, in variables.

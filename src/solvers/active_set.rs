@@ -38,7 +38,7 @@
 // releases many variables at a time is our choice; see Lawson and Hanson (1974) for the step that makes it finite, and
 // Portugal, Júdice and Vicente (1994) for exchanges of many variables, which without such a step may go round in circles.
 
-use super::Answer;
+use super::{Answer, MOST_WORK};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Sizes, Stationary};
 
 /// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
@@ -53,8 +53,11 @@ const EXHAUSTED: [usize; 2] = [200, 20];
 
 /// What it is set to.
 pub(super) fn words() -> String {
-    "of each run of neighbours with the wrong sign the worst one changes; a sign counts if it is larger than the rounding of a solve"
-        .to_owned()
+    format!(
+        "of each run of neighbours with the wrong sign the worst one changes; a sign counts if it is larger than the rounding of a \
+         solve; a budget of {} million unknowns in all solves together",
+        MOST_WORK / 1_000_000,
+    )
 }
 
 /// Solves with every variable free at first, as the paper's algorithm does.
@@ -85,7 +88,13 @@ pub(crate) fn answer(
             x,
             gradient,
             reports_success: optimal,
-            words: if optimal { "optimal" } else { "no further descent above rounding" }.to_owned(),
+            words: match optimal {
+                true => "optimal".to_owned(),
+                false if MOST_WORK <= work => format!(
+                    "not converged: {iterations} solves went through {work} unknowns, {MOST_WORK} is the limit of this solver"
+                ),
+                false => "no further descent above rounding".to_owned(),
+            },
             own_residual: None,
             iterations,
             work,
@@ -96,7 +105,7 @@ pub(crate) fn answer(
 
 /// The optimum by exchanges. Where one does not help, `stalled` is told which variables are on the wrong side; it may change
 /// what is free, and says whether to go on with exchanges. If not, a descent follows. Returns the point, and whether nothing
-/// is on the wrong side; `solves` counts.
+/// is on the wrong side, which it may not be after the most solves; `solves` counts.
 pub(crate) fn optimum(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
@@ -110,6 +119,9 @@ pub(crate) fn optimum(
         let violators = Violators::of(reduced, &point, free);
         if violators.wrong.is_empty() {
             return Ok((violators.clipped(point), true));
+        }
+        if reduced.most_solves <= *solves {
+            return Ok((point, false));
         }
         exchange(free, 0, &violators.wrong, &point.gradient);
         let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count();
@@ -138,13 +150,21 @@ pub(crate) struct Reduced<'a> {
     /// As those of [`Qp`].
     pub(crate) sizes: Sizes,
     pub(crate) rounding: f64,
+    /// Solves after which a run ends wherever it is.
+    pub(crate) most_solves: usize,
 }
 
 impl<'a> Reduced<'a> {
     /// All of a quadratic program.
     pub(super) fn of(qp: &'a dyn Qp) -> Self {
-        Self { point: Box::new(|free| qp.stationary(free)), sizes: qp.sizes(), rounding: qp.rounding() }
+        let most_solves = solves_within(MOST_WORK, qp.dimension());
+        Self { point: Box::new(|free| qp.stationary(free)), sizes: qp.sizes(), rounding: qp.rounding(), most_solves }
     }
+}
+
+/// How many solves of `n` unknowns use up `work`.
+pub(crate) fn solves_within(work: usize, n: usize) -> usize {
+    work.div_ceil(n.max(1))
 }
 
 /// Signs below zero that count at a point: more than the rounding of the solves.
@@ -214,14 +234,14 @@ pub(crate) fn descend(
     free: &mut FreeSet,
     solves: &mut usize,
 ) -> Result<(Stationary, bool), NotPositiveDefinite> {
-    let exhausted = *solves + EXHAUSTED[0] + EXHAUSTED[1] * free.dimension();
+    let most = (*solves + EXHAUSTED[0] + EXHAUSTED[1] * free.dimension() + 1).min(reduced.most_solves);
     let mut point = feasible(reduced, free, solves)?;
     loop {
         let violators = Violators::of(reduced, &point, free);
         if violators.wrong.is_empty() {
             return Ok((violators.clipped(point), true));
         }
-        if exhausted < *solves {
+        if most <= *solves {
             return Ok((point, false));
         }
         let released = steepest(&violators.wrong, &point.gradient);
@@ -238,7 +258,7 @@ pub(crate) fn descend(
     }
 }
 
-/// Drops the most negative of each run until nothing comes out negative.
+/// Drops the most negative of each run until nothing comes out negative, or until the most solves are made.
 fn feasible(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
@@ -249,14 +269,15 @@ fn feasible(
         let point = (reduced.point)(free)?;
         let least = Signs::at(reduced, &point).x;
         let negative: Vec<usize> = free.variables().filter(|&i| point.x[i] < least).collect();
-        if negative.is_empty() {
+        if negative.is_empty() || reduced.most_solves <= *solves {
             return Ok(point);
         }
         steepest(&negative, &point.x).into_iter().for_each(|i| free.set(i, false));
     }
 }
 
-/// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way.
+/// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way; or to
+/// where it aims after the most solves.
 fn walk(
     reduced: &mut Reduced<'_>,
     from: Stationary,
@@ -272,7 +293,7 @@ fn walk(
         let blocked: Vec<usize> = free.variables().filter(|&i| target.x[i] < least && target.x[i] < x[i]).collect();
         let step = blocked.iter().map(|&i| way(i)).fold(1.0, f64::min);
         let blocking: Vec<usize> = blocked.into_iter().filter(|&i| way(i) <= step).collect();
-        if blocking.is_empty() {
+        if blocking.is_empty() || reduced.most_solves <= *solves {
             return Ok(target);
         }
         for (x, target) in x.iter_mut().zip(&target.x) {
@@ -289,4 +310,60 @@ fn walk(
 fn change(from: &Stationary, to: &Stationary) -> f64 {
     let terms = from.x.iter().zip(&from.gradient).zip(to.x.iter().zip(&to.gradient));
     0.5 * terms.map(|((x, g), (next_x, next_g))| g * next_x - next_g * x).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+
+    use super::*;
+    use crate::qp::Dense;
+
+    /// A chain on rough ground, of which many variables have to be dropped and released again.
+    fn chain(n: usize) -> Dense {
+        let entry = |i: usize, j: usize| match i.abs_diff(j) {
+            0 => 6.0,
+            1 => -4.0,
+            2 => 1.0,
+            _ => 0.0,
+        };
+        let linear = DVector::from_fn(n, |i, _| if i % 5 < 2 { 1.0 } else { -1.0 });
+        Dense { matrix: DMatrix::from_fn(n, n, entry), linear, sizes: Sizes { x: 1.0, gradient: 1.0 } }
+    }
+
+    /// By exchanges and by a descent, whatever the limit is: a step that has begun makes at most two solves more.
+    #[test]
+    fn a_run_ends_at_its_limit_of_solves() {
+        for n in [20, 40, 70] {
+            let qp = chain(n);
+            for by_descent in [false, true] {
+                let run = |most_solves: usize| {
+                    let (mut free, mut solves) = (FreeSet::all(n), 0);
+                    let mut reduced = Reduced { most_solves, ..Reduced::of(&qp) };
+                    let end = match by_descent {
+                        true => descend(&mut reduced, &mut free, &mut solves),
+                        false => optimum(&mut reduced, &mut free, &mut solves, |_, _| Ok(true)),
+                    };
+                    (end.expect("definite").1, solves)
+                };
+                let (optimal, needed) = run(usize::MAX);
+                assert!(optimal && 3 < needed, "{n}: {needed} solves");
+                assert_eq!(run(needed), (true, needed), "as many as are needed");
+                for most in 1..needed {
+                    let (optimal, solves) = run(most);
+                    assert!(solves <= most + 2, "{n}: {solves} solves, {most} is the limit");
+                    assert!(!optimal || needed <= most + 2, "{n}: optimal after {solves}, {needed} are needed");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_last_solve_reaches_the_limit_of_work() {
+        for n in [1, 2, 1000, 999_999, 9_999_999] {
+            let most = solves_within(MOST_WORK, n);
+            assert!(MOST_WORK <= most * n && (most - 1) * n < MOST_WORK, "{n}");
+        }
+        assert_eq!(solves_within(0, 5), 0, "nothing is left");
+    }
 }

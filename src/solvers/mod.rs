@@ -130,7 +130,7 @@ pub struct Answer {
 
 impl Answer {
     /// An answer of a solver that could not even start.
-    fn refused(n: usize, words: String) -> Self {
+    pub(crate) fn refused(n: usize, words: String) -> Self {
         Self {
             x: vec![f64::NAN; n],
             gradient: vec![f64::NAN; n],
@@ -149,6 +149,14 @@ pub fn active_set_from(qp: &dyn Qp, free: FreeSet) -> Answer {
     active_set::solve_from(qp, free)
 }
 
+/// Unknowns that one run of the active set may go through, all its solves together: a few hundred solves of a million unknowns.
+/// The limit on solves follows from it, so that no clock is needed.
+pub(crate) const MOST_WORK: usize = 1 << 28;
+
+/// Most unknowns for which a library is tried: up to here it ends within seconds and some hundred megabytes.
+#[cfg(any(feature = "clarabel", feature = "osqp"))]
+const LARGEST_SPARSE: usize = 100_000;
+
 /// Largest dimension for which a solver that needs the matrix as numbers is tried: a dense matrix of this size takes
 /// 32 MB, and its factors as much again.
 const LARGEST_MATRIX: usize = 2000;
@@ -161,6 +169,9 @@ const LARGEST_MATRIX: usize = 2000;
 fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     if qp.dimension() == 0 {
         return Err("not tried: the quadratic program has no unknowns".to_owned());
+    }
+    if let Some(words) = too_many(qp.dimension()) {
+        return Err(words);
     }
     let form = match qp.sparse() {
         Some(form) => form,
@@ -181,6 +192,12 @@ fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     Err(words.to_owned())
 }
 
+/// Why a library is not tried on so many unknowns, if it is not.
+#[cfg(any(feature = "clarabel", feature = "osqp"))]
+fn too_many(n: usize) -> Option<String> {
+    (LARGEST_SPARSE < n).then(|| format!("not tried: {n} unknowns, {LARGEST_SPARSE} is the limit of this solver"))
+}
+
 /// What clarabel takes for infinite; osqp takes 1e30, and prints what it thinks of a factorisation that overflows.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 const INFINITE: f64 = 1e20;
@@ -190,4 +207,16 @@ fn too_large(qp: &dyn Qp) -> Option<String> {
     let n = qp.dimension();
     (LARGEST_MATRIX < n)
         .then(|| format!("not tried: a matrix of {n} unknowns, {LARGEST_MATRIX} is the limit of this solver"))
+}
+
+#[cfg(all(test, any(feature = "clarabel", feature = "osqp")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_library_is_tried_up_to_its_limit() {
+        assert_eq!(too_many(LARGEST_SPARSE), None);
+        let words = too_many(LARGEST_SPARSE + 1).expect("one more is too many");
+        assert_eq!(words, "not tried: 100001 unknowns, 100000 is the limit of this solver");
+    }
 }

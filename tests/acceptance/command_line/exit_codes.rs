@@ -88,6 +88,14 @@ fn usage_errors() {
         ("solve example.toml --method force --intervals many", "must be a whole number, at least 2, but is many"),
         ("solve example.toml --method force --intervals 10000001", "must be at most 10000000, but is 10000001"),
         ("solve example.toml --method force --intervals 99999999999999999999", "must be at most 10000000"),
+        (
+            "solve example.toml --method force --intervals 3000001 --nodes",
+            "--nodes takes at most 3000000 intervals, but --intervals is 3000001",
+        ),
+        (
+            "solve example.toml --method force --intervals 3000001 --csv nodes.csv",
+            "--csv takes at most 3000000 intervals, but --intervals is 3000001",
+        ),
         ("compare example.toml --intervals 1", "must be at least 2, but is 1"),
         ("solve example.toml --method force --tolerance 0", "must be a positive, finite number, but is 0"),
         ("solve example.toml --method force --tolerance -1e-9", "must be a positive, finite number, but is -1e-9"),

@@ -111,6 +111,25 @@ fn table_with_units_and_without_contact() {
     ");
 }
 
+/// A route that would cost too much on a fine grid has a row, and the reason stands below the table.
+#[test]
+fn compare_says_what_it_leaves_out() {
+    let folder = Folder::new("left_out");
+    let (tried, fine) =
+        (folder.run("compare example.toml --intervals 2000"), folder.run("compare example.toml --intervals 2001"));
+    let reasons = |out: &str| out.lines().filter(|line| line.contains("not tried: 2001 intervals, 2000 is")).count();
+    assert_eq!(
+        (tried.code, reasons(&tried.out), tried.out.contains("in a comparison")),
+        (Some(0), 0, false),
+        "{}",
+        tried.out
+    );
+    // Two solvers by three methods.
+    assert_eq!((fine.code, reasons(&fine.out)), (Some(0), 6), "{}", fine.out);
+    let rows = fine.out.lines().filter(|line| line.contains("not-converged")).count();
+    assert!(6 <= rows, "{}", fine.out);
+}
+
 #[test]
 fn table_of_compare_has_a_row_for_each_route() {
     let run = Folder::new("table_compare").run("compare example.toml --intervals 6");

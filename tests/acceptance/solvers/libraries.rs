@@ -2,9 +2,11 @@
 
 use std::process::Command;
 
-use palkki::route::{Solver, Status};
+use palkki::route::{Method, Solver, Status};
 
 use palkki_evidence::libraries::ALL;
+
+use crate::scenes::{example, run};
 
 /// The libraries.
 const LIBRARIES: [Solver; 2] = [Solver::Clarabel, Solver::Osqp];
@@ -36,6 +38,19 @@ fn every_situation_ends_with_a_verdict() {
         }
     }
     assert!(asked.iter().all(|count| 0 < *count), "{asked:?}");
+}
+
+/// Where time and memory would be gone before an answer is there, they are not asked.
+#[test]
+fn a_grid_that_is_too_fine_is_not_tried() {
+    for library in LIBRARIES {
+        let outcome = run(&example(), Method::Force, library, 100_002);
+        assert_eq!(outcome.status, Status::NotConverged, "{library}");
+        assert_eq!(
+            outcome.solver_status, "not tried: 100001 unknowns, 100000 is the limit of this solver",
+            "{library}"
+        );
+    }
 }
 
 #[test]

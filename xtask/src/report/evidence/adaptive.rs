@@ -128,6 +128,7 @@ fn ended(end: End) -> String {
         End::Reached => "nothing smaller was demanded".to_owned(),
         End::Limit { intervals } => format!("its limit of intervals here, {}", count(intervals)),
         End::Failed { intervals, .. } => format!("its answer fails our check on {} intervals", count(intervals)),
+        End::Spent { intervals, .. } => format!("its limit of work, at {} intervals", count(intervals)),
         End::Stalled { intervals } => format!("finer grids do not help up to {} intervals", count(intervals)),
     }
 }

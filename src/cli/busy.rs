@@ -1,0 +1,56 @@
+//! What is under way: one line on standard error, if that is a terminal and the work takes longer than two seconds.
+
+use std::io::{self, IsTerminal as _, Write};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
+/// After this something is said.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Does `work`; `what` says what that is.
+pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
+    if !io::stderr().is_terminal() {
+        return work();
+    }
+    let (end, ended) = mpsc::channel();
+    let teller = thread::Builder::new().spawn(move || tell(&ended, PATIENCE, &what, &mut io::stderr()));
+    let done = work();
+    drop(end);
+    // A line that cannot be written, or a thread that cannot be started, is no reason to lose the answer.
+    let _ = teller.map(thread::JoinHandle::join);
+    done
+}
+
+/// Writes the line, unless the work ends before.
+fn tell(ended: &Receiver<()>, patience: Duration, what: &str, terminal: &mut dyn Write) {
+    if ended.recv_timeout(patience) == Err(RecvTimeoutError::Timeout) {
+        let _ = writeln!(terminal, "palkki: {what} takes more than {} seconds", PATIENCE.as_secs());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is written of work that has or has not ended when the patience has.
+    fn written(has_ended: bool, patience: Duration) -> String {
+        let (end, ended) = mpsc::channel();
+        let end = (!has_ended).then_some(end);
+        let mut terminal = Vec::new();
+        tell(&ended, patience, "solving scene.toml", &mut terminal);
+        drop(end);
+        String::from_utf8(terminal).expect("text")
+    }
+
+    #[test]
+    fn only_what_takes_long_is_told_and_once() {
+        assert_eq!(written(false, Duration::ZERO), "palkki: solving scene.toml takes more than 2 seconds\n");
+        assert_eq!(written(true, Duration::from_secs(600)), "", "it does not wait for the end of its patience");
+    }
+
+    #[test]
+    fn the_work_is_done() {
+        assert_eq!(telling("counting".to_owned(), || 1 + 1), 2);
+    }
+}
