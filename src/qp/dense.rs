@@ -15,6 +15,18 @@ pub struct Dense {
     pub sizes: Sizes,
 }
 
+#[cfg(test)]
+impl Dense {
+    /// The program of `A_ij` and `b_i`, for `n` unknowns whose sizes are 1.
+    pub(crate) fn of(n: usize, entry: impl Fn(usize, usize) -> f64, linear: impl Fn(usize) -> f64) -> Self {
+        Self {
+            matrix: DMatrix::from_fn(n, n, entry),
+            linear: DVector::from_fn(n, |i, _| linear(i)),
+            sizes: Sizes { x: 1.0, gradient: 1.0 },
+        }
+    }
+}
+
 impl Qp for Dense {
     fn dimension(&self) -> usize {
         self.matrix.nrows()

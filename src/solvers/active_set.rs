@@ -314,8 +314,6 @@ fn change(from: &Stationary, to: &Stationary) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{DMatrix, DVector};
-
     use super::*;
     use crate::qp::Dense;
 
@@ -327,8 +325,7 @@ mod tests {
             2 => 1.0,
             _ => 0.0,
         };
-        let linear = DVector::from_fn(n, |i, _| if i % 5 < 2 { 1.0 } else { -1.0 });
-        Dense { matrix: DMatrix::from_fn(n, n, entry), linear, sizes: Sizes { x: 1.0, gradient: 1.0 } }
+        Dense::of(n, entry, |i| if i % 5 < 2 { 1.0 } else { -1.0 })
     }
 
     /// By exchanges and by a descent, whatever the limit is: a step that has begun makes at most two solves more.
