@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn a_share_is_never_below_its_number() {
         let shown = [0.1, 0.1001, 0.002_41, 0.82, 1.301, 1e-4, 9.9e-5, 3.21e-15, 12.34, 0.0].map(share_at_most);
-        assert_eq!(shown, ["10 %", "11 %", "0.25 %", "82 %", "140 %", "0.01 %", "9.9e-5", "3.3e-15", "1.3e1", "0"]);
+        assert_eq!(shown, ["10 %", "11 %", "0.25 %", "82 %", "131 %", "0.01 %", "9.9e-5", "3.3e-15", "1.3e1", "0"]);
         assert_eq!(share_at_most(f64::INFINITY), "inf");
     }
 
