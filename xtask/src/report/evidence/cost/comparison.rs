@@ -52,7 +52,7 @@ fn times(lines: &[&Line]) -> (Table, Vec<(usize, f64)>) {
     (table, ratios)
 }
 
-/// The error of the solver alone: the worst of four observables by the best method, asked for [`ASKED`], certified or not.
+/// The error of the solver alone: the worst of four observables by the best method, certified or not.
 fn accuracy(lines: &[&Line]) -> Table {
     Table::new(["intervals"].into_iter().chain(SOLVERS)).rows(GRIDS.map(|grid| {
         let best = SOLVERS.map(|solver| {
