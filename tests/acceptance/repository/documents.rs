@@ -37,7 +37,7 @@ fn the_map_is_the_territory() {
         assert!(spans.contains(&room.as_str()), "ARCHITECTURE.md does not name {room}");
     }
 
-    let tests = rust_files("tests/acceptance/repository").into_values().collect::<String>();
+    let tests = rust_files("tests/acceptance").into_values().collect::<String>();
     let named: Vec<_> = map
         .lines()
         .filter(|line| line.starts_with("| "))
