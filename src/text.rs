@@ -32,21 +32,10 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 /// `10ⁿ`, with raised digits.
 #[must_use]
 pub fn power_of_ten(exponent: i32) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).and_then(|digit| RAISED.get(usize::try_from(digit).ok()?));
     let digits = exponent.to_string();
-    let raised = digits.chars().map(|c| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4' => '⁴',
-        '5' => '⁵',
-        '6' => '⁶',
-        '7' => '⁷',
-        '8' => '⁸',
-        '9' => '⁹',
-        _ => '⁰',
-    });
-    "10".chars().chain(raised).collect()
+    "10".chars().chain(digits.chars().map(|c| raised(c).copied().unwrap_or('⁻'))).collect()
 }
 
 /// `10ⁿ` as the nearest `f64`. Reading it from text rounds correctly everywhere, which `powi` does not promise.

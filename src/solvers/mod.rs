@@ -51,14 +51,10 @@ impl Solver {
     ];
 
     /// Those that are meant to reach the optimum: all but the paper's four steps.
-    pub const OPTIMAL: [Self; 2 + LIBRARIES] = [
-        Self::ActiveSet,
-        Self::Nsor,
-        #[cfg(feature = "clarabel")]
-        Self::Clarabel,
-        #[cfg(feature = "osqp")]
-        Self::Osqp,
-    ];
+    pub const OPTIMAL: [Self; 2 + LIBRARIES] = {
+        let [Self::FourStep, optimal @ ..] = Self::ALL else { panic!("the four steps come first") };
+        optimal
+    };
 
     /// The word that command line, JSON and report use.
     #[must_use]

@@ -11,6 +11,7 @@ pub mod four_step;
 pub mod nsor;
 
 use palkki::scene::SceneError;
+use palkki::text::power_of_ten;
 
 /// What became of a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,18 +133,18 @@ impl Ledger {
     }
 }
 
-/// A number of rounding size in words: a bound that holds, not digits that mean nothing and differ between machines.
-///
-/// `10ᵏ` as text, the power of ten that is at least three times `value`; `0` for zero.
-fn bound(value: f64) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+/// What a number of rounding size stays below: the power of ten that is at least three times as large, so that another
+/// machine says the same; `0` for zero. A power of ten that was chosen and not computed is itself.
+#[must_use]
+pub fn bound(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let exponent = libm::ceil(libm::log10(3.0 * value.abs()));
-    let digits = format!("{:.0}", exponent.abs());
-    let raised: String = digits.chars().filter_map(|c| c.to_digit(10)).filter_map(|d| RAISED.get(d as usize)).collect();
-    format!("10{}{raised}", if exponent < 0.0 { "⁻" } else { "" })
+    let printed = format!("{:e}", value.abs());
+    let (mantissa, exponent) = printed.split_once('e').unwrap_or((&printed, "0"));
+    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
+    let margin = [1.0, 10.0 / 3.0].iter().filter(|limit| **limit < mantissa).count();
+    power_of_ten(exponent.parse().unwrap_or(0) + i32::try_from(margin).unwrap_or(0))
 }
 
 #[cfg(test)]
@@ -153,5 +154,6 @@ mod tests {
     #[test]
     fn bounds_are_above() {
         assert_eq!([2e-12, 0.9e-9, 0.3, 20.0, 0.0].map(bound), ["10⁻¹¹", "10⁻⁸", "10⁰", "10²", "0"]);
+        assert_eq!([4e-12, 1e-4].map(bound), ["10⁻¹⁰", "10⁻⁴"]);
     }
 }
