@@ -63,7 +63,7 @@ pub struct Solution {
 /// use palkki::{Settings, solve};
 ///
 /// let beam = Beam::new(10.0, 500.0 / 384.0)?;
-/// let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+/// let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 /// for method in Method::ALL {
 ///     let solution = solve(&scene, &Settings::new(method, Solver::ActiveSet, 30))?;
 ///     assert_eq!(solution.verdict.status, Status::Certified, "{method}: {:?}", solution.verdict.refusal);
@@ -85,7 +85,7 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError>
 /// use palkki::solve_exactly;
 ///
 /// let beam = Beam::new(10.0, 500.0 / 384.0)?;
-/// let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+/// let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 /// let solution = solve_exactly(&scene)?;
 /// // On flat ground the beam lifts off at a = ⁴√(24 EI u / q) / √3, here 2.364 from the support, and presses with q a / 2 there.
 /// let zone = solution.state.contacts[0];
@@ -174,6 +174,7 @@ pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<RawSo
 
 fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Result<RawSolution, SceneError> {
     let Settings { method, solver, intervals, tolerance } = *settings;
+    scene.only_simple_beam("a method on a grid")?;
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals)?;
 

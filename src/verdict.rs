@@ -25,7 +25,7 @@
 //! use palkki::verdict::Verdict;
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
-//! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 //! // What some program found: places, and forces of the foundation on the beam, upwards.
 //! let forces = ContactLoad::new(10.0, vec![(2.4, 1.45), (3.2, 0.9), (4.1, 0.9), (5.0, 1.1), (5.9, 0.9), (6.8, 0.9), (7.6, 1.45)])?;
 //! // Bounds are proven from a list of contacts: that of beam theory, if it has one.
@@ -334,7 +334,7 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
 
 /// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.
 fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
-    let depth = |x: f64| scene.depth(x).abs();
+    let depth = |x: f64| scene.gap(x).abs();
     let held: f64 = state.contacts.iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
     scene.load().magnitude(scene.beam().length()) * largest(state) + held
 }

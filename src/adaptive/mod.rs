@@ -23,7 +23,7 @@
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
-//! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 //! // The deflection, certain to a thousandth of its largest value.
 //! let adapted = adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-3))?;
 //! assert!(adapted.solution.verdict.error <= 1e-3, "{}", adapted.end);

@@ -152,7 +152,7 @@ mod tests {
         let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
         for (at, contact) in [(3.0, 3.0), (2.0, 5.0), (5.0, 2.0)] {
             let points = vec![PointLoad { at, force: 11.0 }];
-            let scene = Scene::new(beam, Load::new(&beam, 0.0, Vec::new(), points).expect("finite"), None);
+            let scene = Scene::new(beam.clone(), Load::new(&beam, 0.0, Vec::new(), points).expect("finite"), None);
             let load = EnclosedLoad::of(&scene.expect("well posed"));
             let forces = ContactLoad::new(LENGTH, [(contact, 4.0)]).expect("a force");
             for ([from, to], v) in deflection(&forces, &load, &[1.0, 6.5], STIFFNESS, LENGTH) {

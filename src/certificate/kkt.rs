@@ -62,7 +62,7 @@ impl Kkt {
 
         let length = scene.beam().length();
         let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        let idle = if caused.load == 0.0 { within_reach(&grid.depths(scene)) } else { 0.0 };
+        let idle = if caused.load == 0.0 { within_reach(&grid.gaps(scene)) } else { 0.0 };
         let force = nonzero(caused.load.max(caused.contact).max(idle / flexibility));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
         let depth = nonzero(largest(v.iter().map(|v| v.abs())).max(idle).max(ROUNDING * flexibility * force));
@@ -72,7 +72,7 @@ impl Kkt {
         caused.walk(|first, caused_moment, caused_deflection| {
             let (places, u) = (&mut places[..caused_moment.len()], &mut depths[..caused_moment.len()]);
             grid.places(first + 1, places);
-            scene.depths(places, u);
+            scene.gaps(places, u);
             let rows = (0..places.len()).map(|k| {
                 let i = first + k;
                 let clearance = u[k] - v[i];

@@ -92,6 +92,7 @@ impl Lumped {
 
 /// The beam under nodal loads and contact forces at all inner nodes: statics and integration, in the units of the scene.
 fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
+    given.only_simple_beam("nodal contact forces")?;
     let scaled = given.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let count = forces.len();
@@ -108,7 +109,7 @@ fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
     let deflection = times(deflection, scale.depth);
     Ok(Nodes {
         discretisation,
-        clearance: x.iter().zip(&deflection).map(|(&x, v)| given.depth(x) - v).collect(),
+        clearance: x.iter().zip(&deflection).map(|(&x, v)| given.gap(x) - v).collect(),
         x,
         deflection,
         contact_force: times(forces, scale.force),

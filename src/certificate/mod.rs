@@ -72,6 +72,7 @@ pub enum Judged<'a> {
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
     /// Where there is no foundation it is out of reach.
     const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
+    scene.only_simple_beam("the certified error")?;
     let scaled = scene.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let fewer = scene.foundation().and_then(Foundation::without_collinear_points);

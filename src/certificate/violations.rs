@@ -52,6 +52,7 @@ pub struct Violation {
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
+    scene.only_simple_beam("the check of contact forces")?;
     let scaled = scene.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let forces = given.scaled(scale);

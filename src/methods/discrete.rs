@@ -46,9 +46,9 @@ impl Discrete {
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),
-            depths: grid.depths(scene),
+            depths: grid.gaps(scene),
             profile: scene.foundation().cloned(),
-            below_supports: [0, intervals].map(|node| scene.depth(grid.place(node))),
+            below_supports: [0, intervals].map(|node| scene.gap(grid.place(node))),
             sizes: sizes(scene, intervals.min(SIZING))?,
             loads,
         })
@@ -145,7 +145,7 @@ impl Discrete {
 /// See [`Discrete::sizes`].
 fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
     let grid = Grid::uniform(scene, intervals)?;
-    let (loads, depths) = (grid.nodal_loads(scene.load()), grid.depths(scene));
+    let (loads, depths) = (grid.nodal_loads(scene.load()), grid.gaps(scene));
     let stiffness = scene.beam().bending_stiffness();
     let free = deflection(&loads[1..intervals], grid.spacing(), stiffness, Discretisation::BeamElements);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);

@@ -107,7 +107,7 @@ pub(super) mod tests {
             points: (0..12).map(|i| [10.0 * f64::from(i) / 11.0, 0.5 + spread(5 * i * i + 7 * i * k + k)]).collect(),
         };
         let foundations = (0..12).flat_map(move |k| [wave(k), rough(k)]);
-        foundations.map(move |foundation| Scene::new(beam, load.clone(), Some(foundation)).expect("well posed"))
+        foundations.map(move |foundation| Scene::new(beam.clone(), load.clone(), Some(foundation)).expect("well posed"))
     }
 
     /// Kinks between the nodes of a grid leave holes behind them that exchanges wander through: thousands of solves of the

@@ -88,7 +88,7 @@ impl Curves {
         let (pressure, point_forces) = contact_forces(state, nodes, &x);
         Ok(Self {
             deflection: closed(&nodes.deflection, 0.0, 0.0),
-            clearance: closed(&nodes.clearance, scene.depth(0.0), scene.depth(length)),
+            clearance: closed(&nodes.clearance, scene.gap(0.0), scene.gap(length)),
             moment,
             shear,
             pressure,

@@ -1,26 +1,78 @@
-//! The beam: straight, elastic, of constant bending stiffness, simply supported at both ends.
+//! The beam: elastic, of constant bending stiffness, with an own shape and what holds it.
 
 use super::error::{SceneError, positive};
-use super::quantity::Quantity;
+use super::quantity::{Profile, ProfileKey, Quantity};
+use super::support::{Support, sorted};
+use super::{Foundation, Scale, pieces};
 
-/// A straight elastic beam on two simple supports, at `x = 0` and `x = l`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// An elastic beam from `x = 0` to `x = l`: straight and on two simple supports at its ends, unless it is said otherwise.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     length: f64,
     bending_stiffness: f64,
+    supports: Vec<Support>,
+    shape: Option<Foundation>,
 }
 
 impl Beam {
-    /// A beam of length `l` \[length\] and bending stiffness `EI` \[force · length²\].
+    /// A straight beam of length `l` \[length\] and bending stiffness `EI` \[force · length²\] on two simple supports at its
+    /// ends, both at level 0: the paper's.
     ///
     /// # Errors
     ///
     /// [`SceneError::NotPositive`] unless both are positive and finite.
     pub fn new(length: f64, bending_stiffness: f64) -> Result<Self, SceneError> {
-        Ok(Self {
-            length: positive(Quantity::Length, length)?,
-            bending_stiffness: positive(Quantity::BendingStiffness, bending_stiffness)?,
-        })
+        let length = positive(Quantity::Length, length)?;
+        let bending_stiffness = positive(Quantity::BendingStiffness, bending_stiffness)?;
+        let supports = vec![Support::simple(0.0), Support::simple(length)];
+        Ok(Self { length, bending_stiffness, supports, shape: None })
+    }
+
+    /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
+    ///
+    /// # Errors
+    ///
+    /// A number that is not finite, a support that is not on the beam, two at one place, or one that is built in at a corner of
+    /// the own shape.
+    pub fn with_supports(self, supports: Vec<Support>) -> Result<Self, SceneError> {
+        let supports = sorted(supports, self.length)?;
+        Self { supports, ..self }.with_definite_slopes()
+    }
+
+    /// The same beam with an own shape `w0(x)`, the depth of its axis as long as nothing acts on it, positive downwards: any of
+    /// the kinds that a foundation has.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Foundation::checked`] that are not about supports, a step, or a corner at a built-in support.
+    pub fn with_shape(self, shape: Foundation) -> Result<Self, SceneError> {
+        shape.check(Profile::Shape, self.length)?;
+        if let Foundation::Polyline { points } = &shape {
+            #[expect(clippy::float_cmp, reason = "a step is two points at exactly the same place")]
+            if let Some(i) = (1..points.len()).find(|&i| points[i][0] == points[i - 1][0]) {
+                let quantity = Quantity::Profile(Profile::Shape, ProfileKey::PolylineX(i));
+                return Err(SceneError::StepInShape { quantity, value: points[i][0] });
+            }
+        }
+        for at in [0.0, self.length] {
+            if shape.depth(at).is_nan() {
+                return Err(shape.overflow_of(Profile::Shape, at));
+            }
+        }
+        Self { shape: Some(shape), ..self }.with_definite_slopes()
+    }
+
+    /// A built-in support holds one slope, and so does not stand at a corner of the own shape.
+    fn with_definite_slopes(self) -> Result<Self, SceneError> {
+        if let Some(shape) = &self.shape {
+            for support in self.supports.iter().filter(|s| s.slope.is_some() && 0.0 < s.at && s.at < self.length) {
+                let [[_, left], [_, right]] = shape.sides(support.at);
+                if pieces::LEVEL * shape.slope_size(support.at) < (right - left).abs() {
+                    return Err(SceneError::CornerAtBuiltIn { at: support.at });
+                }
+            }
+        }
+        Ok(self)
     }
 
     /// `l` \[length\].
@@ -33,5 +85,46 @@ impl Beam {
     #[must_use]
     pub fn bending_stiffness(&self) -> f64 {
         self.bending_stiffness
+    }
+
+    /// What holds it, from left to right.
+    #[must_use]
+    pub fn supports(&self) -> &[Support] {
+        &self.supports
+    }
+
+    /// Its own shape `w0(x)` \[length\]; [`None`] if it is straight.
+    #[must_use]
+    pub fn shape(&self) -> Option<&Foundation> {
+        self.shape.as_ref()
+    }
+
+    /// True for the paper's beam: straight, on two simple supports at its ends, both at level 0.
+    #[must_use]
+    pub fn is_simple(&self) -> bool {
+        self.shape.is_none() && self.supports == [Support::simple(0.0), Support::simple(self.length)]
+    }
+
+    /// The same beam in other units, all powers of two; `stiffness` is that of `EI`.
+    pub(super) fn scaled(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
+        let &Scale { length, depth, .. } = scale;
+        let support = |s: &Support| Support {
+            at: s.at / length,
+            level: s.level / depth,
+            slope: s.slope.map(|slope| slope * (length / depth)),
+        };
+        let beam = Self::new(self.length / length, self.bending_stiffness / stiffness)?
+            .with_supports(self.supports.iter().map(support).collect())?;
+        match &self.shape {
+            Some(shape) => beam.with_shape(shape.scaled(length, depth)),
+            None => Ok(beam),
+        }
+    }
+
+    /// A bound on what the supports and the own shape ask of the deflection: `max |level|`, `max |w0|`, `|slope| l` \[length\].
+    pub(super) fn given_deflection(&self) -> f64 {
+        let levels =
+            self.supports.iter().map(|s| s.level.abs().max(s.slope.map_or(0.0, |slope| slope.abs() * self.length)));
+        levels.fold(self.shape.as_ref().map_or(0.0, |shape| shape.magnitude(self.length)), f64::max)
     }
 }

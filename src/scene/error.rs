@@ -1,6 +1,7 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
-use super::quantity::{Quantity, Support};
+use super::balance::Unheld;
+use super::quantity::{Profile, ProfileKey, Quantity};
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -42,11 +43,16 @@ pub enum SceneError {
         to: f64,
     },
     /// A polynomial without coefficients.
-    #[error("`foundation.polynomial` needs at least one coefficient, but has none")]
-    NoCoefficients,
+    #[error("`{}.polynomial` needs at least one coefficient, but has none", of.path())]
+    NoCoefficients {
+        /// Of which profile.
+        of: Profile,
+    },
     /// A polyline of fewer than two points.
-    #[error("a foundation given by points needs at least 2 of them, but has {count}")]
+    #[error("{of} given by points needs at least 2 of them, but has {count}")]
     TooFewPoints {
+        /// Which profile.
+        of: Profile,
         /// How many there are.
         count: usize,
     },
@@ -73,12 +79,10 @@ pub enum SceneError {
         value: f64,
     },
     /// A polyline that does not reach from support to support.
-    #[error(
-        "a foundation given by points must reach from 0 to {}, but `{quantity}` is {}",
-        shown(*length),
-        shown(*value)
-    )]
+    #[error("{of} given by points must reach from 0 to {}, but `{quantity}` is {}", shown(*length), shown(*value))]
     PointsDoNotCover {
+        /// Which profile.
+        of: Profile,
         /// The first or the last place.
         quantity: Quantity,
         /// Its value.
@@ -86,20 +90,73 @@ pub enum SceneError {
         /// Length of the beam.
         length: f64,
     },
+    /// Two supports at the same place.
+    #[error("`{quantity}` is the second support at x = {}: a place has at most one", shown(*value))]
+    TwoSupportsAtOnePlace {
+        /// The second of them.
+        quantity: Quantity,
+        /// Where.
+        value: f64,
+    },
+    /// A step in the own shape: an axis has none.
+    #[error("`{quantity}` is the second point at x = {}: the axis of a beam has no step", shown(*value))]
+    StepInShape {
+        /// The second of the two points.
+        quantity: Quantity,
+        /// Where.
+        value: f64,
+    },
+    /// A built-in support where the axis has a corner: its slope would be two.
+    #[error(
+        "the own shape must not have a corner at a built-in support, which holds the slope, but has one at x = {}",
+        shown(*at)
+    )]
+    CornerAtBuiltIn {
+        /// Where.
+        at: f64,
+    },
     /// A foundation that would push a support upwards: the problem has no solution.
     #[error(
-        "the foundation must not lie above a support, but its depth at the {support} support (x = {}) is {}; \
-         no deflection satisfies the supports and the foundation",
+        "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
+         support; no deflection satisfies the supports and the foundation",
         shown(*at),
-        shown(*depth)
+        shown(*depth),
+        shown(*level)
     )]
     AboveSupport {
-        /// Which support.
-        support: Support,
-        /// Where it is.
+        /// Where the support is.
         at: f64,
-        /// Depth of the foundation there, negative.
+        /// Depth of the foundation there.
         depth: f64,
+        /// Depth of the support, greater.
+        level: f64,
+    },
+    /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
+    #[error(
+        "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
+         the beam, its slope to the {side} of it is {}, and that of the beam is {}; no deflection satisfies both",
+        shown(*at),
+        shown(*slope),
+        shown(*held)
+    )]
+    RisesAtBuiltIn {
+        /// Where the support is.
+        at: f64,
+        /// On which side of it, `left` or `right`.
+        side: &'static str,
+        /// Slope `u'` of the foundation there.
+        slope: f64,
+        /// Slope of the axis of the beam there.
+        held: f64,
+    },
+    /// What the supports leave free is not held by the loads and the ground either.
+    #[error(transparent)]
+    Unheld(#[from] Unheld),
+    /// What can be asked only of a straight beam on two simple supports at its ends, at level 0.
+    #[error("{what} can be used only for a straight beam on two simple supports, at its ends and at level 0")]
+    OnlySimpleBeam {
+        /// What was asked for.
+        what: &'static str,
     },
     /// Numbers that are finite by themselves and not together.
     #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", shown(*value))]
@@ -131,15 +188,24 @@ impl SceneError {
             | Self::PointsRunBack { quantity, .. }
             | Self::ThreePointsAtOnePlace { quantity, .. }
             | Self::PointsDoNotCover { quantity, .. }
+            | Self::TwoSupportsAtOnePlace { quantity, .. }
+            | Self::StepInShape { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
-            Self::NoCoefficients | Self::TooFewPoints { .. } | Self::AboveSupport { .. } => Some(Quantity::Foundation),
+            Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {
+                Some(Quantity::Profile(of, ProfileKey::Whole))
+            }
+            Self::AboveSupport { .. } | Self::RisesAtBuiltIn { .. } => {
+                Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
+            }
+            Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
+            Self::Unheld(_) | Self::OnlySimpleBeam { .. } => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } => None,
         }
     }
 }
 
 /// A number as a message has it: with a power of ten where a row of zeros would have to be counted.
-fn shown(value: f64) -> String {
+pub(super) fn shown(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&size) {
         value.to_string()

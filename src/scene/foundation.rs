@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::Beam;
 use super::error::{SceneError, finite, on_beam, positive};
-use super::quantity::{Quantity, Support};
+use super::quantity::{Profile, ProfileKey, Quantity};
 
 /// Depth `u(x)` of the foundation below the line of the supports, positive downwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,44 +43,43 @@ impl Foundation {
     /// # Errors
     ///
     /// A number that is not finite, a wavelength that is not positive, a polyline that is not one or does not reach from
-    /// support to support, depths that overflow, or a foundation above a support by more than the rounding of its depth there.
+    /// end to end of the beam, depths that overflow, a foundation above a support by more than the rounding of its depth
+    /// there, or one that rises beside a built-in support, at its level, faster than the beam there.
     pub fn checked(self, beam: &Beam) -> Result<Self, SceneError> {
-        match &self {
+        self.check(Profile::Foundation, beam.length())?;
+        self.check_at_supports(beam)?;
+        Ok(self)
+    }
+
+    /// The checks that a foundation and an own shape have in common.
+    pub(super) fn check(&self, of: Profile, length: f64) -> Result<(), SceneError> {
+        let number = |key| Quantity::Profile(of, key);
+        match self {
             Self::Flat { depth } => {
-                finite(Quantity::Depth, *depth)?;
+                finite(number(ProfileKey::Depth), *depth)?;
             }
             Self::Polynomial { coefficients } => {
                 if coefficients.is_empty() {
-                    return Err(SceneError::NoCoefficients);
+                    return Err(SceneError::NoCoefficients { of });
                 }
                 for (i, &c) in coefficients.iter().enumerate() {
-                    finite(Quantity::Coefficient(i), c)?;
+                    finite(number(ProfileKey::Coefficient(i)), c)?;
                 }
             }
             Self::Cosine { mean, amplitude, wavelength, phase } => {
-                finite(Quantity::Mean, *mean)?;
-                finite(Quantity::Amplitude, *amplitude)?;
-                positive(Quantity::Wavelength, *wavelength)?;
-                finite(Quantity::Phase, *phase)?;
+                finite(number(ProfileKey::Mean), *mean)?;
+                finite(number(ProfileKey::Amplitude), *amplitude)?;
+                positive(number(ProfileKey::Wavelength), *wavelength)?;
+                finite(number(ProfileKey::Phase), *phase)?;
             }
-            Self::Polyline { points } => check_polyline(points, beam)?,
+            Self::Polyline { points } => check_polyline(of, points, length)?,
         }
-        let value = self.magnitude(beam.length());
+        let value = self.magnitude(length);
         if !value.is_finite() {
-            return Err(SceneError::Overflow { quantity: Quantity::Foundation, what: "a bound on its depth", value });
+            let quantity = number(ProfileKey::Whole);
+            return Err(SceneError::Overflow { quantity, what: "a bound on its depth", value });
         }
-        for (support, at) in [(Support::Left, 0.0), (Support::Right, beam.length())] {
-            let depth = self.depth(at);
-            if depth.is_nan() {
-                // Of finite numbers only the angle of a wave can overflow.
-                let (quantity, what) = (Quantity::Wavelength, "the depth at a support");
-                return Err(SceneError::Overflow { quantity, what, value: depth });
-            }
-            if depth < -self.level_within(at, beam.length()) {
-                return Err(SceneError::AboveSupport { support, at, depth });
-            }
-        }
-        Ok(self)
+        Ok(())
     }
 
     /// `u(x)` \[length\]; at a step of a polyline the smaller of the two depths.
@@ -96,6 +95,77 @@ impl Foundation {
             }
             Self::Polyline { points } => polyline_depth(points, x),
         }
+    }
+
+    /// `[u, u']` just to the left and just to the right of `x` \[length, 1\]; at an end of the beam both are those inside.
+    #[must_use]
+    pub fn sides(&self, x: f64) -> [[f64; 2]; 2] {
+        match self {
+            Self::Flat { depth } => [[*depth, 0.0]; 2],
+            Self::Polynomial { coefficients } => {
+                let (value, slope) =
+                    coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), &c| (value * x + c, slope * x + value));
+                [[value, slope]; 2]
+            }
+            Self::Cosine { amplitude, wavelength, phase, .. } => {
+                let rate = 2.0 * std::f64::consts::PI / wavelength;
+                let angle = 2.0 * std::f64::consts::PI * (x / wavelength) + phase;
+                [[self.depth(x), -amplitude * rate * libm::sin(angle)]; 2]
+            }
+            Self::Polyline { points } => {
+                let before = points.partition_point(|p| p[0] < x);
+                let beyond = points.partition_point(|p| p[0] <= x);
+                // The segments beside `x`: the last one that begins before it, and the first one that ends beyond it.
+                let left = before.checked_sub(1).and_then(|i| Some((points[i], *points.get(i + 1)?)));
+                let right = beyond.checked_sub(1).and_then(|i| Some((points[i], *points.get(i + 1)?)));
+                let side = |at: Option<([f64; 2], [f64; 2])>, here: usize| {
+                    at.map(|(a, b)| {
+                        let slope = (b[1] - a[1]) / (b[0] - a[0]);
+                        [
+                            points.get(here).filter(|p| p[0] <= x && x <= p[0]).map_or_else(|| self.depth(x), |p| p[1]),
+                            slope,
+                        ]
+                    })
+                };
+                let (left, right) = (side(left, before), side(right, beyond.wrapping_sub(1)));
+                match (left.or(right), right.or(left)) {
+                    (Some(left), Some(right)) => [left, right],
+                    _ => [[self.depth(x), 0.0]; 2],
+                }
+            }
+        }
+    }
+
+    /// Magnitude of the numbers that add up to the slopes at `x`: what their rounding is relative to.
+    pub(super) fn slope_size(&self, x: f64) -> f64 {
+        match self {
+            Self::Flat { .. } => 0.0,
+            Self::Polynomial { coefficients } => {
+                let size = |(value, slope): (f64, f64), c: &f64| (value * x.abs() + c.abs(), slope * x.abs() + value);
+                coefficients.iter().rev().fold((0.0, 0.0), size).1
+            }
+            Self::Cosine { amplitude, wavelength, phase, .. } => {
+                let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();
+                2.0 * std::f64::consts::PI / wavelength * amplitude.abs() * (1.0 + angle)
+            }
+            Self::Polyline { points } => {
+                let beside = |w: &&[[f64; 2]]| w[0][0] < w[1][0] && w[0][0] <= x && x <= w[1][0];
+                let from = points.partition_point(|p| p[0] < x).saturating_sub(1);
+                let size = |w: &[[f64; 2]]| (w[0][1].abs() + w[1][1].abs()) / (w[1][0] - w[0][0]);
+                points[from..].windows(2).take(4).filter(beside).map(size).fold(0.0, f64::max)
+            }
+        }
+    }
+
+    /// A depth that overflows at a support: of finite numbers only the angle of a wave can.
+    pub(super) fn overflow_at(&self, x: f64) -> SceneError {
+        self.overflow_of(Profile::Foundation, x)
+    }
+
+    /// The same of one profile or the other.
+    pub(super) fn overflow_of(&self, of: Profile, x: f64) -> SceneError {
+        let quantity = Quantity::Profile(of, ProfileKey::Wavelength);
+        SceneError::Overflow { quantity, what: "the depth at a support", value: self.depth(x) }
     }
 
     /// Magnitude of the numbers that add up to `u(x)`: what its rounding is relative to \[length\].
@@ -154,29 +224,28 @@ impl Foundation {
 }
 
 /// A polyline runs from 0 to `l`, forwards, with at most two points at one place.
-fn check_polyline(points: &[[f64; 2]], beam: &Beam) -> Result<(), SceneError> {
+fn check_polyline(of: Profile, points: &[[f64; 2]], length: f64) -> Result<(), SceneError> {
+    let number = |key| Quantity::Profile(of, key);
     let [first, .., last] = points else {
-        return Err(SceneError::TooFewPoints { count: points.len() });
+        return Err(SceneError::TooFewPoints { of, count: points.len() });
     };
     for (i, &[x, depth]) in points.iter().enumerate() {
-        on_beam(Quantity::PolylineX(i), x, beam.length())?;
-        finite(Quantity::PolylineDepth(i), depth)?;
+        on_beam(number(ProfileKey::PolylineX(i)), x, length)?;
+        finite(number(ProfileKey::PolylineDepth(i)), depth)?;
         if 0 < i && x < points[i - 1][0] {
             let previous = points[i - 1][0];
-            return Err(SceneError::PointsRunBack { quantity: Quantity::PolylineX(i), value: x, previous });
+            return Err(SceneError::PointsRunBack { quantity: number(ProfileKey::PolylineX(i)), value: x, previous });
         }
         #[expect(clippy::float_cmp, reason = "a step is two points at exactly the same place")]
         if 1 < i && x == points[i - 2][0] {
-            return Err(SceneError::ThreePointsAtOnePlace { quantity: Quantity::PolylineX(i), value: x });
+            return Err(SceneError::ThreePointsAtOnePlace { quantity: number(ProfileKey::PolylineX(i)), value: x });
         }
     }
-    let length = beam.length();
-    if 0.0 < first[0] {
-        return Err(SceneError::PointsDoNotCover { quantity: Quantity::PolylineX(0), value: first[0], length });
-    }
-    if last[0] < length {
-        let quantity = Quantity::PolylineX(points.len() - 1);
-        return Err(SceneError::PointsDoNotCover { quantity, value: last[0], length });
+    for (end, reaches) in [(0, first[0] <= 0.0), (points.len() - 1, length <= last[0])] {
+        if !reaches {
+            let quantity = number(ProfileKey::PolylineX(end));
+            return Err(SceneError::PointsDoNotCover { of, quantity, value: points[end][0], length });
+        }
     }
     Ok(())
 }

@@ -72,20 +72,21 @@ impl Grid {
         places
     }
 
-    /// Depths `u_i` at the interior nodes; infinite where there is no foundation.
+    /// Gaps `g_i` below the undeflected beam at the interior nodes, of a straight beam the depths `u_i`; infinite where there is
+    /// no foundation.
     #[must_use]
-    pub fn depths(&self, scene: &Scene) -> Vec<f64> {
-        if let Some(Foundation::Flat { depth }) = scene.foundation() {
+    pub fn gaps(&self, scene: &Scene) -> Vec<f64> {
+        if let (Some(Foundation::Flat { depth }), None) = (scene.foundation(), scene.beam().shape()) {
             return vec![*depth; self.interior()];
         }
-        let mut depths = self.interior_places();
+        let mut gaps = self.interior_places();
         let mut places = [0.0; BATCH];
-        for batch in depths.chunks_mut(BATCH) {
+        for batch in gaps.chunks_mut(BATCH) {
             let places = &mut places[..batch.len()];
             places.copy_from_slice(batch);
-            scene.depths(places, batch);
+            scene.gaps(places, batch);
         }
-        depths
+        gaps
     }
 
     /// Loads as forces on all `N + 1` nodes, supports included \[force\].

@@ -1,5 +1,7 @@
-//! What is given: beam, load, foundation. A [`Scene`] that exists is well posed.
+//! What is given: beam, supports, load, foundation. A [`Scene`] that exists is well posed; whether what the supports leave free is
+//! held by loads and ground is said by its [`Balance`].
 
+mod balance;
 mod beam;
 mod bend;
 mod depths;
@@ -11,14 +13,17 @@ mod load;
 pub(crate) mod pieces;
 mod quantity;
 mod scale;
+mod support;
 
+pub use balance::{Balance, Resultant, Unheld};
 pub use beam::Beam;
 pub use error::SceneError;
 pub use foundation::Foundation;
 pub use grid::Grid;
 pub use load::{LinearLoad, Load, PointLoad};
-pub use quantity::{Quantity, Support};
+pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
+pub use support::{Held, Support};
 
 /// A beam, its loads and the foundation below it, if there is one.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,23 +92,43 @@ impl Scene {
         &self.units
     }
 
-    /// Depth `u(x)` of the foundation, from which (6) takes the clearance \[length\]; infinite where there is none.
+    /// Depth `u(x)` of the foundation \[length\]; infinite where there is none.
     #[must_use]
     pub fn depth(&self, x: f64) -> f64 {
         self.foundation.as_ref().map_or(f64::INFINITY, |f| f.depth(x))
     }
 
-    /// The same at ascending places; `depths` is as long as `places`.
-    pub fn depths(&self, places: &[f64], depths: &mut [f64]) {
+    /// `g(x) = u − w0`, the gap below the beam as long as nothing acts on it, from which (6) takes the clearance `h = g − v`
+    /// \[length\]; infinite where there is no foundation. Of a straight beam it is the depth of the foundation.
+    #[must_use]
+    pub fn gap(&self, x: f64) -> f64 {
+        let depth = self.depth(x);
+        self.beam.shape().map_or(depth, |shape| depth - shape.depth(x))
+    }
+
+    /// The same at ascending places; `gaps` is as long as `places`.
+    pub fn gaps(&self, places: &[f64], gaps: &mut [f64]) {
         match &self.foundation {
-            Some(foundation) => foundation.depths(places, depths),
-            None => depths.fill(f64::INFINITY),
+            Some(foundation) => foundation.depths(places, gaps),
+            None => gaps.fill(f64::INFINITY),
         }
+        if let Some(shape) = self.beam.shape() {
+            let mut own = vec![0.0; places.len()];
+            shape.depths(places, &mut own);
+            gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap -= own);
+        }
+    }
+
+    /// By how much the slope of a chord of `g` grows at `x`, as [`Foundation::bend`] has it; zero without a foundation.
+    #[must_use]
+    pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
+        let bend = self.foundation.as_ref().map_or(0.0, |f| f.bend(x, a, b, ends));
+        self.beam.shape().map_or(bend, |shape| bend - shape.bend(x, a, b, ends))
     }
 
     /// This scene in other units; `stiffness` is the unit of `EI`, that is `F L³ / U`.
     fn in_units(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
-        let beam = Beam::new(self.beam.length() / scale.length, self.beam.bending_stiffness() / stiffness)?;
+        let beam = self.beam.scaled(scale, stiffness)?;
         let load = self.load.scaled(scale.length, scale.force);
         let foundation = self.foundation.as_ref().map(|f| f.scaled(scale.length, scale.depth));
         Self::new(beam, load, foundation)

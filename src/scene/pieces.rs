@@ -7,7 +7,7 @@ use super::Foundation;
 
 /// A depth at a support is zero but for rounding if it is at most this share of the numbers that add up to it there. With a
 /// depth of `−10⁻¹⁷` the scene would have no solution, with `10⁻¹⁷` the beam would lift off just beside the support.
-const LEVEL: f64 = 16.0 * f64::EPSILON;
+pub(super) const LEVEL: f64 = 16.0 * f64::EPSILON;
 
 /// How far off the line a point may be, as a share of its depth and of what its neighbours add to that of the line there: the
 /// rounding of a decimal depth, twice, and that of the interpolation.
@@ -21,7 +21,8 @@ impl Foundation {
     /// given, and nothing is added up.
     pub(crate) fn rounded_size(&self, x: f64, length: f64) -> f64 {
         match self {
-            Self::Flat { .. } | Self::Polyline { .. } => 0.0,
+            Self::Flat { .. } => 0.0,
+            Self::Polyline { points } if points.binary_search_by(|p| p[0].total_cmp(&x)).is_ok() => 0.0,
             smooth => smooth.magnitude_at(x).min(smooth.magnitude(length)),
         }
     }

@@ -15,20 +15,63 @@ pub enum Quantity {
     LinearEnd(usize),
     PointAt(usize),
     PointForce(usize),
+    SupportAt(usize),
+    SupportLevel(usize),
+    SupportSlope(usize),
+    /// All supports of the beam.
+    Supports,
+    /// A number of a profile.
+    Profile(Profile, ProfileKey),
+    /// All loads together.
+    TotalLoad,
+}
+
+/// A depth as a function of the place: that of the ground, or that of the axis of the unloaded beam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// `u(x)`, the key `foundation` of the scene file.
+    Foundation,
+    /// `w0(x)`, the key `beam.shape`.
+    Shape,
+}
+
+impl Profile {
+    /// Its table in the scene file.
+    #[must_use]
+    pub fn path(self) -> &'static str {
+        match self {
+            Self::Foundation => "foundation",
+            Self::Shape => "beam.shape",
+        }
+    }
+}
+
+impl fmt::Display for Profile {
+    /// What a sentence calls it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Foundation => "a foundation",
+            Self::Shape => "an own shape",
+        })
+    }
+}
+
+/// A number of a profile, named as in its table of the scene file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(missing_docs, reason = "each variant is the key of the scene file that Display prints")]
+pub enum ProfileKey {
     Depth,
     Coefficient(usize),
     Mean,
     Amplitude,
     Wavelength,
     Phase,
-    /// Place of a point of the polyline, `foundation.points[i][0]`.
+    /// Place of a point of the polyline, `points[i][0]`.
     PolylineX(usize),
-    /// Depth of a point of the polyline, `foundation.points[i][1]`.
+    /// Depth of a point of the polyline, `points[i][1]`.
     PolylineDepth(usize),
-    /// All loads together.
-    TotalLoad,
-    /// The foundation as a whole.
-    Foundation,
+    /// The profile as a whole.
+    Whole,
 }
 
 impl fmt::Display for Quantity {
@@ -43,34 +86,25 @@ impl fmt::Display for Quantity {
             Self::LinearEnd(i) => write!(f, "load.linear[{i}].end"),
             Self::PointAt(i) => write!(f, "load.point[{i}].at"),
             Self::PointForce(i) => write!(f, "load.point[{i}].force"),
-            Self::Depth => write!(f, "foundation.depth"),
-            Self::Coefficient(i) => write!(f, "foundation.polynomial[{i}]"),
-            Self::Mean => write!(f, "foundation.cosine.mean"),
-            Self::Amplitude => write!(f, "foundation.cosine.amplitude"),
-            Self::Wavelength => write!(f, "foundation.cosine.wavelength"),
-            Self::Phase => write!(f, "foundation.cosine.phase"),
-            Self::PolylineX(i) => write!(f, "foundation.points[{i}][0]"),
-            Self::PolylineDepth(i) => write!(f, "foundation.points[{i}][1]"),
+            Self::SupportAt(i) => write!(f, "beam.supports[{i}].at"),
+            Self::SupportLevel(i) => write!(f, "beam.supports[{i}].level"),
+            Self::SupportSlope(i) => write!(f, "beam.supports[{i}].slope"),
+            Self::Supports => write!(f, "beam.supports"),
+            Self::Profile(of, key) => {
+                f.write_str(of.path())?;
+                match key {
+                    ProfileKey::Depth => write!(f, ".depth"),
+                    ProfileKey::Coefficient(i) => write!(f, ".polynomial[{i}]"),
+                    ProfileKey::Mean => write!(f, ".cosine.mean"),
+                    ProfileKey::Amplitude => write!(f, ".cosine.amplitude"),
+                    ProfileKey::Wavelength => write!(f, ".cosine.wavelength"),
+                    ProfileKey::Phase => write!(f, ".cosine.phase"),
+                    ProfileKey::PolylineX(i) => write!(f, ".points[{i}][0]"),
+                    ProfileKey::PolylineDepth(i) => write!(f, ".points[{i}][1]"),
+                    ProfileKey::Whole => Ok(()),
+                }
+            }
             Self::TotalLoad => write!(f, "load"),
-            Self::Foundation => write!(f, "foundation"),
         }
-    }
-}
-
-/// One of the two supports.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Support {
-    /// At `x = 0`.
-    Left,
-    /// At `x = l`.
-    Right,
-}
-
-impl fmt::Display for Support {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        })
     }
 }

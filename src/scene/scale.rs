@@ -4,7 +4,7 @@
 //! equations (5), (7), (8) as the original. All units are powers of two, so scaling and undoing it only change
 //! exponents: answers are the same bits in metres and in 1024ths of a metre.
 
-use super::{Quantity, Scene, SceneError};
+use super::{Balance, Quantity, Scene, SceneError};
 
 /// Units in which a scene is dimensionless: powers of two.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,17 +38,21 @@ pub struct Scaled {
     pub scene: Scene,
     /// Its units.
     pub scale: Scale,
+    /// What its supports leave free, dimensionless.
+    pub balance: Balance,
 }
 
 impl Scene {
     /// This scene in dimensionless numbers.
     ///
     /// `L` and `E` are the powers of two at or below `l` and `EI`. `F` is that of the loads; a beam without loads takes
-    /// the force that bends it by the depth of the foundation instead.
+    /// the force that bends it by the largest of what is given across it: depth of the foundation, levels of supports, own
+    /// shape.
     ///
     /// # Errors
     ///
-    /// [`SceneError::Overflow`] if one of the units, or a number measured in them, leaves the range of `f64`.
+    /// [`SceneError::Overflow`] if one of the units, or a number measured in them, leaves the range of `f64`, and
+    /// [`SceneError::Unheld`] if nothing balances the loads: such a scene has no answer by any method.
     pub fn scaled(&self) -> Result<Scaled, SceneError> {
         let length = power_of_two(self.beam().length());
         let stiffness = power_of_two(self.beam().bending_stiffness());
@@ -56,6 +60,7 @@ impl Scene {
         let bend = |force: f64| force * length / stiffness * length * length;
         let load = self.load().magnitude(self.beam().length());
         let depth = self.foundation().map_or(0.0, |f| f.magnitude(self.beam().length()));
+        let depth = depth.max(self.beam().given_deflection());
         let (force, depth) = if 0.0 < load {
             let force = power_of_two(load);
             (force, bend(force))
@@ -77,7 +82,9 @@ impl Scene {
                 return Err(SceneError::Overflow { quantity, what, value });
             }
         }
-        Ok(Scaled { scene: self.in_units(&scale, stiffness)?, scale })
+        let scene = self.in_units(&scale, stiffness)?;
+        let balance = Balance::of(&scene).map_err(|unheld| unheld.in_units_of(&scale))?;
+        Ok(Scaled { scene, scale, balance })
     }
 }
 

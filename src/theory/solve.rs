@@ -57,6 +57,7 @@ const BYTES_PER_POINT: usize = 2000;
 ///
 /// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
+    scene.only_simple_beam("the exact method")?;
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     if let Some(&Foundation::Cosine { wavelength, phase, .. }) = foundation {

@@ -117,7 +117,7 @@ mod tests {
             };
             let parts: Vec<LinearLoad> = (0..count).map(part).collect();
             let load = Load::new(&beam, 2.0, parts.clone(), Vec::new()).expect("finite");
-            let pieces = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
+            let pieces = EnclosedLoad::of(&Scene::new(beam.clone(), load, None).expect("well posed"));
             for [from, to] in cells(0.0, LENGTH, pieces.breaks(0.0, LENGTH)) {
                 for share in [0.0, 0.3, 0.9] {
                     let s = share * (to - from);

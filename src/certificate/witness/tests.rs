@@ -15,7 +15,7 @@ fn changed<R>(
 ) -> R {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::new(&beam, 0.0, Vec::new(), Vec::new()).expect("finite");
-    let pieces = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
+    let pieces = EnclosedLoad::of(&Scene::new(beam.clone(), load, None).expect("well posed"));
     let ground = EnclosedFoundation::on(foundation, LENGTH);
     change(&EnclosedScene { foundation: ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH }, nodes)
 }
@@ -115,7 +115,7 @@ fn a_list_stays_as_it_is_given() {
     let beam = Beam::new(LENGTH, 70.0).expect("positive");
     let load = Load::uniform_on(&beam, 3.0).expect("finite");
     let ground = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 2.0], [5.0, 1.0], [8.0, 2.0]] };
-    let scaled = Scene::new(beam, load, Some(ground)).expect("well posed").scaled().expect("in range");
+    let scaled = Scene::new(beam.clone(), load, Some(ground)).expect("well posed").scaled().expect("in range");
     let (scene, scale, unit) = (&scaled.scene, scaled.scale, scaled.scale.length);
     let pieces = EnclosedLoad::of(scene);
     let ground = EnclosedFoundation::of(scene).expect("there is a foundation");
@@ -154,7 +154,7 @@ fn zones_that_share_an_end_are_one() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     for (q, depth) in [(1.0, 1.0), (3.0, 0.2), (700.0, 1e-3)] {
         let load = Load::uniform_on(&beam, q).expect("finite");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("well posed");
+        let scene = Scene::new(beam.clone(), load, Some(Foundation::Flat { depth })).expect("well posed");
         // a⁴ = 24 EI u/q.
         let a = (24.0 * STIFFNESS * depth / q).sqrt().sqrt();
         let contact = |[from, to]: [f64; 2]| Contact { from, to, force: 1.0, end_forces: None };

@@ -3,49 +3,73 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::foundation::KINDS;
+use super::profile::KINDS;
 use super::survey::Survey;
 use super::table::Span;
 use super::{FileError, Problem, Source};
-use crate::scene::{Quantity, SceneError, Support};
+use crate::scene::{Profile, ProfileKey, Quantity, SceneError};
 
-/// A scene file that has been read, with its survey if it has one.
+/// A scene file that has been read, with its surveys.
 #[derive(Debug)]
 pub(super) struct Located<'a> {
     pub(super) source: &'a Source<'a>,
     pub(super) document: &'a DeTable<'a>,
-    pub(super) survey: Option<&'a Survey>,
+    pub(super) surveys: &'a [(Profile, Option<Survey>)],
 }
 
 impl Located<'_> {
     /// `error` with its place.
     pub(super) fn error(&self, error: SceneError) -> Box<FileError> {
-        if let Some(survey) = self.survey
-            && let Some((quantity, span)) = in_survey(survey, &error)
-        {
-            return survey.error(span, Problem::Scene { error, quantity });
+        let at_support = self.at_support(&error);
+        for (profile, survey) in self.surveys.iter().filter(|_| at_support.is_none()) {
+            if let Some(survey) = survey
+                && let Some((quantity, span)) = in_survey(survey, *profile, &error)
+            {
+                return survey.error(span, Problem::Scene { error, quantity });
+            }
         }
-        let span = self.span(&error).unwrap_or(0..0);
+        let span = at_support.or_else(|| self.span(&error)).unwrap_or(0..0);
         self.source.error(span, Problem::Scene { error, quantity: None })
+    }
+
+    /// The support that an error is about, where supports are given.
+    fn at_support(&self, error: &SceneError) -> Option<Span> {
+        let (SceneError::AboveSupport { at, .. }
+        | SceneError::RisesAtBuiltIn { at, .. }
+        | SceneError::CornerAtBuiltIn { at }) = error
+        else {
+            return None;
+        };
+        let supports = self.document.get("beam")?.get_ref().get("supports")?.get_ref().as_array()?;
+        let place = |support: &Spanned<DeValue<'_>>| -> Option<f64> {
+            match support.get_ref().get("at")?.get_ref() {
+                DeValue::Float(x) => x.as_str().parse().ok(),
+                DeValue::Integer(x) => x.as_str().parse().ok(),
+                _ => None,
+            }
+        };
+        let support = supports.iter().find(|support| place(support).is_some_and(|x| x <= *at && *at <= x))?;
+        Some(support.span())
     }
 
     fn span(&self, error: &SceneError) -> Option<Span> {
         match (error, error.quantity()?) {
-            (SceneError::AboveSupport { support, .. }, _) => match (support, self.foundation_kind()?) {
-                (Support::Left, "points") => self.find("foundation.points[0][1]"),
-                (Support::Right, "points") => {
-                    self.find(&format!("foundation.points[{}][1]", self.points()?.checked_sub(1)?))
-                }
-                (_, kind) => self.find(&format!("foundation.{kind}")),
+            (SceneError::AboveSupport { at, .. }, _) => match self.kind("foundation")? {
+                "points" if *at <= 0.0 => self.find("foundation.points[0][1]"),
+                "points" => self.find(&format!("foundation.points[{}][1]", self.points()?.checked_sub(1)?)),
+                kind => self.find(&format!("foundation.{kind}")),
             },
-            (_, Quantity::Foundation) => self.find(&format!("foundation.{}", self.foundation_kind()?)),
+            (_, Quantity::Profile(of, ProfileKey::Whole)) => {
+                self.find(&format!("{}.{}", of.path(), self.kind(of.path())?))
+            }
+            (_, Quantity::Supports) => self.find("beam.supports").or_else(|| self.find("beam")),
             // Displayed, a quantity is its path.
             (_, quantity) => self.find(&quantity.to_string()),
         }
     }
 
-    fn foundation_kind(&self) -> Option<&'static str> {
-        KINDS.iter().copied().find(|kind| self.find(&format!("foundation.{kind}")).is_some())
+    fn kind(&self, table: &str) -> Option<&'static str> {
+        KINDS.iter().copied().find(|kind| self.find(&format!("{table}.{kind}")).is_some())
     }
 
     fn points(&self) -> Option<usize> {
@@ -71,17 +95,18 @@ fn child<'a>(value: &'a Spanned<DeValue<'a>>, step: &str) -> Option<&'a Spanned<
     }
 }
 
-/// Name and place in the survey, for errors that are about a point of it.
-fn in_survey(survey: &Survey, error: &SceneError) -> Option<(Option<&'static str>, Span)> {
+/// Name and place in the survey of a profile, for errors that are about a point of it.
+fn in_survey(survey: &Survey, profile: Profile, error: &SceneError) -> Option<(Option<&'static str>, Span)> {
     let field = |index, axis| {
         let (name, span) = survey.place(index, axis);
         Some((Some(name), span))
     };
     match (error, error.quantity()?) {
-        (SceneError::AboveSupport { support: Support::Left, .. }, _) => Some((None, survey.place(0, 1).1)),
+        (_, Quantity::Profile(of, _)) if of != profile => None,
+        (SceneError::AboveSupport { at, .. }, _) if *at <= 0.0 => Some((None, survey.place(0, 1).1)),
         (SceneError::AboveSupport { .. } | SceneError::TooFewPoints { .. }, _) => Some((None, survey.last_row())),
-        (_, Quantity::PolylineX(i)) => field(i, 0),
-        (_, Quantity::PolylineDepth(i)) => field(i, 1),
+        (_, Quantity::Profile(_, ProfileKey::PolylineX(i))) => field(i, 0),
+        (_, Quantity::Profile(_, ProfileKey::PolylineDepth(i))) => field(i, 1),
         _ => None,
     }
 }

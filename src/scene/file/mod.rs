@@ -7,13 +7,14 @@
 //!
 //! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
 
+mod beam;
 mod error;
 mod excerpt;
 mod forces;
-mod foundation;
 mod load;
 mod locate;
 mod problem;
+mod profile;
 mod survey;
 mod table;
 
@@ -23,16 +24,17 @@ pub use error::FileError;
 pub use forces::parse_forces;
 pub use problem::{Problem, ReadProblem};
 
-use self::foundation::Given;
+use self::beam::BeamKeys;
 use self::locate::Located;
+use self::profile::Given;
 use self::survey::Survey;
 use self::table::{Keys, Span};
-use super::{Beam, Foundation, Load, Scene, SceneError, Units};
+use super::{Beam, Foundation, Load, Profile, Scene, SceneError, Units};
 
 /// Reads a scene file.
 ///
 /// `name` is the file as messages call it, `text` its contents. `read_survey` is called with the text of the key
-/// `foundation.survey`, as it is written there, and hands back what is in that file.
+/// `foundation.survey`, as it is written there, and hands back what is in that file; so it is with `beam.shape.survey`.
 ///
 /// # Errors
 ///
@@ -41,25 +43,28 @@ use super::{Beam, Foundation, Load, Scene, SceneError, Units};
 pub fn parse(
     name: &str,
     text: &str,
-    read_survey: impl FnOnce(&str) -> Result<String, ReadProblem>,
+    mut read_survey: impl FnMut(&str) -> Result<String, ReadProblem>,
 ) -> Result<Scene, Box<FileError>> {
     if text.is_empty() {
         return Err(Box::new(FileError::whole(name, Problem::Empty)));
     }
     let source = Source { name, text };
     let document = DeTable::parse(text).map_err(|e| source.syntax(&e))?;
-    let parts = read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
-    let (foundation, survey) = match parts.foundation {
-        None => (None, None),
-        Some(Given::Foundation(foundation)) => (Some(foundation), None),
+    let mut parts = read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
+    let mut profile = |given: Option<Given>| match given {
+        None => Ok::<_, Box<FileError>>((None, None)),
+        Some(Given::Profile(profile)) => Ok((Some(profile), None)),
         Some(Given::Survey { path, span }) => {
             let unreadable = |problem| source.error(span, Problem::UnreadableSurvey { path: path.clone(), problem });
             let survey = Survey { name: survey::beside(name, &path), text: read_survey(&path).map_err(unreadable)? };
-            (Some(Foundation::Polyline { points: survey.points()? }), Some(survey))
+            Ok((Some(Foundation::Polyline { points: survey.points()? }), Some(survey)))
         }
     };
-    let located = Located { source: &source, document: document.get_ref(), survey: survey.as_ref() };
-    let scene = assemble(&parts.beam, parts.load, foundation).map_err(|e| located.error(e))?;
+    let (foundation, below) = profile(parts.foundation)?;
+    let (shape, own) = profile(parts.beam.shape.take())?;
+    let surveys = [(Profile::Foundation, below), (Profile::Shape, own)];
+    let located = Located { source: &source, document: document.get_ref(), surveys: &surveys };
+    let scene = assemble(parts.beam, shape, parts.load, foundation).map_err(|e| located.error(e))?;
     Ok(scene.labelled(parts.title, parts.units))
 }
 
@@ -96,30 +101,33 @@ struct Parts {
     foundation: Option<Given>,
 }
 
-struct BeamKeys {
-    length: f64,
-    bending_stiffness: f64,
-}
-
 fn read(document: &DeTable<'_>) -> Result<Parts, table::Error> {
     let file = Keys::of_file(document, &["title", "beam", "load", "foundation", "units"])?;
-    let beam = file.required_table("beam", &["length", "bending_stiffness"])?;
+    let beam = beam::read(&file)?;
     let units = file.table("units", &["length", "force"])?;
     let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
     Ok(Parts {
         title: file.line_of_text("title")?.unwrap_or_default(),
         units: Units { length: label("length")?, force: label("force")? },
-        beam: BeamKeys {
-            length: beam.required_number("length")?,
-            bending_stiffness: beam.required_number("bending_stiffness")?,
-        },
+        beam,
         load: load::read(&file)?,
-        foundation: foundation::read(&file)?,
+        foundation: profile::read(&file, "foundation", Profile::Foundation)?,
     })
 }
 
-fn assemble(beam: &BeamKeys, load: load::LoadKeys, foundation: Option<Foundation>) -> Result<Scene, SceneError> {
-    let beam = Beam::new(beam.length, beam.bending_stiffness)?;
+fn assemble(
+    keys: BeamKeys,
+    shape: Option<Foundation>,
+    load: load::LoadKeys,
+    foundation: Option<Foundation>,
+) -> Result<Scene, SceneError> {
+    let mut beam = Beam::new(keys.length, keys.bending_stiffness)?;
+    if let Some(supports) = keys.supports {
+        beam = beam.with_supports(supports)?;
+    }
+    if let Some(shape) = shape {
+        beam = beam.with_shape(shape)?;
+    }
     let load = Load::new(&beam, load.uniform, load.linear, load.point)?;
     let scene = Scene::new(beam, load, foundation)?;
     scene.scaled()?;

@@ -1,7 +1,7 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
 use super::excerpt::excerpt;
-use crate::scene::SceneError;
+use crate::scene::{Profile, SceneError};
 
 /// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -105,17 +105,27 @@ pub enum Problem {
         /// Path of the number.
         path: String,
     },
-    /// A `[foundation]` without a foundation.
-    #[error("[foundation] has none of the keys {}", list(known))]
-    NoFoundationKind {
+    /// A table of a profile without one.
+    #[error("{} has none of the keys {}", table_of(*of), list(known))]
+    NoProfileKind {
+        /// Which profile.
+        of: Profile,
         /// What could be there.
         known: &'static [&'static str],
     },
-    /// A `[foundation]` with more than one.
-    #[error("[foundation] has {} keys that each give a foundation: {}", found.len(), list(found))]
-    SeveralFoundationKinds {
+    /// A table of a profile with more than one.
+    #[error("{} has {} keys that each give {of}: {}", table_of(*of), found.len(), list(found))]
+    SeveralProfileKinds {
+        /// Which profile.
+        of: Profile,
         /// What is there.
         found: Vec<&'static str>,
+    },
+    /// The slope of a support that holds none.
+    #[error("`{path}` must not be there: a support holds a slope only with `built_in = true`")]
+    SlopeWithoutBuiltIn {
+        /// Path of the slope.
+        path: String,
     },
     /// The numbers of the file make no scene. In a survey, `quantity` says how the survey calls the number.
     #[error("{}", in_words_of_the_file(error, *quantity))]
@@ -222,8 +232,11 @@ impl Problem {
                     .to_owned(),
             ),
             Self::KeyTwice { .. } => Some("expected only once".to_owned()),
-            Self::NoFoundationKind { .. } => Some("expected exactly one of them, or no [foundation] at all".to_owned()),
-            Self::SeveralFoundationKinds { .. } => Some("expected exactly one of them".to_owned()),
+            Self::NoProfileKind { of, .. } => {
+                Some(format!("expected exactly one of them, or no {} at all", table_of(*of)))
+            }
+            Self::SeveralProfileKinds { .. } => Some("expected exactly one of them".to_owned()),
+            Self::SlopeWithoutBuiltIn { .. } => Some("expected `built_in = true` beside it, or no slope".to_owned()),
             Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
             Self::ForcesHeader { .. } | Self::ForcesWithoutHeader => {
                 Some("expected `x,force`, then one force in each row".to_owned())
@@ -238,6 +251,14 @@ impl Problem {
 
 fn in_table(path: &str) -> String {
     if path.is_empty() { "in the scene".to_owned() } else { format!("in `{path}`") }
+}
+
+/// The table of a profile, as a message calls it.
+fn table_of(profile: Profile) -> &'static str {
+    match profile {
+        Profile::Foundation => "[foundation]",
+        Profile::Shape => "`beam.shape`",
+    }
 }
 
 fn list(keys: &[&str]) -> String {

@@ -75,6 +75,15 @@ impl<'a> Keys<'a> {
         self.get(key).map(|value| value.number()).transpose()
     }
 
+    /// `true` or `false`.
+    pub(super) fn truth(&self, key: &str) -> Result<Option<bool>, Error> {
+        let truth = |value: Value<'_>| match value.value.get_ref() {
+            DeValue::Boolean(truth) => Ok(*truth),
+            _ => Err(value.wrong_type("true or false")),
+        };
+        self.get(key).map(truth).transpose()
+    }
+
     pub(super) fn required_number(&self, key: &str) -> Result<f64, Error> {
         self.required(key, "a number", self.number(key)?)
     }

@@ -138,7 +138,8 @@ fn conditions_are_asked_at_the_nodes() {
     );
     let beam = Beam::new(2.0, 1.0 / 6.0).expect("positive");
     let at = |depth: f64, force: f64| {
-        let scene = Scene::new(beam, load.clone().expect("finite"), Some(Foundation::Flat { depth })).expect("a scene");
+        let scene =
+            Scene::new(beam.clone(), load.clone().expect("finite"), Some(Foundation::Flat { depth })).expect("a scene");
         let found = violations_at_nodes(&Lumped::new(&scene, [(1.0, force)]).expect("a node"));
         found.iter().map(|v| (v.kind, v.at, v.amount, v.relative)).collect::<Vec<_>>()
     };

@@ -50,7 +50,7 @@ fn forces(random: &mut Random, scene: &Scene, exact: &Exact) -> Vec<(f64, f64)> 
 /// Deflection at some places under the true load and forces, by the beam's own flexibility.
 fn caused(scene: &Scene, forces: &[(f64, f64)], x: f64) -> f64 {
     let (l, ei) = (scene.beam().length(), scene.beam().bending_stiffness());
-    let bare = Scene::new(*scene.beam(), scene.load().clone(), None).expect("a beam without a foundation");
+    let bare = Scene::new(scene.beam().clone(), scene.load().clone(), None).expect("a beam without a foundation");
     let free = theory::solve(&bare).expect("a free beam").deflection(x);
     let lifted: f64 = forces
         .iter()

@@ -63,8 +63,8 @@ fn the_words_say_how_far() {
 
     let beam = Beam::new(10.0, 1.3).expect("positive");
     for foundation in [None, Some(Foundation::Flat { depth: 1.0 }), Some(Foundation::Flat { depth: 0.0 })] {
-        let scene =
-            Scene::new(beam, Load::new(&beam, 0.0, vec![], vec![]).expect("no load"), foundation).expect("a scene");
+        let scene = Scene::new(beam.clone(), Load::new(&beam, 0.0, vec![], vec![]).expect("no load"), foundation)
+            .expect("a scene");
         let solution = palkki::solve_exactly(&scene).expect("an answer");
         let words = (solution.verdict.status, solution.verdict.to_string());
         assert_eq!(

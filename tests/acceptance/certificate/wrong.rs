@@ -59,7 +59,7 @@ fn check(what: &str, scene: &Scene, forces: &[f64]) {
 /// deflection without contact.
 fn caused_at_nodes(scene: &Scene, intervals: usize, forces: &[f64]) -> Vec<f64> {
     let (l, ei) = (scene.beam().length(), scene.beam().bending_stiffness());
-    let bare = Scene::new(*scene.beam(), scene.load().clone(), None).expect("a beam without a foundation");
+    let bare = Scene::new(scene.beam().clone(), scene.load().clone(), None).expect("a beam without a foundation");
     let free = theory::solve(&bare).expect("a free beam");
     let n = forces.len();
     (1..intervals)

@@ -166,11 +166,11 @@ fn files_as_editors_of_all_kinds_leave_them() {
 fn what_a_terminal_would_obey_is_not_passed_on() {
     let folder = Folder::new("terminal");
     folder.write("escape.toml", "[beam]\nlength = 10\nbending_stiffness = 1\nx = 1 # \u{9b}31m \u{85} ä\n");
-    insta::assert_snapshot!(folder.refused("solve escape.toml"), @r##"
+    insta::assert_snapshot!(folder.refused("solve escape.toml"), @r#"
     error: unknown key "x" in `beam`
      --> escape.toml:4:1
       |
     4 | x = 1 # ·31m · ä
-      | ^ expected one of `length`, `bending_stiffness`
-    "##);
+      | ^ expected one of `length`, `bending_stiffness`, `shape`, `supports`
+    "#);
 }

@@ -9,7 +9,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// Resultant force and moment about the left support of nodal loads.
 fn resultants(beam: &Beam, load: &Load, intervals: usize) -> (f64, f64) {
-    let scene = Scene::new(*beam, load.clone(), None).expect("a scene");
+    let scene = Scene::new(beam.clone(), load.clone(), None).expect("a scene");
     let grid = Grid::uniform(&scene, intervals).expect("enough intervals");
     let forces = grid.nodal_loads(load);
     assert_eq!(forces.len(), intervals + 1, "a load on every node");
@@ -58,7 +58,7 @@ fn nodal_loads_keep_force_and_moment() {
 fn nodal_loads_are_those_of_the_paper_and_of_the_lever() {
     let beam = Beam::new(9.0, 1.0).expect("a beam");
     let of = |load: &Load, intervals| {
-        let scene = Scene::new(beam, load.clone(), None).expect("a scene");
+        let scene = Scene::new(beam.clone(), load.clone(), None).expect("a scene");
         Grid::uniform(&scene, intervals).expect("enough intervals").nodal_loads(load)
     };
     let uniform = of(&Load::uniform_on(&beam, 2.0).expect("a load"), 9);

@@ -81,7 +81,7 @@ fn seen_from_the_other_side_it_is_the_same() {
         });
         let point = scene.load().point().iter().map(|p| PointLoad { at: l - p.at, force: p.force });
         let load = Load::new(scene.beam(), scene.load().uniform(), linear.collect(), point.collect());
-        let mirrored = Scene::new(*scene.beam(), load.expect("a load"), Some(Foundation::Polyline { points }));
+        let mirrored = Scene::new(scene.beam().clone(), load.expect("a load"), Some(Foundation::Polyline { points }));
         let (a, b) = (solve(&scene).expect("an answer"), solve(&mirrored.expect("a scene")).expect("an answer"));
         assert_eq!((a.status, b.status), (Status::Certified, Status::Certified));
         let (a, b) = (a.state, b.state);

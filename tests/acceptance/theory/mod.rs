@@ -1,5 +1,6 @@
 //! Beam theory with free lift-off points: closed forms first, then its own conditions on scenes without one.
 
+mod balance;
 mod borders;
 mod closed;
 mod level;

@@ -32,8 +32,8 @@ fn loads(beam: &Beam, at: f64) -> [Load; 3] {
     [point(300.0), point(-20.0), Load::new(beam, 10.0, vec![linear], Vec::new()).expect("a load")]
 }
 
-fn solved(beam: Beam, load: Load, foundation: &Foundation) -> Exact {
-    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("a scene");
+fn solved(beam: &Beam, load: Load, foundation: &Foundation) -> Exact {
+    let scene = Scene::new(beam.clone(), load, Some(foundation.clone())).expect("a scene");
     solve(&scene).expect("an answer")
 }
 
@@ -43,12 +43,12 @@ fn a_load_may_lie_beside_any_place() {
     let shares = [1e-15, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6];
     for foundation in foundations() {
         for at in [4.0, 6.0, 9.0_f64] {
-            let here = loads(&beam, at).map(|load| solved(beam, load, &foundation).state.energy);
+            let here = loads(&beam, at).map(|load| solved(&beam, load, &foundation).state.energy);
             let mut places = vec![at, at.next_up(), at.next_down()];
             places.extend(shares.iter().flat_map(|share| [at - share * LENGTH, at + share * LENGTH]));
             for x in places {
                 for (load, energy) in loads(&beam, x).into_iter().zip(here) {
-                    let beside = solved(beam, load, &foundation);
+                    let beside = solved(&beam, load, &foundation);
                     let what = format!("{foundation:?}, load at {x:?} beside {at}");
                     assert_eq!(beside.status, Status::Certified, "{what}: {:?}", beside.violations);
                     let allowed = DIGITS + SENSITIVITY * (x - at).abs() / LENGTH;
@@ -65,7 +65,7 @@ fn a_force_beside_a_kink_has_the_energy_of_one_on_it() {
     let [ridge, ..] = foundations();
     for at in [9.0, 9.000_000_000_000_01] {
         let [force, ..] = loads(&beam, at);
-        let energy = solved(beam, force, &ridge).state.energy;
+        let energy = solved(&beam, force, &ridge).state.energy;
         assert!((energy - -127.265_820_8).abs() < 1e-6, "{energy} for a force at {at}");
     }
 }

@@ -73,12 +73,13 @@ fn well_posed(scene: &Scene) {
     assert!(0.0 < length && length.is_finite(), "length {length}");
     assert!(0.0 < beam.bending_stiffness() && beam.bending_stiffness().is_finite(), "a stiffness");
     assert!(load.magnitude(length).is_finite() && load.resultant(length).is_finite(), "loads");
-    for x in [0.0, length] {
-        assert!(0.0 <= scene.depth(x), "the foundation lies above the support at {x}: {}", scene.depth(x));
+    for support in beam.supports() {
+        let depth = scene.depth(support.at);
+        assert!(support.level <= depth, "the foundation lies above the support at {}: {depth}", support.at);
     }
     if scene.foundation().is_some() {
         for k in 0..=16 {
-            let depth = scene.depth(length * (f64::from(k) / 16.0));
+            let depth = scene.gap(length * (f64::from(k) / 16.0));
             assert!(depth.is_finite(), "depth {depth}");
         }
     }
@@ -89,7 +90,7 @@ fn well_posed(scene: &Scene) {
     assert!(!printed.into_iter().any(char::is_control), "labels can be printed");
 
     // Again from its parts, and in dimensionless numbers.
-    assert!(Scene::new(*beam, load.clone(), scene.foundation().cloned()).is_ok(), "its parts make a scene");
+    assert!(Scene::new(beam.clone(), load.clone(), scene.foundation().cloned()).is_ok(), "its parts make a scene");
     match scene.scaled() {
         Ok(scaled) => {
             let beam = scaled.scene.beam();

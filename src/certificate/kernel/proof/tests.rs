@@ -24,7 +24,7 @@ fn the_gap_is_the_difference_of_the_two_energies() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
     let flat = Foundation::Flat { depth: DEPTH };
-    let scene = Scene::new(beam, load, Some(flat.clone())).expect("well posed");
+    let scene = Scene::new(beam.clone(), load, Some(flat.clone())).expect("well posed");
     let pieces = EnclosedLoad::of(&scene);
     let enclosed = EnclosedScene {
         foundation: EnclosedFoundation::on(&flat, LENGTH),
@@ -63,7 +63,7 @@ fn corrected(foundation: Foundation, point: f64, slope: f64, corner: bool, lower
     let middle = 0.5 * LENGTH;
     let points = vec![PointLoad { at: middle, force: point }];
     let load = Load::new(&beam, LOAD, Vec::new(), points).expect("finite");
-    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
+    let scene = Scene::new(beam.clone(), load, Some(foundation.clone())).expect("well posed");
     let pieces = EnclosedLoad::of(&scene);
     let enclosed = EnclosedScene {
         foundation: EnclosedFoundation::on(&foundation, LENGTH),
@@ -134,7 +134,7 @@ fn a_beam_that_lies_on_the_ground_has_its_shear() {
     let foundation = Foundation::Polynomial { coefficients };
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
-    let pieces = EnclosedLoad::of(&Scene::new(beam, load, Some(foundation.clone())).expect("well posed"));
+    let pieces = EnclosedLoad::of(&Scene::new(beam.clone(), load, Some(foundation.clone())).expect("well posed"));
     let enclosed = EnclosedScene {
         foundation: EnclosedFoundation::on(&foundation, LENGTH),
         load: &pieces,
@@ -154,7 +154,7 @@ fn of_nodes_that_are_no_list_nothing_follows() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
     let flat = Foundation::Flat { depth: DEPTH };
-    let pieces = EnclosedLoad::of(&Scene::new(beam, load, Some(flat.clone())).expect("well posed"));
+    let pieces = EnclosedLoad::of(&Scene::new(beam.clone(), load, Some(flat.clone())).expect("well posed"));
     let enclosed = EnclosedScene {
         foundation: EnclosedFoundation::on(&flat, LENGTH),
         load: &pieces,
@@ -197,7 +197,8 @@ fn at_the_foot_of_a_step_no_support_is_met() {
         [([[0.0, 0.0], [0.0, 1.0], [LENGTH, 1.0]], false), ([[0.0, 1.0], [0.0, 0.0], [LENGTH, 0.0]], true)]
     {
         let ground = Foundation::Polyline { points: points.to_vec() };
-        let pieces = EnclosedLoad::of(&Scene::new(beam, load.clone(), Some(ground.clone())).expect("well posed"));
+        let pieces =
+            EnclosedLoad::of(&Scene::new(beam.clone(), load.clone(), Some(ground.clone())).expect("well posed"));
         let enclosed = EnclosedScene {
             foundation: EnclosedFoundation::on(&ground, LENGTH),
             load: &pieces,
@@ -233,8 +234,9 @@ fn a_couple_that_pulls_counts_at_both_supports() {
             (vec![steep * LENGTH, -steep], [end(Kind::Support, 0.0, -other), end(Kind::Clamp, LENGTH, 0.0)]),
         ] {
             let foundation = Foundation::Polynomial { coefficients };
-            let pieces =
-                EnclosedLoad::of(&Scene::new(beam, load.clone(), Some(foundation.clone())).expect("well posed"));
+            let pieces = EnclosedLoad::of(
+                &Scene::new(beam.clone(), load.clone(), Some(foundation.clone())).expect("well posed"),
+            );
             let enclosed = EnclosedScene {
                 foundation: EnclosedFoundation::on(&foundation, LENGTH),
                 load: &pieces,

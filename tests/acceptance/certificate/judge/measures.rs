@@ -167,7 +167,7 @@ fn a_clearance_is_as_good_as_the_depth_that_it_is_taken_from() {
 fn where_there_is_no_ground_clearances_are_infinite() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     for load in [0.0, LOAD] {
-        let scene = Scene::new(beam, Load::uniform_on(&beam, load).expect("finite"), None).expect("well posed");
+        let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, load).expect("finite"), None).expect("well posed");
         let mut state = answer(&scene);
         is("a beam without a foundation", judged(&scene, &state).residual(), 0.0);
         state.nodes.as_mut().expect("nodes").clearance[2] = 1.0;

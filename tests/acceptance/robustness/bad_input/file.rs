@@ -86,7 +86,7 @@ fn unknown_key() {
      --> scene.toml:5:1
       |
     5 | lenght = 10.0
-      | ^^^^^^ expected one of `length`, `bending_stiffness`
+      | ^^^^^^ expected one of `length`, `bending_stiffness`, `shape`, `supports`
     "#);
 }
 
@@ -119,7 +119,7 @@ fn unknown_key_that_would_upset_a_terminal() {
      --> scene.toml:5:1
       |
     5 | "\u001b[31m" = 10.0
-      | ^^^^^^^^^^^^ expected one of `length`, `bending_stiffness`
+      | ^^^^^^^^^^^^ expected one of `length`, `bending_stiffness`, `shape`, `supports`
     "#);
 }
 

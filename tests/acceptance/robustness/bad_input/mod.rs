@@ -3,6 +3,7 @@
 
 mod file;
 mod scene;
+mod supports;
 mod survey;
 
 use palkki::scene::file::{ReadProblem, parse};
@@ -36,7 +37,7 @@ fn survey(text: &str) -> String {
 #[track_caller]
 fn unreadable(problem: ReadProblem) -> String {
     let scene = EVERY_KEY.replacen("depth = 1.0", "survey = 'levels.csv'", 1);
-    let error = parse("site/scene.toml", &scene, |_| Err(problem)).expect_err("there is no survey");
+    let error = parse("site/scene.toml", &scene, |_| Err(problem.clone())).expect_err("there is no survey");
     error.to_string()
 }
 

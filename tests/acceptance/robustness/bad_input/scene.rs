@@ -162,7 +162,7 @@ fn points_do_not_cover_the_beam() {
 #[test]
 fn foundation_above_a_support() {
     insta::assert_snapshot!(message("depth = 1.0", "polynomial = [1.0, -0.2]"), @"
-    error: the foundation must not lie above a support, but its depth at the right support (x = 10) is -1; no deflection satisfies the supports and the foundation
+    error: the foundation must not lie above a support, but its depth at the support x = 10 is -1, above the level 0 of the support; no deflection satisfies the supports and the foundation
       --> scene.toml:14:14
        |
     14 | polynomial = [1.0, -0.2]
@@ -173,7 +173,7 @@ fn foundation_above_a_support() {
 #[test]
 fn foundation_above_a_support_by_a_point() {
     insta::assert_snapshot!(message("depth = 1.0", "points = [[0, 1],\n  [10, -1]]"), @"
-    error: the foundation must not lie above a support, but its depth at the right support (x = 10) is -1; no deflection satisfies the supports and the foundation
+    error: the foundation must not lie above a support, but its depth at the support x = 10 is -1, above the level 0 of the support; no deflection satisfies the supports and the foundation
       --> scene.toml:15:8
        |
     15 |   [10, -1]]
@@ -231,5 +231,5 @@ fn constructors_name_quantity_value_and_requirement() {
     let backwards = LinearLoad { from: 3.0, to: 3.0, start: 1.0, end: 1.0 };
     insta::assert_snapshot!(Beam::new(f64::INFINITY, 1.3).expect_err("infinite length"), @"`beam.length` must be positive and finite, but is inf");
     insta::assert_snapshot!(Load::new(&beam, 0.0, vec![backwards], vec![]).expect_err("no length"), @"`load.linear[0].to` must be greater than the start of the load, 3, but is 3");
-    insta::assert_snapshot!(Foundation::Flat { depth: -0.5 }.checked(&beam).expect_err("above the supports"), @"the foundation must not lie above a support, but its depth at the left support (x = 0) is -0.5; no deflection satisfies the supports and the foundation");
+    insta::assert_snapshot!(Foundation::Flat { depth: -0.5 }.checked(&beam).expect_err("above the supports"), @"the foundation must not lie above a support, but its depth at the support x = 0 is -0.5, above the level 0 of the support; no deflection satisfies the supports and the foundation");
 }

@@ -146,14 +146,14 @@ fn survey_does_not_cover_the_beam() {
 #[test]
 fn survey_above_a_support() {
     insta::assert_snapshot!(survey("x,depth\n0,-0.125\n10,1\n"), @"
-    error: the foundation must not lie above a support, but its depth at the left support (x = 0) is -0.125; no deflection satisfies the supports and the foundation
+    error: the foundation must not lie above a support, but its depth at the support x = 0 is -0.125, above the level 0 of the support; no deflection satisfies the supports and the foundation
      --> site/levels.csv:2:3
       |
     2 | 0,-0.125
       |   ^^^^^^
     ");
     insta::assert_snapshot!(survey("x,depth\n0,1\n10,-1\n\n"), @"
-    error: the foundation must not lie above a support, but its depth at the right support (x = 10) is -1; no deflection satisfies the supports and the foundation
+    error: the foundation must not lie above a support, but its depth at the support x = 10 is -1, above the level 0 of the support; no deflection satisfies the supports and the foundation
      --> site/levels.csv:3:1
       |
     3 | 10,-1

@@ -10,5 +10,6 @@ pub mod forward;
 pub mod given;
 pub mod number;
 pub mod rational;
+pub mod statics;
 
 pub use dashu_ratio::RBig;

@@ -86,7 +86,7 @@ pub fn survey(ground: Ground, segments: u32, load: f64) -> Result<Scene, SceneEr
     let place = |i: u32| LENGTH * (f64::from(i) / f64::from(segments));
     let points = (0..=segments).zip(heights).map(|(i, height)| [place(i), depth(height)]).collect();
     let beam = Beam::new(LENGTH, STIFFNESS)?;
-    Scene::new(beam, Load::uniform_on(&beam, load)?, Some(Foundation::Polyline { points }))
+    Scene::new(beam.clone(), Load::uniform_on(&beam, load)?, Some(Foundation::Polyline { points }))
 }
 
 #[cfg(test)]

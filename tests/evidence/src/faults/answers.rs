@@ -216,7 +216,7 @@ pub fn scaled_ground(scene: &Scene, share: f64) -> Result<Scene, SceneError> {
             Foundation::Polyline { points: points.iter().map(|p| [p[0], p[1] * factor]).collect() }
         }
     });
-    Scene::new(*scene.beam(), scene.load().clone(), foundation)
+    Scene::new(scene.beam().clone(), scene.load().clone(), foundation)
 }
 
 /// The scene with all loads multiplied by `1 + share`.
@@ -230,7 +230,7 @@ pub fn scaled_load(scene: &Scene, share: f64) -> Result<Scene, SceneError> {
     let linear = load.linear().iter().map(|q| LinearLoad { start: q.start * factor, end: q.end * factor, ..*q });
     let point = load.point().iter().map(|p| PointLoad { force: p.force * factor, ..*p });
     let load = Load::new(scene.beam(), load.uniform() * factor, linear.collect(), point.collect())?;
-    Scene::new(*scene.beam(), load, scene.foundation().cloned())
+    Scene::new(scene.beam().clone(), load, scene.foundation().cloned())
 }
 
 /// Every second interior node of a state on twice as many intervals, as if it were the answer on the coarser grid.

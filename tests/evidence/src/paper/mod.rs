@@ -62,7 +62,7 @@ pub fn example() -> Result<Scene, SceneError> {
 /// What is wrong with the foundation.
 pub fn scene_over(foundation: Foundation) -> Result<Scene, SceneError> {
     let beam = beam()?;
-    Scene::new(beam, Load::uniform_on(&beam, UNIFORM)?, Some(foundation))
+    Scene::new(beam.clone(), Load::uniform_on(&beam, UNIFORM)?, Some(foundation))
 }
 
 /// Beam theory for the example: the paper's "vertailuratkaisu".

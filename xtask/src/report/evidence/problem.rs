@@ -98,7 +98,7 @@ const PRINTED: u8 = 4;
 pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
     // Spacing and stiffness are 1, so that the numbers are multiples of EI/Δ⁴, EI/Δ³ and Δ³/EI.
     let beam = Beam::new(f64::from(PRINTED), 1.0)?;
-    let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+    let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
     let discrete = Discrete::new(&scene, usize::from(PRINTED))?;
     let n = discrete.interior();
     let mut matrices = String::new();

@@ -113,7 +113,7 @@ pub fn point_forces() -> Result<PointForces, SceneError> {
         for node in (1..intervals).step_by(4) {
             let at = l * node as f64 / intervals as f64;
             let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at, force: 1.0 }])?;
-            let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1e3 }))?;
+            let scene = Scene::new(beam.clone(), load, Some(Foundation::Flat { depth: 1e3 }))?;
             // v = b x (l² − b² − x²) / (6 EI l) for x ≤ a, with b = l − a; M = a b / l under the load.
             let exact = |x: f64| {
                 let (x, b) = if x <= at { (x, l - at) } else { (l - x, at) };

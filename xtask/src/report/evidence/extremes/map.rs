@@ -93,7 +93,7 @@ fn of_waves() -> Result<(Strip, Value), Cause> {
             let load = Load::uniform_on(&beam, 1.0)?;
             let waves =
                 Foundation::Cosine { mean: depth, amplitude: share * depth, wavelength: 1.0 / WAVES, phase: 0.0 };
-            let scene = Scene::new(beam, load, Some(waves))?;
+            let scene = Scene::new(beam.clone(), load, Some(waves))?;
             let exact = theory::solve(&scene)?;
             let verdict = if exact.status == Status::Certified {
                 if share == 0.0 {

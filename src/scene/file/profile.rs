@@ -1,40 +1,41 @@
-//! `[foundation]` of a scene file: exactly one of five ways to give `u(x)`.
+//! `[foundation]` and `beam.shape` of a scene file: exactly one of five ways to give a depth `u(x)`, or `w0(x)`.
 
 use super::Problem;
 use super::table::{Error, Keys, Span, Value};
-use crate::scene::Foundation;
+use crate::scene::{Foundation, Profile};
 
-/// The five ways, as the keys of `[foundation]`.
+/// The five ways, as the keys of the table.
 pub(super) const KINDS: &[&str] = &["depth", "polynomial", "cosine", "points", "survey"];
 
-/// What `[foundation]` says.
+/// What the table says.
 #[derive(Debug)]
 pub(super) enum Given {
-    /// The foundation itself.
-    Foundation(Foundation),
+    /// The profile itself.
+    Profile(Foundation),
     /// The name of a survey, and where it is written.
     Survey { path: String, span: Span },
 }
 
-pub(super) fn read(file: &Keys<'_>) -> Result<Option<Given>, Error> {
-    let Some(table) = file.table("foundation", KINDS)? else {
+/// The profile in the table `key` of `parent`, if it is there.
+pub(super) fn read(parent: &Keys<'_>, key: &str, of: Profile) -> Result<Option<Given>, Error> {
+    let Some(table) = parent.table(key, KINDS)? else {
         return Ok(None);
     };
     let mut given: Vec<(&'static str, Value<'_>)> =
         KINDS.iter().filter_map(|&kind| Some((kind, table.get(kind)?))).collect();
     given.sort_by_key(|(_, value)| value.span().start);
     match &given[..] {
-        [] => Err(Error { span: table.span(), problem: Problem::NoFoundationKind { known: KINDS } }),
+        [] => Err(Error { span: table.span(), problem: Problem::NoProfileKind { of, known: KINDS } }),
         [(kind, value)] => one(kind, value).map(Some),
         [_, (_, second), ..] => Err(Error {
             span: second.span(),
-            problem: Problem::SeveralFoundationKinds { found: given.iter().map(|(kind, _)| *kind).collect() },
+            problem: Problem::SeveralProfileKinds { of, found: given.iter().map(|(kind, _)| *kind).collect() },
         }),
     }
 }
 
 fn one(kind: &str, value: &Value<'_>) -> Result<Given, Error> {
-    Ok(Given::Foundation(match kind {
+    Ok(Given::Profile(match kind {
         "depth" => Foundation::Flat { depth: value.number()? },
         "polynomial" => Foundation::Polynomial {
             coefficients: value

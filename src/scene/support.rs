@@ -1,0 +1,132 @@
+//! What holds the beam: supports, and what they ask of the deflection.
+//!
+//! ```text
+//! axis of the beam        w0 + v                      own shape and deflection, both positive downwards
+//! simple support at x_s   w0 + v = level              d_s = level − w0(x_s)
+//! built in besides        w0' + v' = slope            φ_s = slope − w0'(x_s)
+//! ground                  w0 + v ≤ u                  g = u − w0
+//! ```
+//!
+//! So everything numerical needs `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
+
+use super::error::{SceneError, finite, on_beam};
+use super::pieces;
+use super::quantity::Quantity;
+use super::{Beam, Foundation, Scene};
+
+/// A support: it holds the axis of the beam at one place against moving down and up, and if it is built in against turning too.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Support {
+    /// Where it is, `x_s` \[length\].
+    pub at: f64,
+    /// How deep it holds the axis, positive downwards \[length\].
+    pub level: f64,
+    /// The slope at which it holds the axis, `w0' + v'`, positive where the axis goes down to the right; [`None`] for a simple
+    /// support, which leaves the slope free.
+    pub slope: Option<f64>,
+}
+
+impl Support {
+    /// A simple support at level 0.
+    #[must_use]
+    pub fn simple(at: f64) -> Self {
+        Self { at, level: 0.0, slope: None }
+    }
+
+    /// A support at level 0 in which the beam is built in horizontally.
+    #[must_use]
+    pub fn built_in(at: f64) -> Self {
+        Self { slope: Some(0.0), ..Self::simple(at) }
+    }
+
+    /// The same support at another level \[length\].
+    #[must_use]
+    pub fn at_level(self, level: f64) -> Self {
+        Self { level, ..self }
+    }
+}
+
+/// A support as everything numerical needs it: what it asks of the deflection `v` from the own shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Held {
+    /// Where, `x_s` \[length\].
+    pub at: f64,
+    /// `v(x_s) = d_s = level − w0(x_s)` \[length\].
+    pub deflection: f64,
+    /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
+    pub slope: Option<f64>,
+    /// True if the ground to the left and to the right of it starts at its level, up to the rounding of its depth there.
+    pub grounded: [bool; 2],
+}
+
+/// `supports` from left to right, checked for a beam of this length; indices in errors are those of the list as it is given.
+pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<Support>, SceneError> {
+    for (i, support) in supports.iter().enumerate() {
+        on_beam(Quantity::SupportAt(i), support.at, length)?;
+        finite(Quantity::SupportLevel(i), support.level)?;
+        finite(Quantity::SupportSlope(i), support.slope.unwrap_or(0.0))?;
+    }
+    let mut sorted: Vec<(usize, Support)> = supports.into_iter().enumerate().collect();
+    sorted.sort_by(|(_, a), (_, b)| a.at.total_cmp(&b.at));
+    #[expect(clippy::float_cmp, reason = "one place is exactly one place")]
+    if let Some(pair) = sorted.windows(2).find(|pair| pair[0].1.at == pair[1].1.at) {
+        let quantity = Quantity::SupportAt(pair[0].0.max(pair[1].0));
+        return Err(SceneError::TwoSupportsAtOnePlace { quantity, value: pair[0].1.at });
+    }
+    Ok(sorted.into_iter().map(|(_, support)| support).collect())
+}
+
+impl Foundation {
+    /// No foundation lies above a support of `beam`, nor rises above the beam beside one in which it is built in.
+    pub(super) fn check_at_supports(&self, beam: &Beam) -> Result<(), SceneError> {
+        let length = beam.length();
+        for &Support { at, level, slope } in beam.supports() {
+            let depth = self.depth(at);
+            if depth.is_nan() {
+                return Err(self.overflow_at(at));
+            }
+            let within = self.level_within(at, length);
+            if depth < level - within {
+                return Err(SceneError::AboveSupport { at, depth, level });
+            }
+            let Some(held) = slope else { continue };
+            for (side, name, inside) in [(0, "left", 0.0 < at), (1, "right", at < length)] {
+                let [depth, slope] = self.sides(at)[side];
+                let rise = if side == 0 { slope - held } else { held - slope };
+                let rounding = pieces::LEVEL * (self.slope_size(at) + held.abs());
+                if inside && depth <= level + within && rounding < rise {
+                    return Err(SceneError::RisesAtBuiltIn { at, side: name, slope, held });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Scene {
+    /// What the supports ask of the deflection, from left to right.
+    #[must_use]
+    pub fn held(&self) -> Vec<Held> {
+        self.beam().supports().iter().map(|support| self.held_by(support)).collect()
+    }
+
+    fn held_by(&self, &Support { at, level, slope }: &Support) -> Held {
+        let [own, turn] =
+            self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
+        let grounded = self.foundation().map_or([false; 2], |foundation| {
+            let within = foundation.level_within(at, self.beam().length());
+            foundation.sides(at).map(|[depth, _]| depth <= level + within)
+        });
+        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), grounded }
+    }
+
+    /// Refuses a scene that is not the paper's: a straight beam on two simple supports, at its ends and at level 0. For what
+    /// knows no others; `what` is the subject of the message.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::OnlySimpleBeam`].
+    pub fn only_simple_beam(&self, what: &'static str) -> Result<(), SceneError> {
+        if self.beam().is_simple() { Ok(()) } else { Err(SceneError::OnlySimpleBeam { what }) }
+    }
+}
