@@ -14,6 +14,19 @@ pub struct Reactions {
     pub right: f64,
 }
 
+/// What a support does to the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct SupportForce {
+    /// Where it is \[length\].
+    pub at: f64,
+    /// Upwards on the beam, with the load that stands on the support \[force\].
+    pub force: f64,
+    /// Bending moment beside a support in which the beam is built in, on the side of the larger one; [`None`] for a simple
+    /// support \[force · length\].
+    pub moment: Option<f64>,
+}
+
 /// How much of the foundation the beam touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
@@ -190,8 +203,11 @@ pub struct Nodes {
 pub struct ContactState {
     /// How much it touches.
     pub regime: Regime,
-    /// Forces of the supports, with the load that a discretisation puts on the support itself counted in.
+    /// Forces of the supports at the two ends, with the load that a discretisation puts on the support itself counted in; zero
+    /// at an end without one.
     pub reactions: Reactions,
+    /// Forces of all supports, from left to right.
+    pub supports: Vec<SupportForce>,
     /// Where it touches, from left to right.
     pub contacts: Vec<Contact>,
     /// Deflection, positive downwards \[length\].
@@ -232,9 +248,15 @@ impl ContactState {
             force: c.force * force,
             end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
         };
+        let support = |s: SupportForce| SupportForce {
+            at: s.at * length,
+            force: s.force * force,
+            moment: s.moment.map(|moment| moment * scale.moment()),
+        };
         Self {
             regime: self.regime,
             reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
+            supports: self.supports.into_iter().map(support).collect(),
             contacts: self.contacts.into_iter().map(contact).collect(),
             deflection: extremes(self.deflection, depth),
             moment: extremes(self.moment, scale.moment()),
@@ -257,7 +279,8 @@ impl ContactState {
         let numbers =
             [reactions.left, reactions.right, deflection.max, deflection.min, moment.max, moment.min, *energy];
         let contacts = self.contacts.iter().flat_map(|c| [c.from, c.to, c.force]);
-        numbers.into_iter().chain(contacts).all(f64::is_finite)
+        let supports = self.supports.iter().flat_map(|s| [s.force, s.moment.unwrap_or(0.0)]);
+        numbers.into_iter().chain(contacts).chain(supports).all(f64::is_finite)
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::{Discrete, statics};
 use crate::scene::Grid;
-use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime};
+use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime, SupportForce};
 
 /// What an answer means for the interior nodes.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,6 +95,9 @@ pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
     grid.places(1, &mut carried);
     ContactState {
         regime: Regime::of(&contacts),
+        supports: [(0.0, reactions.left), (length, reactions.right)]
+            .map(|(at, force)| SupportForce { at, force, moment: None })
+            .to_vec(),
         reactions,
         contacts,
         deflection: placed(deflection, &grid),

@@ -229,6 +229,7 @@ mod tests {
         let state = ContactState {
             regime: Regime::Zone,
             reactions: Reactions::default(),
+            supports: Vec::new(),
             contacts: contacts.iter().map(contact).collect(),
             deflection: Extremes::default(),
             moment: Extremes::default(),

@@ -55,7 +55,7 @@ pub struct Held {
     pub deflection: f64,
     /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
     pub slope: Option<f64>,
-    /// True if the ground to the left and to the right of it starts at its level, up to the rounding of its depth there.
+    /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there.
     pub grounded: [bool; 2],
 }
 
@@ -115,7 +115,13 @@ impl Scene {
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
         let grounded = self.foundation().map_or([false; 2], |foundation| {
             let within = foundation.level_within(at, self.beam().length());
-            foundation.sides(at).map(|[depth, _]| depth <= level + within)
+            // At an end of the beam with a step the smaller depth governs, and there is ground on one side only.
+            let [first, last] = [at <= 0.0, self.beam().length() <= at];
+            let [left, right] = match first || last {
+                true => [foundation.depth(at); 2],
+                false => foundation.sides(at).map(|[depth, _]| depth),
+            };
+            [!first && left <= level + within, !last && right <= level + within]
         });
         Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), grounded }
     }

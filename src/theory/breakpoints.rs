@@ -1,11 +1,11 @@
 //! A scene cut into cells and breakpoints, [`PiecewiseScene`].
 
 use super::gauss::Gauss;
-use super::piecewise::{AtEnd, Breakpoint, Cell, PiecewiseScene};
+use super::piecewise::{AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::shape::Shape;
 use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Foundation, Load, Scene};
+use crate::scene::{Beam, Foundation, Held, Load, Scene};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -18,18 +18,25 @@ const COSINE_DEGREE: usize = 19;
 const BEAM_TERMS: usize = 6;
 
 impl PiecewiseScene {
-    /// Profile and load of a dimensionless scene with a foundation.
-    pub(super) fn new(scene: &Scene, foundation: &Foundation) -> Self {
+    /// Profile, supports and load of a dimensionless scene. Without a foundation clearances are measured from the line at depth
+    /// 0, and asked of nobody.
+    pub(super) fn new(scene: &Scene) -> Self {
+        const NONE: Foundation = Foundation::Flat { depth: 0.0 };
+        let foundation = scene.foundation().unwrap_or(&NONE);
+        let own = scene.foundation().and(scene.beam().shape());
         let length = scene.beam().length();
         let stiffness = scene.beam().bending_stiffness();
-        let (shapes, breaks) = shapes_of(foundation, length);
+        let (shapes, breaks) = gap_of(foundation, own, length);
         let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
-        let places = places(foundation, load, length, &ends);
+        let places = places(&[Some(foundation), own], load, scene.beam(), &ends);
         let cells = cells(load, stiffness, &places, &ends);
         let breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
-        let (terms, profile) = degree.map_or((COSINE_TERMS, COSINE_DEGREE), |d| ((d + 1).max(BEAM_TERMS), d));
+        let waves = if degree.is_some() { 0 } else { COSINE_DEGREE };
+        let profile = shapes.iter().map(Shape::polynomial_degree).fold(waves, usize::max);
+        let terms = (profile + 1).max(if degree.is_some() { BEAM_TERMS } else { COSINE_TERMS });
+        let own_size = own.map_or(0.0, |own| own.magnitude(length));
         let mut given = Self {
             length,
             cells,
@@ -41,11 +48,9 @@ impl PiecewiseScene {
             energy_rule: Gauss::exact_to(if degree.is_some() { (2 * profile).max(6) } else { profile }),
             resultant: load.resultant(length) / stiffness,
             total_load: load.magnitude(length) / stiffness,
-            magnitude: within_reach(foundation, length),
-            supports: [0.0, length].map(|x| AtEnd {
-                size: foundation.rounded_size(x, length),
-                level: foundation.depth(x) <= foundation.level_within(x, length),
-            }),
+            magnitude: within_reach(foundation, length) + own_size,
+            free_ends: [0.0, length].map(|end| scene.beam().supports().iter().all(|s| s.at < end || end < s.at)),
+            supports: scene.held().iter().map(|held| at_support(foundation, own, length, &places, held)).collect(),
             tension: Vec::new(),
         };
         given.tension = tension_intervals(&given);
@@ -53,13 +58,33 @@ impl PiecewiseScene {
     }
 }
 
-/// Breakpoints of profile and load from support to support; the smooth pieces of the profile end at `ends`.
-fn places(foundation: &Foundation, load: &Load, length: f64, ends: &[f64]) -> Vec<f64> {
+/// A support among the breakpoints at `places`.
+fn at_support(
+    foundation: &Foundation,
+    own: Option<&Foundation>,
+    length: f64,
+    places: &[f64],
+    held: &Held,
+) -> AtSupport {
+    let size = |profile: &Foundation| profile.rounded_size(held.at, length);
+    AtSupport {
+        breakpoint: places.partition_point(|&x| x < held.at),
+        level: held.deflection,
+        slope: held.slope,
+        grounded: held.grounded,
+        size: size(foundation) + own.map_or(0.0, size),
+    }
+}
+
+/// Breakpoints of profile, supports and load from end to end; the smooth pieces of the profile end at `ends`.
+fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f64]) -> Vec<f64> {
     let mut places = ends.to_vec();
+    places.extend(beam.supports().iter().map(|support| support.at));
     places.extend(load.linear().iter().flat_map(|q| [q.from, q.to]));
     places.extend(load.point().iter().map(|p| p.at));
-    places.extend([0.0, length]);
-    if let Foundation::Cosine { wavelength, .. } = foundation {
+    places.extend([0.0, beam.length()]);
+    for profile in profiles.iter().flatten() {
+        let Foundation::Cosine { wavelength, .. } = profile else { continue };
         let most = CELL_ANGLE * wavelength / (2.0 * std::f64::consts::PI);
         places.sort_by(f64::total_cmp);
         places.dedup();
@@ -144,6 +169,33 @@ struct Break {
     step: f64,
 }
 
+/// Smooth pieces of the gap between a foundation and an own shape, and the breaks between them.
+fn gap_of(foundation: &Foundation, own: Option<&Foundation>, length: f64) -> (Vec<Shape>, Vec<Break>) {
+    let (below, breaks_below) = shapes_of(foundation, length);
+    let Some(own) = own else { return (below, breaks_below) };
+    let (above, breaks_above) = shapes_of(own, length);
+    let (mut i, mut j) = (0, 0);
+    let (mut shapes, mut breaks) = (Vec::new(), Vec::new());
+    loop {
+        shapes.push(Shape::Gap { ground: Box::new(below[i].clone()), own: Box::new(above[j].clone()) });
+        let next = [breaks_below.get(i), breaks_above.get(j)].map(|b| b.map_or(f64::INFINITY, |b| b.x));
+        let x = next[0].min(next[1]);
+        if !x.is_finite() {
+            return (shapes, breaks);
+        }
+        let mut step = 0.0;
+        if next[0] <= x {
+            step += breaks_below[i].step;
+            i += 1;
+        }
+        if next[1] <= x {
+            step -= breaks_above[j].step;
+            j += 1;
+        }
+        breaks.push(Break { x, step });
+    }
+}
+
 /// Smooth pieces of a foundation, and the breaks between them.
 fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
@@ -179,8 +231,8 @@ mod tests {
         let load = Load::new(&beam, 1.0, linear, vec![PointLoad { at: 2.0, force: 5.0 }]).expect("a load");
         let points = vec![[0.0, 1.0], [1.0, 1.0], [2.0, 0.0], [2.0, 0.5], [4.0, 2.5]];
         let foundation = Foundation::Polyline { points };
-        let scene = Scene::new(beam, load, Some(foundation.clone())).expect("a scene");
-        let given = PiecewiseScene::new(&scene, &foundation);
+        let scene = Scene::new(beam, load, Some(foundation)).expect("a scene");
+        let given = PiecewiseScene::new(&scene);
         let places: Vec<f64> = given.breakpoints.iter().map(|j| j.x).collect();
         assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 4.0]);
         assert_eq!(given.cells.iter().map(|c| c.shape).collect::<Vec<_>>(), [0, 1, 2, 2]);

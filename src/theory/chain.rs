@@ -13,31 +13,39 @@
 //! shares the force at a lift-off point between samples and its contacts have holes. A link far from contact is a beam
 //! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
 //!
+//! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both
+//! are written as an equation with a coefficient that swallows all others: at a support `s p⁻¹ = 0`, at such an end `W = ∞`.
+//!
 //! Mehrotra's predictor–corrector method (1992) solves this in 15 to 40 block-tridiagonal systems and never cycles. Moments
 //! beside clearances keep the digits that a stiffness matrix of order `1/Δ³` would lose, and clearances have the digits of
 //! small numbers, since only differences of neighbouring depths enter. What comes out is a guess and is treated as one.
 
-/// The chain above `n` samples between the supports.
+/// The chain above samples from end to end of the beam, or of a part of it between built-in supports.
 #[derive(Debug)]
 pub(super) struct Chain<'a> {
-    /// Places `x_0 … x_{n+1}`, both supports included.
+    /// Places, both ends included.
     pub(super) x: &'a [f64],
-    /// `(B u)_i + ρ_i` at the samples, counted from `u = 0` at the supports.
+    /// `(B u)_i + ρ_i` at the samples; at an end that is built in, with its slope.
     pub(super) bend: &'a [f64],
     /// Loads `f_i` at the samples.
     pub(super) load: &'a [f64],
     /// True for a link that is a beam; link `i` ends at `x_{i+1}`.
     pub(super) beam: &'a [bool],
-    /// Depths at the supports.
-    pub(super) ends: [f64; 2],
+    /// The clearance at a sample that a support holds.
+    pub(super) held: &'a [Option<f64>],
+    /// True for an end that is built in.
+    pub(super) built_in: [bool; 2],
 }
+
+/// What swallows every other coefficient: a power of two, so that nothing else is rounded.
+const SWALLOWS: f64 = f64::from_bits(0x52b0_0000_0000_0000);
 
 /// Contact forces of the chain, and which samples touch.
 #[derive(Debug)]
 pub(super) struct Guess {
     /// True for a sample that touches.
     pub(super) touches: Vec<bool>,
-    /// `p_1 … p_n`.
+    /// `p` at the samples, zero at supports.
     pub(super) force: Vec<f64>,
 }
 
@@ -64,6 +72,8 @@ struct Row {
     h: f64,
     g: f64,
     inverse: f64,
+    /// True at a support, where `s` is given and `p` is nobody's.
+    held: bool,
     /// Solution of the linear system: `ds`, `dm`.
     step: [f64; 2],
     /// `dp`.
@@ -74,48 +84,55 @@ impl Chain<'_> {
     /// Solves the chain.
     pub(super) fn solve(&self) -> Guess {
         let n = self.load.len();
-        let count = as_float(n);
         let mut rows = self.rows();
-        let first = 1.0 / (self.x[1] - self.x[0]);
-        // The beam that touches nothing.
-        factor(&mut rows, first, |_| 0.0);
-        self.residuals(&mut rows, first);
+        let count = as_float(rows.iter().filter(|row| !row.held).count());
+        let length = self.x[n - 1] - self.x[0];
+        // The beam that touches nothing; one that then could move lies on a bed of springs.
+        let springs = if self.is_fixed() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
+        factor(&mut rows, |_| springs);
+        self.residuals(&mut rows);
         solve(&mut rows, |row| row.rest[1]);
         // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
-        let reach = rows.iter().fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
-        let deepest = rows.iter().fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
+        let reach = rows.iter().filter(|row| !row.held).fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
+        let deepest = rows.iter().filter(|row| !row.held).fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
         let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
-        let length = self.x[n + 1] - self.x[0];
-        let total: f64 = self.load.iter().map(|f| f.abs()).sum();
+        let total: f64 = self.load.iter().zip(&rows).filter(|(_, row)| !row.held).map(|(f, _)| f.abs()).sum();
         let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
         for row in &mut rows {
-            (row.s, row.m, row.p) = (row.step[0].max(0.1 * unit_clearance), row.step[1], unit_force);
+            row.m = row.step[1];
+            if !row.held {
+                (row.s, row.p) = (row.step[0].max(0.1 * unit_clearance), unit_force);
+            }
         }
         // Clearances beside a contact fall with the square of the distance of samples.
         let enough = 1e-16 / (count * count) * unit_clearance * unit_force;
         let mut touches = vec![false; n];
+        if rows.iter().all(|row| row.held) {
+            return Guess { touches, force: vec![0.0; n] };
+        }
         for _ in 0..STEPS {
-            let mu = rows.iter().map(|r| r.s * r.p).sum::<f64>() / count;
-            let off = self.residuals(&mut rows, first);
+            let mu = rows.iter().filter(|r| !r.held).map(|r| r.s * r.p).sum::<f64>() / count;
+            let off = self.residuals(&mut rows);
             if mu <= enough && off <= 1e-6 * unit_force {
                 break;
             }
-            factor(&mut rows, first, |row| row.p / row.s);
+            factor(&mut rows, |row| row.p / row.s);
             solve(&mut rows, |row| row.rest[1] - row.p);
             let mut longest = 1.0_f64;
-            for row in &mut rows {
+            for row in rows.iter_mut().filter(|row| !row.held) {
                 row.dp = -row.p - row.p / row.s * row.step[0];
                 longest = limited(longest, row);
             }
-            let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
+            let contacts = rows.iter().filter(|row| !row.held);
+            let ahead = contacts.map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
             let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
             // From here on `dp` holds what the contact condition asks for, over `s`.
-            for row in &mut rows {
+            for row in rows.iter_mut().filter(|row| !row.held) {
                 row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
             }
             solve(&mut rows, |row| row.rest[1] + row.dp);
             longest = 1.0;
-            for row in &mut rows {
+            for row in rows.iter_mut().filter(|row| !row.held) {
                 row.dp -= row.p / row.s * row.step[0];
                 longest = limited(longest, row);
             }
@@ -125,13 +142,22 @@ impl Chain<'_> {
                 break;
             }
             for (row, touches) in rows.iter_mut().zip(&mut touches) {
+                row.m += step * row.step[1];
+                if row.held {
+                    continue;
+                }
                 let (s, p) = (row.s + step * row.step[0], row.p + step * row.dp);
                 // Of the two that vanish together, the one that vanishes faster (Tapia's indicators).
                 *touches = s * row.p < p * row.s;
-                (row.s, row.p, row.m) = (s, p, row.m + step * row.step[1]);
+                (row.s, row.p) = (s, p);
             }
         }
         Guess { touches, force: rows.iter().map(|r| r.p).collect() }
+    }
+
+    /// True if supports hold the chain against moving and turning.
+    fn is_fixed(&self) -> bool {
+        self.built_in != [false; 2] || 1 < self.held.iter().flatten().count()
     }
 
     fn rows(&self) -> Vec<Row> {
@@ -139,26 +165,34 @@ impl Chain<'_> {
         let link = |i: usize| (self.x[i + 1] - self.x[i], self.beam[i]);
         let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
         let row = |i: usize| {
-            let (left, right) = (link(i), link(i + 1));
+            let left = if 0 < i { share(link(i - 1)) } else { SWALLOWS * f64::from(!self.built_in[0]) };
+            let (held, s) = (self.held[i].is_some(), self.held[i].unwrap_or(0.0));
+            if i + 1 == n {
+                let w = left + SWALLOWS * f64::from(!self.built_in[1]);
+                return Row { w, held, s, ..Row::default() };
+            }
+            let right = link(i);
             let off = if right.1 { right.0 / 6.0 } else { 0.0 };
-            Row { c: 1.0 / right.0, w: share(left) + share(right), off, ..Row::default() }
+            Row { c: 1.0 / right.0, w: left + share(right), off, held, s, ..Row::default() }
         };
         (0..n).map(row).collect()
     }
 
     /// Residuals of both equations; returns the largest of equilibrium.
-    fn residuals(&self, rows: &mut [Row], first: f64) -> f64 {
+    fn residuals(&self, rows: &mut [Row]) -> f64 {
         let n = rows.len();
-        let (mut c, mut off) = (first, 0.0);
-        let (mut s, mut m) = (self.ends[0], 0.0);
+        let (mut c, mut off) = (0.0, 0.0);
+        let (mut s, mut m) = (0.0, 0.0);
         let mut worst = 0.0_f64;
         for i in 0..n {
-            let (next_s, next_m) = if i + 1 < n { (rows[i + 1].s, rows[i + 1].m) } else { (self.ends[1], 0.0) };
+            let (next_s, next_m) = if i + 1 < n { (rows[i + 1].s, rows[i + 1].m) } else { (0.0, 0.0) };
             let row = &mut rows[i];
             let of_s = row.c * (next_s - row.s) - c * (row.s - s);
             let of_m = row.c * (next_m - row.m) - c * (row.m - m);
             row.rest = [self.bend[i] - of_s + row.w * row.m + row.off * next_m + off * m, row.p - self.load[i] - of_m];
-            worst = worst.max(row.rest[1].abs());
+            if !row.held {
+                worst = worst.max(row.rest[1].abs());
+            }
             (c, off, s, m) = (row.c, row.off, row.s, row.m);
         }
         worst
@@ -172,10 +206,10 @@ impl Chain<'_> {
 /// ```text
 /// d = a g + h²,   a' = Θ' + c² a/d,   e' = c (a (g + ω) + h e)/d,   g' = w' + (c² g + 2 c h ω − a ω²)/d
 /// ```
-fn factor(rows: &mut [Row], first: f64, ratio: impl Fn(&Row) -> f64) {
-    let (mut a, mut e, mut g) = (0.0, first, 0.0);
+fn factor(rows: &mut [Row], ratio: impl Fn(&Row) -> f64) {
+    let (mut a, mut e, mut g) = (0.0, 0.0, 0.0);
     for row in rows {
-        row.a = a + ratio(row);
+        row.a = a + if row.held { SWALLOWS } else { ratio(row) };
         row.h = row.c + e;
         row.g = g + row.w;
         row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
@@ -226,7 +260,17 @@ mod tests {
         // The end rotations of a beam under a uniform load, ½ at each node from either side.
         let turn = if beam { step * step * step / 12.0 } else { 0.0 };
         let x: Vec<f64> = (0..=links).map(|i| step * f64::from(i)).collect();
-        Chain { x: &x, bend: &vec![turn; n], load: &vec![step; n], beam: &vec![beam; n + 1], ends: [1.0; 2] }.solve()
+        simple(&x, &vec![turn; n], &vec![step; n], &vec![beam; n + 1])
+    }
+
+    /// What a chain on two supports says above a flat foundation at depth 1: bends and loads of the samples between, and of these.
+    fn simple(x: &[f64], bend: &[f64], load: &[f64], beam: &[bool]) -> Guess {
+        let ends = |inner: &[f64]| [&[0.0], inner, &[0.0]].concat();
+        let mut held = vec![None; x.len()];
+        (held[0], held[x.len() - 1]) = (Some(1.0), Some(1.0));
+        let guess = Chain { x, bend: &ends(bend), load: &ends(load), beam, held: &held, built_in: [false; 2] }.solve();
+        let inner = 1..x.len() - 1;
+        Guess { touches: guess.touches[inner.clone()].to_vec(), force: guess.force[inner].to_vec() }
     }
 
     #[test]
@@ -257,14 +301,7 @@ mod tests {
     #[test]
     fn links_of_very_different_lengths_lose_nothing() {
         // A link of 1e-9 beside one of the length of the beam.
-        let chain = Chain {
-            x: &[0.0, 5.0, 5.0 + 1e-9, 10.0],
-            bend: &[(125.0 + 1e-27) / 24.0; 2],
-            load: &[2.5; 2],
-            beam: &[true; 3],
-            ends: [1.0; 2],
-        };
-        let guess = chain.solve();
+        let guess = simple(&[0.0, 5.0, 5.0 + 1e-9, 10.0], &[(125.0 + 1e-27) / 24.0; 2], &[2.5; 2], &[true; 3]);
         assert!(guess.touches.iter().any(|&touches| touches));
         // The closed form for contact at mid-span: F = 5 q l/8 − 48 EI u/l³.
         let total: f64 = guess.force.iter().sum();

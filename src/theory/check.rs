@@ -1,7 +1,7 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::bernstein::lowest_below;
-use super::list::{AtSupport, Kind, List, Node};
+use super::list::{Beside, Kind, List, Node, Unknown};
 use super::newton;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
@@ -12,16 +12,14 @@ use super::violation::Violation;
 /// A list with everything that follows from it.
 #[derive(Debug, Clone)]
 pub(super) struct Checked {
-    /// The beam by pieces, from support to support.
+    /// The beam by pieces, from end to end.
     pub(super) pieces: Vec<Piece>,
-    /// The spans, each with the index of the node to its right.
+    /// The spans and overhangs, each with the index of the node to its right.
     pub(super) spans: Vec<(usize, Span)>,
-    /// Concentrated forces at the nodes.
+    /// Concentrated forces at the nodes; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
-    /// Shear force beside the left and the right support.
-    pub(super) shear: [f64; 2],
-    /// Moments that foundation and support exert on the beam together, where the foundation holds its slope at a support.
-    pub(super) couples: [Option<f64>; 2],
+    /// Moments `−v''` just to the left and just to the right of the nodes.
+    pub(super) moments: Vec<[f64; 2]>,
     /// Conditions that fail, each with the index of its node, or of the node to the right of its stretch.
     pub(super) faults: Vec<(usize, Violation)>,
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
@@ -54,15 +52,16 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     let mut judge = Judge { faults: Vec::new(), worst: 0.0 };
     let zones: Vec<Zone> = (0..=list.nodes.len())
         .filter(|&i| list.in_zone_before(i))
-        .zip(list.zones(given))
+        .zip(list.zones())
         .map(|(node, (from, to))| Zone { node, from, to })
         .collect();
     judge.places(given, list, &zones);
-    let spans: Vec<(usize, Span)> = list.spans(given).collect();
+    let spans = list.spans(given);
     let pieces = all_pieces(given, list, &spans, &zones);
-    let (forces, shear) = forces(given, list, &spans);
-    let scale = Scale::of(given, &pieces, &forces, &shear);
-    for (i, (&force, node)) in forces.iter().zip(&list.nodes).enumerate() {
+    let forces = forces(given, list, &spans);
+    let moments = moments(given, list, &spans);
+    let scale = Scale::of(given, &pieces, &forces);
+    for (i, (&force, node)) in forces.iter().zip(&list.nodes).enumerate().filter(|(_, (_, n))| n.support().is_none()) {
         judge.measure(-force, scale.force, i, Violation::Tension { at: node.x, force: -force });
     }
     for (i, span) in &spans {
@@ -74,18 +73,27 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     for zone in &zones {
         judge.pulls(given, zone, &scale);
     }
-    let couples = [0, 1].map(|support| couple(given, list, &spans, support));
-    for (support, couple) in couples.into_iter().enumerate() {
-        if let Some(moment) = couple {
-            let at = if support == 0 { 0.0 } else { given.length };
-            judge.measure(moment, scale.moment, support, Violation::Couple { at, moment });
+    for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
+        let at = node.x;
+        match node.kind {
+            Kind::Support(index, beside) => {
+                if let Some(moment) = pulling_couple(given, index, beside, right - left) {
+                    judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
+                }
+            }
+            // Without a couple, a zone reaches a free end only on ground that is not bent there.
+            Kind::Tip => judge.measure((right - left).abs(), scale.moment, i, Violation::Jump { jump: right - left }),
+            _ if list.unknown(given, i).is_none() && list.nodes.len() == 1 => {
+                judge.measure((right - left).abs(), scale.moment, i, Violation::Jump { jump: right - left });
+            }
+            _ => {}
         }
     }
-    let force = unbalanced(given, list, &forces, &shear);
+    let force = unbalanced(given, list, &forces);
     judge.measure(BALANCE * force.abs(), scale.force, 0, Violation::Unbalanced { force });
     judge.equations(given, list, &spans, &scale);
     let Judge { faults, worst } = judge;
-    Checked { pieces, spans, forces, shear, couples, faults, worst }
+    Checked { pieces, spans, forces, moments, faults, worst }
 }
 
 /// A zone of the list.
@@ -96,16 +104,16 @@ struct Zone {
     to: f64,
 }
 
-/// The beam by pieces, from support to support.
+/// The beam by pieces, from end to end.
 fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], zones: &[Zone]) -> Vec<Piece> {
     let mut pieces = Vec::with_capacity(2 * given.cells.len());
-    let (mut next_span, mut next_zone) = (spans.iter(), zones.iter());
+    let (mut next_span, mut next_zone) = (spans.iter().peekable(), zones.iter());
     for i in 0..=list.nodes.len() {
         if list.in_zone_before(i) {
             if let Some(zone) = next_zone.next() {
                 pieces_of_zone(given, zone.from, zone.to, &mut pieces);
             }
-        } else if let Some((_, span)) = next_span.next() {
+        } else if let Some((_, span)) = next_span.next_if(|(before, _)| *before == i) {
             pieces_of(given, span, &mut pieces);
         }
     }
@@ -146,7 +154,7 @@ impl Judge {
                 self.refuse(start, Violation::Inverted { from: pair[0].x, to: pair[1].x });
             }
         }
-        for (i, node) in list.nodes.iter().enumerate().filter(|(_, n)| !n.is_edge()) {
+        for (i, node) in list.nodes.iter().enumerate().filter(|(_, n)| n.can_move()) {
             let (from, to) = given.reach(node.cell);
             if node.x < from || to < node.x {
                 self.refuse(i, Violation::OffPiece { at: node.x });
@@ -175,15 +183,17 @@ impl Judge {
     /// Beside a support that the foundation starts at, the slope decides: how deep the beam is in a foundation that falls
     /// off steeply may be next to nothing, and what holds its slope is not.
     fn turns_at_supports(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span, scale: &Scale) {
-        for (support, end, at, outer) in
-            [(0, &span.a, &span.at_a, i == 0), (1, &span.b, &span.at_b, i == list.nodes.len())]
-        {
-            let turn = if support == 0 { -at[1] } else { at[1] };
-            if outer && list.supports[support] == AtSupport::Free && given.starts_at_zero(support) {
+        // Of a node to the left of the span the ground on its right counts.
+        let ends = [(i.checked_sub(1), 1, &span.a, &span.at_a), (Some(i), 0, &span.b, &span.at_b)];
+        for (node, side, end, at) in ends {
+            let Some(node) = node.and_then(|node| list.nodes.get(node)) else { continue };
+            let Kind::Support(index, beside) = node.kind else { continue };
+            let turn = if side == 1 { -at[1] } else { at[1] };
+            if beside == [Beside::Apart; 2] && given.supports[index].grounded[side] {
                 // As deep as the parabola `h = −turn t + h'' t²/2` goes.
                 let depth = turn * (turn / (2.0 * at[2].abs())).min(0.5 * span.length());
                 let fault = Violation::Penetration { at: end.x, depth };
-                self.measure(turn * given.length, scale.beside[support], i, fault);
+                self.measure(turn * given.length, scale.beside(given, index), i, fault);
             }
         }
     }
@@ -201,7 +211,7 @@ impl Judge {
     /// The equations of the list hold, and its spans are long enough for them to have an answer.
     fn equations(&mut self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], scale: &Scale) {
         let newton::Residual { jump, step, crowded } = newton::residual(given, list, spans);
-        let fixed = list.nodes.iter().all(Node::is_edge);
+        let fixed = (0..list.nodes.len()).all(|i| list.unknown(given, i) != Some(Unknown::Place));
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
         self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
         let (part, span) = crowded;
@@ -244,8 +254,6 @@ fn penetration(given: &PiecewiseScene, pieces: &[Piece], span: &Span, scale: &Sc
 struct Scale {
     /// Largest deflection.
     deflection: f64,
-    /// Largest deflection, or the rounding of the profile if that is larger, beside the left and the right support, where the profile may be known far better than elsewhere.
-    beside: [f64; 2],
     /// Largest of all forces.
     force: f64,
     /// Largest curvature: a moment over `EI`.
@@ -254,7 +262,7 @@ struct Scale {
 
 impl Scale {
     /// Largest deflection, largest of all forces, and the moment that goes with them.
-    fn of(given: &PiecewiseScene, pieces: &[Piece], forces: &[f64], shear: &[f64; 2]) -> Self {
+    fn of(given: &PiecewiseScene, pieces: &[Piece], forces: &[f64]) -> Self {
         let mut taylor = vec![0.0; given.terms];
         let (mut depth, mut moment) = (0.0_f64, 0.0_f64);
         for piece in pieces {
@@ -265,16 +273,17 @@ impl Scale {
                 moment = moment.max(v2.abs());
             }
         }
-        let force = forces.iter().chain(shear).fold(0.0_f64, |most, f| most.max(f.abs()));
+        let force = forces.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
         // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
         let (l, load) = (given.length, AT_REST * given.total_load);
         let deflection = depth.max(load * l * l * l / 384.0);
-        Self {
-            deflection,
-            beside: given.supports.map(|depths| deflection.max(AT_REST * depths.size)),
-            force: force.max(moment / l).max(load),
-            moment: moment.max(load * l / 8.0),
-        }
+        Self { deflection, force: force.max(moment / l).max(load), moment: moment.max(load * l / 8.0) }
+    }
+
+    /// Largest deflection, or the rounding of the profile if that is larger, beside a support, where the profile may be known far
+    /// better than elsewhere.
+    fn beside(&self, given: &PiecewiseScene, support: usize) -> f64 {
+        self.deflection.max(AT_REST * given.supports[support].size)
     }
 
     /// Largest deflection, and the rounding of the profile at a place: near a support a polynomial is known far better than
@@ -284,23 +293,68 @@ impl Scale {
     }
 }
 
-/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, and the shear force `−v'''` beside the supports.
-fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> (Vec<f64>, [f64; 2]) {
-    // A profile with edges is made of straight lines: u''' is the same on both sides of every node, and h''' will do.
-    let mut forces: Vec<f64> = list.nodes.iter().map(|node| given.force_at(node.x, node.cell)).collect();
+/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, with nothing beyond the ends of the beam; at a support without
+/// the load `P` that stands on it.
+fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
+    // The profile has breaks of its depth and slope only: g''' is the same on both sides of a contact, and h''' will do.
     let last = given.cells.len() - 1;
-    let mut shear = [-given.derivative(0, 0.0, 3), -given.derivative(last, given.length, 3)];
-    for (i, span) in spans {
-        match i.checked_sub(1) {
-            Some(left) => forces[left] += span.at_a[3],
-            None => shear[0] = -span.beam_a[3],
+    let of_zone = |node: usize, cell: usize| given.derivative(cell, list.nodes[node].x, 3);
+    let mut forces: Vec<f64> = Vec::with_capacity(list.nodes.len());
+    for (i, node) in list.nodes.iter().enumerate() {
+        let in_beam = !node.can_move() && !node.is_edge();
+        let mut force = match node.kind {
+            Kind::Support(..) => 0.0,
+            _ => given.force_at(node.x, node.cell),
+        };
+        if in_beam {
+            // Beside a zone the beam is the profile.
+            if list.in_zone_before(i) {
+                force += of_zone(i, given.cell_to(node.x));
+            }
+            if list.in_zone_before(i + 1) {
+                force -= of_zone(i, given.cell_from(node.x).min(last));
+            }
         }
-        match forces.get_mut(*i) {
-            Some(force) => *force -= span.at_b[3],
-            None => shear[1] = -span.beam_b[3],
+        forces.push(force);
+    }
+    for (i, span) in spans {
+        if let Some(left) = i.checked_sub(1) {
+            let node = &list.nodes[left];
+            forces[left] += match node.can_move() || node.is_edge() && span.a.x > 0.0 {
+                true => span.at_a[3],
+                false => -span.beam_a[3],
+            };
+        }
+        if let (Some(force), Some(node)) = (forces.get_mut(*i), list.nodes.get(*i)) {
+            *force -= match node.can_move() || node.is_edge() && span.b.x < given.length {
+                true => span.at_b[3],
+                false => -span.beam_b[3],
+            };
         }
     }
-    (forces, shear)
+    forces
+}
+
+/// Moments `−v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
+fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
+    let mut moments = vec![[0.0; 2]; list.nodes.len()];
+    for (i, node) in list.nodes.iter().enumerate() {
+        if list.in_zone_before(i) {
+            moments[i][0] = -given.derivative(given.cell_to(node.x), node.x, 2);
+        }
+        if list.in_zone_before(i + 1) {
+            moments[i][1] = -given.derivative(given.cell_from(node.x), node.x, 2);
+        }
+    }
+    for (i, span) in spans {
+        if let Some(left) = i.checked_sub(1) {
+            moments[left][1] = -span.beam_a[2];
+        }
+        if let Some(moment) = moments.get_mut(*i) {
+            moment[0] = -span.beam_b[2];
+        }
+    }
+    moments
 }
 
 /// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
@@ -319,23 +373,26 @@ pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
 }
 
 /// What is left of the load when reactions and contact forces are taken off.
-fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64], shear: &[f64; 2]) -> f64 {
-    let zones = list.zones(given).into_iter().map(|(from, to)| zone_force(given, from, to));
-    let at_supports =
-        [given.breakpoints.first(), given.breakpoints.last()].into_iter().flatten().map(|j| j.force).sum::<f64>();
-    given.resultant - at_supports - shear[0] + shear[1] - forces.iter().sum::<f64>() - zones.sum::<f64>()
+fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) -> f64 {
+    let zones = list.zones().into_iter().map(|(from, to)| zone_force(given, from, to));
+    let at_supports: f64 = given.supports.iter().map(|support| given.breakpoints[support.breakpoint].force).sum();
+    let of = |support: bool| move |(node, _): &(&Node, &f64)| node.support().is_some() == support;
+    let pairs = || list.nodes.iter().zip(forces);
+    let carried = pairs().filter(of(true)).fold(given.resultant - at_supports, |rest, (_, force)| rest - force);
+    carried - pairs().filter(of(false)).map(|(_, force)| force).sum::<f64>() - zones.sum::<f64>()
 }
 
-/// The moment `−v''` that foundation and support exert on the beam at a support together; it may only be negative.
-fn couple(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], support: usize) -> Option<f64> {
-    let (cell, x) = if support == 0 { (0, 0.0) } else { (given.cells.len() - 1, given.length) };
-    let bend = given.derivative(cell, x, 2);
-    match list.supports[support] {
-        AtSupport::Free => None,
-        AtSupport::Zone => Some(-bend),
-        AtSupport::Clamped => {
-            let (_, span) = if support == 0 { spans.first()? } else { spans.last()? };
-            Some(if support == 0 { span.at_a[2] } else { span.at_b[2] } - bend)
-        }
+/// By how much the ground and the support `index` would have to pull at each other, if `jump` is the moment to the right of the
+/// support less that to its left. Ground on the right of a support pushes up there and the support down: a negative jump; ground
+/// on the left a positive one. [`None`] where ground holds the slope on neither side, or could on both.
+fn pulling_couple(given: &PiecewiseScene, index: usize, beside: [Beside; 2], jump: f64) -> Option<f64> {
+    let support = &given.supports[index];
+    let pinned = beside.iter().position(|&beside| beside != Beside::Apart)?;
+    let level =
+        support.slope.is_none() && support.grounded == [true; 2] && given.breakpoints[support.breakpoint].kink == 0.0;
+    match (level, pinned) {
+        (true, _) => None,
+        (false, 1) => Some(jump),
+        (false, _) => Some(-jump),
     }
 }

@@ -6,11 +6,12 @@
 use std::ops::Range;
 
 use super::chain::{Chain, Guess};
-use super::list::{AtSupport, Kind, List, Node, edge_node, normalised};
+use super::list::{Beside, Kind, List, Node, support_node};
+use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
 use super::tension::zones_between;
 
-/// Sampled places of the profile, from support to support.
+/// Sampled places of the profile, from end to end.
 #[derive(Debug, Clone)]
 pub(super) struct Samples {
     /// Where.
@@ -48,7 +49,9 @@ impl Samples {
                 let breakpoints = first..cells.min(first + block);
                 let depth = |&i: &usize| given.depth_at_breakpoint(i);
                 let shallowest = breakpoints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
-                for i in breakpoints.filter(|&i| Some(i) == shallowest || given.load_changes_at(i)) {
+                for i in breakpoints
+                    .filter(|&i| Some(i) == shallowest || given.load_changes_at(i) || given.support_at(i).is_some())
+                {
                     samples.push(given.breakpoints[i].x, i, false);
                 }
             }
@@ -60,7 +63,7 @@ impl Samples {
     /// More samples where the chain lifts off, and near `places`.
     pub(super) fn refined(&self, given: &PiecewiseScene, touches: &[bool], places: &[f64]) -> Self {
         let n = self.x.len();
-        let touching = |i: usize| 0 < i && i + 1 < n && touches[i - 1];
+        let touching = |i: usize| touches[i];
         let mut near: Vec<bool> = (0..n).map(touching).collect();
         for &x in places {
             let i = self.x.partition_point(|&other| other <= x).saturating_sub(1);
@@ -116,7 +119,7 @@ impl Samples {
         }
     }
 
-    /// The right support.
+    /// The right end.
     fn end(&mut self, given: &PiecewiseScene) {
         self.x.push(given.length);
         self.cell.push(given.cells.len() - 1);
@@ -125,6 +128,20 @@ impl Samples {
             self.cell.insert(1, 0);
             self.far.push(false);
         }
+    }
+
+    /// The breakpoint at which sample `i` is, if it is at one.
+    fn breakpoint(&self, given: &PiecewiseScene, i: usize) -> Option<usize> {
+        if i + 1 == self.x.len() {
+            return Some(given.cells.len());
+        }
+        let breakpoint = self.cell[i];
+        (self.x[i] <= given.breakpoints[breakpoint].x).then_some(breakpoint)
+    }
+
+    /// The support at which sample `i` is, if it is at one.
+    fn support(&self, given: &PiecewiseScene, i: usize) -> Option<usize> {
+        given.support_at(self.breakpoint(given, i)?)
     }
 
     /// The number of samples.
@@ -137,6 +154,8 @@ impl Samples {
         let n = self.x.len() - 2;
         let mut load = vec![0.0; n + 2];
         let mut bend = vec![0.0; n + 2];
+        // What of it belongs to the links on the two sides of a sample.
+        let mut sides = vec![[0.0; 2]; n + 2];
         for i in 0..=n {
             let (a, b) = (self.x[i], self.x[i + 1]);
             let length = b - a;
@@ -161,43 +180,85 @@ impl Samples {
                 bend[i] += given.breakpoints[self.cell[i]].kink;
             }
             let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
-            bend[i] += start;
-            bend[i + 1] += end;
+            let mut add = |start: f64, end: f64| {
+                bend[i] += start;
+                bend[i + 1] += end;
+                sides[i][1] += start;
+                sides[i + 1][0] += end;
+            };
+            add(start, end);
             if self.far[i] {
                 let (start, end) = (given.load(self.cell[i], a), given.load(last, b));
                 let unit = length * length * length / 360.0;
-                bend[i] += unit * (8.0 * start + 7.0 * end);
-                bend[i + 1] += unit * (7.0 * start + 8.0 * end);
+                add(unit * (8.0 * start + 7.0 * end), unit * (7.0 * start + 8.0 * end));
             }
         }
-        let ends = [given.derivative(0, 0.0, 0), given.derivative(given.cells.len() - 1, given.length, 0)];
-        Chain { x: &self.x, bend: &bend[1..=n], load: &load[1..=n], beam: &self.far, ends }.solve()
+        load[n + 1] += given.breakpoints.last().map_or(0.0, |end| end.force);
+        self.solve(given, &bend, &sides, &load)
+    }
+
+    /// The chains between the built-in supports, each for itself: nothing passes from one to the other.
+    fn solve(&self, given: &PiecewiseScene, bend: &[f64], sides: &[[f64; 2]], load: &[f64]) -> Guess {
+        let last = self.x.len() - 1;
+        let support = |i: usize| self.support(given, i).map(|support| &given.supports[support]);
+        let built_in = |i: usize| support(i).and_then(|support| support.slope);
+        let held = |i: usize| support(i).map(|s| given.derivative(given.cell_from(self.x[i]), self.x[i], 0) - s.level);
+        let held: Vec<Option<f64>> = (0..=last).map(held).collect();
+        let mut guess = Guess { touches: vec![false; last + 1], force: vec![0.0; last + 1] };
+        let mut from = 0;
+        for to in (1..=last).filter(|&i| i == last || built_in(i).is_some()) {
+            let part = from..=to;
+            let mut bend = bend[part.clone()].to_vec();
+            if let Some(slope) = built_in(from) {
+                bend[0] = sides[from][1] + (given.derivative(given.cell_from(self.x[from]), self.x[from], 1) - slope);
+            }
+            if let Some(slope) = built_in(to) {
+                bend[to - from] = sides[to][0] - (given.derivative(given.cell_to(self.x[to]), self.x[to], 1) - slope);
+            }
+            let chain = Chain {
+                x: &self.x[part.clone()],
+                bend: &bend,
+                load: &load[part.clone()],
+                beam: &self.far[from..to],
+                held: &held[part],
+                built_in: [from, to].map(|i| built_in(i).is_some()),
+            };
+            let Guess { touches, force } = chain.solve();
+            guess.touches[from..=to].copy_from_slice(&touches);
+            guess.force[from..=to].copy_from_slice(&force);
+            from = to;
+        }
+        guess
     }
 
     /// The list that the chain suggests.
     pub(super) fn list(&self, given: &PiecewiseScene, guess: &Guess) -> List {
-        let mut builder = Builder { given, samples: self, guess, list: List::free() };
-        let n = self.x.len() - 2;
+        let mut builder = Builder { given, samples: self, guess, nodes: Vec::new(), clamped: false };
+        let last = self.x.len() - 1;
         // A run of touching samples falls apart at every break of the profile.
         let (mut first, mut beside_edge) = (None, false);
-        for i in 1..=n + 1 {
-            let touches = i <= n && guess.touches[i - 1];
-            let breakpoint = self.cell[i.min(n)];
-            let breaks = i <= n && self.x[i] <= given.breakpoints[breakpoint].x && given.breaks_at(breakpoint);
-            if touches && !breaks {
+        for i in 0..=last + 1 {
+            let touches = i <= last && guess.touches[i];
+            let breakpoint = if i <= last { self.breakpoint(given, i) } else { None };
+            let breaks = |b: usize| given.breaks_at(b) || given.is_free_end(b) && !given.is_flat_end(b);
+            let at_break = breakpoint.filter(|&breakpoint| breaks(breakpoint));
+            if touches && at_break.is_none() {
                 first.get_or_insert(i);
                 continue;
             }
-            let edge = touches && given.is_edge(breakpoint);
+            let edge = at_break.filter(|&breakpoint| touches && given.is_edge(breakpoint));
             if let Some(first) = first.take() {
-                builder.add(first..i, beside_edge || edge);
+                builder.add(first..i, beside_edge || edge.is_some());
             }
-            if edge {
-                builder.list.nodes.push(edge_node(given, breakpoint));
+            if let Some(breakpoint) = edge {
+                builder.nodes.push(edge_node(given, breakpoint));
             }
-            beside_edge = edge;
+            if let Some(support) = breakpoint.and_then(|breakpoint| given.support_at(breakpoint)) {
+                builder.add_support(support);
+            }
+            beside_edge = edge.is_some();
         }
-        normalised(given, builder.list)
+        normalised(given, List { nodes: builder.nodes })
     }
 }
 
@@ -206,27 +267,54 @@ struct Builder<'a> {
     given: &'a PiecewiseScene,
     samples: &'a Samples,
     guess: &'a Guess,
-    list: List,
+    nodes: Vec<Node>,
+    /// True if the ground holds the slope at the next support.
+    clamped: bool,
 }
 
 impl Builder<'_> {
+    fn add_support(&mut self, index: usize) {
+        let left = if self.clamped { Beside::Clamped } else { Beside::Apart };
+        self.clamped = false;
+        self.nodes.push(support_node(self.given, index, [left, Beside::Apart]));
+    }
+
     /// Adds a point or a zone for a run of touching samples on one smooth piece of the profile.
     fn add(&mut self, run: Range<usize>, beside_edge: bool) {
         let (given, x) = (self.given, &self.samples.x);
-        let n = x.len() - 2;
-        let at_support = [run.start == 1 && given.starts_at_zero(0), run.end == n + 1 && given.starts_at_zero(1)];
+        let last = x.len() - 1;
+        let grounded = |i: Option<usize>, side: usize| {
+            let support = i.filter(|&i| i <= last).and_then(|i| self.samples.support(given, i));
+            support.filter(|&support| given.supports[support].grounded[side])
+        };
+        let (left, right) = (grounded(run.start.checked_sub(1), 1), grounded(Some(run.end), 0));
+        let at_tip = [run.start == 0, run.end == last + 1];
         if 2 < run.len() {
-            let start = if at_support[0] { 0.0 } else { self.lift_off(run.clone().take(4)) };
-            let end = if at_support[1] { given.length } else { self.lift_off(run.rev().take(4)) };
-            self.list.nodes.extend(zones_between(given, [start, end]));
-        } else if at_support[0] {
-            self.list.supports[0] = AtSupport::Clamped;
-        } else if at_support[1] {
-            self.list.supports[1] = AtSupport::Clamped;
+            let start = match run.start.checked_sub(1) {
+                Some(support) if left.is_some() => x[support],
+                None => 0.0,
+                _ => self.lift_off(run.clone().take(4)),
+            };
+            let end = match x.get(run.end) {
+                Some(&support) if right.is_some() => support,
+                None => given.length,
+                _ => self.lift_off(run.rev().take(4)),
+            };
+            self.nodes.extend(zones_between(given, [start, end]));
+        } else if left.is_some() {
+            if let Some(Node { kind: Kind::Support(_, [_, beside]), .. }) = self.nodes.last_mut() {
+                *beside = Beside::Clamped;
+            }
+        } else if right.is_some() {
+            self.clamped = true;
+        } else if at_tip[0] {
+            self.nodes.push(edge_node(given, 0));
+        } else if at_tip[1] {
+            self.nodes.push(edge_node(given, given.cells.len()));
         } else if !beside_edge {
             // Otherwise it is the force of the edge that spreads to its neighbours.
             let place = self.point(run);
-            self.list.nodes.push(Node::new(Kind::Smooth, place, given.cell_from(place)));
+            self.nodes.push(Node::new(Kind::Smooth, place, given.cell_from(place)));
         }
     }
 
@@ -234,7 +322,7 @@ impl Builder<'_> {
     fn point(&self, run: Range<usize>) -> f64 {
         let x = &self.samples.x;
         let (force, moment) =
-            run.fold((0.0, 0.0), |(f, m), i| (f + self.guess.force[i - 1], m + self.guess.force[i - 1] * x[i]));
+            run.fold((0.0, 0.0), |(f, m), i| (f + self.guess.force[i], m + self.guess.force[i] * x[i]));
         moment / force
     }
 
@@ -243,12 +331,12 @@ impl Builder<'_> {
     fn lift_off(&self, samples: impl Iterator<Item = usize>) -> f64 {
         let x = &self.samples.x;
         let samples: Vec<usize> = samples.collect();
-        let width = |i: usize| x[i + 1] - x[i - 1];
-        let pressure = samples.last().map_or(0.0, |&i| self.guess.force[i - 1] / width(i));
+        let width = |i: usize| x[(i + 1).min(x.len() - 1)] - x[i.saturating_sub(1)];
+        let pressure = samples.last().map_or(0.0, |&i| self.guess.force[i] / width(i));
         let outer = samples.first().map_or(0.0, |&i| x[i]);
         let (mut sum, mut moment) = (0.0, 0.0);
         for &i in &samples {
-            let more = (self.guess.force[i - 1] - pressure * width(i)).max(0.0);
+            let more = (self.guess.force[i] - pressure * width(i)).max(0.0);
             sum += more;
             moment += more * x[i];
         }

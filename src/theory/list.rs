@@ -1,34 +1,66 @@
-//! The list of contacts, and the spans that it makes.
+//! The list of nodes from left to right, and the spans that they make: every beam is a free beam, and nodes hold it.
 //!
-//! Every contact has one unknown for each of its ends that is free to move, and one equation:
+//! | node | given | unknown | equation | force |
+//! |---|---|---|---|---|
+//! | support | `v` | slope | `v''` the same on both sides | of either sign |
+//! | built in | `v`, `v'` | – | – | of either sign, and a couple |
+//! | edge (kink, step, a free end that touches) | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
+//! | smooth point | `h = h' = 0` | place | `h''` the same on both sides | ≥ 0 |
+//! | start or end of a zone | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
+//! | tip: a zone that reaches a free end | `h = h' = 0` | – | `g'' = 0` there, or it lifts | ≥ 0 |
 //!
-//! | node | unknown | given | equation |
-//! |---|---|---|---|
-//! | smooth point | position | `h = h' = 0` | `h''` the same on both sides |
-//! | edge (kink, step) | slope of the beam | `v = u`, position | `v''` the same on both sides |
-//! | start or end of a zone | position | `h = h' = 0` | `h'' = 0` in the span |
+//! Beyond the outermost nodes the beam hangs over: moment and shear force there follow from its loads. So the outermost node, if
+//! it leaves the slope free, is a hinge with a given moment and has no unknown either. A tip has none because beside a zone on
+//! straight ground the moment of an overhang vanishes doubly at the free end, and the equation of a place would be singular.
+//!
+//! The ground may start at the level of a support, and then hold the slope of the beam there or carry a zone: [`Beside`].
 
 use super::piecewise::PiecewiseScene;
-use super::span::{End, Hold, Span};
+use super::span::{End, Hold, Overhang, Span};
+
+/// What the ground does beside a support, on one side of it. All but the first need ground at the level of the support.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beside {
+    /// Nothing.
+    Apart,
+    /// It holds the slope of the beam, `h' = 0`: it pushes up next to the support, which pulls down. The two are a couple.
+    Clamped,
+    /// A zone of contact begins at the support; it holds the slope as well. Of the force there only the sum with that of the
+    /// support is unique: the support is said to take all of it.
+    Zone,
+}
 
 /// What kind of node it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
+    /// The support of that index, with what the ground does to its left and to its right.
+    Support(usize, [Beside; 2]),
     /// A point on a smooth piece of the profile.
     Smooth,
-    /// The breakpoint of that index, an edge of the profile.
+    /// The breakpoint of that index, an edge of the profile or a free end of the beam.
     Edge(usize),
     /// Where a zone starts.
     ZoneStart,
     /// Where a zone ends.
     ZoneEnd,
+    /// A free end of the beam, at which a zone starts or ends.
+    Tip,
 }
 
 impl Kind {
-    /// True if a zone starts, or ends, at such a node.
+    /// True if a zone starts, or ends, at such a node, and moves with it.
     pub(super) fn is_of_zone(self) -> bool {
         matches!(self, Self::ZoneStart | Self::ZoneEnd)
     }
+}
+
+/// What is not known of a node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unknown {
+    /// Where it is.
+    Place,
+    /// The slope of the beam.
+    Slope,
 }
 
 /// A node of the list.
@@ -38,91 +70,121 @@ pub(super) struct Node {
     pub(super) kind: Kind,
     /// Where it is.
     pub(super) x: f64,
-    /// Slope `v'` of the beam at an edge; not used elsewhere.
+    /// Slope `v'` of the beam at an edge or a support; not used elsewhere.
     pub(super) slope: f64,
-    /// What its place is beyond `x`, and at an edge its slope beyond `slope`, less than a unit in the last place: where
-    /// contacts lie close together, their forces feel it.
+    /// What its place is beyond `x`, and at an edge or a support its slope beyond `slope`, less than a unit in the last place:
+    /// where contacts lie close together, their forces feel it.
     pub(super) rest: f64,
-    /// A cell of the smooth piece of the profile on which it lies; for an edge the one to its right.
+    /// A cell of the smooth piece of the profile on which it lies; for an edge or a support the one to its right.
     pub(super) cell: usize,
 }
 
-/// What happens at a support. All but the first need a foundation that starts at depth 0 there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum AtSupport {
-    /// A simple support, `v = v'' = 0`.
-    Free,
-    /// The foundation holds the slope: `v' = u'`. Next to the support it pushes up while the support pulls down: a couple.
-    Clamped,
-    /// A zone of contact begins at the support.
-    Zone,
-}
-
-/// The nodes from left to right, and the supports.
+/// The nodes from left to right, every support among them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct List {
-    /// At `x = 0` and `x = l`.
-    pub(super) supports: [AtSupport; 2],
-    /// Between them.
+    /// From left to right.
     pub(super) nodes: Vec<Node>,
 }
 
 impl List {
     /// The beam without contact.
-    pub(super) fn free() -> Self {
-        Self { supports: [AtSupport::Free; 2], nodes: Vec::new() }
+    pub(super) fn free(given: &PiecewiseScene) -> Self {
+        Self { nodes: (0..given.supports.len()).map(|i| support_node(given, i, [Beside::Apart; 2])).collect() }
     }
 
-    /// The spans with the number of nodes to their left.
-    pub(super) fn spans<'a>(&'a self, given: &'a PiecewiseScene) -> impl Iterator<Item = (usize, Span)> + 'a {
-        (0..=self.nodes.len()).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i)))
-    }
-
-    /// The span before node `i`, or before the right support.
-    pub(super) fn span(&self, given: &PiecewiseScene, i: usize) -> Span {
-        Span::between(given, self.left_end(given, i), self.right_end(given, i))
-    }
-
-    /// The zones, from where to where.
-    pub(super) fn zones(&self, given: &PiecewiseScene) -> Vec<(f64, f64)> {
-        (0..=self.nodes.len())
-            .filter(|&i| self.in_zone_before(i))
-            .map(|i| {
-                let from = i.checked_sub(1).map_or(0.0, |i| self.nodes[i].x);
-                (from, self.nodes.get(i).map_or(given.length, |n| n.x))
-            })
-            .collect()
-    }
-
-    /// True if the stretch that ends at node `i` (or at the right support) is a zone.
-    pub(super) fn in_zone_before(&self, i: usize) -> bool {
-        match i.checked_sub(1) {
-            Some(left) => self.nodes[left].kind == Kind::ZoneStart,
-            None => self.supports[0] == AtSupport::Zone,
+    /// What is not known of node `i`.
+    pub(super) fn unknown(&self, given: &PiecewiseScene, i: usize) -> Option<Unknown> {
+        let node = self.nodes.get(i)?;
+        let inner = 0 < i && i + 1 < self.nodes.len();
+        match node.kind {
+            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd => Some(Unknown::Place),
+            Kind::Edge(_) => inner.then_some(Unknown::Slope),
+            Kind::Support(..) => (inner && node.held_slope(given).is_none()).then_some(Unknown::Slope),
+            Kind::Tip => None,
         }
     }
 
-    fn left_end(&self, given: &PiecewiseScene, i: usize) -> End {
-        let Some(node) = i.checked_sub(1).map(|i| &self.nodes[i]) else {
-            return support(0.0, 0, self.supports[0]);
-        };
-        let [cell, _] = node.cells(given);
-        End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
+    /// The number of unknowns.
+    pub(super) fn unknowns(&self, given: &PiecewiseScene) -> usize {
+        (0..self.nodes.len()).filter(|&i| self.unknown(given, i).is_some()).count()
     }
 
-    fn right_end(&self, given: &PiecewiseScene, i: usize) -> End {
-        let Some(node) = self.nodes.get(i) else {
-            return support(given.length, given.cells.len() - 1, self.supports[1]);
-        };
-        let [_, cell] = node.cells(given);
-        End { x: node.x, rest: node.rest, cell, hold: node.hold(given, cell) }
+    /// The spans and overhangs with the number of nodes to their left.
+    pub(super) fn spans(&self, given: &PiecewiseScene) -> Vec<(usize, Span)> {
+        let n = self.nodes.len();
+        let mut spans = Vec::with_capacity(n + 1);
+        spans.extend((1..n).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i))));
+        let (Some(first), Some(last)) = (self.nodes.first(), self.nodes.last()) else { return spans };
+        // An overhang takes the slope that the span beside its node has there.
+        if 0.0 < first.x {
+            let beside = spans.first().filter(|(i, _)| *i == 1).map(|(_, span)| span.beam_a[1]);
+            let [_, cell] = first.cells(given);
+            let held = first.end(given, cell, Hinged::No);
+            spans.insert(0, (0, Span::overhang(given, held, first.slope_beside(given, cell, beside), true)));
+        }
+        if last.x < given.length {
+            let beside = spans.last().filter(|(i, _)| 0 < *i && i + 1 == n).map(|(_, span)| span.beam_b[1]);
+            let [cell, _] = last.cells(given);
+            let held = last.end(given, cell, Hinged::No);
+            spans.push((n, Span::overhang(given, held, last.slope_beside(given, cell, beside), false)));
+        }
+        spans
     }
+
+    /// The span between node `i − 1` and node `i`.
+    fn span(&self, given: &PiecewiseScene, i: usize) -> Span {
+        let (left, right) = (&self.nodes[i - 1], &self.nodes[i]);
+        let hinged = |outermost: bool, side: Hinged| if outermost { side } else { Hinged::No };
+        let ([from, _], [_, to]) = (left.cells(given), right.cells(given));
+        let a = left.end(given, from, hinged(i == 1, Hinged::Left));
+        let b = right.end(given, to, hinged(i + 1 == self.nodes.len(), Hinged::Right));
+        Span::between(given, a, b)
+    }
+
+    /// The zones, from where to where.
+    pub(super) fn zones(&self) -> Vec<(f64, f64)> {
+        (1..self.nodes.len())
+            .filter(|&i| self.in_zone_before(i))
+            .map(|i| (self.nodes[i - 1].x, self.nodes[i].x))
+            .collect()
+    }
+
+    /// True if the stretch that ends at node `i` is a zone.
+    pub(super) fn in_zone_before(&self, i: usize) -> bool {
+        let Some(left) = i.checked_sub(1).and_then(|left| self.nodes.get(left)) else { return false };
+        match left.kind {
+            Kind::ZoneStart | Kind::Support(_, [_, Beside::Zone]) => true,
+            Kind::Tip => i == 1 && i < self.nodes.len(),
+            _ => false,
+        }
+    }
+}
+
+/// Whether a node that leaves the slope free is the outermost one on a side, and so a hinge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Hinged {
+    No,
+    Left,
+    Right,
 }
 
 impl Node {
     /// True if it lies on a break of the profile and cannot move.
     pub(super) fn is_edge(&self) -> bool {
         matches!(self.kind, Kind::Edge(_))
+    }
+
+    /// True if it lies on a smooth piece of the profile and can move on it.
+    pub(super) fn can_move(&self) -> bool {
+        matches!(self.kind, Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd)
+    }
+
+    /// The support that it is, if it is one.
+    pub(super) fn support(&self) -> Option<usize> {
+        match self.kind {
+            Kind::Support(index, _) => Some(index),
+            _ => None,
+        }
     }
 
     /// A node at `x`.
@@ -136,7 +198,7 @@ impl Node {
         self.rest = rest - (self.x - x);
     }
 
-    /// Turns the beam at an edge.
+    /// Turns the beam at an edge or a support.
     pub(super) fn turn_by(&mut self, step: f64) {
         let rest = self.rest + step;
         let slope = self.slope + rest;
@@ -144,24 +206,70 @@ impl Node {
         self.slope = slope;
     }
 
+    /// The slope of the beam at a support that does not leave it free, because the beam is built in or because of the ground.
+    pub(super) fn held_slope(&self, given: &PiecewiseScene) -> Option<f64> {
+        let Kind::Support(index, beside) = self.kind else { return None };
+        given.supports[index].slope.or_else(|| {
+            let side = beside.iter().position(|&beside| beside != Beside::Apart)?;
+            let cell = given.cells_beside(given.supports[index].breakpoint)[side];
+            Some(given.derivative(cell, self.x, 1))
+        })
+    }
+
+    /// The slope of an overhang at its node, beside a span in `cell` that has the slope `beside` there.
+    fn slope_beside(&self, given: &PiecewiseScene, cell: usize, beside: Option<f64>) -> f64 {
+        match self.kind {
+            Kind::Edge(_) => beside.unwrap_or(self.slope),
+            Kind::Support(..) => self.held_slope(given).or(beside).unwrap_or(self.slope),
+            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => given.derivative(cell, self.x, 1),
+        }
+    }
+
     /// The cells to its right and to its left.
     fn cells(&self, given: &PiecewiseScene) -> [usize; 2] {
         match self.kind {
-            Kind::Edge(breakpoint) => [breakpoint, breakpoint - 1],
+            Kind::Edge(breakpoint) => {
+                let [left, right] = given.cells_beside(breakpoint);
+                [right, left]
+            }
+            Kind::Support(index, _) => {
+                let [left, right] = given.cells_beside(given.supports[index].breakpoint);
+                [right, left]
+            }
             _ => given.cells_at(self.x, self.cell),
         }
     }
 
-    /// How the node holds a span that lies in `cell` beside it.
-    fn hold(&self, given: &PiecewiseScene, cell: usize) -> Hold {
+    /// The end of a span that lies in `cell` beside the node.
+    fn end(&self, given: &PiecewiseScene, cell: usize, hinged: Hinged) -> End {
+        End { x: self.x, rest: self.rest, cell, hold: self.hold(given, cell, hinged) }
+    }
+
+    /// How the node holds that span.
+    fn hold(&self, given: &PiecewiseScene, cell: usize, hinged: Hinged) -> Hold {
+        let free_slope = |height: f64, level: f64| match hinged {
+            Hinged::No => Hold::Edge { height, level, slope: [self.slope, self.rest] },
+            side => {
+                let curvature = Overhang::of(given, self.x, side == Hinged::Left).moment;
+                Hold::Hinge { height, level, curvature }
+            }
+        };
         match self.kind {
             Kind::Edge(breakpoint) => {
                 // The lower side of a step lies below the beam, which rests on the upper one.
                 let step = given.breakpoints[breakpoint].step;
-                Hold::Edge {
-                    height: if cell < breakpoint { (-step).max(0.0) } else { step.max(0.0) },
-                    level: given.depth_at_breakpoint(breakpoint),
-                    slope: [self.slope, self.rest],
+                let height = if cell < breakpoint { (-step).max(0.0) } else { step.max(0.0) };
+                free_slope(height, given.depth_at_breakpoint(breakpoint))
+            }
+            Kind::Support(index, beside) => {
+                let support = &given.supports[index];
+                let [left, _] = given.cells_beside(support.breakpoint);
+                let side = usize::from(cell != left || self.x <= 0.0);
+                let height = given.derivative(cell, self.x, 0) - support.level;
+                match self.held_slope(given) {
+                    _ if beside[side] != Beside::Apart => Hold::Resting,
+                    Some(slope) => Hold::Edge { height, level: support.level, slope: [slope, 0.0] },
+                    None => free_slope(height, support.level),
                 }
             }
             // A node at the very end of its piece of the profile has the next one on its other side.
@@ -178,102 +286,9 @@ impl Node {
     }
 }
 
-/// How a support holds a span.
-fn support(x: f64, cell: usize, at: AtSupport) -> End {
-    let hold = match at {
-        AtSupport::Free | AtSupport::Zone => Hold::Support,
-        AtSupport::Clamped => Hold::Resting,
-    };
-    End { x, rest: 0.0, cell, hold }
-}
-
-/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
-/// leave no span between them.
-pub(super) fn normalised(given: &PiecewiseScene, list: List) -> List {
-    // A gap of this width between two contacts cannot be told from none; one between contacts on the same slope is more
-    // likely the solution without a gap, which the equations have as well.
-    let closed = 1e-11 * given.length;
-    let least = 16.0 * f64::EPSILON * given.length;
-    let mut nodes: Vec<Node> = Vec::with_capacity(list.nodes.len());
-    let mut supports = list.supports;
-    let mut inside = supports[0] == AtSupport::Zone;
-    for node in list.nodes {
-        let before = nodes.last().map_or(0.0, |n| n.x);
-        let on_one_slope = !node.is_edge() && nodes.last().is_some_and(|n| !n.is_edge());
-        let gap = (if on_one_slope { closed } else { least }) < node.x - before;
-        // Two contacts on one smooth piece are one zone if it would press everywhere between them.
-        if !inside
-            && !node.is_edge()
-            && node.kind != Kind::ZoneEnd
-            && let Some(last) = nodes.last_mut()
-            && !last.is_edge()
-            && given.cells[last.cell].shape == given.cells[node.cell].shape
-            && given.tension_between(last.x, node.x).next().is_none()
-        {
-            if last.kind == Kind::ZoneEnd {
-                nodes.pop();
-            } else {
-                last.kind = Kind::ZoneStart;
-            }
-            inside = true;
-            if node.kind == Kind::Smooth && before < node.x {
-                inside = false;
-                nodes.push(Node { kind: Kind::ZoneEnd, ..node });
-            }
-            continue;
-        }
-        match node.kind {
-            Kind::ZoneStart | Kind::Smooth | Kind::Edge(_) if inside => {}
-            Kind::ZoneEnd if !inside => {}
-            Kind::ZoneEnd => {
-                inside = false;
-                nodes.push(node);
-            }
-            _ if gap => {
-                inside = node.kind == Kind::ZoneStart;
-                nodes.push(node);
-            }
-            Kind::ZoneStart if nodes.last().is_some_and(|n| n.kind == Kind::ZoneEnd) => {
-                // Two zones that meet are one.
-                nodes.pop();
-                inside = true;
-            }
-            Kind::ZoneStart => {
-                nodes.pop();
-                inside = true;
-                nodes.push(node);
-            }
-            Kind::Smooth | Kind::Edge(_) => {}
-        }
-    }
-    while nodes.last().is_some_and(|n| given.length - n.x <= least) {
-        inside = nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
-    }
-    // A zone that starts, or ends, in the last digits beside a support where the foundation starts as well.
-    if nodes.first().is_some_and(|n| n.kind == Kind::ZoneStart && n.x <= least) && given.starts_at_zero(0) {
-        nodes.remove(0);
-        supports[0] = AtSupport::Zone;
-    }
-    if inside && given.starts_at_zero(1) {
-        supports[1] = AtSupport::Zone;
-    }
-    if inside && supports[1] != AtSupport::Zone {
-        // The zone that was opened last has no end.
-        match nodes.iter().rposition(|n| n.kind == Kind::ZoneStart) {
-            Some(i) => {
-                nodes.remove(i);
-            }
-            None => supports[0] = AtSupport::Free,
-        }
-    } else if !inside && supports[1] == AtSupport::Zone {
-        supports[1] = AtSupport::Free;
-    }
-    List { supports, nodes }
-}
-
-/// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
-pub(super) fn edge_node(given: &PiecewiseScene, breakpoint: usize) -> Node {
-    let x = given.breakpoints[breakpoint].x;
-    let slope = 0.5 * (given.derivative(breakpoint - 1, x, 1) + given.derivative(breakpoint, x, 1));
-    Node { slope, ..Node::new(Kind::Edge(breakpoint), x, breakpoint) }
+/// The node of the support of that index, with what the ground does beside it.
+pub(super) fn support_node(given: &PiecewiseScene, index: usize, beside: [Beside; 2]) -> Node {
+    let breakpoint = given.supports[index].breakpoint;
+    let [_, cell] = given.cells_beside(breakpoint);
+    Node::new(Kind::Support(index, beside), given.breakpoints[breakpoint].x, cell)
 }

@@ -28,6 +28,7 @@ mod gauss;
 mod guess;
 mod list;
 mod newton;
+mod normal;
 mod piece;
 mod piecewise;
 mod repair;

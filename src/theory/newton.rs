@@ -1,12 +1,12 @@
-//! Newton's method for the lift-off positions: a tridiagonal system, one equation for each node.
+//! Newton's method for the places and slopes of the nodes: a tridiagonal system, one equation for each node.
 //!
 //! Moving a contact at which `h = h' = 0` by `δx` turns the end of the span by `δh' = −h'' δx` and moves the place at which
 //! `h''` is read; turning an edge by `δv'` turns the end by `δh' = −δv'`. The other end answers by the slope-deflection
 //! equations of [`super::span`].
 
-use super::list::{Kind, List, Node};
+use super::list::{Kind, List, Unknown};
 use super::piecewise::PiecewiseScene;
-use super::span::{Hold, Span};
+use super::span::Span;
 
 /// How it went.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,24 +32,22 @@ const APPROACH: f64 = 0.45;
 
 /// Moves the nodes of `list` until all equations hold.
 pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
-    if list.nodes.is_empty() {
+    if list.unknowns(given) == 0 {
         return Run { steps: 0, converged: true };
     }
     let mut last = f64::INFINITY;
     let mut brackets = vec![Bracket::EVERYWHERE; list.nodes.len()];
-    let mut spans = Vec::with_capacity(list.nodes.len() + 1);
     let mut rests = 0;
     // Report: newton
     for steps in 0..STEPS {
-        spans.clear();
-        spans.extend(list.spans(given));
+        let spans = list.spans(given);
         // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
         let rows = equations(given, list, &spans);
         if QUADRATIC <= steps {
             brackets.iter_mut().zip(&list.nodes).zip(&rows).for_each(|((b, node), row)| b.narrow(node.x, row.jump));
         }
         // Derivatives · step = −jumps: a tridiagonal system.
-        let Some(step) = newton_step(list, rows) else {
+        let Some(step) = newton_step(given, list, rows) else {
             return Run { steps, converged: false };
         };
         // No further than to the end of a smooth piece of the ground, or to the next contact.
@@ -65,19 +63,22 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     Run { steps: STEPS, converged: false }
 }
 
-/// How `h''` at the two ends of a span answers to the two nodes beside it: `[end][node]`.
-fn response([left, right]: [Option<&Node>; 2], span: &Span) -> [[f64; 2]; 2] {
+/// How `h''` at the two ends of a span answers to what is unknown of the two nodes beside it: `[end][node]`.
+fn response([left, right]: [Option<Unknown>; 2], span: &Span) -> [[f64; 2]; 2] {
     let l = span.length();
     // δh' of each end for a unit of its unknown, and how fast h'' changes under a moving end.
-    let turn = |node: Option<&Node>, end: &[f64; 4]| match node {
+    let turn = |unknown: Option<Unknown>, end: &[f64; 4]| match unknown {
         None => (0.0, 0.0),
-        Some(node) if node.is_edge() => (-1.0, 0.0),
-        Some(_) => (-end[2], end[3]),
+        Some(Unknown::Slope) => (-1.0, 0.0),
+        Some(Unknown::Place) => (-end[2], end[3]),
     };
     let (turn_a, carry_a) = turn(left, &span.at_a);
     let (turn_b, carry_b) = turn(right, &span.at_b);
-    let hinged = |hold: Hold| hold == Hold::Support;
-    match (hinged(span.a.hold), hinged(span.b.hold)) {
+    if span.is_overhang() {
+        // Its moment is known from its loads.
+        return [[carry_a, 0.0], [0.0, carry_b]];
+    }
+    match (span.a.hold.is_hinged(), span.b.hold.is_hinged()) {
         (false, false) => {
             [[carry_a - 4.0 * turn_a / l, -2.0 * turn_b / l], [2.0 * turn_a / l, carry_b + 4.0 * turn_b / l]]
         }
@@ -87,8 +88,8 @@ fn response([left, right]: [Option<&Node>; 2], span: &Span) -> [[f64; 2]; 2] {
     }
 }
 
-/// The equation of a node, `h''(x−) − h''(x+) = 0` with zero for the side of a zone; beside an edge the profile is straight,
-/// and `h''` is `−v''`.
+/// The equation of a node, `h''(x−) − h''(x+) = 0` with zero for the side of a zone. At an edge it says the same of `v''`, as the
+/// profile has breaks of its depth and slope, and of no higher derivative. A node without unknown has no equation.
 #[derive(Debug, Clone, Copy)]
 struct Row {
     /// How the jump depends on the node to the left, this node and the node to the right.
@@ -97,25 +98,39 @@ struct Row {
     jump: f64,
 }
 
+impl Row {
+    /// That of a node without unknown, which does not move.
+    const NONE: Self = Self { derivative: [0.0, 1.0, 0.0], jump: 0.0 };
+}
+
 /// The equations of all nodes.
 ///
 /// At the solution the middle derivative is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
 fn equations(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Row> {
-    let row = |node: &Node| {
+    let unknown: Vec<Option<Unknown>> = (0..list.nodes.len()).map(|i| list.unknown(given, i)).collect();
+    let row = |i: usize| {
+        let node = &list.nodes[i];
         // A load just here is in neither span, but moving on in either direction would put it into one of them.
-        let load = if node.is_edge() { 0.0 } else { given.force_at(node.x, node.cell).max(0.0) };
+        let load = match unknown[i] {
+            None => return Row::NONE,
+            Some(Unknown::Slope) => 0.0,
+            Some(Unknown::Place) => given.force_at(node.x, node.cell).max(0.0),
+        };
         Row { derivative: [0.0, -load, 0.0], jump: 0.0 }
     };
-    let mut rows: Vec<Row> = list.nodes.iter().map(row).collect();
+    let mut rows: Vec<Row> = (0..list.nodes.len()).map(row).collect();
+    let of = |i: Option<usize>| unknown.get(i?).copied().flatten();
     for (right, span) in spans {
         let left = right.checked_sub(1);
-        let [at_a, at_b] = response([left.and_then(|i| list.nodes.get(i)), list.nodes.get(*right)], span);
-        if let Some(i) = left {
+        let [at_a, at_b] = response([of(left), of(Some(*right))], span);
+        if let Some(i) = left.filter(|&i| unknown[i].is_some()) {
             rows[i].derivative[1] -= at_a[0];
             rows[i].derivative[2] -= at_a[1];
             rows[i].jump -= span.at_a[2];
         }
-        if let Some(row) = rows.get_mut(*right) {
+        if of(Some(*right)).is_some()
+            && let Some(row) = rows.get_mut(*right)
+        {
             row.derivative[0] += at_b[0];
             row.derivative[1] += at_b[1];
             row.jump += span.at_b[2];
@@ -141,10 +156,10 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
     let rows = equations(given, list, spans);
     let jump = rows.iter().map(|row| row.jump).fold(0.0, most);
-    let Some(steps) = newton_step(list, rows) else {
+    let Some(steps) = newton_step(given, list, rows) else {
         return Residual { jump, step: f64::INFINITY, crowded: (0.0, 0) };
     };
-    let moving = |i: &usize| list.nodes.get(*i).is_some_and(|node| !node.is_edge());
+    let moving = |i: &usize| list.unknown(given, *i) == Some(Unknown::Place);
     let step = (0..steps.len()).filter(moving).map(|i| steps[i] / given.length).fold(0.0, most);
     let mut crowded = (0.0, 0);
     for &(i, span) in spans {
@@ -159,10 +174,10 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
 }
 
 /// Newton's step; [`None`] if the system is singular.
-fn newton_step(list: &List, mut rows: Vec<Row>) -> Option<Vec<f64>> {
+fn newton_step(given: &PiecewiseScene, list: &List, mut rows: Vec<Row>) -> Option<Vec<f64>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
-    for (row, _) in rows.iter_mut().zip(&list.nodes).filter(|(_, node)| !node.is_edge()) {
+    for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| list.unknown(given, *i) == Some(Unknown::Place)) {
         // The wrong sign leads to a root that pulls or penetrates: uphill from there. Without load there is no slope.
         let slope = row.derivative[1].abs();
         row.derivative[1] = if slope == 0.0 { -1.0 } else { -slope };
@@ -206,16 +221,20 @@ fn apply(given: &PiecewiseScene, list: &mut List, step: &[f64], brackets: &mut [
     let mut applied = Applied::default();
     for (i, &step) in step.iter().enumerate() {
         let node = list.nodes[i];
-        if node.is_edge() {
-            list.nodes[i].turn_by(step);
-            continue;
+        match list.unknown(given, i) {
+            None => continue,
+            Some(Unknown::Slope) => {
+                list.nodes[i].turn_by(step);
+                continue;
+            }
+            Some(Unknown::Place) => {}
         }
         let (mut lo, mut hi) = given.reach(node.cell);
         let x = node.x;
         match node.kind {
             Kind::ZoneStart => lo = lo.max(given.next_tension(x)[0]),
             Kind::ZoneEnd => hi = hi.min(given.next_tension(x)[1]),
-            Kind::Smooth | Kind::Edge(_) => {}
+            _ => {}
         }
         // Most of the way to a break of the profile, which is no place for a contact of this kind.
         (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));

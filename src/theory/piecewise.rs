@@ -1,4 +1,5 @@
-//! Profile and load by pieces: between breakpoints ("cells"), and what happens at the breakpoints.
+//! Profile, supports and load by pieces: between breakpoints ("cells"), and what happens at the breakpoints. The profile is the gap
+//! `g = u − w0` between the ground and the undeflected beam, of a straight beam the ground itself.
 //!
 //! Everything is dimensionless and divided by `EI`, so that the beam's equation is `v'''' = q − p` and a moment is `−v''`.
 
@@ -33,13 +34,19 @@ pub(super) struct Breakpoint {
     pub(super) kink: f64,
 }
 
-/// The foundation at a support.
+/// A support, and the ground beside it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct AtEnd {
-    /// The numbers that add up to its depth there: at the left support a polynomial is its first coefficient.
+pub(super) struct AtSupport {
+    /// The breakpoint where it is.
+    pub(super) breakpoint: usize,
+    /// `v` that it holds.
+    pub(super) level: f64,
+    /// `v'` that it holds, where the beam is built in.
+    pub(super) slope: Option<f64>,
+    /// True on a side where the ground starts at its level: a point exactly, a formula up to the rounding of its depth.
+    pub(super) grounded: [bool; 2],
+    /// The numbers that add up to the depth of the ground there: at the left end a polynomial is its first coefficient.
     pub(super) size: f64,
-    /// True if it starts at the level of the support: a point exactly, a formula up to the rounding of these numbers.
-    pub(super) level: bool,
 }
 
 /// Profile and load of a scene by pieces.
@@ -67,8 +74,10 @@ pub(super) struct PiecewiseScene {
     pub(super) total_load: f64,
     /// The size of depths that carries their rounding where a beam may touch.
     pub(super) magnitude: f64,
-    /// The foundation at the left and the right support.
-    pub(super) supports: [AtEnd; 2],
+    /// From left to right.
+    pub(super) supports: Vec<AtSupport>,
+    /// True for an end of the beam, left and right, without a support.
+    pub(super) free_ends: [bool; 2],
     /// Stretches in which a zone of contact would pull at the beam, from left to right; a point load that does so is one
     /// without length.
     pub(super) tension: Vec<(f64, f64)>,
@@ -109,6 +118,11 @@ impl PiecewiseScene {
         profile - self.load(cell, x)
     }
 
+    /// The same without the waves of a profile, which follow in closed form.
+    pub(super) fn drive_without_waves(&self, cell: usize, x: f64) -> f64 {
+        self.shapes[self.cells[cell].shape].fourth_without_waves(x) - self.load(cell, x)
+    }
+
     /// The cell in which `x` lies; at a breakpoint the one to its right, at the right support the last one.
     pub(super) fn cell_from(&self, x: f64) -> usize {
         self.breakpoints.partition_point(|j| j.x <= x).saturating_sub(1).min(self.cells.len() - 1)
@@ -135,7 +149,13 @@ impl PiecewiseScene {
     /// Depth at breakpoint `i`; at a step the smaller one.
     pub(super) fn depth_at_breakpoint(&self, i: usize) -> f64 {
         let x = self.breakpoints[i].x;
-        self.derivative(i - 1, x, 0).min(self.derivative(i, x, 0))
+        let [left, right] = self.cells_beside(i);
+        self.derivative(left, x, 0).min(self.derivative(right, x, 0))
+    }
+
+    /// The cells to the left and to the right of breakpoint `i`; at an end of the beam both are the one inside.
+    pub(super) fn cells_beside(&self, i: usize) -> [usize; 2] {
+        [i.saturating_sub(1), i.min(self.cells.len() - 1)]
     }
 
     /// True if the load is not one straight line across breakpoint `i`.
@@ -208,11 +228,6 @@ impl PiecewiseScene {
         self.breakpoints.get(breakpoint).filter(|j| j.x <= x).map(|_| breakpoint)
     }
 
-    /// True if the foundation starts at the level of a support (0: left, 1: right), up to the rounding of its depth.
-    pub(super) fn starts_at_zero(&self, support: usize) -> bool {
-        self.supports[support].level
-    }
-
     /// Point load exactly at `x`, which most likely lies in cell `near`.
     pub(super) fn force_at(&self, x: f64, near: usize) -> f64 {
         let c = &self.cells[near];
@@ -228,13 +243,29 @@ impl PiecewiseScene {
         self.breakpoints.get(first + 1..=last).unwrap_or_default()
     }
 
+    /// True if breakpoint `i` is an end of the beam without a support.
+    pub(super) fn is_free_end(&self, i: usize) -> bool {
+        self.free_ends[0] && i == 0 || self.free_ends[1] && i == self.cells.len()
+    }
+
+    /// True if the profile is straight beside the free end at breakpoint `i`, so that a zone may reach it.
+    pub(super) fn is_flat_end(&self, i: usize) -> bool {
+        let [_, cell] = self.cells_beside(i);
+        self.is_free_end(i) && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
+    }
+
+    /// The support at breakpoint `i`, if there is one.
+    pub(super) fn support_at(&self, i: usize) -> Option<usize> {
+        self.supports.binary_search_by_key(&i, |support| support.breakpoint).ok()
+    }
+
     /// True if the smooth piece of the profile ends at breakpoint `i`.
     pub(super) fn breaks_at(&self, i: usize) -> bool {
         0 < i && i < self.cells.len() && self.cells[i - 1].shape != self.cells[i].shape
     }
 
-    /// True if the beam can rest on breakpoint `i`: an edge, or a kink that points upwards.
+    /// True if the beam can rest on breakpoint `i`: an edge, or a kink that points upwards. Its own free end is an edge as well.
     pub(super) fn is_edge(&self, i: usize) -> bool {
-        self.breaks_at(i) && (self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink)
+        self.is_free_end(i) || self.breaks_at(i) && (self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink)
     }
 }

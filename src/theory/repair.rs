@@ -1,10 +1,11 @@
 //! What to try next when a list of contacts fails its check: each fault says what it changes.
 //!
 //! A point that pulls goes, one at which the beam bends more than the profile becomes a zone, and where the beam penetrates
-//! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::list::normalised`]).
+//! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::normal::normalised`]).
 
 use super::check::Checked;
-use super::list::{AtSupport, Kind, List, Node, edge_node, normalised};
+use super::list::{Beside, Kind, List, Node, support_node};
+use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
 use super::tension::zones_between;
@@ -12,8 +13,8 @@ use super::violation::Violation;
 
 /// The list with its faults repaired as far as each of them says how.
 pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked) -> List {
-    let (supports, keep) = (list.supports, vec![true; list.nodes.len()]);
-    let mut repair = Repair { given, list, checked, supports, keep, added: Vec::new() };
+    let (nodes, keep) = (list.nodes.clone(), vec![true; list.nodes.len()]);
+    let mut repair = Repair { given, list, checked, nodes, keep, added: Vec::new() };
     for &(i, fault) in &checked.faults {
         match fault {
             Violation::Inverted { .. } => (repair.keep[i], repair.keep[i + 1]) = (false, false),
@@ -22,15 +23,17 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked) -
             Violation::Pull { .. } => repair.pull(i),
             Violation::Unresolved { .. } => repair.unresolved(i),
             Violation::Couple { .. } => repair.couple(i),
+            Violation::Jump { .. } => repair.jump(i),
             Violation::Penetration { at, .. } => repair.penetration(i, at),
             _ => {}
         }
     }
-    let Repair { supports, keep, added, .. } = repair;
-    let kept = list.nodes.iter().zip(keep).filter(|(_, kept)| *kept).map(|(node, _)| *node);
+    let Repair { nodes, keep, added, .. } = repair;
+    let kept =
+        nodes.into_iter().zip(keep).filter(|(node, kept)| *kept || node.support().is_some()).map(|(node, _)| node);
     let mut nodes: Vec<Node> = kept.chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-    normalised(given, List { supports, nodes })
+    normalised(given, List { nodes })
 }
 
 /// A list and what becomes of it.
@@ -38,8 +41,9 @@ struct Repair<'a> {
     given: &'a PiecewiseScene,
     list: &'a List,
     checked: &'a Checked,
-    supports: [AtSupport; 2],
-    /// Which nodes of the list are kept.
+    /// The nodes, changed in place.
+    nodes: Vec<Node>,
+    /// Which of them are kept; supports always are.
     keep: Vec<bool>,
     /// Additions, in any order.
     added: Vec<Node>,
@@ -76,15 +80,18 @@ impl Repair<'_> {
 
     /// A zone that pulls is split where it does.
     fn pull(&mut self, i: usize) {
-        let ends = [i.checked_sub(1), (i < self.keep.len()).then_some(i)];
-        if ends.iter().flatten().any(|&end| !self.keep[end]) {
+        let Some(ends) = i.checked_sub(1).map(|left| [left, i]).filter(|[_, right]| *right < self.keep.len()) else {
+            return;
+        };
+        if ends.iter().any(|&end| !self.keep[end]) {
             return;
         }
-        let place = |end: Option<usize>, support: f64| end.map_or(support, |end| self.list.nodes[end].x);
-        let zones = zones_between(self.given, [place(ends[0], 0.0), place(ends[1], self.given.length)]);
-        ends.iter().flatten().for_each(|&end| self.keep[end] = false);
-        for support in [0, 1].into_iter().filter(|&support| ends[support].is_none()) {
-            self.supports[support] = AtSupport::Free;
+        let zones = zones_between(self.given, ends.map(|end| self.list.nodes[end].x));
+        for (side, end) in ends.into_iter().enumerate() {
+            self.keep[end] = false;
+            if let Kind::Support(_, beside) = &mut self.nodes[end].kind {
+                beside[1 - side] = Beside::Apart;
+            }
         }
         self.added.extend(zones);
     }
@@ -101,18 +108,35 @@ impl Repair<'_> {
     }
 
     /// Support and foundation would pull at each other: the beam lifts off before it reaches the support.
-    fn couple(&mut self, support: usize) {
+    fn couple(&mut self, i: usize) {
         let (given, nodes) = (self.given, &self.list.nodes);
-        if self.list.supports[support] == AtSupport::Zone {
-            let far = if support == 0 { nodes.first() } else { nodes.last() }.map_or(given.length, |n| n.x);
-            let (kind, x) = if support == 0 {
-                (Kind::ZoneStart, 0.3 * far)
-            } else {
-                (Kind::ZoneEnd, 0.7 * given.length + 0.3 * far)
-            };
-            self.added.push(Node::new(kind, x, given.cell_from(x)));
+        let (node, list) = (nodes[i], self.list);
+        let Kind::Support(index, _) = node.kind else { return };
+        if list.in_zone_before(i + 1) {
+            let far = nodes[i + 1].x;
+            let x = node.x + 0.3 * (far - node.x);
+            self.added.push(Node::new(Kind::ZoneStart, x, given.cell_from(x)));
         }
-        self.supports[support] = AtSupport::Free;
+        if list.in_zone_before(i) {
+            let far = nodes[i - 1].x;
+            let x = 0.7 * node.x + 0.3 * far;
+            self.added.push(Node::new(Kind::ZoneEnd, x, given.cell_from(x)));
+        }
+        self.nodes[i] = support_node(given, index, [Beside::Apart; 2]);
+    }
+
+    /// A zone that reaches a free end on ground that is bent there: the beam lifts off before, or touches with its end alone.
+    fn jump(&mut self, i: usize) {
+        let (given, nodes) = (self.given, &self.list.nodes);
+        let Some(tip) = nodes.get(i).filter(|node| node.kind == Kind::Tip) else { return };
+        let left = tip.x <= 0.0;
+        let Some(far) = (if left { nodes.get(i + 1) } else { i.checked_sub(1).map(|i| &nodes[i]) }) else { return };
+        let x = tip.x + 0.3 * (far.x - tip.x);
+        self.keep[i] = false;
+        self.added.push(Node::new(if left { Kind::ZoneStart } else { Kind::ZoneEnd }, x, given.cell_from(x)));
+        if given.derivative(tip.cell, tip.x, 2) > 0.0 {
+            self.added.push(edge_node(given, if left { 0 } else { given.cells.len() }));
+        }
     }
 
     /// The beam penetrates the foundation in the span before node `i`, deepest at `at`.

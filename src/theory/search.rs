@@ -7,8 +7,9 @@
 
 use super::check::{Checked, check};
 use super::guess::{LONG, Samples};
-use super::list::{List, normalised};
+use super::list::List;
 use super::newton;
+use super::normal::normalised;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
 
@@ -59,7 +60,7 @@ impl Found {
 
 /// The beam without contact.
 pub(super) fn free(given: &PiecewiseScene) -> Found {
-    let list = List::free();
+    let list = List::free(given);
     let checked = check(given, &list);
     Found { list, checked, steps: 0, lists: 1, converged: true }
 }

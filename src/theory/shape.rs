@@ -33,6 +33,13 @@ pub(super) enum Shape {
         /// Phase at `x = 0` \[rad\].
         phase: f64,
     },
+    /// `g = u − w0`, of a beam with an own shape.
+    Gap {
+        /// `u`.
+        ground: Box<Shape>,
+        /// `w0`.
+        own: Box<Shape>,
+    },
 }
 
 /// The waves `A cos(ωx + φ)` of a cosine profile.
@@ -54,13 +61,32 @@ impl Wave {
 }
 
 impl Shape {
-    /// The waves, if it is a cosine.
-    pub(super) fn wave(&self) -> Option<Wave> {
+    /// Its waves: of a cosine one, of the difference of two cosines two.
+    pub(super) fn waves(&self) -> [Option<Wave>; 2] {
         match *self {
-            Self::Line { .. } | Self::Polynomial { .. } => None,
+            Self::Line { .. } | Self::Polynomial { .. } => [None; 2],
             Self::Cosine { amplitude, wavelength, phase, .. } => {
-                Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase })
+                [Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase }), None]
             }
+            Self::Gap { ref ground, ref own } => {
+                let [below, _] = ground.waves();
+                let [own, _] = own.waves();
+                [below, own.map(|wave| Wave { amplitude: -wave.amplitude, ..wave })]
+            }
+        }
+    }
+
+    /// The fourth derivative at `x` of all of it but its waves.
+    pub(super) fn fourth_without_waves(&self, x: f64) -> f64 {
+        match self {
+            Self::Line { .. } | Self::Cosine { .. } => 0.0,
+            Self::Polynomial { coefficients, .. } if coefficients.len() < 5 => 0.0,
+            Self::Polynomial { .. } => {
+                let mut taylor = [0.0; 5];
+                self.taylor(x, &mut taylor);
+                24.0 * taylor[4]
+            }
+            Self::Gap { ground, own } => ground.fourth_without_waves(x) - own.fourth_without_waves(x),
         }
     }
 
@@ -77,6 +103,15 @@ impl Shape {
             Self::Line { .. } => Some(1),
             Self::Polynomial { coefficients, .. } => Some(coefficients.len().saturating_sub(1)),
             Self::Cosine { .. } => None,
+            Self::Gap { ground, own } => Some(ground.degree()?.max(own.degree()?)),
+        }
+    }
+
+    /// The degree of what is a polynomial in it.
+    pub(super) fn polynomial_degree(&self) -> usize {
+        match self {
+            Self::Gap { ground, own } => ground.polynomial_degree().max(own.polynomial_degree()),
+            other => other.degree().unwrap_or(0),
         }
     }
 
@@ -88,6 +123,7 @@ impl Shape {
             Self::Line { .. } => return 0.0,
             Self::Polynomial { coefficients, .. } => coefficients.len().min(taylor.len()),
             Self::Cosine { .. } => taylor.len(),
+            Self::Gap { ground, own } => return ground.bow(x, t, even) - own.bow(x, t, even),
         };
         self.taylor(x, &mut taylor[..terms]);
         if even {
@@ -106,6 +142,12 @@ impl Shape {
                 }
             }
             Self::Polynomial { origin, coefficients } => shifted(coefficients, x - origin, out),
+            Self::Gap { ground, own } => {
+                let mut of_own = vec![0.0; out.len()];
+                own.taylor(x, &mut of_own);
+                ground.taylor(x, out);
+                out.iter_mut().zip(of_own).for_each(|(g, w)| *g -= w);
+            }
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 let wave = FULL / wavelength;
                 let angle = FULL * (x / wavelength) + phase;

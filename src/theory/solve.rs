@@ -57,7 +57,6 @@ const BYTES_PER_POINT: usize = 2000;
 ///
 /// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
-    scene.only_simple_beam("the exact method")?;
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     if let Some(&Foundation::Cosine { wavelength, phase, .. }) = foundation {
@@ -77,19 +76,14 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
         return Err(TheoryError::TooManyPoints { count: points.len(), most: MOST_POINTS });
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
-    let (given, found) = match foundation {
-        Some(foundation) => {
-            let given = PiecewiseScene::new(&scaled.scene, foundation);
-            let found = search::search(&given);
-            (given, found)
-        }
+    let given = PiecewiseScene::new(&scaled.scene);
+    let found = match foundation {
+        Some(_) => search::search(&given),
         None => {
-            // Clearances are then measured from the line of the supports and asked of nobody.
-            let given = PiecewiseScene::new(&scaled.scene, &Foundation::Flat { depth: 0.0 });
             let mut found = search::free(&given);
             found.checked.faults.clear();
             found.checked.worst = 0.0;
-            (given, found)
+            found
         }
     };
     Ok(Exact::new(given, found, scaled.scale, stiffness, foundation.is_some()))

@@ -1,4 +1,4 @@
-//! A span: the beam between two neighbouring contacts, or a support and a contact, in closed form.
+//! A span: the beam between two neighbouring nodes, or between a node and a free end, in closed form.
 //!
 //! It is computed in the clearance `h = u − v`, not in `v`: at a contact `h` and, where the profile is smooth, `h'` vanish
 //! exactly, so that even a tiny gap between two contacts is resolved to its last digits. With `g = u'''' − q`,
@@ -31,27 +31,40 @@ pub(super) enum Hold {
         /// the first number.
         slope: [f64; 2],
     },
-    /// A simple support: `v = v'' = 0`.
-    Support,
+    /// A support, or a break of the profile, that leaves the slope free beside an overhang, or beside nothing at an end of the
+    /// beam: `v` is given, and `v''` follows from the overhang.
+    Hinge {
+        /// `h`.
+        height: f64,
+        /// `v`.
+        level: f64,
+        /// `v''`.
+        curvature: f64,
+    },
+    /// A free end of the beam: `v'' = v''' = 0`.
+    Free,
 }
 
 impl Hold {
-    /// `h`, where the profile is `depth` deep.
-    fn height(self, depth: f64) -> f64 {
+    /// `h`.
+    fn height(self) -> f64 {
         match self {
-            Self::Resting => 0.0,
-            Self::Edge { height, .. } => height,
-            Self::Support => depth,
+            Self::Resting | Self::Free => 0.0,
+            Self::Edge { height, .. } | Self::Hinge { height, .. } => height,
         }
     }
 
     /// `v`, where the profile is `depth` deep.
     fn level(self, depth: f64) -> f64 {
         match self {
-            Self::Resting => depth,
-            Self::Edge { level, .. } => level,
-            Self::Support => 0.0,
+            Self::Resting | Self::Free => depth,
+            Self::Edge { level, .. } | Self::Hinge { level, .. } => level,
         }
+    }
+
+    /// True if the second derivative there is given, whatever the slopes are.
+    pub(super) fn is_hinged(self) -> bool {
+        matches!(self, Self::Hinge { .. } | Self::Free)
     }
 }
 
@@ -101,7 +114,7 @@ impl Span {
         let l = b.x - a.x;
         let profiles = [given.derivatives(a.cell, a.x), given.derivatives(b.cell, b.x)];
         let ends = [&a, &b];
-        let heights = [0, 1].map(|i| ends[i].hold.height(profiles[i][0]));
+        let heights = [0, 1].map(|i| ends[i].hold.height());
         let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
         let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / (l * l);
         let in_clearance =
@@ -119,8 +132,9 @@ impl Span {
             (Hold::Resting, false) => Held::Slope(-incline),
             (Hold::Edge { slope: [slope, rest], .. }, true) => Held::Slope(slope - incline + rest),
             (Hold::Edge { slope: [slope, rest], .. }, false) => Held::Slope(profiles[i][1] - slope - rest - incline),
-            (Hold::Support, true) => Held::Curvature(0.0),
-            (Hold::Support, false) => Held::Curvature(profiles[i][2]),
+            (Hold::Hinge { curvature, .. }, true) => Held::Curvature(curvature),
+            (Hold::Hinge { curvature, .. }, false) => Held::Curvature(profiles[i][2] - curvature),
+            (Hold::Free, _) => Held::Curvature(0.0),
         });
         let solved = solve(l, held, &fixed_end(given, &a, &b, if in_beam { Drive::Load } else { Drive::Clearance }));
         let mut at = [[0.0; 4]; 2];
@@ -142,7 +156,8 @@ impl Span {
                 Hold::Edge { slope: [slope, rest], .. } => {
                     (at[i][1], beam[i][1]) = (profile[1] - slope - rest, slope);
                 }
-                Hold::Support => (at[i][2], beam[i][2]) = (profile[2], 0.0),
+                Hold::Hinge { curvature, .. } => (at[i][2], beam[i][2]) = (profile[2] - curvature, curvature),
+                Hold::Free => {}
             }
         }
         let [at_a, at_b] = at;
@@ -150,9 +165,91 @@ impl Span {
         Self { a, b, at_a, at_b, beam_a, beam_b }
     }
 
+    /// The overhang between a free end of the beam and the node `held`; `slope` is that of the beam at the node. With the
+    /// distance `r` of a load from the node and the length `ℓ` of the overhang,
+    ///
+    /// ```text
+    /// v'' = ∫q r,   |v'''| = ∫q at the node        v grows by ∫q r² (3ℓ − r)/6, v' by ∫q r²/2 towards the free end
+    /// ```
+    pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: bool) -> Self {
+        let (x, cell) = if at_left { (0.0, 0) } else { (given.length, given.cells.len() - 1) };
+        let free = End { x, rest: 0.0, cell, hold: Hold::Free };
+        let length = (held.x - free.x).abs();
+        let Overhang { force, moment, turn, sag } = Overhang::of(given, held.x, at_left);
+        let profiles = [given.derivatives(held.cell, held.x), given.derivatives(free.cell, free.x)];
+        // Outwards is to the left or to the right.
+        let sign = if at_left { 1.0 } else { -1.0 };
+        let level = held.hold.level(profiles[0][0]);
+        let beam_held = [level, slope, moment, sign * force];
+        let beam_free = [level - sign * slope * length + sag, slope - sign * turn, 0.0, 0.0];
+        let mut at_held = difference(&profiles[0], &beam_held);
+        at_held[0] = held.hold.height();
+        if held.hold == Hold::Resting {
+            at_held[1] = 0.0;
+        }
+        let at_free = difference(&profiles[1], &beam_free);
+        if at_left {
+            Self { a: free, b: held, at_a: at_free, at_b: at_held, beam_a: beam_free, beam_b: beam_held }
+        } else {
+            Self { a: held, b: free, at_a: at_held, at_b: at_free, beam_a: beam_held, beam_b: beam_free }
+        }
+    }
+
+    /// True if it ends at a free end of the beam.
+    pub(super) fn is_overhang(&self) -> bool {
+        self.a.hold == Hold::Free || self.b.hold == Hold::Free
+    }
+
     /// Its length `ℓ`.
     pub(super) fn length(&self) -> f64 {
         self.b.x - self.a.x
+    }
+}
+
+/// What the loads beyond a place do to the beam, if nothing else acts there.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Overhang {
+    /// `∫q`.
+    pub(super) force: f64,
+    /// `∫q r`: `v''` at the place.
+    pub(super) moment: f64,
+    /// `∫q r²/2`: by how much the free end turns.
+    turn: f64,
+    /// `∫q r² (3ℓ − r)/6`: how far it sags.
+    sag: f64,
+}
+
+impl Overhang {
+    /// The loads between `x` and the left or the right end of the beam, without one just at `x`.
+    pub(super) fn of(given: &PiecewiseScene, x: f64, at_left: bool) -> Self {
+        let [from, to] = if at_left { [0.0, x] } else { [x, given.length] };
+        let mut sum = Self::default();
+        let length = to - from;
+        if length <= 0.0 {
+            return sum;
+        }
+        let mut add = |at: f64, force: f64| {
+            let r = (x - at).abs();
+            sum.force += force;
+            sum.moment += force * r;
+            sum.turn += force * r * r / 2.0;
+            sum.sag += force * r * r * (3.0 * length - r) / 6.0;
+        };
+        for cell in given.cell_from(from)..=given.cell_to(to) {
+            let (lo, hi) = (given.cells[cell].lo.max(from), given.cells[cell].hi.min(to));
+            if lo < hi {
+                for (at, weight) in given.load_rule.points(lo, hi) {
+                    add(at, weight * given.load(cell, at));
+                }
+            }
+        }
+        for breakpoint in given.breakpoints.iter().filter(|j| j.force != 0.0) {
+            let beyond = if at_left { breakpoint.x < x } else { x < breakpoint.x };
+            if beyond {
+                add(breakpoint.x, breakpoint.force);
+            }
+        }
+        sum
     }
 }
 
@@ -230,12 +327,11 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
         shear[0] += force * r;
         shear[1] += force * s;
     };
-    let wave = given.shapes[given.cells[a.cell].shape].wave();
+    let waves = given.shapes[given.cells[a.cell].shape].waves();
     // The waves of a cosine follow in closed form.
     let drive = |cell, x| match of {
         Drive::Load => given.load(cell, x),
-        Drive::Clearance if wave.is_some() => -given.load(cell, x),
-        Drive::Clearance => given.drive(cell, x),
+        Drive::Clearance => given.drive_without_waves(cell, x),
     };
     let sign = if of == Drive::Load { 1.0 } else { -1.0 };
     for cell in a.cell..=b.cell {
@@ -259,7 +355,7 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
         moment[0] += (breakpoint.kink * (6.0 * s - 4.0) - 6.0 * breakpoint.step / l) / l;
         moment[1] += (breakpoint.kink * (2.0 - 6.0 * s) + 6.0 * breakpoint.step / l) / l;
     }
-    if let Some(wave) = wave {
+    for wave in waves.into_iter().flatten() {
         let (g, q) = cosine::fixed_end(wave.amplitude, wave.number, wave.angle(0.5 * (a.x + b.x)), l);
         for end in 0..2 {
             moment[end] += g[end];

@@ -2,18 +2,19 @@
 
 use super::bernstein::{range, sign_changes};
 use super::check::zone_force;
-use super::list::List;
+use super::list::{Kind, List};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use crate::scene::Scale;
-use crate::state::{Contact, ContactState, Extremes, Reactions, Regime};
+use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce};
 
 /// The state of the beam.
 pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
     let force = |f: f64| f * stiffness * scale.force;
     let pieces = &found.checked.pieces;
-    let ends = [given.breakpoints.first(), given.breakpoints.last()].map(|j| j.map_or(0.0, |j| j.force));
+    let supports = supports(given, found, scale, stiffness);
+    let at_end = |x: f64| supports.iter().find(|s| s.at <= x && x <= s.at).map_or(0.0, |s| s.force);
     let contacts = contacts(given, found)
         .into_iter()
         .map(|c| Contact {
@@ -27,10 +28,8 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
     let moment = |m: f64| -m * stiffness * scale.moment() + 0.0;
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions {
-            left: force(found.checked.shear[0] + ends[0]),
-            right: force(-found.checked.shear[1] + ends[1]),
-        },
+        reactions: Reactions { left: at_end(0.0), right: at_end(given.length * scale.length) },
+        supports,
         contacts,
         deflection: Extremes {
             max: deflection.max * scale.depth,
@@ -49,6 +48,23 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
     }
 }
 
+/// The forces of the supports, from left to right.
+fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> Vec<SupportForce> {
+    let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
+    let supports = nodes.filter_map(|((node, force), moments)| {
+        let support = &given.supports[node.support()?];
+        // Beside the support, on the side where there is a beam: of both the larger one.
+        let [left, right] = *moments;
+        let moment = if left.abs() < right.abs() { right } else { left };
+        Some(SupportForce {
+            at: node.x * scale.length,
+            force: (force + given.breakpoints[support.breakpoint].force) * stiffness * scale.force,
+            moment: support.slope.map(|_| moment * stiffness * scale.moment()),
+        })
+    });
+    supports.collect()
+}
+
 /// The contacts from left to right.
 fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
@@ -57,15 +73,14 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     let place = |i: usize| on_the_beam(nodes[i].x, given.length);
     for i in 0..=nodes.len() {
         if found.list.in_zone_before(i) {
-            let left = i.checked_sub(1).map(|i| (place(i), forces[i]));
-            let right = nodes.get(i).map(|_| (place(i), forces[i]));
-            let (from, force_from) = left.unwrap_or((0.0, 0.0));
-            let (to, force_to) = right.unwrap_or((given.length, 0.0));
+            // Of what ground and support carry together at a support the support is said to take all.
+            let end = |i: usize| (place(i), if nodes[i].support().is_some() { 0.0 } else { forces[i] });
+            let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
             let force = force_from + force_to + zone_force(given, from, to);
             contacts.push(Contact { from, to, force, end_forces: Some([force_from, force_to]) });
         }
         if let Some(node) = nodes.get(i)
-            && !node.kind.is_of_zone()
+            && matches!(node.kind, Kind::Smooth | Kind::Edge(_))
         {
             contacts.push(Contact { from: place(i), to: place(i), force: forces[i], end_forces: None });
         }

@@ -1,7 +1,9 @@
 //! Random numbers from a fixed seed, the same on every machine, with no crate to change under us; and random scenes.
 
+mod held;
 mod scenes;
 
+pub use held::held;
 pub use scenes::{on_lattice, rough, scene, smooth};
 
 /// The generator SplitMix64 (Steele, Lea and Flood 2014).

@@ -1,0 +1,198 @@
+//! Lists that make sense: repaired and guessed ones are brought into this form before they are solved.
+
+use super::list::{Beside, Kind, List, Node};
+use super::piecewise::PiecewiseScene;
+
+/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
+/// leave no span between them. Supports stay.
+pub(super) fn normalised(given: &PiecewiseScene, list: List) -> List {
+    let mut normal = Normal {
+        given,
+        closed: 1e-11 * given.length,
+        least: 16.0 * f64::EPSILON * given.length,
+        nodes: Vec::with_capacity(list.nodes.len()),
+        inside: false,
+    };
+    for node in list.nodes {
+        match node.kind {
+            Kind::Support(index, beside) => normal.add_support(index, beside, node),
+            Kind::Tip if node.x <= 0.0 => {
+                normal.inside = normal.nodes.is_empty();
+                normal.nodes.extend(normal.inside.then_some(node));
+            }
+            Kind::Tip => normal.end_at_tip(node),
+            _ => normal.add_contact(node),
+        }
+    }
+    normal.end_of_beam()
+}
+
+/// The nodes of a list so far.
+struct Normal<'a> {
+    given: &'a PiecewiseScene,
+    /// A gap of this width between two contacts cannot be told from none; one between contacts on the same slope is more
+    /// likely the solution without a gap, which the equations have as well.
+    closed: f64,
+    /// The same of two contacts on different slopes.
+    least: f64,
+    nodes: Vec<Node>,
+    /// True if a zone has begun and not ended.
+    inside: bool,
+}
+
+impl Normal<'_> {
+    fn add_contact(&mut self, node: Node) {
+        let given = self.given;
+        let before = self.nodes.last().map_or(0.0, |n| n.x);
+        let on_one_slope = node.can_move() && self.nodes.last().is_some_and(Node::can_move);
+        let begins = self.nodes.is_empty() && given.free_ends[0];
+        let gap = begins || (if on_one_slope { self.closed } else { self.least }) < node.x - before;
+        // Two contacts on one smooth piece are one zone if it would press everywhere between them.
+        if !self.inside
+            && node.can_move()
+            && node.kind != Kind::ZoneEnd
+            && let Some(last) = self.nodes.last_mut()
+            && last.can_move()
+            && given.cells[last.cell].shape == given.cells[node.cell].shape
+            && given.tension_between(last.x, node.x).next().is_none()
+        {
+            if last.kind == Kind::ZoneEnd {
+                self.nodes.pop();
+            } else {
+                last.kind = Kind::ZoneStart;
+            }
+            self.inside = true;
+            if node.kind == Kind::Smooth && before < node.x {
+                self.inside = false;
+                self.nodes.push(Node { kind: Kind::ZoneEnd, ..node });
+            }
+            return;
+        }
+        match node.kind {
+            Kind::ZoneEnd if self.inside => {
+                self.inside = false;
+                self.nodes.push(node);
+            }
+            Kind::ZoneEnd => {}
+            _ if self.inside => {}
+            _ if gap => {
+                self.inside = node.kind == Kind::ZoneStart;
+                self.nodes.push(node);
+            }
+            Kind::ZoneStart => {
+                self.inside = true;
+                match self.nodes.last_mut() {
+                    // Two zones that meet are one.
+                    Some(last) if last.kind == Kind::ZoneEnd => {
+                        self.nodes.pop();
+                    }
+                    // A zone that starts in the last digits beside a support where the ground starts as well.
+                    Some(Node { kind: Kind::Support(index, beside), .. }) => {
+                        if given.supports[*index].grounded[1] {
+                            beside[1] = Beside::Zone;
+                        } else {
+                            self.nodes.push(node);
+                        }
+                    }
+                    _ => {
+                        self.nodes.pop();
+                        self.nodes.push(node);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn add_support(&mut self, index: usize, [left, right]: [Beside; 2], node: Node) {
+        while self.nodes.last().is_some_and(|n| n.support().is_none() && node.x - n.x <= self.least) {
+            self.inside = self.nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
+        }
+        if self.inside && !self.given.supports[index].grounded[0] {
+            self.give_up();
+        }
+        let left = match left {
+            _ if self.inside => Beside::Zone,
+            Beside::Zone => Beside::Apart,
+            other => other,
+        };
+        self.inside = right == Beside::Zone;
+        self.nodes.push(Node { kind: Kind::Support(index, [left, right]), ..node });
+    }
+
+    /// A zone that begins and has no end does not begin.
+    fn give_up(&mut self) {
+        self.inside = false;
+        match self.nodes.last_mut() {
+            Some(Node { kind: Kind::Support(_, beside), .. }) => beside[1] = Beside::Apart,
+            Some(Node { kind: Kind::ZoneStart | Kind::Tip, .. }) => {
+                self.nodes.pop();
+            }
+            _ => {}
+        }
+    }
+
+    fn end_at_tip(&mut self, tip: Node) {
+        if self.inside {
+            self.inside = false;
+            self.nodes.push(tip);
+        }
+    }
+
+    fn end_of_beam(mut self) -> List {
+        let given = self.given;
+        let last = given.cells.len();
+        if given.free_ends[1] {
+            // A contact in the last digits before a free end is one of that end.
+            while self.nodes.last().is_some_and(|n| n.can_move() && given.length - n.x <= self.least) {
+                self.inside = self.nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
+                if !self.inside {
+                    self.nodes.push(edge_node(given, last));
+                }
+            }
+        }
+        if self.inside {
+            self.give_up();
+        }
+        if given.free_ends[0]
+            && let Some(first) = self.nodes.first_mut()
+            && first.kind == Kind::Smooth
+            && first.x <= self.least
+        {
+            *first = edge_node(given, 0);
+        }
+        self.reach_the_ends();
+        List { nodes: self.nodes }
+    }
+
+    /// A zone on straight ground beside an overhang that only presses it down reaches the free end.
+    fn reach_the_ends(&mut self) {
+        let given = self.given;
+        let pressed = |from: f64, to: f64| given.tension_between(from, to).next().is_none();
+        let [_, last] = given.cells_beside(given.cells.len());
+        if given.is_flat_end(0)
+            && let Some(first) = self.nodes.first_mut()
+            && first.kind == Kind::ZoneStart
+            && given.cells[first.cell].shape == given.cells[0].shape
+            && pressed(0.0, first.x)
+        {
+            *first = Node::new(Kind::Tip, 0.0, 0);
+        }
+        if given.is_flat_end(given.cells.len())
+            && let Some(end) = self.nodes.last_mut()
+            && end.kind == Kind::ZoneEnd
+            && given.cells[end.cell].shape == given.cells[last].shape
+            && pressed(end.x, given.length)
+        {
+            *end = Node::new(Kind::Tip, given.length, last);
+        }
+    }
+}
+
+/// A node on an edge of the profile, with the mean of the slopes on its two sides to start from.
+pub(super) fn edge_node(given: &PiecewiseScene, breakpoint: usize) -> Node {
+    let x = given.breakpoints[breakpoint].x;
+    let [left, right] = given.cells_beside(breakpoint);
+    let slope = 0.5 * (given.derivative(left, x, 1) + given.derivative(right, x, 1));
+    Node { slope, ..Node::new(Kind::Edge(breakpoint), x, right) }
+}
