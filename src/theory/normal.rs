@@ -71,7 +71,11 @@ impl Normal<'_> {
         match node.kind {
             Kind::ZoneEnd if self.inside => {
                 self.inside = false;
-                self.nodes.push(node);
+                match self.nodes.last_mut() {
+                    // Of a zone that has shrunk to nothing at a free end the end itself is left.
+                    Some(tip) if tip.kind == Kind::Tip && node.x <= self.least => *tip = edge_node(given, 0),
+                    _ => self.nodes.push(node),
+                }
             }
             Kind::ZoneEnd => {}
             _ if self.inside => {}
@@ -133,33 +137,44 @@ impl Normal<'_> {
     }
 
     fn end_at_tip(&mut self, tip: Node) {
-        if self.inside {
-            self.inside = false;
-            self.nodes.push(tip);
+        if !std::mem::take(&mut self.inside) {
+            return;
+        }
+        match self.nodes.last_mut() {
+            Some(start) if start.kind == Kind::ZoneStart && tip.x - start.x <= self.least => {
+                *start = edge_node(self.given, self.given.cells.len());
+            }
+            _ => self.nodes.push(tip),
         }
     }
 
     fn end_of_beam(mut self) -> List {
         let given = self.given;
         let last = given.cells.len();
-        if given.free_ends[1] {
-            // A contact in the last digits before a free end is one of that end.
-            while self.nodes.last().is_some_and(|n| n.can_move() && given.length - n.x <= self.least) {
-                self.inside = self.nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
-                if !self.inside {
-                    self.nodes.push(edge_node(given, last));
-                }
-            }
+        // A contact in the last digits before a free end is one of that end.
+        if given.free_ends[1]
+            && let Some(end) = self.nodes.last_mut()
+            && end.can_move()
+            && given.length - end.x <= self.least
+        {
+            *end = match end.kind {
+                Kind::ZoneEnd => Node::new(Kind::Tip, given.length, end.cell),
+                _ => edge_node(given, last),
+            };
+            self.inside = false;
         }
         if self.inside {
             self.give_up();
         }
         if given.free_ends[0]
             && let Some(first) = self.nodes.first_mut()
-            && first.kind == Kind::Smooth
+            && first.can_move()
             && first.x <= self.least
         {
-            *first = edge_node(given, 0);
+            *first = match first.kind {
+                Kind::ZoneStart => Node::new(Kind::Tip, 0.0, 0),
+                _ => edge_node(given, 0),
+            };
         }
         self.reach_the_ends();
         List { nodes: self.nodes }
@@ -168,6 +183,7 @@ impl Normal<'_> {
     /// A zone on straight ground beside an overhang that only presses it down reaches the free end.
     fn reach_the_ends(&mut self) {
         let given = self.given;
+        let pulled = |end: usize| given.breakpoints[end].force < 0.0;
         let pressed = |from: f64, to: f64| given.tension_between(from, to).next().is_none();
         let [_, last] = given.cells_beside(given.cells.len());
         if given.is_flat_end(0)
@@ -175,6 +191,7 @@ impl Normal<'_> {
             && first.kind == Kind::ZoneStart
             && given.cells[first.cell].shape == given.cells[0].shape
             && pressed(0.0, first.x)
+            && !pulled(0)
         {
             *first = Node::new(Kind::Tip, 0.0, 0);
         }
@@ -183,6 +200,7 @@ impl Normal<'_> {
             && end.kind == Kind::ZoneEnd
             && given.cells[end.cell].shape == given.cells[last].shape
             && pressed(end.x, given.length)
+            && !pulled(given.cells.len())
         {
             *end = Node::new(Kind::Tip, given.length, last);
         }

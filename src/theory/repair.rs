@@ -7,7 +7,7 @@ use super::check::Checked;
 use super::list::{Beside, Kind, List, Node, support_node};
 use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
-use super::span::Span;
+use super::span::{Overhang, Span};
 use super::tension::zones_between;
 use super::violation::Violation;
 
@@ -57,7 +57,9 @@ impl Repair<'_> {
 
     /// A point that pulls goes. The end of a zone moves by itself when others have changed.
     fn tension(&mut self, i: usize) {
-        if !self.list.nodes[i].kind.is_of_zone() {
+        if self.list.nodes[i].kind == Kind::Tip {
+            self.lift_tip(i);
+        } else if !self.list.nodes[i].kind.is_of_zone() {
             self.keep[i] = false;
         }
     }
@@ -125,16 +127,32 @@ impl Repair<'_> {
         self.nodes[i] = support_node(given, index, [Beside::Apart; 2]);
     }
 
-    /// A zone that reaches a free end on ground that is bent there: the beam lifts off before, or touches with its end alone.
+    /// A zone that reaches a free end on ground that is bent there lifts off before, or touches with its end alone.
     fn jump(&mut self, i: usize) {
+        if self.list.nodes.get(i).is_some_and(|node| node.kind == Kind::Tip) {
+            self.lift_tip(i);
+        }
+    }
+
+    /// The zone of tip `i` ends where the overhang that it leaves is bent as the ground is, `∫q r = g''`; in a hollow, which
+    /// bends the other way, the end of the beam touches besides.
+    fn lift_tip(&mut self, i: usize) {
+        /// Places that are tried; Newton's method does the rest.
+        const PLACES: u32 = 64;
         let (given, nodes) = (self.given, &self.list.nodes);
-        let Some(tip) = nodes.get(i).filter(|node| node.kind == Kind::Tip) else { return };
-        let left = tip.x <= 0.0;
-        let Some(far) = (if left { nodes.get(i + 1) } else { i.checked_sub(1).map(|i| &nodes[i]) }) else { return };
-        let x = tip.x + 0.3 * (far.x - tip.x);
+        let (tip, left) = (nodes[i], nodes[i].x <= 0.0);
+        let far = if left { nodes.get(i + 1) } else { i.checked_sub(1).map(|i| &nodes[i]) };
+        let zone = far.map_or(0.0, |far| far.x - tip.x);
+        let place = |k: u32| tip.x + zone * (f64::from(k) / f64::from(PLACES));
+        let bent = |x: f64| Overhang::of(given, x, left).moment - given.derivative(given.cell_from(x), x, 2);
+        let hollow = given.derivative(tip.cell, tip.x, 2) < 0.0;
+        let place = match hollow {
+            true => place(PLACES / 4),
+            false => (1..PLACES).map(place).find(|&x| 0.0 <= bent(x)).unwrap_or(place(PLACES / 2)),
+        };
         self.keep[i] = false;
-        self.added.push(Node::new(if left { Kind::ZoneStart } else { Kind::ZoneEnd }, x, given.cell_from(x)));
-        if given.derivative(tip.cell, tip.x, 2) > 0.0 {
+        self.added.push(Node::new(if left { Kind::ZoneStart } else { Kind::ZoneEnd }, place, given.cell_from(place)));
+        if hollow {
             self.added.push(edge_node(given, if left { 0 } else { given.cells.len() }));
         }
     }
@@ -168,5 +186,9 @@ impl Repair<'_> {
 /// The edge at `at` in a span, if there is one.
 fn edge_at(given: &PiecewiseScene, span: &Span, at: f64) -> Option<usize> {
     let near = 1e-6 * span.length();
+    let ends = [(0.0, 0), (given.length, given.cells.len())];
+    if let Some((_, end)) = ends.into_iter().find(|&(x, end)| given.is_free_end(end) && (at - x).abs() < near) {
+        return Some(end);
+    }
     given.breakpoints_inside(at - near, at + near).find(|&j| span.a.cell < j && j <= span.b.cell && given.is_edge(j))
 }

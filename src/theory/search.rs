@@ -103,6 +103,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
             let checked = check(given, &list);
             (steps, lists) = (steps + run.steps, lists + 1);
             let found = Found { list, checked, steps, lists, converged: run.converged };
+            if std::env::var("TRACE").is_ok() { eprintln!("turn {turn} conv {} worst {:e}\n   {:?}\n   {:?}", found.converged, found.checked.worst, found.list.nodes.iter().map(|n| (n.kind, n.x/given.length)).collect::<Vec<_>>(), found.checked.faults); }
             if found.certified() {
                 return found;
             }
