@@ -1,6 +1,6 @@
 //! Numbers of about 32 digits, each an unevaluated sum of two of 64 bits.
 //!
-//! What one operation rounds off is itself a 64-bit number, and is carried along (Dekker 1971; Ogita, Rump and Oishi 2005).
+//! What one operation rounds off is itself a 64-bit number, and is carried along (Dekker 1971).
 
 /// `high + low`, with `low` at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
