@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::Beam;
 use super::error::{SceneError, finite, on_beam, positive};
+use super::polynomial;
 use super::quantity::{Profile, ProfileKey, Quantity};
 
 /// Depth `u(x)` of the foundation below the line of the supports, positive downwards.
@@ -89,7 +90,7 @@ impl Foundation {
     pub fn depth(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => *depth,
-            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c),
+            Self::Polynomial { coefficients } => polynomial::value(coefficients, x),
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 mean + amplitude * libm::cos(2.0 * std::f64::consts::PI * (x / wavelength) + phase)
             }
@@ -173,7 +174,7 @@ impl Foundation {
     pub fn magnitude_at(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| sum * x.abs() + c.abs()),
+            Self::Polynomial { coefficients } => polynomial::magnitude_at(coefficients, x),
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 // The angle is rounded as well.
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();
@@ -191,7 +192,7 @@ impl Foundation {
     pub fn magnitude(&self, length: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| sum * length + c.abs()),
+            Self::Polynomial { coefficients } => polynomial::magnitude(coefficients, length),
             Self::Cosine { mean, amplitude, .. } => mean.abs() + amplitude.abs(),
             Self::Polyline { points } => points.iter().fold(0.0, |most, p| p[1].abs().max(most)),
         }

@@ -5,7 +5,7 @@ use super::piecewise::{AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::shape::Shape;
 use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Beam, Foundation, Held, Load, Scene};
+use crate::scene::{Beam, Foundation, Held, Load, Scene, polynomial};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -84,6 +84,11 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f6
     places.extend(load.point().iter().map(|p| p.at));
     places.extend([0.0, beam.length()]);
     for profile in profiles.iter().flatten() {
+        if let Foundation::Polynomial { coefficients } = profile
+            && let Some(degree) = polynomial::long_degree(coefficients)
+        {
+            places.extend(polynomial::cuts(beam.length(), polynomial::parts(degree)));
+        }
         let Foundation::Cosine { wavelength, .. } = profile else { continue };
         let most = CELL_ANGLE * wavelength / (2.0 * std::f64::consts::PI);
         places.sort_by(f64::total_cmp);
@@ -201,6 +206,9 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
         Foundation::Flat { depth } => (vec![Shape::Polynomial { origin: 0.0, coefficients: vec![*depth] }], Vec::new()),
         Foundation::Polynomial { coefficients } => {
+            if let Some(degree) = polynomial::long_degree(coefficients) {
+                return (vec![Shape::long(coefficients, degree, length)], Vec::new());
+            }
             let used = coefficients.iter().rposition(|&c| c != 0.0).map_or(1, |i| i + 1);
             (vec![Shape::Polynomial { origin: 0.0, coefficients: coefficients[..used].to_vec() }], Vec::new())
         }

@@ -4,6 +4,7 @@ mod balance;
 mod borders;
 mod closed;
 mod level;
+mod long;
 mod near;
 mod statics;
 mod surveys;
