@@ -6,4 +6,5 @@ mod closed;
 mod level;
 mod near;
 mod statics;
+mod supports;
 mod surveys;
