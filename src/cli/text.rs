@@ -2,6 +2,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::Status;
+use palkki::scene::Beam;
 use palkki::state::{Contact, Extremes, Nodes};
 use palkki::text::{at_least, at_most, magnitude, magnitude_at_most, result};
 
@@ -105,18 +106,27 @@ fn grids(answer: &Answer, found: &Grids) -> String {
 
 fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let state = &answer.solution.state;
-    let (load, reactions) = (input.scene.load().resultant(input.scene.beam().length()), state.reactions);
+    let load = input.scene.load().resultant(input.scene.beam().length());
     let contact = state.contact_force();
-    let remains = load - reactions.left - reactions.right - contact;
-    let rows = [
-        ("loads", load, "down"),
-        ("left support", reactions.left, "up"),
-        ("right support", reactions.right, "up"),
-        ("contact", contact, "up"),
-        ("what remains", remains, ""),
-    ];
-    let rows = rows.map(|(name, value, way)| vec![name.to_owned(), shown(name, value), way.to_owned()]);
+    let remains = state.supports.iter().fold(load, |rest, support| rest - support.force) - contact;
+    let mut rows = vec![("loads".to_owned(), load, "down")];
+    rows.extend(
+        state.supports.iter().map(|support| (support_name(input.scene.beam(), support.at), support.force, "up")),
+    );
+    rows.push(("contact".to_owned(), contact, "up"));
+    rows.push(("what remains".to_owned(), remains, ""));
+    let rows: Vec<Row> =
+        rows.into_iter().map(|(name, value, way)| vec![name.clone(), shown(&name, value), way.to_owned()]).collect();
     table("Equilibrium", &["", &labels.force("force"), ""], &rows)
+}
+
+/// What a support is called: by its end of the beam, or by its place.
+fn support_name(beam: &Beam, at: f64) -> String {
+    match at {
+        at if at <= 0.0 => "left support".to_owned(),
+        at if beam.length() <= at => "right support".to_owned(),
+        at => format!("support at {}", result(at)),
+    }
 }
 
 /// A force of the balance; what remains of it is rounding, of which only the size is of interest.

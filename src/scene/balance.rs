@@ -6,7 +6,7 @@
 //! | supports | an answer exists if and only if |
 //! |---|---|
 //! | none | `W > 0` and `0 ≤ x_W ≤ l`: the moments `∫q x` and `∫q (l − x)` are not negative |
-//! | one simple, at `x_s` | there is a foundation, or `∫q (x − x_s) = 0` |
+//! | one simple, at `x_s` | `∫q (x − x_s) > 0` and there is ground to the right of it, `< 0` and to the left, or `= 0` |
 //!
 //! with the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
 //! inequality). Each of these sums is an interval: loads and places are decimals, known to half a unit in their last place. The
@@ -81,13 +81,20 @@ pub enum Unheld {
     /// Neither supports nor ground.
     #[error("there is neither a support nor a foundation: nothing carries the beam")]
     NothingCarries,
-    /// One simple support and no ground.
+    /// One simple support, and no ground on the side to which the beam turns.
     #[error(
-        "there is no foundation: nothing keeps the beam from turning about its support at x = {}, with a moment of {}",
+        "there is no {}: nothing keeps the beam from turning about its support at x = {}, with a moment of {}",
+        match (grounded, 0.0 < *moment) {
+            (false, _) => "foundation",
+            (true, true) => "ground to the right of the support",
+            (true, false) => "ground to the left of the support",
+        },
         shown(*at),
         rounded(*moment)
     )]
     Turns {
+        /// True if there is ground at all.
+        grounded: bool,
         /// Where the support is \[length\].
         at: f64,
         /// The moment of the loads about it, positive clockwise \[force · length\].
@@ -130,8 +137,9 @@ impl Balance {
                 let turn = turn(support.at);
                 match turn.sign() {
                     Ordering::Equal => Ok(Self::Neutral { resultant: resultant(), about: support.at }),
-                    _ if grounded => Ok(Self::Stands(resultant())),
-                    _ => Err(Unheld::Turns { at: support.at, moment: turn.value() }),
+                    Ordering::Greater if grounded && support.at < length => Ok(Self::Stands(resultant())),
+                    Ordering::Less if grounded && 0.0 < support.at => Ok(Self::Stands(resultant())),
+                    _ => Err(Unheld::Turns { grounded, at: support.at, moment: turn.value() }),
                 }
             }
             _ => Ok(Self::Held),
@@ -170,7 +178,9 @@ impl Unheld {
             }
             Self::PulledUp { force } => Self::PulledUp { force: force * scale.force },
             Self::Couple { moment } => Self::Couple { moment: moment * scale.moment() },
-            Self::Turns { at, moment } => Self::Turns { at: at * scale.length, moment: moment * scale.moment() },
+            Self::Turns { grounded, at, moment } => {
+                Self::Turns { grounded, at: at * scale.length, moment: moment * scale.moment() }
+            }
             Self::NothingPresses | Self::NothingCarries => self,
         }
     }

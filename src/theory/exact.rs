@@ -7,8 +7,18 @@ use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use super::summary;
 use super::violation::Violation;
-use crate::scene::{Foundation, Scale, Scene};
+use crate::scene::{Balance, Foundation, Resultant, Scale, Scene};
 use crate::state::ContactState;
+
+/// A rigid motion that costs nothing: all positions between two slopes have the same forces and the same energy. The deflection
+/// is that of the slope nearest to zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Motion {
+    /// The place about which the beam turns \[length\].
+    pub about: f64,
+    /// The least and the greatest slope `v'` there; infinite where nothing stops it.
+    pub slope: [f64; 2],
+}
 
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
@@ -33,6 +43,14 @@ pub struct Exact {
     /// support and holds the slope of the beam there: the limit of a large reaction downwards and a large contact force
     /// upwards beside it. Not positive, mostly zero \[force · length\]. `state.reactions` has the net force.
     pub support_couples: [f64; 2],
+    /// The resultant of the loads, of a beam that its supports do not hold.
+    pub resultant: Option<Resultant>,
+    /// The distance of the resultant from the nearer one of the two outermost places where the beam rests, as a share of the
+    /// distance of these two: how safe it is from turning over. [`None`] of a beam that its supports hold, and of one that rests
+    /// on a single place.
+    pub margin: Option<f64>,
+    /// How the beam may still move, where its position is not certain.
+    pub motion: Option<Motion>,
     given: PiecewiseScene,
     pieces: Vec<Piece>,
     scale: Scale,
@@ -56,7 +74,7 @@ impl Exact {
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples =
-            [0.0, given.length].map(|end| couple(&list, &checked.moments, end) * stiffness * scale.moment() + 0.0);
+            [0.0, given.length].map(|end| couple(&list, &checked.moments, end) * stiffness * scale.moment());
         Self {
             state,
             solved,
@@ -67,12 +85,29 @@ impl Exact {
             residual: checked.worst,
             violations,
             support_couples,
+            resultant: None,
+            margin: None,
+            motion: None,
             pieces: checked.pieces,
             given,
             scale,
             stiffness,
             founded,
         }
+    }
+
+    /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
+    pub(super) fn balanced(self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
+        let Self { scale, .. } = self;
+        let motion = match balance {
+            Balance::Neutral { about, .. } => {
+                slopes.map(|s| Motion { about, slope: s.map(|s| s * scale.depth / scale.length) })
+            }
+            _ => None,
+        };
+        let resultant = balance.resultant();
+        let margin = resultant.and_then(|resultant| margin(resultant.at, &self.state));
+        Self { resultant, margin, motion, ..self }
     }
 
     /// Deflection `v(x)`, positive downwards \[length\].
@@ -153,6 +188,14 @@ impl Exact {
         piece.deflection(&self.given, &mut taylor);
         derivatives(&taylor, t)
     }
+}
+
+/// See [`Exact::margin`].
+fn margin(at: f64, state: &ContactState) -> Option<f64> {
+    let contacts = state.contacts.iter().map(|contact| [contact.from, contact.to]);
+    let places = contacts.chain(state.supports.iter().map(|support| [support.at; 2]));
+    let [from, to] = places.reduce(|[from, to], [a, b]| [from.min(a), to.max(b)])?;
+    (from < to).then(|| (at - from).min(to - at) / (to - from))
 }
 
 /// The moment that foundation and a simple support exert on the beam together at an end of it.

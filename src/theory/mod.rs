@@ -27,6 +27,7 @@ mod exact;
 mod gauss;
 mod guess;
 mod list;
+mod neutral;
 mod newton;
 mod normal;
 mod piece;
@@ -41,6 +42,6 @@ mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
-pub use exact::{Exact, Sample};
+pub use exact::{Exact, Motion, Sample};
 pub use solve::{TheoryError, solve};
 pub use violation::Violation;

@@ -71,11 +71,7 @@ impl Normal<'_> {
         match node.kind {
             Kind::ZoneEnd if self.inside => {
                 self.inside = false;
-                match self.nodes.last_mut() {
-                    // Of a zone that has shrunk to nothing at a free end the end itself is left.
-                    Some(tip) if tip.kind == Kind::Tip && node.x <= self.least => *tip = edge_node(given, 0),
-                    _ => self.nodes.push(node),
-                }
+                self.nodes.push(node);
             }
             Kind::ZoneEnd => {}
             _ if self.inside => {}
@@ -140,12 +136,7 @@ impl Normal<'_> {
         if !std::mem::take(&mut self.inside) {
             return;
         }
-        match self.nodes.last_mut() {
-            Some(start) if start.kind == Kind::ZoneStart && tip.x - start.x <= self.least => {
-                *start = edge_node(self.given, self.given.cells.len());
-            }
-            _ => self.nodes.push(tip),
-        }
+        self.nodes.push(tip);
     }
 
     fn end_of_beam(mut self) -> List {
@@ -177,7 +168,26 @@ impl Normal<'_> {
             };
         }
         self.reach_the_ends();
+        self.close_short_tips();
         List { nodes: self.nodes }
+    }
+
+    /// Of a zone that has shrunk to nothing at a free end the end itself is left.
+    fn close_short_tips(&mut self) {
+        let given = self.given;
+        if let [Node { kind: Kind::Tip, .. }, Node { kind: Kind::ZoneEnd, x, .. }, ..] = self.nodes[..]
+            && x <= self.least
+        {
+            self.nodes[0] = edge_node(given, 0);
+            self.nodes.remove(1);
+        }
+        if let [.., Node { kind: Kind::ZoneStart, x, .. }, Node { kind: Kind::Tip, .. }] = self.nodes[..]
+            && given.length - x <= self.least
+        {
+            self.nodes.pop();
+            self.nodes.pop();
+            self.nodes.push(edge_node(given, given.cells.len()));
+        }
     }
 
     /// A zone on straight ground beside an overhang that only presses it down reaches the free end.

@@ -2,9 +2,10 @@
 
 use super::breakpoints::MOST_CELLS;
 use super::exact::Exact;
+use super::neutral;
 use super::piecewise::PiecewiseScene;
-use super::search;
-use crate::scene::{Foundation, Scene, SceneError};
+use super::search::{self, Found};
+use crate::scene::{Balance, Foundation, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -77,14 +78,23 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);
-    let found = match foundation {
-        Some(_) => search::search(&given),
-        None => {
-            let mut found = search::free(&given);
-            found.checked.faults.clear();
-            found.checked.worst = 0.0;
-            found
-        }
-    };
-    Ok(Exact::new(given, found, scaled.scale, stiffness, foundation.is_some()))
+    let (found, slopes) = found(&given, &scaled.balance, foundation.is_some());
+    let exact = Exact::new(given, found, scaled.scale, stiffness, foundation.is_some());
+    Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
+}
+
+/// The solution of a dimensionless scene, and between which slopes it may turn where its position is not certain.
+fn found(given: &PiecewiseScene, balance: &Balance, grounded: bool) -> (Found, Option<[f64; 2]>) {
+    if let Balance::Neutral { about, .. } = *balance
+        && let Some((found, slopes)) = neutral::balanced(given, about, grounded)
+    {
+        return (found, Some(slopes));
+    }
+    if grounded {
+        return (search::search(given), None);
+    }
+    let mut found = search::free(given);
+    found.checked.faults.clear();
+    found.checked.worst = 0.0;
+    (found, None)
 }

@@ -147,6 +147,8 @@ fn what_is_not_held_is_told() {
     insta::assert_snapshot!(told(vec![], &[[2.0, -2.0], [4.0, 2.0]], GROUND), @"the loads have no resultant, but a couple of 4: nothing keeps the beam from turning");
     insta::assert_snapshot!(told(vec![], &[], GROUND), @"no load presses on the beam: any position is one of rest");
     insta::assert_snapshot!(told(vec![], &[[2.0, 1.0]], None), @"there is neither a support nor a foundation: nothing carries the beam");
+    insta::assert_snapshot!(told(at(0.0), &[[6.0, -1.5]], GROUND), @"there is no ground to the left of the support: nothing keeps the beam from turning about its support at x = 0, with a moment of -9");
+    insta::assert_snapshot!(told(at(10.0), &[[6.0, -1.5]], GROUND), @"there is no ground to the right of the support: nothing keeps the beam from turning about its support at x = 10, with a moment of 6");
     insta::assert_snapshot!(told(at(4.0), &[[6.0, 1.5]], None), @"there is no foundation: nothing keeps the beam from turning about its support at x = 4, with a moment of 3");
     // One support in balance, and a built-in one, carry the beam alone.
     let carried = |supports| {

@@ -7,4 +7,5 @@ mod level;
 mod long;
 mod near;
 mod statics;
+mod supports;
 mod surveys;

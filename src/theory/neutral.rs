@@ -1,0 +1,74 @@
+//! A beam in balance above one place: on its one support, or on the end of the ground. Forces, moments and energy are certain, and
+//! the beam may turn about that place until it touches.
+//!
+//! ```text
+//! v(x) = v₀(x) + s (x − x₀),    from = max (g − v₀)/(x − x₀) left of x₀,    to = min (g − v₀)/(x − x₀) right of x₀
+//! ```
+//!
+//! with the deflection `v₀` for the slope 0 at `x₀`. Where `from` exceeds `to`, the ground does not let the beam balance there
+//! without bending it, and the position is found as always.
+
+use super::bernstein::lowest_below;
+use super::check::check;
+use super::list::{Beside, List, Node, support_node};
+use super::normal::edge_node;
+use super::piecewise::PiecewiseScene;
+use super::search::Found;
+
+/// The beam in its position with the slope nearest to zero, and the interval of slopes; [`None`] if it does not rest on this
+/// place alone. `about` is the place, `grounded` says whether there is a foundation.
+pub(super) fn balanced(given: &PiecewiseScene, about: f64, grounded: bool) -> Option<(Found, [f64; 2])> {
+    let node = match given.supports.len() {
+        0 => edge_node(given, given.breakpoint_at(about)?),
+        _ => support_node(given, 0, [Beside::Apart; 2]),
+    };
+    let level = List { nodes: vec![Node { slope: 0.0, ..node }] };
+    let slopes = if grounded { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
+    if slopes[1] < slopes[0] {
+        return None;
+    }
+    let slope = 0.0_f64.max(slopes[0]).min(slopes[1]);
+    let list = List { nodes: vec![Node { slope, ..node }] };
+    let mut checked = check(given, &list);
+    if !grounded {
+        checked.faults.clear();
+        checked.worst = 0.0;
+    }
+    let found = Found { list, checked, steps: 0, lists: 1, converged: true };
+    found.certified().then_some((found, slopes))
+}
+
+/// Between which slopes the beam is clear of the ground.
+fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
+    /// Each step is to a place that limits more; a handful are enough, as with Newton's method.
+    const STEPS: usize = 60;
+    let pieces = check(given, level).pieces;
+    let mut taylor = vec![0.0; given.terms];
+    let mut bound = |left: bool| {
+        let sign = if left { -1.0 } else { 1.0 };
+        // With x₀ at the left of all: how far the beam may turn down on this side.
+        let mut least = f64::INFINITY;
+        for _ in 0..STEPS {
+            let before = least;
+            for piece in pieces.iter().filter(|piece| if left { piece.hi <= about } else { about <= piece.lo }) {
+                piece.clearance(given, &mut taylor);
+                let turn = if least.is_finite() { sign * least } else { 0.0 };
+                taylor[0] -= turn * (piece.anchor - about);
+                taylor[1] -= turn;
+                piece.outwards(&mut taylor);
+                let floor = if least.is_finite() { -f64::EPSILON * least.abs() * piece.width() } else { f64::INFINITY };
+                let Some((s, value)) = lowest_below(&taylor, piece.width(), floor) else { continue };
+                let arm = sign * (piece.place(s) - about);
+                if 0.0 < arm {
+                    let most = turn * sign + value / arm;
+                    least = least.min(most);
+                }
+            }
+            if before.to_bits() == least.to_bits() {
+                break;
+            }
+        }
+        least
+    };
+    [-bound(true), bound(false)]
+}
