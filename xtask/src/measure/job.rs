@@ -7,7 +7,6 @@ use palkki::adaptive::{End, Request, adapt};
 use palkki::certificate::Kkt;
 use palkki::methods::{Discrete, Method, contact_state};
 use palkki::qp::FreeSet;
-use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
@@ -84,17 +83,17 @@ struct Answer {
 }
 
 fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
-    let line = |status: Status, success: bool, iterations: usize, unknowns: usize| Line {
+    let line = |status: &str, success: bool, iterations: usize, unknowns: usize| Line {
         says_solved: Some(success),
         iterations: Some(iterations),
         unknowns: Some(unknowns),
-        ..begun.clone().ended(status.name())
+        ..begun.clone().ended(status)
     };
     match job.route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),
         Route::Exact => {
             let exact = theory::solve(scene)?;
-            let line = line(exact.status, exact.status == Status::Certified, exact.iterations, exact.unknowns);
+            let line = line(exact.ended(), exact.solved, exact.iterations, exact.unknowns);
             Ok(Answer { state: exact.state, residual: exact.residual, line, added: None })
         }
         Route::Solver(method, solver) => {
@@ -103,7 +102,7 @@ fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
             let line = Line {
                 did_as_asked: found.own_residual.map(|own| own.is_met()),
                 own_residual: found.own_residual.and_then(|own| rounded(own.residual, 2)),
-                ..line(found.status, found.solver_reports_success, found.iterations, found.unknowns)
+                ..line(found.ended(), found.solver_reports_success, found.iterations, found.unknowns)
             };
             Ok(Answer { state: found.state, residual: found.residual, line, added: None })
         }
@@ -114,7 +113,7 @@ fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
             let line = Line {
                 last_intervals: Some(found.settings.intervals),
                 certified_error: rounded(found.solution.verdict.error, 2),
-                ..line(found.solution.verdict.status, reached, iterations, found.solution.unknowns)
+                ..line(found.solution.verdict.status.name(), reached, iterations, found.solution.unknowns)
             };
             Ok(Answer { state: found.solution.state, residual: found.solution.residual, line, added: None })
         }
@@ -127,7 +126,7 @@ fn repair(
     scene: &Scene,
     solver: Solver,
     job: Job,
-    line: impl Fn(Status, bool, usize, usize) -> Line,
+    line: impl Fn(&str, bool, usize, usize) -> Line,
 ) -> Result<Answer, Cause> {
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, job.intervals)?;
@@ -147,9 +146,8 @@ fn repair(
     let nodal = Method::Force.nodal(&discrete, x, gradient);
     let state = contact_state(discrete, nodal);
     let verdict = Kkt::of(&scaled.scene, &state);
-    let certified = verdict.is_some_and(|kkt| kkt.holds());
-    let status = if certified { Status::Certified } else { Status::NotCertified };
-    let line = line(status, answer.reports_success, answer.iterations, unknowns);
+    let solved = verdict.is_some_and(|kkt| kkt.holds());
+    let line = line(if solved { "solved" } else { "not solved" }, answer.reports_success, answer.iterations, unknowns);
     let added = Some(start.elapsed().as_secs_f64());
     let residual = verdict.map_or(f64::INFINITY, |kkt| kkt.residual());
     Ok(Answer { state: state.in_units_of(&scaled.scale), residual, line, added })

@@ -91,8 +91,9 @@ impl Line {
         self.status == LEFT_OUT
     }
 
-    pub(crate) fn is_certified(&self) -> bool {
-        self.status == "certified"
+    /// True if its problem is solved, and of an adaptive search if its answer is certified.
+    pub(crate) fn succeeded(&self) -> bool {
+        self.status == "solved" || self.status == "certified"
     }
 
     /// Whether it asks for a tolerance, or has none.

@@ -79,7 +79,7 @@ fn repair(store: &Store) -> Value {
         };
         let Some(before) = store.lines.iter().find(same) else { continue };
         answers += 1;
-        match (before.is_certified(), after.is_certified()) {
+        match (before.succeeded(), after.succeeded()) {
             (false, true) => gained += 1,
             (true, false) => lost += 1,
             (true, true) => kept += 1,

@@ -90,7 +90,7 @@ const NSOR: usize = 8;
 /// A run of a discretised route, and what it is beside the active set on the same quadratic program.
 fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &RawSolution) -> Result<Verdict, Cause> {
     let outcome = on_grid(&extreme.scene, method, solver, extreme.intervals)?;
-    if outcome.status != Status::Certified {
+    if !outcome.solved {
         return Ok(Verdict::NotCertified);
     }
     let beside = Extreme {
@@ -101,7 +101,7 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &RawSol
         },
         ..extreme.clone()
     };
-    let same = reference.status != Status::Certified || beside.error(&outcome.state) <= SAME;
+    let same = !reference.solved || beside.error(&outcome.state) <= SAME;
     let near = extreme.error(&outcome.state) <= extreme.allowance();
     Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
 }
@@ -115,7 +115,7 @@ fn reference(extreme: &Extreme, method: Method) -> Result<RawSolution, Cause> {
 fn exact(extreme: &Extreme) -> Result<(Verdict, f64), Cause> {
     let exact = theory::solve(&extreme.scene)?;
     let error = extreme.error(&exact.state);
-    if exact.status != Status::Certified {
+    if !exact.solved {
         return Ok((Verdict::NotCertified, 0.0));
     }
     let right = error <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;

@@ -46,7 +46,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         for (method, solver) in routes() {
             let outcome = on_grid(&scene, method, solver, INTERVALS)?;
             let reports = if outcome.solver_reports_success { "success" } else { "failure" };
-            runs.push(row![name, method, solver, outcome.status, reports]);
+            runs.push(row![name, method, solver, outcome.ended(), reports]);
         }
 
         let story = story(&files::text(study.root, &format!("report/scenes/{name}.toml"))?);
@@ -55,7 +55,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         drawings.push((format!("scene-{name}"), curves(&scene, &drawn, "exact solution")?, table(&drawn)));
     }
     let four_step = |run: &&[String; 5]| run[2] == Solver::FourStep.name();
-    let is_certified = |run: &&[String; 5]| run[3] == Status::Certified.name();
+    let is_solved = |run: &&[String; 5]| run[3] == "solved";
     let others = || runs.iter().filter(|run| !four_step(run));
     let values = context! {
         count => cards.len(),
@@ -72,13 +72,13 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         refused,
         intervals => INTERVALS,
         routes => others().count(),
-        certified => others().filter(is_certified).count(),
-        not_certified => others().filter(|run| !is_certified(run)).map(|run| run.join(" ")).collect::<Vec<_>>(),
+        certified => others().filter(is_solved).count(),
+        not_certified => others().filter(|run| !is_solved(run)).map(|run| run.join(" ")).collect::<Vec<_>>(),
         four_step_routes => runs.iter().filter(four_step).count(),
-        four_step_certified => runs.iter().filter(four_step).filter(is_certified).count(),
+        four_step_certified => runs.iter().filter(four_step).filter(is_solved).count(),
         cards,
     };
-    let runs = Table::new(["scene", "method", "solver", "status", "solver_reports"]).rows(runs);
+    let runs = Table::new(["scene", "method", "solver", "ended", "solver_reports"]).rows(runs);
     let with = Evidence::new(values).data("scene-routes", runs);
     Ok(drawings.into_iter().fold(with, |with, (name, svg, data)| with.figure(&name, svg, data)))
 }

@@ -24,7 +24,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (faults, faults_file, kinds) = broken(study)?;
     let count = |is: &dyn Fn(&Row) -> bool| rows.iter().filter(|row| is(row)).count();
     let bounded = |row: &Row| row.outcome == answers::BOUNDED && row.certified.is_finite();
-    let failed = |row: &Row| row.status != "certified";
+    let failed = |row: &Row| row.status != "solved";
     let mut ratios: Vec<(f64, &Row)> = rows.iter().filter_map(|row| Some((row.ratio()?, row))).collect();
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     let values = context! {
@@ -58,7 +58,7 @@ fn loosest(ratios: &[(f64, &Row)]) -> Table {
     Table::new(header).rows(of_scenes.map(|(ratio, row)| {
         let [truth, certified, ratio] = [row.truth, row.certified, *ratio].map(|number| cell(Some(number), 2));
         let route = format!("{}, {}", row.method, row.solver);
-        row![row.scene, route, row.intervals, row.status.replace('-', " "), truth, certified, ratio]
+        row![row.scene, route, row.intervals, row.status, truth, certified, ratio]
     }))
 }
 

@@ -45,7 +45,7 @@ fn line(scale: &Scale, (ground, load, points): Survey, route: Route) -> Option<&
 
 /// The same, if it is certified.
 fn certified(scale: &Scale, survey: Survey, route: Route) -> Option<&Line> {
-    line(scale, survey, route).filter(|line| line.is_certified())
+    line(scale, survey, route).filter(|line| line.is_solved())
 }
 
 /// Surveys that are measured and not refused, in the order of the table.
@@ -94,8 +94,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         solved => of_most().filter(|survey| certified(&scale, **survey, EXACT).is_some()).count(),
         seconds => least_most(of_most().filter_map(|survey| seconds(survey, EXACT))),
         grid_seconds => least_most(of_most().filter_map(|survey| seconds(survey, ACTIVE_SET))),
-        lists => exact().filter(|line| line.is_certified()).filter_map(|line| line.lists).max(),
-        residual => exact().filter(|line| line.is_certified()).filter_map(|line| line.residual).max_by(f64::total_cmp),
+        lists => exact().filter(|line| line.is_solved()).filter_map(|line| line.lists).max(),
+        residual => exact().filter(|line| line.is_solved()).filter_map(|line| line.residual).max_by(f64::total_cmp),
         ten_times => least_most(ten_times(&scale, &surveys)),
         exact_over_grid => least_most(ratio(EXACT, ACTIVE_SET).into_iter().map(|(_, ratio)| ratio)),
         slowest_beside_grid => slowest_beside_grid(&scale, &surveys),
@@ -147,7 +147,7 @@ fn without_result(scale: &Scale) -> Vec<String> {
                 let lines = scale.lines.iter().filter(|line| {
                     line.route == route.name() && line.ground == ground.name() && line.load.total_cmp(&load).is_eq()
                 });
-                let first = lines.filter(|line| !line.is_certified()).min_by_key(|line| line.points);
+                let first = lines.filter(|line| !line.is_solved()).min_by_key(|line| line.points);
                 told.extend(first.map(|line| {
                     let points = count(line.points);
                     let why = if line.why.is_empty() { String::new() } else { format!(" ({})", line.why) };
@@ -172,7 +172,7 @@ fn table(scale: &Scale, surveys: &[Survey]) -> Table {
     let rows = surveys.iter().map(|&survey| {
         let (ground, load, points) = survey;
         let seconds = |route| match line(scale, survey, route) {
-            Some(line) if line.is_certified() => cell(line.median_s, 2),
+            Some(line) if line.is_solved() => cell(line.median_s, 2),
             Some(line) if line.median_s.is_some() => line.status.clone(),
             _ => "–".to_owned(),
         };

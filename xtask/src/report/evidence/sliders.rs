@@ -48,7 +48,7 @@ fn depths() -> Result<Table, Cause> {
     for share in shares {
         let depth = share * unit;
         let exact = theory::solve(&scene_over(Foundation::Flat { depth })?)?;
-        if exact.status != Status::Certified {
+        if !exact.solved {
             return Err(format!("the exact solution at depth {depth} is not certified").into());
         }
         let contact = exact.state.contacts.first();
@@ -74,7 +74,7 @@ fn grids() -> Result<Table, Cause> {
     let mut data = Table::new(["intervals", "first_place", "resultant", "reaction", "forces_from_there_to_mid_span"]);
     for intervals in INTERVALS {
         let outcome = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?;
-        let nodes = outcome.state.nodes.as_ref().filter(|_| outcome.status == Status::Certified);
+        let nodes = outcome.state.nodes.as_ref().filter(|_| outcome.solved);
         let nodes = nodes.ok_or_else(|| format!("the answer on {intervals} intervals is not certified"))?;
         let forces = &nodes.contact_force;
         let first = forces.iter().position(|force| 0.0 < *force).ok_or("no node touches")?;

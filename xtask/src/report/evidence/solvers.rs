@@ -66,7 +66,7 @@ fn own_criteria(root: &Path) -> Result<(Value, Table), Cause> {
                     let outcome =
                         solve_raw(scene, &Settings { tolerance, ..Settings::new(method, solver, intervals) })?;
                     own_tolerance = outcome.own_residual.map(|own| own.asked);
-                    let (says, passes) = (outcome.solver_reports_success, outcome.status == Status::Certified);
+                    let (says, passes) = (outcome.solver_reports_success, outcome.solved);
                     let met = outcome.own_residual.map(|own| own.is_met());
                     let [says_word, met_word, passes_word] =
                         [Some(says), met, Some(passes)].map(|is| is.map_or("", yes_no));
@@ -149,5 +149,5 @@ fn exchanged(instance: &Instance) -> Result<End, Cause> {
 /// Whether the answer passes our check, and the solves that it took.
 fn ended(instance: &Instance, solver: Solver) -> Result<(bool, usize), Cause> {
     let outcome = on_grid(&instance.scene, instance.method, solver, instance.intervals)?;
-    Ok((outcome.status == Status::Certified, outcome.iterations))
+    Ok((outcome.solved, outcome.iterations))
 }

@@ -140,7 +140,7 @@ pub(super) fn grid(scene: &Scene, method: Method, intervals: usize) -> Result<Gr
     }
     for solver in Solver::ALL.into_iter().filter(|&solver| intervals <= finest(method, solver)) {
         let outcome = on_grid(scene, method, solver, intervals)?;
-        let certified = outcome.status == Status::Certified;
+        let certified = outcome.solved;
         runs.push(reference.beside(scene, solver.name(), &outcome.state, (outcome.residual, certified))?);
     }
     Ok(Grid { intervals, condition: exponent(method.condition(intervals) / 3.0), runs })

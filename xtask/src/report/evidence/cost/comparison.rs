@@ -29,7 +29,7 @@ pub(super) fn of(store: &Store) -> Value {
 
 /// The quickest certified run of a solver on a grid, by any method and asked for anything.
 fn quickest(lines: &[&Line], solver: &str, grid: usize) -> Option<f64> {
-    let certified = lines.iter().filter(|line| line.is_certified() && line.solver == solver && line.intervals == grid);
+    let certified = lines.iter().filter(|line| line.succeeded() && line.solver == solver && line.intervals == grid);
     certified.map(|line| milliseconds(line)).min_by(f64::total_cmp)
 }
 
@@ -76,7 +76,7 @@ fn reactions(store: &Store) -> Table {
         let lines = ended(store, scene);
         let errors = GRIDS.map(|grid| {
             let line = lines.iter().find(|line| line.is("force", "active-set") && line.intervals == grid);
-            let error = line.filter(|line| line.is_certified()).and_then(|line| line.reaction_total);
+            let error = line.filter(|line| line.succeeded()).and_then(|line| line.reaction_total);
             error.map_or_else(|| "–".to_owned(), |error| format!("{} %", cell(Some(100.0 * error), 2)))
         });
         row![ground].into_iter().chain(errors)

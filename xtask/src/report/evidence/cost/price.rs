@@ -52,7 +52,7 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
 
 /// The certified runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
 fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
-    let certified = lines.iter().filter(|line| line.solver == solver && line.is_certified());
+    let certified = lines.iter().filter(|line| line.solver == solver && line.succeeded());
     let mut points: Vec<Point<'a>> =
         certified.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
     points.sort_by(|a, b| milliseconds(a.line).total_cmp(&milliseconds(b.line)));
@@ -68,7 +68,7 @@ fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
 /// Milliseconds of the quickest certified run with so many digits, and the fewest intervals with which the active set has them.
 fn table(lines: &[&Line], exact: Option<f64>) -> Table {
     let certified = |solver: &str, digits: f64| {
-        let has = move |line: &&&Line| line.is_certified() && line.digits().is_some_and(|found| digits <= found);
+        let has = move |line: &&&Line| line.succeeded() && line.digits().is_some_and(|found| digits <= found);
         let solver = solver.to_owned();
         lines.iter().filter(has).filter(move |line| line.solver == solver).copied().collect::<Vec<_>>()
     };

@@ -30,7 +30,7 @@ fn questions(store: &Store) -> Table {
             runs().count(),
             runs().filter(|line| line.says_solved == Some(true)).count(),
             runs().filter(|line| line.did_as_asked == Some(true)).count(),
-            runs().filter(|line| line.did_as_asked == Some(true) && line.is_certified()).count(),
+            runs().filter(|line| line.did_as_asked == Some(true) && line.succeeded()).count(),
         ];
         row![library].into_iter().chain(counts.map(count))
     }))
@@ -41,7 +41,7 @@ fn outcome(line: Option<&Line>) -> (Tone, &'static str) {
     match line {
         None => (Tone::Absent, "–"),
         Some(line) if line.is_left_out() => (Tone::Absent, "–"),
-        Some(line) if line.is_certified() => (Tone::Good, "C"),
+        Some(line) if line.succeeded() => (Tone::Good, "C"),
         Some(line) if line.did_as_asked == Some(true) => (Tone::Fair, "A"),
         Some(line) if line.says_solved == Some(true) => (Tone::Bad, "S"),
         Some(_) => (Tone::Fair, "G"),
@@ -124,7 +124,7 @@ fn growth(store: &Store) -> Table {
         let of_method = |method: &'static str| {
             let mut runs: Vec<&Line> = lines
                 .iter()
-                .filter(|line| line.is(method, solver) && line.is_certified() && shown(line))
+                .filter(|line| line.is(method, solver) && line.succeeded() && shown(line))
                 .copied()
                 .collect();
             runs.sort_by_key(|line| line.intervals);

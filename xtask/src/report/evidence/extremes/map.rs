@@ -95,7 +95,7 @@ fn of_waves() -> Result<(Strip, Value), Cause> {
                 Foundation::Cosine { mean: depth, amplitude: share * depth, wavelength: 1.0 / WAVES, phase: 0.0 };
             let scene = Scene::new(beam.clone(), load, Some(waves))?;
             let exact = theory::solve(&scene)?;
-            let verdict = if exact.status == Status::Certified {
+            let verdict = if exact.solved {
                 if share == 0.0 {
                     shallowest = shallowest.min(power);
                 }

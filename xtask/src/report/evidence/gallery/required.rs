@@ -40,7 +40,7 @@ pub(super) fn required(scene: &Scene, exact: &Exact) -> Result<Required, Cause> 
         let mut intervals = COARSEST;
         while intervals - 1 <= MOST && first.contains(&None) {
             let outcome = on_grid(scene, method, Solver::ActiveSet, intervals)?;
-            if outcome.status != Status::Certified {
+            if !outcome.solved {
                 refused = true;
                 break;
             }
