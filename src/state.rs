@@ -259,6 +259,17 @@ impl SupportForce {
 }
 
 impl Standing {
+    /// How a beam stands on these supports and contacts.
+    #[must_use]
+    pub fn of(resultant: Resultant, supports: &[SupportForce], contacts: &[Contact], motion: Option<Motion>) -> Self {
+        let places = supports.iter().map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
+        let [left, right] = places
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
+        let nearer = (resultant.at - left).min(right - resultant.at);
+        let margin = if left < right { nearer / (right - left) } else { 0.0 };
+        Self { resultant, margin, motion }
+    }
+
     /// From dimensionless numbers to the units of the scene.
     fn in_units_of(self, scale: &Scale) -> Self {
         let Resultant { force, at } = self.resultant;

@@ -1,6 +1,7 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
 use super::balance::Unheld;
+use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
 
 /// Why a scene was refused.
@@ -168,6 +169,16 @@ pub enum SceneError {
         /// What it came to.
         value: f64,
     },
+    /// A support between the nodes of a grid.
+    #[error("no node of {intervals} equal intervals lies on the support at x = {}; {}", shown(*at), fitting(*fits))]
+    SupportBetweenNodes {
+        /// Where the support is.
+        at: f64,
+        /// The number of intervals asked for.
+        intervals: usize,
+        /// The least number that has a node at every support, if it is not too large.
+        fits: Option<usize>,
+    },
     /// A grid without interior nodes.
     #[error("the number of intervals must be at least 2, but is {intervals}")]
     TooFewIntervals {
@@ -198,9 +209,21 @@ impl SceneError {
                 Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
             }
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
-            Self::Unheld(_) | Self::OnlySimpleBeam { .. } => Some(Quantity::Supports),
+            Self::Unheld(_) | Self::OnlySimpleBeam { .. } | Self::SupportBetweenNodes { .. } => {
+                Some(Quantity::Supports)
+            }
             Self::TooFewIntervals { .. } => None,
         }
+    }
+}
+
+/// What to do about a support between nodes.
+fn fitting(fits: Option<usize>) -> String {
+    match fits {
+        Some(least) => {
+            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
+        }
+        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
     }
 }
 
