@@ -176,7 +176,7 @@ pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<RawSo
 fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Result<RawSolution, SceneError> {
     let Settings { method, solver, intervals, tolerance } = *settings;
     let scaled = scene.scaled()?;
-    let discrete = Discrete::new(&scaled.scene, intervals)?;
+    let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
     let discretisation = method.discretisation();
     let (mut nodal, reports_success, words, own_residual, unknowns, iterations, work) = if scene.foundation().is_none()
     {
@@ -205,12 +205,12 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
         };
         (nodal, reports_success, words, own_residual, program.dimension(), iterations, work)
     };
-    // Of a beam in balance on one place that is one position of many.
+    // Of a beam in balance on one place that may be one position of many.
     let mut motion = None;
-    if let Some(node) = methods::single_contact(&discrete, &nodal)
+    if let Some(node) = methods::single_contact(&discrete, &scaled.balance, &nodal)
         && let Some((nearest, free)) = methods::balanced(&discrete, discretisation, node)
     {
-        (nodal, motion) = (nearest, Some(free));
+        (nodal, motion) = (nearest, free);
     }
     // Until the judge knows beams on other supports: signs and complementarity.
     let signs = qp::residual(discrete.sizes(), &nodal.clearance, &nodal.contact_force);

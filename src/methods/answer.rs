@@ -154,8 +154,8 @@ fn any_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
         energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
         deflection[support.node] = support.held.deflection;
     }
-    for ((q, t), v) in discrete.loads.iter().zip(&basic.loads).zip(&deflection) {
-        energy += (0.5 * t - q) * v;
+    for ((q, t), v) in discrete.loads.chunks(BLOCK).zip(basic.loads.chunks(BLOCK)).zip(deflection.chunks(BLOCK)) {
+        energy += q.iter().zip(t).zip(v).map(|((q, t), v)| (0.5 * t - q) * v).sum::<f64>();
     }
     let reaction = |node: usize| {
         discrete

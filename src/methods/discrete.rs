@@ -9,7 +9,7 @@ use super::contact_set::ContactSet;
 use super::statics;
 use super::supports::{NodeSupport, Supports};
 use crate::qp::{FreeSet, Sizes};
-use crate::scene::{Foundation, Grid, Held, Scene, SceneError};
+use crate::scene::{Balance, Foundation, Grid, Held, Scene, SceneError};
 use crate::state::Discretisation;
 
 /// Nodal data of a scene on a grid. The scene is dimensionless and has a foundation.
@@ -38,6 +38,9 @@ pub struct Discrete {
 
 /// Intervals of the grid on which sizes are measured, if it is not coarser anyway: a size needs two digits.
 const SIZING: usize = 4096;
+
+/// Slopes, and depths, that differ by less than this share of their size are equal.
+const SAME_SLOPE: f64 = 64.0 * f64::EPSILON;
 
 /// Size of a clearance over ground that leaves no room to deflect, as a share of the free deflection.
 const ON_THE_GROUND: f64 = 1e-6;
@@ -250,6 +253,27 @@ impl Discrete {
         plain < (left.max(middle) / before).max(right.max(middle) / behind)
     }
 
+    /// Slopes of the gap to the left and to the right of a node, between which a beam may lie that touches there; infinite on the
+    /// deeper side of a step, and beyond an end of the beam. Equal but for rounding are equal.
+    pub(super) fn slopes_at(&self, node: usize) -> [f64; 2] {
+        let x = self.grid.place(node);
+        let sides = |profile: &Option<Foundation>| profile.as_ref().map_or([[0.0; 2]; 2], |profile| profile.sides(x));
+        let (ground, own) = (sides(&self.profile), sides(&self.shape));
+        let gap = |side: usize| ground[side][0] - own[side][0];
+        let slope = |side: usize| ground[side][1] - own[side][1];
+        let size = [ground, own].as_flattened().iter().fold(0.0, |size: f64, [_, slope]| size.max(slope.abs()));
+        let slopes = if slope(1) - slope(0) <= SAME_SLOPE * size {
+            [0.5 * (slope(0) + slope(1)); 2]
+        } else {
+            [slope(0), slope(1)]
+        };
+        let falls = |side: usize| self.gap(node) < gap(side) - SAME_SLOPE * self.depth_rounding(node);
+        [
+            if node == 0 || falls(0) { f64::NEG_INFINITY } else { slopes[0] },
+            if node == self.intervals || falls(1) { f64::INFINITY } else { slopes[1] },
+        ]
+    }
+
     /// The same beam under other loads.
     pub(super) fn under(&self, loads: Vec<f64>) -> Self {
         Self { loads, ..self.clone() }
@@ -293,6 +317,14 @@ impl Discrete {
         let (at, deflection) = (self.grid.place(node), self.level(node));
         let held = Held { at, deflection, slope: Some(slope), grounded: [false; 2] };
         self.on(Supports::of(vec![NodeSupport { node, held, below }], self.intervals))
+    }
+
+    /// The node at the one place about which the beam is free to turn, if the loads are in balance there.
+    pub(super) fn pivot(&self, balance: &Balance) -> Option<usize> {
+        match balance {
+            Balance::Neutral { about, .. } => self.grid.node_at(*about),
+            Balance::Held | Balance::Stands(_) => None,
+        }
     }
 
     /// The resultant of the nodal loads: the force, and its moment about the left end, with lengths in intervals.

@@ -3,6 +3,7 @@
 use super::balance::Unheld;
 use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
+use super::scale::Scale;
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -188,6 +189,17 @@ pub enum SceneError {
 }
 
 impl SceneError {
+    /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
+    #[must_use]
+    pub fn in_units_of(self, scale: &Scale) -> Self {
+        match self {
+            Self::SupportBetweenNodes { at, intervals, fits } => {
+                Self::SupportBetweenNodes { at: at * scale.length, intervals, fits }
+            }
+            other => other,
+        }
+    }
+
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
     #[must_use]
     pub fn quantity(&self) -> Option<Quantity> {
