@@ -2,9 +2,48 @@
 
 use std::ops::ControlFlow;
 
-use crate::scene::Scale;
+use crate::scene::{Resultant, Scale};
 
-/// Upward forces of the two supports \[force\].
+/// The force with which a support holds the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct SupportForce {
+    /// Where the support is \[length\].
+    pub at: f64,
+    /// Upwards; negative where the support holds the beam down \[force\].
+    pub force: f64,
+    /// Bending moment of the beam beside a built-in support, positive with the underside in tension; inside the beam, where the
+    /// two sides differ, the one that is larger in magnitude. [`None`] for a simple support \[force · length\].
+    pub moment: Option<f64>,
+}
+
+/// How a beam stands on the ground that its supports do not hold against turning or moving.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Standing {
+    /// The resultant of its loads.
+    pub resultant: Resultant,
+    /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry the
+    /// beam, supports included, as a share of the distance of these two. Zero if there is only one.
+    pub margin: f64,
+    /// The positions that are left, if there is more than one.
+    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
+    pub motion: Option<Motion>,
+}
+
+/// Positions of rest that differ by a rotation of the whole beam. Forces, moments and energy are the same in all of them; a state
+/// has the deflection whose slope at the place of rotation is nearest to zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Motion {
+    /// The place about which the beam turns \[length\].
+    pub about: f64,
+    /// Least and greatest slope `v'` there, positive where the beam goes down to the right; [`None`] for a side without end.
+    pub slope: [Option<f64>; 2],
+}
+
+/// Upward forces of the supports at the two ends of the beam \[force\]. Zero where an end has none: [`ContactState::supports`] says
+/// which supports there are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Reactions {
@@ -12,19 +51,6 @@ pub struct Reactions {
     pub left: f64,
     /// At `x = l`.
     pub right: f64,
-}
-
-/// What a support does to the beam.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
-pub struct SupportForce {
-    /// Where it is \[length\].
-    pub at: f64,
-    /// Upwards on the beam, with the load that stands on the support \[force\].
-    pub force: f64,
-    /// Bending moment beside a support in which the beam is built in, on the side of the larger one; [`None`] for a simple
-    /// support \[force · length\].
-    pub moment: Option<f64>,
 }
 
 /// How much of the foundation the beam touches.
@@ -179,7 +205,9 @@ pub enum Discretisation {
     BeamElements,
 }
 
-/// Values at the interior nodes of a grid, `x_1 … x_n`.
+/// Values at the nodes of a grid from left to right: at all of them but an end of the beam that a support holds, where the
+/// deflection is that of the support. Of a beam with supports at both ends these are the interior nodes `x_1 … x_n`. A support
+/// inside the beam is a node with its clearance and no contact force; what it carries is in [`ContactState::supports`].
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Nodes {
@@ -203,11 +231,12 @@ pub struct Nodes {
 pub struct ContactState {
     /// How much it touches.
     pub regime: Regime,
-    /// Forces of the supports at the two ends, with the load that a discretisation puts on the support itself counted in; zero
-    /// at an end without one.
+    /// Forces of the supports at the two ends, with the load that a discretisation puts on the support itself counted in.
     pub reactions: Reactions,
-    /// Forces of all supports, from left to right.
+    /// Forces of all supports from left to right, counted in the same way.
     pub supports: Vec<SupportForce>,
+    /// How the beam stands, if its supports do not hold it.
+    pub standing: Option<Standing>,
     /// Where it touches, from left to right.
     pub contacts: Vec<Contact>,
     /// Deflection, positive downwards \[length\].
@@ -218,6 +247,38 @@ pub struct ContactState {
     pub energy: f64,
     /// Values at the nodes, for a discretised method.
     pub nodes: Option<Nodes>,
+}
+
+impl SupportForce {
+    /// The supports at the two ends of a beam of this length that has no others.
+    #[must_use]
+    pub fn at_ends(length: f64, reactions: Reactions) -> Vec<Self> {
+        let simple = |at: f64, force: f64| Self { at, force, moment: None };
+        vec![simple(0.0, reactions.left), simple(length, reactions.right)]
+    }
+}
+
+impl Standing {
+    /// How a beam stands on these supports and contacts.
+    #[must_use]
+    pub fn of(resultant: Resultant, supports: &[SupportForce], contacts: &[Contact], motion: Option<Motion>) -> Self {
+        let places = supports.iter().map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
+        let [left, right] = places
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
+        let nearer = (resultant.at - left).min(right - resultant.at);
+        let margin = if left < right { nearer / (right - left) } else { 0.0 };
+        Self { resultant, margin, motion }
+    }
+
+    /// From dimensionless numbers to the units of the scene.
+    fn in_units_of(self, scale: &Scale) -> Self {
+        let Resultant { force, at } = self.resultant;
+        let motion = self.motion.map(|motion| Motion {
+            about: motion.about * scale.length,
+            slope: motion.slope.map(|slope| slope.map(|slope| slope * (scale.depth / scale.length))),
+        });
+        Self { resultant: Resultant { force: force * scale.force, at: at * scale.length }, motion, ..self }
+    }
 }
 
 impl ContactState {
@@ -248,15 +309,19 @@ impl ContactState {
             force: c.force * force,
             end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
         };
-        let support = |s: SupportForce| SupportForce {
-            at: s.at * length,
-            force: s.force * force,
-            moment: s.moment.map(|moment| moment * scale.moment()),
-        };
         Self {
             regime: self.regime,
             reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
-            supports: self.supports.into_iter().map(support).collect(),
+            supports: self
+                .supports
+                .into_iter()
+                .map(|s| SupportForce {
+                    at: s.at * length,
+                    force: s.force * force,
+                    moment: s.moment.map(|moment| moment * scale.moment()),
+                })
+                .collect(),
+            standing: self.standing.map(|standing| standing.in_units_of(scale)),
             contacts: self.contacts.into_iter().map(contact).collect(),
             deflection: extremes(self.deflection, depth),
             moment: extremes(self.moment, scale.moment()),

@@ -3,7 +3,7 @@
 //! A kink, a step or a point load between two nodes is an error of first order in the spacing; at a node it is none. Of two
 //! grids of about the same size the one with these places among its nodes is better by orders of magnitude.
 
-use crate::scene::{Foundation, Scene};
+use crate::scene::{Foundation, Grid, Scene};
 
 /// The most equal intervals that are tried; a grid this fine has little to gain.
 const MOST: u32 = 1000;
@@ -12,20 +12,37 @@ const MOST: u32 = 1000;
 const AT: f64 = 1e-14;
 
 /// The least number of equal intervals with a node at every place where foundation or load break, or at least at every one
-/// where the foundation does; an even number, so that a symmetrical beam has a node in its middle.
+/// where the foundation does, and always at every support; an even number, so that a symmetrical beam has a node in its middle.
 pub(super) fn common_intervals(scene: &Scene) -> usize {
     let length = scene.beam().length();
-    let foundation: Vec<f64> = match scene.foundation() {
+    let mut foundation: Vec<f64> = match scene.foundation() {
         Some(Foundation::Polyline { points }) => points.iter().map(|point| point[0] / length).collect(),
         _ => Vec::new(),
     };
-    let mut all = foundation.clone();
+    let mut all: Vec<f64> = Vec::new();
     all.extend(scene.load().point().iter().map(|load| load.at / length));
     all.extend(scene.load().linear().iter().flat_map(|load| [load.from / length, load.to / length]));
-    let common = |places: &[f64]| (1..=MOST).find(|&parts| places.iter().all(|&x| divides(x, parts)));
-    let found = common(&all).or_else(|| common(&foundation)).unwrap_or(1);
+    // Supports inside have to be nodes, all else ought to be.
+    let inner: Vec<f64> = scene.beam().supports().iter().map(|support| support.at / length).collect();
+    if let Some(Foundation::Polyline { points }) = scene.beam().shape() {
+        foundation.extend(points.iter().map(|point| point[0] / length));
+    }
+    all.extend(&foundation);
+    let common = |places: &[f64]| {
+        let meets = |parts: u32| places.iter().chain(&inner).all(|&x| divides(x, parts));
+        (1..=MOST).find(|&parts| meets(parts))
+    };
+    let found = common(&all).or_else(|| common(&foundation)).or_else(|| common(&[]));
+    let Some(found) = found else { return Grid::least_fitting(scene).unwrap_or(2) };
     let even = if found % 2 == 0 { found } else { 2 * found };
     usize::try_from(even).unwrap_or(2)
+}
+
+/// Every grid with a node at each support has a multiple of so many intervals; 1 if there are supports at the ends only.
+pub(super) fn step_of_supports(scene: &Scene) -> usize {
+    let length = scene.beam().length();
+    let inside = scene.beam().supports().iter().any(|support| 0.0 < support.at && support.at < length);
+    if inside { Grid::least_fitting(scene).unwrap_or(1) } else { 1 }
 }
 
 /// Whether the place, a share of the length, is a multiple of one part.

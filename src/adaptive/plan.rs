@@ -68,24 +68,28 @@ pub(super) enum Next {
 pub(super) struct Plan {
     /// Grids should be multiples of this.
     common: usize,
+    /// Grids have to be multiples of this, so that supports are nodes.
+    step: usize,
     /// The finest grid.
     most: usize,
     demand: Demand,
     loose: f64,
-    /// The largest step that is taken at once.
-    step: f64,
+    /// The largest refinement at once.
+    refinement: f64,
 }
 
 impl Plan {
     pub(super) fn new(scene: &Scene, request: &Request) -> Self {
         // Cost of the active set is proportional to the grid, that of the others to its square or cube.
-        let step = if request.solver == Solver::ActiveSet { 8.0 } else { 3.0 };
+        let refinement = if request.solver == Solver::ActiveSet { 8.0 } else { 3.0 };
+        let step = breaks::step_of_supports(scene);
         Self {
             common: breaks::common_intervals(scene),
-            most: request.most_intervals.max(2),
+            step,
+            most: (request.most_intervals / step * step).max(step).max(2),
             demand: request.demand(),
             loose: request.tolerance(),
-            step,
+            refinement,
         }
     }
 
@@ -140,7 +144,7 @@ impl Plan {
         let order = observed_order(&errors);
         let order = if order.is_finite() { order.clamp(ORDERS[0], ORDERS[1]) } else { ORDER };
         let factor = MARGIN * libm::pow(last.error / self.demand.error, 1.0 / order);
-        let factor = if factor.is_finite() { factor.clamp(LEAST_STEP, self.step) } else { BLIND_STEP };
+        let factor = if factor.is_finite() { factor.clamp(LEAST_STEP, self.refinement) } else { BLIND_STEP };
         (as_number(last.intervals) * factor).ceil() as usize
     }
 
@@ -152,7 +156,7 @@ impl Plan {
             let next = intervals.next_multiple_of(multiple);
             (as_number(next) <= most * as_number(intervals)).then_some(next)
         };
-        near(nested, NEAR).or_else(|| near(self.common, 2.0)).unwrap_or(intervals)
+        near(nested, NEAR).or_else(|| near(self.common, 2.0)).unwrap_or(intervals.next_multiple_of(self.step))
     }
 
     /// The finest grid of this kind.

@@ -34,7 +34,7 @@ pub(super) struct Compared {
 pub(super) struct Difference {
     /// Whose answer the reference is.
     pub(super) reference: String,
-    /// The larger of those of the two end reactions, relative to the larger of the two.
+    /// The largest of those of the forces of supports, relative to the largest of these.
     pub(super) reaction: f64,
     /// Of `J(v)`.
     pub(super) energy: f64,
@@ -92,10 +92,12 @@ fn reference(answers: &[(Method, Answer)], method: Method) -> Option<&Answer> {
 impl Difference {
     fn between(answer: &Answer, reference: &Answer) -> Self {
         let (a, b): (&ContactState, &ContactState) = (&answer.solution.state, &reference.solution.state);
-        let (left, right) = (a.reactions.left - b.reactions.left, a.reactions.right - b.reactions.right);
+        let forces = a.supports.iter().zip(&b.supports);
+        let apart = forces.map(|(a, b)| a.force - b.force).fold(0.0, larger);
+        let size = b.supports.iter().map(|support| support.force).fold(0.0, larger);
         Self {
             reference: format!("{}/{}", reference.method, reference.solver),
-            reaction: relative(larger(left, right), larger(b.reactions.left, b.reactions.right)),
+            reaction: relative(apart, size),
             energy: relative(a.energy - b.energy, b.energy),
             deflection: relative(a.deflection.max - b.deflection.max, b.deflection.max),
         }
@@ -132,14 +134,16 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
                 magnitude(answer.solution.residual),
                 answer.solution.iterations.to_string(),
                 magnitude(answer.seconds),
-                result(answer.solution.state.reactions.left),
+                first_reaction(answer),
                 certified(answer.solution.verdict.error),
                 error(&compared.solver_error),
                 error(&compared.model_error),
             ]
         })
         .collect();
-    let reaction = Labels::of(input.scene.units()).force("left reaction");
+    let labels = Labels::of(input.scene.units());
+    let at_left = input.scene.beam().supports().first().is_none_or(|support| support.at == 0.0);
+    let reaction = labels.force(if at_left { "left reaction" } else { "first reaction" });
     let header = [
         "method",
         "solver",
@@ -164,6 +168,11 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
         share_at_most(EXACT),
     );
     text
+}
+
+/// The force of the left support, or else of the first one.
+fn first_reaction(answer: &Answer) -> String {
+    answer.solution.state.supports.first().map_or_else(|| "–".to_owned(), |support| result(support.force))
 }
 
 /// Why routes were not tried, a line each; empty if all were.

@@ -1,9 +1,9 @@
 //! What is given, in words: the scene as the program understood it, before any answer.
 
-use palkki::scene::{Foundation, Scene, Units};
+use palkki::scene::{Foundation, Scene, Support, Units};
 use palkki::text::result;
 
-/// Lines `(name, value)`: beam, loads and foundation.
+/// Lines `(name, value)`: beam, supports and own shape where they are not the paper's, loads and foundation.
 pub(super) fn given(scene: &Scene) -> Vec<(&'static str, String)> {
     let unit = Unit(scene.units());
     let beam = format!(
@@ -11,7 +11,27 @@ pub(super) fn given(scene: &Scene) -> Vec<(&'static str, String)> {
         unit.length(scene.beam().length()),
         unit.of(scene.beam().bending_stiffness(), |force, length| format!("{force} {length}²")),
     );
-    vec![("beam", beam), ("load", load(scene, &unit)), ("foundation", foundation(scene, &unit))]
+    let mut lines = vec![("beam", beam)];
+    if !scene.beam().is_simple() {
+        lines.push(("supports", supports(scene, &unit)));
+    }
+    if let Some(shape) = scene.beam().shape() {
+        lines.push(("own shape", profile(shape, "w", &unit)));
+    }
+    let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", &unit));
+    lines.extend([("load", load(scene, &unit)), ("foundation", ground)]);
+    lines
+}
+
+fn supports(scene: &Scene, unit: &Unit<'_>) -> String {
+    let one = |support: &Support| {
+        let level =
+            if support.level == 0.0 { String::new() } else { format!(", level {}", unit.length(support.level)) };
+        let slope = support.slope.map_or_else(String::new, |slope| format!(", built in at slope {}", result(slope)));
+        format!("at {}{level}{slope}", unit.length(support.at))
+    };
+    let all: Vec<String> = scene.beam().supports().iter().map(one).collect();
+    if all.is_empty() { "none".to_owned() } else { all.join("; ") }
 }
 
 fn load(scene: &Scene, unit: &Unit<'_>) -> String {
@@ -28,26 +48,26 @@ fn load(scene: &Scene, unit: &Unit<'_>) -> String {
     if parts.is_empty() { "none".to_owned() } else { parts.join("; ") }
 }
 
-fn foundation(scene: &Scene, unit: &Unit<'_>) -> String {
-    match scene.foundation() {
-        None => "none".to_owned(),
-        Some(Foundation::Flat { depth }) => format!("flat, depth {}", unit.length(*depth)),
-        Some(Foundation::Polynomial { coefficients }) => {
+/// A profile in words; `name` is what its polynomial is called.
+fn profile(profile: &Foundation, name: &str, unit: &Unit<'_>) -> String {
+    match profile {
+        Foundation::Flat { depth } => format!("flat, depth {}", unit.length(*depth)),
+        Foundation::Polynomial { coefficients } => {
             let terms = coefficients.iter().enumerate().map(|(power, c)| match power {
                 0 => result(*c),
                 1 => format!("{} x", result(*c)),
                 _ => format!("{} x^{power}", result(*c)),
             });
-            format!("polynomial, u = {}", terms.collect::<Vec<_>>().join(" + ").replace("+ -", "− "))
+            format!("polynomial, {name} = {}", terms.collect::<Vec<_>>().join(" + ").replace("+ -", "− "))
         }
-        Some(Foundation::Cosine { mean, amplitude, wavelength, phase }) => format!(
+        Foundation::Cosine { mean, amplitude, wavelength, phase } => format!(
             "cosine, mean {}, amplitude {}, wavelength {}, phase {}",
             unit.length(*mean),
             unit.length(*amplitude),
             unit.length(*wavelength),
             result(*phase)
         ),
-        Some(Foundation::Polyline { points }) => {
+        Foundation::Polyline { points } => {
             let depths = points.iter().map(|p| p[1]);
             let (least, most) =
                 depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), u| (least.min(u), most.max(u)));

@@ -6,9 +6,7 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
-use palkki::scene::{Beam, Resultant};
-use palkki::state::{Contact, ContactState, Extremes, Nodes, Regime, SupportForce};
-use palkki::theory::Motion;
+use palkki::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime, Standing, SupportForce};
 use serde::Serialize;
 
 use super::answer::Answer;
@@ -30,7 +28,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool) -> String {
     }
     let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
     let nodes = answer.nodes().filter(|_| few || all_nodes);
-    print(&SolveObject { scene: input.title(), route: RouteObject::of(input, answer), nodes })
+    print(&SolveObject { scene: input.title(), route: answer.into(), nodes })
 }
 
 /// What `compare` found.
@@ -49,7 +47,7 @@ pub(super) fn compare(input: &Input, comparison: &Comparison) -> String {
         model_error: Option<&'a Difference>,
     }
     let routes = comparison.routes.iter().map(|compared| ComparedObject {
-        route: RouteObject::of(input, &compared.answer),
+        route: (&compared.answer).into(),
         solver_error: compared.solver_error.as_ref(),
         model_error: compared.model_error.as_ref(),
     });
@@ -103,13 +101,9 @@ struct RouteObject<'a> {
     seconds: f64,
     reactions: ReactionsObject,
     supports: &'a [SupportForce],
-    /// Of a beam that its supports do not hold.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    resultant: Option<ResultantObject>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    margin: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    motion: Option<MotionObject>,
+    /// Of a beam that its supports do not hold: `resultant`, `margin`, and `motion` where its position is not certain.
+    #[serde(flatten)]
+    standing: Option<Standing>,
     contacts: Vec<ContactObject>,
     contact_force: f64,
     deflection: DeflectionObject,
@@ -121,10 +115,9 @@ struct RouteObject<'a> {
     grids: Option<GridsObject<'a>>,
 }
 
-impl<'a> RouteObject<'a> {
-    fn of(input: &Input, answer: &'a Answer) -> Self {
+impl<'a> From<&'a Answer> for RouteObject<'a> {
+    fn from(answer: &'a Answer) -> Self {
         let (solution, state, verdict) = (&answer.solution, &answer.solution.state, &answer.solution.verdict);
-        let exact = solution.exact.as_deref();
         Self {
             method: answer.method,
             solver: answer.solver,
@@ -137,11 +130,9 @@ impl<'a> RouteObject<'a> {
             unknowns: solution.unknowns,
             iterations: solution.iterations,
             seconds: answer.seconds,
-            reactions: ReactionsObject::of(input.scene.beam(), state),
+            reactions: ReactionsObject::of(answer.length, state),
             supports: &state.supports,
-            resultant: exact.and_then(|exact| exact.resultant).map(ResultantObject::from),
-            margin: exact.and_then(|exact| exact.margin),
-            motion: exact.and_then(|exact| exact.motion).map(MotionObject::from),
+            standing: state.standing,
             contacts: state.contacts.iter().map(ContactObject::from).collect(),
             contact_force: state.contact_force(),
             deflection: (&state.deflection).into(),
@@ -160,7 +151,7 @@ impl<'a> RouteObject<'a> {
     }
 }
 
-/// The forces of the supports at the two ends, `null` where there is none.
+/// Forces of the supports at the two ends of the beam; `null` where there is none.
 #[derive(Debug, Serialize)]
 struct ReactionsObject {
     left: Option<f64>,
@@ -168,37 +159,11 @@ struct ReactionsObject {
 }
 
 impl ReactionsObject {
-    fn of(beam: &Beam, state: &ContactState) -> Self {
-        let supports = beam.supports();
-        let left = supports.first().filter(|support| support.at <= 0.0);
-        let right = supports.last().filter(|support| beam.length() <= support.at);
-        Self { left: left.map(|_| state.reactions.left), right: right.map(|_| state.reactions.right) }
-    }
-}
-
-/// `at` is `null` where there is no resultant but a couple.
-#[derive(Debug, Serialize)]
-struct ResultantObject {
-    force: f64,
-    at: f64,
-}
-
-impl From<Resultant> for ResultantObject {
-    fn from(Resultant { force, at }: Resultant) -> Self {
-        Self { force, at }
-    }
-}
-
-/// A side without end is `null`.
-#[derive(Debug, Serialize)]
-struct MotionObject {
-    about: f64,
-    slope: [f64; 2],
-}
-
-impl From<Motion> for MotionObject {
-    fn from(Motion { about, slope }: Motion) -> Self {
-        Self { about, slope }
+    fn of(length: f64, state: &ContactState) -> Self {
+        #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
+        let held = |end: f64| state.supports.iter().any(|support| support.at == end);
+        let Reactions { left, right } = state.reactions;
+        Self { left: held(0.0).then_some(left), right: held(length).then_some(right) }
     }
 }
 

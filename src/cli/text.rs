@@ -2,8 +2,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::Status;
-use palkki::scene::Beam;
-use palkki::state::{Contact, Extremes, Nodes};
+use palkki::state::{Contact, Extremes, Motion, Nodes, Standing};
 use palkki::text::{at_least, at_most, magnitude, magnitude_at_most, result};
 
 use super::answer::{Answer, Grids};
@@ -105,28 +104,53 @@ fn grids(answer: &Answer, found: &Grids) -> String {
 }
 
 fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
-    let state = &answer.solution.state;
-    let load = input.scene.load().resultant(input.scene.beam().length());
+    let (state, beam) = (&answer.solution.state, input.scene.beam());
+    let load = input.scene.load().resultant(beam.length());
     let contact = state.contact_force();
     let remains = state.supports.iter().fold(load, |rest, support| rest - support.force) - contact;
     let mut rows = vec![("loads".to_owned(), load, "down")];
-    rows.extend(
-        state.supports.iter().map(|support| (support_name(input.scene.beam(), support.at), support.force, "up")),
-    );
-    rows.push(("contact".to_owned(), contact, "up"));
-    rows.push(("what remains".to_owned(), remains, ""));
+    rows.extend(state.supports.iter().map(|support| (support_at(support.at, beam.length()), support.force, "up")));
+    rows.extend([("contact".to_owned(), contact, "up"), ("what remains".to_owned(), remains, "")]);
     let rows: Vec<Row> =
         rows.into_iter().map(|(name, value, way)| vec![name.clone(), shown(&name, value), way.to_owned()]).collect();
-    table("Equilibrium", &["", &labels.force("force"), ""], &rows)
+    let mut text = table("Equilibrium", &["", &labels.force("force"), ""], &rows);
+    let moments: Vec<Row> = state
+        .supports
+        .iter()
+        .filter_map(|support| Some(vec![support_at(support.at, beam.length()), result(support.moment?)]))
+        .collect();
+    if !moments.is_empty() {
+        text += &table("Built in", &["", &labels.moment("moment")], &moments);
+    }
+    if let Some(standing) = &state.standing {
+        text += &stands(standing, labels);
+    }
+    text
 }
 
-/// What a support is called: by its end of the beam, or by its place.
-fn support_name(beam: &Beam, at: f64) -> String {
+/// What a support is called.
+fn support_at(at: f64, length: f64) -> String {
     match at {
-        at if at <= 0.0 => "left support".to_owned(),
-        at if beam.length() <= at => "right support".to_owned(),
+        0.0 => "left support".to_owned(),
+        at if at.total_cmp(&length).is_eq() => "right support".to_owned(),
         at => format!("support at {}", result(at)),
     }
+}
+
+/// How a beam stands that its supports do not hold.
+fn stands(standing: &Standing, labels: &Labels) -> String {
+    let Standing { resultant, margin, motion } = standing;
+    let mut rows: Vec<Row> = vec![
+        vec![labels.force("resultant of the loads"), result(resultant.force)],
+        vec![labels.length("its place"), result(resultant.at)],
+        vec!["margin against overturning".to_owned(), result(*margin)],
+    ];
+    if let Some(Motion { about, slope: [least, most] }) = motion {
+        let end = |slope: &Option<f64>| slope.map_or_else(|| "any".to_owned(), result);
+        rows.push(vec![labels.length("free to turn about"), result(*about)]);
+        rows.push(vec!["with slopes there".to_owned(), format!("from {} to {}", end(least), end(most))]);
+    }
+    table("Held by the ground alone", &["", ""], &rows)
 }
 
 /// A force of the balance; what remains of it is rounding, of which only the size is of interest.
@@ -177,9 +201,11 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
 
 fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
     let columns = [&nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];
+    // A supported end is node 0, and has no row.
+    let first = usize::from(nodes.x.first().is_none_or(|x| 0.0 < *x));
     let rows: Vec<Row> = (0..nodes.x.len())
         .map(|i| {
-            let place = [(i + 1).to_string(), result(nodes.x[i])];
+            let place = [(i + first).to_string(), result(nodes.x[i])];
             place.into_iter().chain(columns.iter().map(|c| c.get(i).map_or_else(String::new, |&v| result(v)))).collect()
         })
         .collect();

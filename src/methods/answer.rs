@@ -1,41 +1,46 @@
 //! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts by neighbourhood, extremes at and between the nodes,
 //! energy.
 
-use super::{Discrete, statics};
+use super::contact_set::{self, Carried, HeldNode};
+use super::{Discrete, general, statics};
+use crate::qp::Sizes;
 use crate::scene::Grid;
 use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime, SupportForce};
 
-/// What an answer means for the interior nodes.
+/// What an answer means for the nodes: all but supported ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Nodal {
     /// How the beam bends between the nodes.
     pub discretisation: Discretisation,
-    /// Deflection `v_1 … v_n`.
+    /// Deflection `v`.
     pub deflection: Vec<f64>,
-    /// Clearance `h = u − v`.
+    /// Clearance `h = g − v`.
     pub clearance: Vec<f64>,
-    /// Contact forces.
+    /// Contact forces, zero at supports.
     pub contact_force: Vec<f64>,
 }
 
 impl Nodal {
-    /// With the deflection `v = u − h`; where the ground lies so deep that this difference has few digits left, or none,
+    /// With the deflection `v = g − h`; where the ground lies so deep that this difference has few digits left, or none,
     /// `v = C t` by statics.
     #[must_use]
     pub fn new(
         discrete: &Discrete,
         discretisation: Discretisation,
-        clearance: Vec<f64>,
+        mut clearance: Vec<f64>,
         contact_force: Vec<f64>,
     ) -> Self {
         /// Ground this many times as deep as the beam deflects: three of sixteen digits are what the difference may lose, and
         /// more than statics lose on any grid on which the difference would be the better one.
         const DEEP: f64 = 1e3;
+        let first = discrete.nodes().start;
+        for support in discrete.supports().inner() {
+            clearance[support.node - first] = discrete.gap(support.node) - support.held.deflection;
+        }
         let mut deflection = discrete.clearances(&clearance);
         let size = DEEP * discrete.sizes().x;
-        if discrete.depths.iter().any(|&u| size < u) {
-            let carried: Vec<f64> = discrete.interior_loads().iter().zip(&contact_force).map(|(q, p)| q - p).collect();
-            let by_statics = discrete.deflection(&carried, discretisation);
+        if discrete.supports().lacking() == 0 && discrete.depths.iter().any(|&u| size < u) {
+            let by_statics = by_statics(discrete, &contact_force, discretisation);
             for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
                 if size < u {
                     *v = statics;
@@ -46,6 +51,15 @@ impl Nodal {
     }
 }
 
+/// The deflection that loads and contact forces cause.
+fn by_statics(discrete: &Discrete, contact_force: &[f64], discretisation: Discretisation) -> Vec<f64> {
+    if !discrete.is_simple() {
+        return general::deflection(discrete, contact_force, discretisation);
+    }
+    let carried: Vec<f64> = discrete.interior_loads().iter().zip(contact_force).map(|(q, p)| q - p).collect();
+    discrete.deflection(&carried, discretisation)
+}
+
 /// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
 const NO_FORCE: f64 = 1e-12;
 
@@ -53,10 +67,10 @@ const NO_FORCE: f64 = 1e-12;
 /// takes for the least that can be measured, sixteen units in the last place over the residual that it certifies.
 const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
 
-/// The beam under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
+/// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
-    let deflection = discrete.deflection(discrete.interior_loads(), discretisation);
+    let deflection = by_statics(discrete, &vec![0.0; discrete.nodes().len()], discretisation);
     Nodal {
         discretisation,
         clearance: discrete.clearances(&deflection),
@@ -68,6 +82,9 @@ pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
 /// The state of the beam that nodal values describe. Its memory is that of the discrete problem, as far as it goes.
 #[must_use]
 pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
+    if !discrete.is_simple() {
+        return any_state(&discrete, nodal);
+    }
     let sizes = discrete.sizes();
     let Discrete { grid, intervals, spacing, stiffness, .. } = discrete;
     let loads = discrete.into_loads();
@@ -78,27 +95,17 @@ pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
     let reactions =
         Reactions { left: moments[0] / spacing + ends[0], right: moments[moments.len() - 1] / spacing + ends[1] };
 
-    // Ground so close that the beam moves less than its forces are rounded: clearances are that rounding.
     let length = grid.place(intervals);
-    let rounded = AT_REST * sizes.gradient * length * length * length / (48.0 * stiffness);
-    let contacts = contacts(&nodal, sizes.x.max(rounded), sizes.gradient, |i| grid.place(i));
-    // Places are counted in intervals until an extreme is found.
-    let seen = nodal_extremes(&nodal.deflection);
-    let deflection = match nodal.discretisation {
-        Discretisation::FiniteDifferences => seen,
-        Discretisation::BeamElements => {
-            cubic_extremes(&nodal.deflection, &moments, spacing * spacing / (6.0 * stiffness), seen)
-        }
-    };
-    let moment = nodal_extremes(&moments);
+    let contacts = contacts(&nodal, &sizes_of_contact(sizes, stiffness, length), |i| grid.place(i + 1));
+    let [deflection, moment] =
+        extremes(nodal.discretisation, Values::inside(&nodal.deflection), Values::inside(&moments), spacing, stiffness);
     // The forces are not needed any more.
     grid.places(1, &mut carried);
     ContactState {
         regime: Regime::of(&contacts),
-        supports: [(0.0, reactions.left), (length, reactions.right)]
-            .map(|(at, force)| SupportForce { at, force, moment: None })
-            .to_vec(),
         reactions,
+        supports: SupportForce::at_ends(length, reactions),
+        standing: None,
         contacts,
         deflection: placed(deflection, &grid),
         moment: placed(moment, &grid),
@@ -112,6 +119,100 @@ pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
             moment: moments,
         }),
     }
+}
+
+/// Sizes of clearance and force by which contact is told. Where the ground is so close that the beam moves less than its forces are
+/// rounded, clearances are that rounding.
+fn sizes_of_contact(sizes: Sizes, stiffness: f64, length: f64) -> Sizes {
+    let rounded = AT_REST * sizes.gradient * length * length * length / (48.0 * stiffness);
+    Sizes { x: sizes.x.max(rounded), ..sizes }
+}
+
+/// The state of a beam on any supports.
+///
+/// Their forces are those of the beam on its supports alone, under `q − p`. Of a beam that they do not hold, contact forces are
+/// in balance with the loads, and what two more supports carry is what they lack of it.
+fn any_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
+    let &Discrete { grid, intervals, spacing, stiffness, .. } = discrete;
+    let basic = discrete.basic(general::remaining(discrete, &nodal.contact_force));
+    let Carried { supports: held, moments, .. } =
+        contact_set::on_supports(&basic, nodal.discretisation).unwrap_or_else(|_| Carried::unknown(&basic));
+    let mut supports = Vec::new();
+    let nodes = discrete.nodes();
+    let mut deflection: Vec<f64> = (0..=intervals)
+        .map(|node| if nodes.contains(&node) { nodal.deflection[node - nodes.start] } else { discrete.level(node) })
+        .collect();
+    // J = ½ ∫ M²/EI − ∫ q v, and the first term is half the work of all forces and couples.
+    let mut energy = 0.0;
+    for support in discrete.supports().all() {
+        let Some(HeldNode { force, moments: [left, right], .. }) = held.iter().find(|held| held.node == support.node)
+        else {
+            continue;
+        };
+        let moment = support.held.slope.map(|_| contact_set::larger(*left, *right));
+        supports.push(SupportForce { at: support.held.at, force: *force, moment });
+        energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
+        deflection[support.node] = support.held.deflection;
+    }
+    for ((q, t), v) in discrete.loads.chunks(BLOCK).zip(basic.loads.chunks(BLOCK)).zip(deflection.chunks(BLOCK)) {
+        energy += q.iter().zip(t).zip(v).map(|((q, t), v)| (0.5 * t - q) * v).sum::<f64>();
+    }
+    let reaction = |node: usize| {
+        discrete
+            .supports()
+            .at(node)
+            .and_then(|_| held.iter().find(|held| held.node == node))
+            .map_or(0.0, |held| held.force)
+    };
+
+    let sizes = sizes_of_contact(discrete.sizes(), stiffness, grid.place(intervals));
+    let contacts = contacts(&nodal, &sizes, |i| grid.place(i + nodes.start));
+    // Inside a built-in support moments jump: extremes are looked for on each side.
+    let jumps = held.iter().filter(|held| 0 < held.node && held.node < intervals);
+    let mut found: Option<[Extremes; 2]> = None;
+    let mut from = (0, moments[0]);
+    for (to, [before, behind]) in
+        jumps.map(|held| (held.node, held.moments)).chain([(intervals, [moments[intervals]; 2])])
+    {
+        let inside = from.0 + 1..to;
+        let of =
+            |values: &'_ [f64], ends: [f64; 2]| -> (Vec<f64>, [f64; 2]) { (values[inside.clone()].to_vec(), ends) };
+        let (v, m) = (of(&deflection, [deflection[from.0], deflection[to]]), of(&moments, [from.1, before]));
+        let [v, m] = [&v, &m].map(|(inner, ends)| Values { inner, ends: *ends });
+        let part = extremes(nodal.discretisation, v, m, spacing, stiffness).map(|part| shifted(part, from.0));
+        found = Some(found.map_or(part, |found| {
+            let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);
+            [both(found[0], part[0]), both(found[1], part[1])]
+        }));
+        from = (to, behind);
+    }
+    let [deflection, moment] = found.unwrap_or_default().map(|extremes| placed(extremes, &grid));
+    let mut x = vec![0.0; nodes.len()];
+    grid.places(nodes.start, &mut x);
+    ContactState {
+        regime: Regime::of(&contacts),
+        reactions: Reactions { left: reaction(0), right: reaction(intervals) },
+        supports,
+        standing: None,
+        contacts,
+        deflection,
+        moment,
+        energy,
+        nodes: Some(Nodes {
+            discretisation: nodal.discretisation,
+            x,
+            deflection: nodal.deflection,
+            clearance: nodal.clearance,
+            contact_force: nodal.contact_force,
+            moment: moments[nodes].to_vec(),
+        }),
+    }
+}
+
+/// Extremes with places counted from another node.
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+fn shifted(extremes: Extremes, by: usize) -> Extremes {
+    Extremes { max_at: extremes.max_at + by as f64, min_at: extremes.min_at + by as f64, ..extremes }
 }
 
 /// `t = q − p` in place of the loads, and `J(v) = ½ tᵀv − qᵀv`, since `v = C t`. Summed in blocks: one sum over a fine grid
@@ -149,9 +250,11 @@ fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
 
 /// Runs of neighbouring nodes in contact, each a zone, or a point if it is a single node.
 ///
+/// `place` is that of a node by its number among those of `nodal`.
+///
 /// A node is in contact if its force, measured by all forces, is larger than its clearance, measured by the deflection:
 /// the natural reading of an answer in which both are small positive numbers.
-fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64) -> Vec<Contact> {
+fn contacts(nodal: &Nodal, &Sizes { x: depth, gradient: force }: &Sizes, place: impl Fn(usize) -> f64) -> Vec<Contact> {
     let mut contacts = Vec::new();
     let contact = |first, last, force| Contact { from: place(first), to: place(last), force, end_forces: None };
     // While a run goes on: its first node, and the sum of its forces.
@@ -159,32 +262,70 @@ fn contacts(nodal: &Nodal, depth: f64, force: f64, place: impl Fn(usize) -> f64)
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
         // h/X ≤ p/G without a division: most nodes of a fine grid pass here. Both are zero on ground that leaves no room at all.
         if NO_FORCE * force < p && h * force <= p * depth {
-            first = first.or(Some(k + 1));
+            first = first.or(Some(k));
             sum += p;
         } else if let Some(first) = first.take() {
-            contacts.push(contact(first, k, std::mem::take(&mut sum)));
+            contacts.push(contact(first, k - 1, std::mem::take(&mut sum)));
         }
     }
-    contacts.extend(first.map(|first| contact(first, nodal.contact_force.len(), sum)));
+    contacts.extend(first.map(|first| contact(first, nodal.contact_force.len() - 1, sum)));
     contacts
 }
 
 /// Nodes that are looked at together for extremes: most blocks of a fine grid are far from any.
 const BLOCK: usize = 256;
 
-/// Extremes of values at the inner nodes of a beam that has zero at both ends; places are counted in intervals.
-pub(super) fn nodal_extremes(values: &[f64]) -> Extremes {
-    let [max, min] = wider(range(values), [0.0; 2]);
+/// Values at neighbouring nodes: at those between two ends, and at these.
+#[derive(Debug, Clone, Copy)]
+struct Values<'a> {
+    inner: &'a [f64],
+    ends: [f64; 2],
+}
+
+impl<'a> Values<'a> {
+    /// Of a beam that has zero at both ends.
+    fn inside(inner: &'a [f64]) -> Self {
+        Self { inner, ends: [0.0; 2] }
+    }
+
+    /// At node `i`, counted from the left end.
+    fn at(&self, i: usize) -> f64 {
+        if i == 0 { self.ends[0] } else { self.inner.get(i - 1).copied().unwrap_or(self.ends[1]) }
+    }
+}
+
+/// Extremes of deflection and moment from values at nodes; places are counted in intervals from the left end of the values.
+fn extremes(
+    discretisation: Discretisation,
+    deflection: Values<'_>,
+    moments: Values<'_>,
+    spacing: f64,
+    stiffness: f64,
+) -> [Extremes; 2] {
+    let seen = nodal_extremes(deflection);
+    let found = match discretisation {
+        Discretisation::FiniteDifferences => seen,
+        Discretisation::BeamElements => {
+            cubic_extremes(deflection, moments, spacing * spacing / (6.0 * stiffness), seen)
+        }
+    };
+    [found, nodal_extremes(moments)]
+}
+
+/// Extremes of values at nodes; places are counted in intervals.
+fn nodal_extremes(values: Values<'_>) -> Extremes {
+    let [max, min] = values.ends.into_iter().fold(range(values.inner), |seen, end| wider(seen, [end; 2]));
     Extremes::known(max, min, |extreme, equal| near(values, extreme, equal))
 }
 
 /// Pairs of node and value that show all values within `equal` of an extreme, and one of each block that has none.
-fn near(values: &[f64], extreme: f64, equal: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
-    let blocks = values.chunks(BLOCK).enumerate().flat_map(move |(b, block)| {
+fn near(values: Values<'_>, extreme: f64, equal: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let blocks = values.inner.chunks(BLOCK).enumerate().flat_map(move |(b, block)| {
         let is_near = block.iter().fold(false, |near, value| near | ((value - extreme).abs() <= equal));
         numbered(b * BLOCK + 1, if is_near { block } else { &block[..1] })
     });
-    numbered(0, &[0.0]).chain(blocks).chain(numbered(values.len() + 1, &[0.0]))
+    let [left, right] = values.ends;
+    std::iter::once((0.0, left)).chain(blocks).chain(std::iter::once((number(values.inner.len() + 1), right)))
 }
 
 /// Values at node `first` and those right of it, with the number of the node for their place.
@@ -220,27 +361,26 @@ fn wider([max, min]: [f64; 2], [above, below]: [f64; 2]) -> [f64; 2] {
 ///
 /// Intervals that cannot reach beyond what is seen at the nodes are passed over: a beam leaves its chord by at most
 /// `Δ² max|M| / 8 EI`.
-pub(super) fn cubic_extremes(deflection: &[f64], moments: &[f64], unit: f64, seen: Extremes) -> Extremes {
+fn cubic_extremes(deflection: Values<'_>, moments: Values<'_>, unit: f64, seen: Extremes) -> Extremes {
     let beyond = |[highest, lowest]: [f64; 2], [most, least]: [f64; 2]| {
         let reach = 0.75 * unit * most.abs().max(least.abs());
         seen.max < highest + reach || lowest - reach < seen.min
     };
-    let at = |values: &[f64], node: usize| if node == 0 { 0.0 } else { values.get(node - 1).copied().unwrap_or(0.0) };
-    let intervals = deflection.len() + 1;
+    let intervals = deflection.inner.len() + 1;
     let mut found = seen;
     for first in (0..intervals).step_by(BLOCK) {
         let end = intervals.min(first + BLOCK);
-        let inner = first.max(1) - 1..end.min(deflection.len());
+        let inner = first.max(1) - 1..end.min(intervals - 1);
         // The ends of the beam are seen as well.
-        let of_block = |values: &[f64]| {
-            let ends = [at(values, first), at(values, end)].map(|value| [value; 2]);
-            ends.into_iter().fold(range(&values[inner.clone()]), wider)
+        let of_block = |values: Values<'_>| {
+            let ends = [values.at(first), values.at(end)].map(|value| [value; 2]);
+            ends.into_iter().fold(range(&values.inner[inner.clone()]), wider)
         };
         if !beyond(of_block(deflection), of_block(moments)) {
             continue;
         }
         for k in first..end {
-            let [v, m] = [deflection, moments].map(|values| [at(values, k), at(values, k + 1)]);
+            let [v, m] = [deflection, moments].map(|values| [values.at(k), values.at(k + 1)]);
             if beyond([v[0].max(v[1]), v[0].min(v[1])], m) {
                 found = stationary(v, m.map(|m| unit * m)).fold(found, |found, [s, v]| found.beyond(number(k) + s, v));
             }
@@ -275,7 +415,7 @@ fn quadratic_roots(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{BLOCK, nodal_extremes};
+    use super::{BLOCK, Values, nodal_extremes};
     use crate::state::Extremes;
 
     /// Plateaus within, across and at the ends of blocks, and equal peaks far apart.
@@ -296,7 +436,7 @@ mod tests {
             let zero = std::iter::once(0.0);
             let all = zero.clone().chain(values.iter().copied()).chain(zero);
             let expected = Extremes::of((0_i32..).map(f64::from).zip(all).collect::<Vec<_>>());
-            assert_eq!(nodal_extremes(&values), expected, "{} values", values.len());
+            assert_eq!(nodal_extremes(Values::inside(&values)), expected, "{} values", values.len());
         }
     }
 }

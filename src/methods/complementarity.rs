@@ -8,6 +8,8 @@
 //! ```
 //!
 //! At the supports `v_0 = 0` and `v_0'' = 0`, that is `v_{−1} = −v_1` (8), which leaves 5 in the two corners of `A`.
+//! At a built-in end half a cell has curvature, `v_0'' ≈ 2 (v_1 − v_0 − φ Δ)/Δ²`, which leaves 7 in the corner; at a free end none
+//! has, which leaves 1 and 5 there. So `A` is a sum over the nodes where the beam can bend.
 //! Pressures are forces per length here; a load `q_i` is the nodal load divided by `Δ`.
 
 // Discrepancy: finite-difference-equations
@@ -17,9 +19,12 @@
 // It gives 1.191071 for the first contact force of the example with 30 intervals; the paper prints no number for this method.
 
 use super::contact_set::{ContactSet, OnContacts};
-use super::{Discrete, sparse};
+use super::{Discrete, general, sparse};
 use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
 use crate::state::Discretisation;
+
+/// Curvature sits at the nodes.
+const FINITE: Discretisation = Discretisation::FiniteDifferences;
 
 /// The quadratic program (32) of method 1: `x = h`, `g = p`.
 #[derive(Debug, Clone, Copy)]
@@ -53,10 +58,15 @@ impl Complementarity<'_> {
 
 impl Qp for Complementarity<'_> {
     fn dimension(&self) -> usize {
-        self.0.interior()
+        self.0.unknowns()
     }
 
     fn matrix(&self) -> Matrix {
+        if !self.0.is_simple() {
+            return general::pentadiagonal(
+                &(general::matrix(self.0, general::contact_forces, FINITE) / self.0.spacing),
+            );
+        }
         let (n, factor) = (self.dimension(), self.factor());
         let mut rows = vec![[6.0 * factor, -4.0 * factor, factor]; n];
         rows[0][0] -= factor;
@@ -72,23 +82,33 @@ impl Qp for Complementarity<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
-        Some(sparse::potential(self.0, Discretisation::FiniteDifferences, self.sizes()))
+        Some(sparse::potential(self.0, FINITE, self.sizes()))
     }
 
     fn linear(&self) -> Vec<f64> {
+        if !self.0.is_simple() {
+            return self.gradient(&vec![0.0; self.dimension()]).iter().map(|p| -p).collect();
+        }
         self.pressure(&self.0.depths).iter().map(|p| -p).collect()
     }
 
     fn gradient(&self, h: &[f64]) -> Vec<f64> {
+        if !self.0.is_simple() {
+            return general::contact_forces(self.0, h, FINITE).iter().map(|p| p / self.0.spacing).collect();
+        }
         let v: Vec<f64> = self.0.depths.iter().zip(h).map(|(u, h)| u - h).collect();
         self.pressure(&v)
     }
 
     /// `EI v'''' = q` at the free nodes, with `v = u` at the others: a chain of links that touches there.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
-        let OnContacts { contact_force, clearance } =
-            ContactSet::where_held(free).solve(self.0, Discretisation::FiniteDifferences)?;
+        let OnContacts { contact_force, clearance } = ContactSet::where_held(self.0, free).solve(self.0, FINITE)?;
+        let [clearance, contact_force] = [clearance, contact_force].map(|values| self.0.without_supports(values));
         Ok(Stationary { x: clearance, gradient: contact_force.iter().map(|p| p / self.0.spacing).collect() })
+    }
+
+    fn make_definite(&self, free: &mut FreeSet) {
+        self.0.hold(free, false, |i| self.0.node(i));
     }
 
     /// What could be rounding is zero already.

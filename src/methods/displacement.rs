@@ -23,7 +23,7 @@
 use nalgebra::DMatrix;
 
 use super::contact_set::{ContactSet, OnContacts};
-use super::{Discrete, sparse};
+use super::{Discrete, general, sparse};
 use crate::qp::{Band, FreeSet, Matrix, NotPositiveDefinite, Qp, Row, Sizes, SparseForm, Stationary};
 use crate::state::Discretisation;
 
@@ -72,11 +72,14 @@ impl Displacement<'_> {
 
 impl Qp for Displacement<'_> {
     fn dimension(&self) -> usize {
-        self.0.interior()
+        self.0.unknowns()
     }
 
     /// `K` (20), shape (n, n): column `j` holds the nodal forces of a unit deflection of node `j`.
     fn matrix(&self) -> Matrix {
+        if !self.0.is_simple() {
+            return Matrix::Dense(general::matrix(self.0, general::contact_forces, Discretisation::BeamElements));
+        }
         let n = self.dimension();
         let mut k = DMatrix::zeros(n, n);
         let mut unit = vec![0.0; n];
@@ -100,6 +103,9 @@ impl Qp for Displacement<'_> {
     }
 
     fn gradient(&self, h: &[f64]) -> Vec<f64> {
+        if !self.0.is_simple() {
+            return general::contact_forces(self.0, h, Discretisation::BeamElements);
+        }
         let v: Vec<f64> = self.0.depths.iter().zip(h).map(|(u, h)| u - h).collect();
         Self::rotations(&v).map_or_else(|_| vec![f64::NAN; v.len()], |rotations| self.contact_forces(&v, &rotations))
     }
@@ -107,8 +113,13 @@ impl Qp for Displacement<'_> {
     /// `K v = q` at the free nodes, with `v = u` at the others: a beam that touches there.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
         let OnContacts { contact_force, clearance } =
-            ContactSet::where_held(free).solve(self.0, Discretisation::BeamElements)?;
-        Ok(Stationary { x: clearance, gradient: contact_force })
+            ContactSet::where_held(self.0, free).solve(self.0, Discretisation::BeamElements)?;
+        let [x, gradient] = [clearance, contact_force].map(|values| self.0.without_supports(values));
+        Ok(Stationary { x, gradient })
+    }
+
+    fn make_definite(&self, free: &mut FreeSet) {
+        self.0.hold(free, false, |i| self.0.node(i));
     }
 
     /// What could be rounding is zero already.

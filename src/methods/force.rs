@@ -7,6 +7,14 @@
 //! h = C p + u − C q,   so  A = C,  b = C q − u    (28)
 //! ```
 //!
+//! A beam that its supports do not hold has no `C`; its contact forces are in balance with the loads besides,
+//!
+//! ```text
+//! minimise ½ pᵀC₀p − (C₀q − g)ᵀp,   p ≥ 0,   Σ p = W,   Σ x p = W x_W
+//! ```
+//!
+//! with the flexibility `C₀` of the beam on any two more supports, and the two multipliers are its rigid motion.
+//!
 //! `C` (26) is there for whoever wants a matrix. On a given set of contacts the three-moment equations of `contact_set.rs`
 //! give the same answer in O(n) and without the condition number of `C`, which grows like `n⁴`.
 
@@ -18,7 +26,7 @@
 use nalgebra::DMatrix;
 
 use super::contact_set::{ContactSet, OnContacts};
-use super::{Discrete, sparse};
+use super::{Discrete, general, sparse};
 use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
 use crate::state::Discretisation;
 
@@ -38,11 +46,14 @@ pub fn flexibility(length: f64, stiffness: f64, n: usize, i: usize, j: usize) ->
 
 impl Qp for Force<'_> {
     fn dimension(&self) -> usize {
-        self.0.interior()
+        self.0.unknowns()
     }
 
     /// `C` (26), shape (n, n).
     fn matrix(&self) -> Matrix {
+        if !self.0.is_simple() {
+            return Matrix::Dense(general::matrix(self.0, general::clearances, Discretisation::BeamElements));
+        }
         let (n, Discrete { spacing, stiffness, .. }) = (self.dimension(), self.0);
         #[expect(clippy::cast_precision_loss, reason = "dense matrices end long before 2⁵³ nodes")]
         let length = spacing * (n + 1) as f64;
@@ -58,6 +69,9 @@ impl Qp for Force<'_> {
     }
 
     fn gradient(&self, p: &[f64]) -> Vec<f64> {
+        if !self.0.is_simple() {
+            return general::clearances(self.0, p, Discretisation::BeamElements);
+        }
         let forces: Vec<f64> = self.0.interior_loads().iter().zip(p).map(|(q, p)| q - p).collect();
         self.0.clearances(&self.0.deflection(&forces, Discretisation::BeamElements))
     }
@@ -65,8 +79,17 @@ impl Qp for Force<'_> {
     /// `h = 0` at the free nodes, with `p = 0` at the others: a beam that touches at the free nodes.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
         let OnContacts { contact_force, clearance } =
-            ContactSet::where_free(free).solve(self.0, Discretisation::BeamElements)?;
-        Ok(Stationary { x: contact_force, gradient: clearance })
+            ContactSet::where_free(self.0, free).solve(self.0, Discretisation::BeamElements)?;
+        let [x, gradient] = [contact_force, clearance].map(|values| self.0.without_supports(values));
+        Ok(Stationary { x, gradient })
+    }
+
+    fn make_definite(&self, free: &mut FreeSet) {
+        self.0.hold(free, true, |i| self.0.node(i));
+    }
+
+    fn without_matrix(&self) -> Option<&'static str> {
+        (0 < self.0.supports().lacking()).then_some(general::NO_FLEXIBILITY)
     }
 
     /// What could be rounding is zero already.

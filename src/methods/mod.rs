@@ -12,16 +12,20 @@
 //! any grid.
 
 mod answer;
+mod balanced;
 mod complementarity;
 pub(crate) mod contact_set;
 mod discrete;
 mod displacement;
 mod force;
+mod general;
 pub(crate) mod span;
 mod sparse;
 mod statics;
+pub(crate) mod supports;
 
 pub use answer::{Nodal, contact_state, free_beam};
+pub use balanced::{balanced, single_contact};
 pub use complementarity::Complementarity;
 pub use discrete::Discrete;
 pub use displacement::Displacement;
@@ -90,6 +94,7 @@ impl Method {
     /// What an answer `(x, g)` of the quadratic program means for the nodes.
     #[must_use]
     pub fn nodal(self, discrete: &Discrete, x: Vec<f64>, gradient: Vec<f64>) -> Nodal {
+        let [x, gradient] = [x, gradient].map(|values| discrete.with_supports(values));
         let (clearance, contact_force) = match self {
             Self::Complementarity => (x, gradient.into_iter().map(|p| p * discrete.spacing).collect()),
             Self::Displacement => (x, gradient),

@@ -93,9 +93,11 @@ impl Span {
 /// 6 Σ φ² + 3 = 2L + 1/L,   6 Σ φ (1 − φ) = L − 1/L        (beam: 2L and L)
 /// ```
 ///
-/// with the linear `φ` that falls from 1 to 0, over inner nodes; the held node at the end adds 3 on both sides.
+/// with the linear `φ` that falls from 1 to 0, over inner nodes; the held node at the end adds 3 on both sides. Zero as well where
+/// there is no span.
 pub(super) fn links(discretisation: Discretisation, steps: f64) -> f64 {
     match discretisation {
+        _ if steps == 0.0 => 0.0,
         Discretisation::FiniteDifferences => 1.0 / steps,
         Discretisation::BeamElements => 0.0,
     }

@@ -10,6 +10,9 @@
 //! δ²y_i = y_{i−1} − 2 y_i + y_{i+1};   c(M)_i = M_i, or (M_{i−1} + 4 M_i + M_{i+1})/6 for beam elements
 //! ```
 //!
+//! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A built-in
+//! support has a moment on each of its sides, each with half a cell.
+//!
 //! Second differences appear instead of fourth ones: condition numbers are roots of those of `A`.
 //!
 //! *Scaling.* Energy is measured by `X G`, with the sizes of [`Discrete::sizes`], and each equation is divided by what stands
@@ -25,37 +28,111 @@ use super::Discrete;
 use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Discretisation;
 
+/// A place where the beam can bend and whose moment is a variable: a node inside, on both of its sides, or one side of a built-in
+/// support. The moments of other ends are zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Hinge {
+    node: usize,
+    /// Whether it bends towards the interval to its left, and to its right.
+    sides: [bool; 2],
+}
+
+impl Hinge {
+    /// Those of a beam, from left to right.
+    fn all(discrete: &Discrete) -> Vec<Self> {
+        let mut hinges = Vec::with_capacity(discrete.intervals);
+        for node in 0..=discrete.intervals {
+            let inside = [0 < node, node < discrete.intervals];
+            let built_in = discrete.supports().at(node).is_some_and(|support| support.held.slope.is_some());
+            if built_in {
+                let halves = [[true, false], [false, true]].into_iter().enumerate();
+                hinges.extend(halves.filter(|(side, _)| inside[*side]).map(|(_, sides)| Self { node, sides }));
+            } else if inside == [true; 2] {
+                hinges.push(Self { node, sides: inside });
+            }
+        }
+        hinges
+    }
+
+    /// How many sides it has.
+    fn count(&self) -> f64 {
+        f64::from(u8::from(self.sides[0]) + u8::from(self.sides[1]))
+    }
+
+    /// The three nodes whose deflections bend it; on a side that it does not have its own.
+    fn three(&self) -> [usize; 3] {
+        [self.node - usize::from(self.sides[0]), self.node, self.node + usize::from(self.sides[1])]
+    }
+
+    /// Whether it bends the interval between it and the next one.
+    fn meets(&self, next: &Self) -> bool {
+        self.node + 1 == next.node && self.sides[1] && next.sides[0]
+    }
+}
+
 /// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
-    let n = discrete.interior();
+    let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     let fine = (n as f64).sqrt();
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let (depth, force) = (depth / fine, force * fine);
     // (Δ/EI) M₀ over X/Δ; the same for these units as for X and G, but for the factor √n.
     let coupling = stiffness_number(discrete).sqrt() * fine;
-    let (own, beside) = shares(discretisation);
-    let mut equations: Vec<_> = (0..n).map(|j| around(j, n, coupling * own, coupling * beside)).collect();
-    equations.extend((0..n).map(|j| around(j, n, 2.0, -1.0)));
-    let mut linear = vec![0.0; n];
-    linear.extend(discrete.interior_loads().iter().map(|q| q / force));
-    let bend = |i: usize| -discrete.spacing / depth * discrete.bend(i - 1, i, i + 1);
-    let right = (1..=n).map(bend).collect();
+    let mut equations: Vec<_> = (0..hinges.len()).map(|j| curvature(&hinges, j, discretisation, coupling)).collect();
+    let mut linear = vec![0.0; hinges.len()];
+    // The first hinge that may be bent by an unknown.
+    let mut first = 0;
+    for node in (0..n).map(|unknown| discrete.node(unknown)) {
+        while hinges.get(first).is_some_and(|hinge| hinge.node + 1 < node) {
+            first += 1;
+        }
+        let near = hinges[first..].iter().take_while(|hinge| hinge.node <= node + 1).enumerate();
+        let share = |hinge: &Hinge| match hinge.three() {
+            [_, own, _] if own == node => hinge.count(),
+            [left, _, right] if left == node || right == node => -1.0,
+            _ => 0.0,
+        };
+        let column = near.map(|(k, hinge)| (first + k, share(hinge)));
+        equations.push(column.filter(|(_, share)| *share != 0.0).collect());
+        linear.push(discrete.loads[node] / force);
+    }
+    let bend = |hinge: &Hinge| {
+        let [left, node, right] = hinge.three();
+        -discrete.spacing / depth * discrete.bend(left, node, right)
+    };
+    let right = hinges.iter().map(bend).collect();
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
-    SparseForm { quadratic: quadratic(n, discretisation, 1.0), linear, equations, right, signed: n, sizes }
+    let quadratic = quadratic(&hinges, n, discretisation, 1.0);
+    SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }
 
-/// Method 3: moments, then contact forces.
+/// Method 3: moments, then contact forces. Levels and slopes of supports do work with the forces and couples that moments put on
+/// them. There is no equation for a node with a support, whose force is what is missing to equilibrium.
 pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
-    let n = discrete.interior();
+    let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
     let Sizes { x: depth, gradient: force } = discrete.sizes();
-    let mut equations: Vec<_> = (0..n).map(|j| around(j, n, -2.0, 1.0)).collect();
+    let mut rows = vec![None; discrete.intervals + 1];
+    (0..n).for_each(|unknown| rows[discrete.node(unknown)] = Some(unknown));
+    let mut equations = Vec::with_capacity(hinges.len() + n);
+    let mut linear = Vec::with_capacity(hinges.len() + n);
+    for hinge in &hinges {
+        let [left, node, right] = hinge.three();
+        let bends = [(left, 1.0), (node, -hinge.count()), (right, 1.0)];
+        // On a side that it does not have, the hinge is not bent.
+        let bends = bends.into_iter().enumerate().filter(|(k, (at, _))| *k == 1 || *at != node).map(|(_, bend)| bend);
+        equations.push(bends.clone().filter_map(|(node, share)| rows[node].map(|row| (row, share))).collect());
+        let held = bends
+            .filter_map(|(node, share)| discrete.supports().at(node).map(|support| share * support.held.deflection));
+        let slope = discrete.supports().at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
+        let turned = if hinge.sides[0] { slope } else { -slope };
+        linear.push((held.sum::<f64>() + turned * discrete.spacing) / depth);
+    }
     equations.extend((0..n).map(|j| vec![(j, -1.0)]));
-    let mut linear = vec![0.0; n];
-    linear.extend(discrete.depths.iter().map(|u| u / depth));
-    let right = discrete.interior_loads().iter().map(|q| -q / force).collect();
-    let quadratic = quadratic(n, discretisation, stiffness_number(discrete));
-    SparseForm { quadratic, linear, equations, right, signed: n, sizes }
+    linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
+    let right = (0..n).map(|unknown| -discrete.loads[discrete.node(unknown)] / force).collect();
+    let quadratic = quadratic(&hinges, n, discretisation, stiffness_number(discrete));
+    SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }
 
 /// `G Δ³/(EI X)`: how far a force `G` bends one interval, measured by `X`.
@@ -65,31 +142,30 @@ fn stiffness_number(discrete: &Discrete) -> f64 {
     force / depth * spacing * spacing * (spacing / stiffness)
 }
 
-/// The curvature `c`: share of the node itself and of each neighbour.
-fn shares(discretisation: Discretisation) -> (f64, f64) {
-    match discretisation {
-        Discretisation::FiniteDifferences => (1.0, 0.0),
-        Discretisation::BeamElements => (4.0 / 6.0, 1.0 / 6.0),
-    }
+/// The curvature `c` in column `j` of a symmetric tridiagonal matrix, times a factor: a share of the moment of the hinge itself for
+/// each side that it has, and of that of each neighbour.
+fn curvature(hinges: &[Hinge], j: usize, discretisation: Discretisation, factor: f64) -> Vec<(usize, f64)> {
+    let (side, beside) = match discretisation {
+        Discretisation::FiniteDifferences => (0.5, 0.0),
+        Discretisation::BeamElements => (2.0 / 6.0, 1.0 / 6.0),
+    };
+    let hinge = &hinges[j];
+    let left = j.checked_sub(1).filter(|&i| hinges[i].meets(hinge)).map(|i| (i, beside));
+    let right = hinges.get(j + 1).filter(|next| hinge.meets(next)).map(|_| (j + 1, beside));
+    let entries = left.into_iter().chain([(j, hinge.count() * side)]).chain(right);
+    entries.filter(|(_, share)| *share != 0.0).map(|(i, share)| (i, factor * share)).collect()
 }
 
-/// A column of a symmetric tridiagonal matrix with the same numbers in all rows.
-fn around(j: usize, n: usize, own: f64, beside: f64) -> Vec<(usize, f64)> {
-    let entries = [(j.wrapping_sub(1), beside), (j, own), (j + 1, beside)];
-    entries.into_iter().filter(|(i, value)| *i < n && *value != 0.0).collect()
-}
-
-/// `P`: the curvature of the n moments times a factor, nothing for the n others.
-fn quadratic(n: usize, discretisation: Discretisation, factor: f64) -> UpperColumns {
-    let (own, beside) = shares(discretisation);
+/// `P`: the curvature of the moments times a factor, nothing for the n others.
+fn quadratic(hinges: &[Hinge], n: usize, discretisation: Discretisation, factor: f64) -> UpperColumns {
     let mut columns = UpperColumns::default();
-    for j in 0..2 * n {
+    for j in 0..hinges.len() {
         columns.starts.push(columns.rows.len());
-        for (i, value) in around(j, n, own, beside).into_iter().filter(|(i, _)| j < n && *i <= j) {
+        for (i, value) in curvature(hinges, j, discretisation, factor).into_iter().filter(|(i, _)| *i <= j) {
             columns.rows.push(i);
-            columns.values.push(factor * value);
+            columns.values.push(value);
         }
     }
-    columns.starts.push(columns.rows.len());
+    columns.starts.resize(hinges.len() + n + 1, columns.rows.len());
     columns
 }

@@ -16,7 +16,7 @@ mod windows;
 
 use crate::methods::{Discrete, Method};
 use crate::qp::FreeSet;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Grid, Scene, SceneError};
 use crate::solvers::{Answer, active_set};
 use crate::state::Discretisation;
 use part::Parts;
@@ -56,31 +56,45 @@ pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Resul
 /// The answer, and the number of solves of the whole on the finest grid.
 fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer, usize), SceneError> {
     let mut cost = Cost::default();
-    let mut free = start(scene, method.discretisation(), discrete.intervals, &mut cost)?;
+    // Coarser grids need a node at each support as well.
+    let step = if discrete.supports().inner().is_empty() { Some(1) } else { Grid::least_fitting(scene) };
+    let mut start =
+        Start { scene, discretisation: method.discretisation(), held: discrete.held_ends(), step, cost: &mut cost };
+    let mut free = start.on(discrete.intervals)?;
     let coarse = cost.whole;
     let mut windows = Windows { beam: &Parts::new(discrete, method.discretisation()), cost };
     let end = windows.optimum(&mut free);
     let Cost { whole, windows, variables } = windows.cost;
-    Ok((active_set::answer(end, discrete.interior(), whole + windows, variables), whole - coarse))
+    Ok((active_set::answer(end, discrete.nodes().len(), whole + windows, variables), whole - coarse))
 }
 
-/// Contact to start from on a grid, by a coarser one; everywhere on the coarsest.
-fn start(
-    scene: &Scene,
+/// Contact to start from on a grid.
+struct Start<'a> {
+    scene: &'a Scene,
     discretisation: Discretisation,
-    intervals: usize,
-    cost: &mut Cost,
-) -> Result<FreeSet, SceneError> {
-    let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
-    if coarse < COARSEST {
-        return Ok(FreeSet::all(intervals - 1));
+    /// Which ends of the beam are supported.
+    held: [bool; 2],
+    /// Coarser grids have a multiple of so many intervals; there are none if it is not known.
+    step: Option<usize>,
+    cost: &'a mut Cost,
+}
+
+impl Start<'_> {
+    /// By a coarser grid; everywhere on the coarsest.
+    fn on(&mut self, intervals: usize) -> Result<FreeSet, SceneError> {
+        let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
+        let coarse = self.step.map_or(0, |step| coarse / step * step);
+        if coarse < COARSEST {
+            let [first, last] = self.held.map(usize::from);
+            return Ok(FreeSet::all(intervals + 1 - first - last));
+        }
+        let mut free = self.on(coarse)?;
+        let discrete = Discrete::new(self.scene, coarse)?;
+        let mut windows = Windows { beam: &Parts::new(&discrete, self.discretisation), cost: *self.cost };
+        windows.guess(&mut free);
+        *self.cost = windows.cost;
+        Ok(refined(&free, intervals, self.held))
     }
-    let mut free = start(scene, discretisation, coarse, cost)?;
-    let discrete = Discrete::new(scene, coarse)?;
-    let mut windows = Windows { beam: &Parts::new(&discrete, discretisation), cost: *cost };
-    windows.guess(&mut free);
-    *cost = windows.cost;
-    Ok(refined(&free, intervals))
 }
 
 #[cfg(test)]

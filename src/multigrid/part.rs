@@ -35,30 +35,35 @@ impl<'a> Parts<'a> {
     pub(super) fn point(&self, free: &FreeSet, range: Range<usize>) -> Result<Stationary, NotPositiveDefinite> {
         let Discrete { loads, .. } = self.discrete;
         let span = |first, last| self.spans.between(loads, first, last);
-        // Variable i is node i + 1.
-        let nodes = range.start + 1..range.end + 1;
-        let contacts = ContactSet::of_part(contacts(free, range));
+        let first = self.discrete.nodes().start;
+        let nodes = range.start + first..range.end + first;
+        let contacts = self.contacts(free, range);
         let OnContacts { contact_force, clearance } =
             contacts.solve_at(self.discrete, self.discretisation, span, nodes)?;
         Ok(Stationary { x: contact_force, gradient: clearance })
     }
-}
 
-/// The nodes that decide what happens to some variables: the contacts between them, and [`FAR`] on both sides.
-fn contacts(free: &FreeSet, range: Range<usize>) -> Vec<usize> {
-    let mut nodes: Vec<usize> = free.before(range.start).map(|i| i + 1).take(FAR).collect();
-    if nodes.len() < FAR {
-        nodes.push(0);
+    /// The nodes that decide what happens to some variables: the contacts between them, [`FAR`] on both sides, and the supports
+    /// between all of these.
+    fn contacts(&self, free: &FreeSet, range: Range<usize>) -> ContactSet {
+        let first = self.discrete.nodes().start;
+        let left: Vec<usize> = free.before(range.start).map(|i| i + first).take(FAR).collect();
+        let inside = free.iter().skip(range.start).take(range.len()).filter(|free| *free).count();
+        let mut nodes: Vec<usize> = Vec::with_capacity(left.len() + inside + FAR);
+        nodes.extend(left.iter().rev());
+        nodes.extend(free.from(range.start).take(inside + FAR).map(|i| i + first));
+        // Where there are fewer, the beam ends there.
+        let ends = [left.len() < FAR, nodes.len() < left.len() + inside + FAR];
+        let from = if ends[0] { 0 } else { nodes[0] };
+        let to = if ends[1] { self.discrete.intervals } else { nodes[nodes.len() - 1] };
+        ContactSet::part(self.discrete, nodes.into_iter(), &(from..=to), ends)
     }
-    nodes.reverse();
-    let left = nodes.len();
-    let inside = free.iter().skip(range.start).take(range.len()).filter(|free| *free).count();
-    nodes.reserve_exact(inside + FAR);
-    nodes.extend(free.from(range.start).take(inside + FAR).map(|i| i + 1));
-    if nodes.len() < left + inside + FAR {
-        nodes.push(free.dimension() + 1);
+
+    /// Makes contact at the nodes on which a rigid beam would rest the only one, if contact does not hold the beam.
+    pub(super) fn hold(&self, free: &mut FreeSet) {
+        let first = self.discrete.nodes().start;
+        self.discrete.hold(free, true, |i| i + first);
     }
-    nodes
 }
 
 #[cfg(test)]

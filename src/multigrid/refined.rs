@@ -8,15 +8,17 @@ use crate::qp::FreeSet;
 const EDGE: usize = 3;
 const HOLE: usize = 4;
 
-/// Contact on a grid of `intervals`, from contact on a coarser one: contact forces that are free, of node `i + 1` the variable `i`.
+/// Contact on a grid of `intervals`, from contact on a coarser one: contact forces that are free, of all nodes but the ends that
+/// are `held`.
 ///
 /// The force with which a zone of contact begins, at the point of lift-off, is carried by one or two nodes of any grid, and
 /// the next one or two carry nothing. So edges keep their number of nodes, around the same place, and the holes behind them
 /// theirs; all between is in contact.
-pub(super) fn refined(contact: &FreeSet, intervals: usize) -> FreeSet {
-    let finer = Finer { coarse: contact.dimension() + 1, intervals };
-    let mut fine = FreeSet::none(intervals - 1);
-    let runs: Vec<_> = contact.runs().map(|run| run.start + 1..run.end + 1).collect();
+pub(super) fn refined(contact: &FreeSet, intervals: usize, held: [bool; 2]) -> FreeSet {
+    let [first, last] = held.map(usize::from);
+    let finer = Finer { coarse: contact.dimension() + first + last - 1, nodes: first..intervals + 1 - last, intervals };
+    let mut fine = FreeSet::none(finer.nodes.len());
+    let runs: Vec<_> = contact.runs().map(|run| run.start + first..run.end + first).collect();
     for zone in runs.chunk_by(|run, next| next.start <= run.end + HOLE) {
         let left = finer.run(&zone[0], Inward::Right);
         let right = zone[1..].last().map_or(left.clone(), |last| finer.run(last, Inward::Left));
@@ -33,7 +35,7 @@ pub(super) fn refined(contact: &FreeSet, intervals: usize) -> FreeSet {
             inner.end = right.start.saturating_sub(edge.start - before.end);
         }
         for nodes in [left, inner, right] {
-            let indices = nodes.start.saturating_sub(1)..nodes.end.min(intervals) - 1;
+            let indices = nodes.start.saturating_sub(first)..nodes.end.min(finer.nodes.end) - first;
             if indices.start < indices.end {
                 fine.release(indices);
             }
@@ -53,6 +55,8 @@ enum Inward {
 struct Finer {
     coarse: usize,
     intervals: usize,
+    /// Nodes that may be in contact.
+    nodes: Range<usize>,
 }
 
 impl Finer {
@@ -64,13 +68,13 @@ impl Finer {
         // The middle times two, as a node between two others may be; of two choices the one that is nearer to the zone.
         let middle = (run.start + run.end - 1) * self.intervals;
         let twice = if inward == Inward::Right { middle / self.coarse + 1 } else { middle.div_ceil(self.coarse) };
-        let first = (twice.saturating_sub(run.len() - 1) / 2).clamp(1, self.intervals - run.len());
+        let first = (twice.saturating_sub(run.len() - 1) / 2).clamp(self.nodes.start, self.nodes.end - run.len());
         first..first + run.len()
     }
 
     /// The inner node nearest to a node of the coarser grid.
     fn nearest(&self, node: usize) -> usize {
-        ((2 * node * self.intervals + self.coarse) / (2 * self.coarse)).clamp(1, self.intervals - 1)
+        ((2 * node * self.intervals + self.coarse) / (2 * self.coarse)).clamp(self.nodes.start, self.nodes.end - 1)
     }
 }
 

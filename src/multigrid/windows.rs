@@ -43,15 +43,15 @@ pub(super) struct Windows<'a> {
 impl Windows<'_> {
     /// A guess of the contact from another one: optimal near its borders, or else everywhere.
     pub(super) fn guess(&mut self, free: &mut FreeSet) {
-        // A solve that fails here fails again where it is reported.
-        if !self.solve_borders(free).is_ok_and(|settled| settled) {
+        if !self.solve_borders(free) {
+            // A solve that fails here fails again where it is reported.
             let _ = self.exchanged(free);
         }
     }
 
     /// The optimum of the whole, and whether nothing is on the wrong side.
     pub(super) fn optimum(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
-        self.solve_borders(free)?;
+        self.solve_borders(free);
         self.exchanged(free)
     }
 
@@ -60,6 +60,7 @@ impl Windows<'_> {
         let (n, beam) = (free.dimension(), self.beam);
         let (mut idle, mut scale, mut solves) = (0, 1, 0);
         let mut whole = reduced(beam, |free| beam.point(free, 0..n), self.left(n));
+        whole.make_definite = Box::new(|free| beam.hold(free));
         let end = optimum(&mut whole, free, &mut solves, |free, wrong| {
             let windows = around(wrong, scale * REACH, n);
             if self.left(n) == 0 {
@@ -67,7 +68,7 @@ impl Windows<'_> {
             } else if n < LOCAL * price(&windows) && idle < PATIENCE {
                 idle += 1;
             } else if scale * REACH < n {
-                self.solve_windows(free, windows, scale * WORTH[1])?;
+                self.solve_windows(free, windows, scale * WORTH[1]);
                 scale *= 2;
             } else {
                 return Ok(false);
@@ -80,17 +81,26 @@ impl Windows<'_> {
     }
 
     /// Makes windows around the borders optimal, as far as that is cheap. Whether there were any, and all were settled.
-    fn solve_borders(&mut self, free: &mut FreeSet) -> Result<bool, NotPositiveDefinite> {
+    fn solve_borders(&mut self, free: &mut FreeSet) -> bool {
+        self.beam.hold(free);
         let windows = around(&borders(free), REACH, free.dimension());
         if windows.is_empty() || free.dimension() < price(&windows) {
-            return Ok(false);
+            return false;
         }
         self.solve_windows(free, windows, WORTH[0])
     }
 
     /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
     /// Whether all were settled.
-    fn solve_windows(
+    fn solve_windows(&mut self, free: &mut FreeSet, windows: Vec<Range<usize>>, worth: usize) -> bool {
+        let settled = self.settle(free, windows, worth).unwrap_or(false);
+        // A window may have lost what keeps the beam from moving. What fails for another reason fails again where it is reported.
+        self.beam.hold(free);
+        settled
+    }
+
+    /// The same; an error if the beam has lost what holds it, or a number is not finite.
+    fn settle(
         &mut self,
         free: &mut FreeSet,
         windows: Vec<Range<usize>>,
@@ -192,7 +202,8 @@ fn reduced<'a>(
     most_solves: usize,
 ) -> Reduced<'a> {
     // What could be rounding is zero already.
-    Reduced { point: Box::new(point), sizes: beam.sizes(), rounding: 0.0, most_solves }
+    let make_definite = Box::new(|_: &mut FreeSet| {});
+    Reduced { point: Box::new(point), make_definite, sizes: beam.sizes(), rounding: 0.0, most_solves }
 }
 
 /// What one solve of each window costs, in variables.

@@ -230,6 +230,7 @@ mod tests {
             regime: Regime::Zone,
             reactions: Reactions::default(),
             supports: Vec::new(),
+            standing: None,
             contacts: contacts.iter().map(contact).collect(),
             deflection: Extremes::default(),
             moment: Extremes::default(),

@@ -8,7 +8,8 @@
 //! optimality   x ≥ 0,  g ≥ 0,  x_i g_i = 0                            (34), (35)
 //! ```
 //!
-//! `A` is symmetric and positive definite, so the optimum exists and is unique. This room knows nothing of
+//! `A` is symmetric and positive definite, so the optimum exists and is unique; in rare cases it is only semidefinite, and definite
+//! on the sets of free variables that are met. This room knows nothing of
 //! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
 mod band;
@@ -50,6 +51,16 @@ pub trait Qp {
     ///
     /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite>;
+
+    /// Changes which variables are free, if there is no stationary point on those that are, to a set on which there is one with
+    /// `x ≥ 0`: where `A` is only positive semidefinite. Nothing to do for others.
+    fn make_definite(&self, _free: &mut FreeSet) {}
+
+    /// Why there is no matrix `A`, if there is none: where variables have to satisfy equations besides. The
+    /// [sparse form](Self::sparse) has these, and [`stationary`](Self::stationary) keeps them.
+    fn without_matrix(&self) -> Option<&'static str> {
+        None
+    }
 
     /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing. Zero if signs
     /// can be taken at their word.

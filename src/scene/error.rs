@@ -1,7 +1,9 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
 use super::balance::Unheld;
+use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
+use super::scale::Scale;
 
 /// Why a scene was refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -168,6 +170,16 @@ pub enum SceneError {
         /// What it came to.
         value: f64,
     },
+    /// A support between the nodes of a grid.
+    #[error("no node of {intervals} equal intervals lies on the support at x = {}; {}", shown(*at), fitting(*fits))]
+    SupportBetweenNodes {
+        /// Where the support is.
+        at: f64,
+        /// The number of intervals asked for.
+        intervals: usize,
+        /// The least number that has a node at every support, if it is not too large.
+        fits: Option<usize>,
+    },
     /// A grid without interior nodes.
     #[error("the number of intervals must be at least 2, but is {intervals}")]
     TooFewIntervals {
@@ -177,6 +189,17 @@ pub enum SceneError {
 }
 
 impl SceneError {
+    /// What is wrong with a dimensionless scene on a grid, in the units of the scene.
+    #[must_use]
+    pub fn in_units_of(self, scale: &Scale) -> Self {
+        match self {
+            Self::SupportBetweenNodes { at, intervals, fits } => {
+                Self::SupportBetweenNodes { at: at * scale.length, intervals, fits }
+            }
+            other => other,
+        }
+    }
+
     /// The quantity that the error is about, if it is about a single one: a scene file uses it to find the line.
     #[must_use]
     pub fn quantity(&self) -> Option<Quantity> {
@@ -198,9 +221,21 @@ impl SceneError {
                 Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
             }
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
-            Self::Unheld(_) | Self::OnlySimpleBeam { .. } => Some(Quantity::Supports),
+            Self::Unheld(_) | Self::OnlySimpleBeam { .. } | Self::SupportBetweenNodes { .. } => {
+                Some(Quantity::Supports)
+            }
             Self::TooFewIntervals { .. } => None,
         }
+    }
+}
+
+/// What to do about a support between nodes.
+fn fitting(fits: Option<usize>) -> String {
+    match fits {
+        Some(least) => {
+            format!("the least number of intervals with a node at every support is {least} (--intervals {least})")
+        }
+        None => format!("no number of intervals up to {MOST_FITTING} has a node at every support"),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Equal intervals between the supports, and the loads that they put on the nodes.
 
+use std::ops::Range;
+
 use super::{Foundation, Load, Scene, SceneError};
 
 /// `N = n + 1` equal intervals with `n` interior nodes; node `i` lies at `x_i = l i / N`, `i = 0 … N`.
@@ -8,6 +10,12 @@ pub struct Grid {
     length: f64,
     intervals: usize,
 }
+
+/// A node is at a place if it is nearer than this share of the beam: some units in the last place.
+const AT: f64 = 1e-14;
+
+/// The most intervals that are tried to find a grid with nodes at some places.
+pub(super) const MOST_FITTING: usize = 10_000;
 
 /// Nodes whose places and depths are taken together: few enough for the nearest cache.
 const BATCH: usize = 256;
@@ -52,6 +60,31 @@ impl Grid {
         self.length * i as f64 / self.intervals as f64
     }
 
+    /// The node at a place, if there is one but for rounding.
+    #[must_use]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "x lies on the beam, so the quotient lies between 0 and the number of intervals"
+    )]
+    pub fn node_at(&self, x: f64) -> Option<usize> {
+        let node = ((x / self.length * self.intervals as f64).round() as usize).min(self.intervals);
+        ((x - self.place(node)).abs() <= AT * self.length).then_some(node)
+    }
+
+    /// The least number of equal intervals, of at most 10 000, with a node at every support of `scene`.
+    #[must_use]
+    pub fn least_fitting(scene: &Scene) -> Option<usize> {
+        let (length, supports) = (scene.beam().length(), scene.beam().supports());
+        let fits = |intervals: usize| {
+            let grid = Self { length, intervals };
+            let nodes: Vec<_> = supports.iter().map(|support| grid.node_at(support.at)).collect();
+            !nodes.contains(&None) && nodes.windows(2).all(|pair| pair[0] < pair[1])
+        };
+        (2..=MOST_FITTING).find(|&intervals| fits(intervals))
+    }
+
     /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn places(&self, first: usize, places: &mut [f64]) {
@@ -72,14 +105,21 @@ impl Grid {
         places
     }
 
-    /// Gaps `g_i` below the undeflected beam at the interior nodes, of a straight beam the depths `u_i`; infinite where there is
-    /// no foundation.
+    /// Gaps `g_i` below the undeflected beam at the interior nodes.
     #[must_use]
     pub fn gaps(&self, scene: &Scene) -> Vec<f64> {
+        self.gaps_at(scene, 1..self.intervals)
+    }
+
+    /// Gaps `g_i` below the undeflected beam at some neighbouring nodes, of a straight beam the depths `u_i`; infinite where there
+    /// is no foundation.
+    #[must_use]
+    pub fn gaps_at(&self, scene: &Scene, nodes: Range<usize>) -> Vec<f64> {
         if let (Some(Foundation::Flat { depth }), None) = (scene.foundation(), scene.beam().shape()) {
-            return vec![*depth; self.interior()];
+            return vec![*depth; nodes.len()];
         }
-        let mut gaps = self.interior_places();
+        let mut gaps = vec![0.0; nodes.len()];
+        self.places(nodes.start, &mut gaps);
         let mut places = [0.0; BATCH];
         for batch in gaps.chunks_mut(BATCH) {
             let places = &mut places[..batch.len()];

@@ -115,6 +115,7 @@ pub(crate) fn optimum(
     let mut fewest = usize::MAX;
     loop {
         *solves += 1;
+        (reduced.make_definite)(free);
         let point = (reduced.point)(free)?;
         let violators = Violators::of(reduced, &point, free);
         if violators.wrong.is_empty() {
@@ -147,6 +148,8 @@ pub(crate) type PointOn<'a> = Box<dyn FnMut(&FreeSet) -> Result<Stationary, NotP
 /// It may be a part of another one, of which only the variables of that part are known.
 pub(crate) struct Reduced<'a> {
     pub(crate) point: PointOn<'a>,
+    /// As that of [`Qp`].
+    pub(crate) make_definite: Box<dyn Fn(&mut FreeSet) + 'a>,
     /// As those of [`Qp`].
     pub(crate) sizes: Sizes,
     pub(crate) rounding: f64,
@@ -158,7 +161,13 @@ impl<'a> Reduced<'a> {
     /// All of a quadratic program.
     pub(super) fn of(qp: &'a dyn Qp) -> Self {
         let most_solves = solves_within(MOST_WORK, qp.dimension());
-        Self { point: Box::new(|free| qp.stationary(free)), sizes: qp.sizes(), rounding: qp.rounding(), most_solves }
+        Self {
+            point: Box::new(|free| qp.stationary(free)),
+            make_definite: Box::new(|free| qp.make_definite(free)),
+            sizes: qp.sizes(),
+            rounding: qp.rounding(),
+            most_solves,
+        }
     }
 }
 
@@ -266,6 +275,7 @@ fn feasible(
 ) -> Result<Stationary, NotPositiveDefinite> {
     loop {
         *solves += 1;
+        (reduced.make_definite)(free);
         let point = (reduced.point)(free)?;
         let least = Signs::at(reduced, &point).x;
         let negative: Vec<usize> = free.variables().filter(|&i| point.x[i] < least).collect();

@@ -7,6 +7,9 @@
 //! 4°  go to 1°
 //! ```
 //!
+//! Where `A` is only semidefinite there is no `x` to begin with. A step 0° of ours then sets all variables to zero but those of a
+//! set on which there is a solution.
+//!
 //! It ends after at most n + 1 rounds, at a point that is stationary on a face of the feasible set. That point is optimal
 //! only if no variable that was set to zero has a negative gradient, which the four steps do not ask.
 
@@ -47,6 +50,8 @@ pub(super) fn solve(qp: &dyn Qp) -> Answer {
 // Report: four-step
 fn four_steps(qp: &dyn Qp, rounds: &mut usize) -> Result<Stationary, NotPositiveDefinite> {
     let mut free = FreeSet::all(qp.dimension());
+    // 0° Where A is only semidefinite: begin with a set on which there is a solution.
+    qp.make_definite(&mut free);
     loop {
         *rounds += 1;
         // 1° Solve A x = b on the variables that are not yet set to zero.

@@ -171,7 +171,7 @@ fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     }
     let form = match qp.sparse() {
         Some(form) => form,
-        None => match too_large(qp) {
+        None => match no_matrix(qp).or_else(|| too_large(qp)) {
             Some(words) => return Err(words),
             None => SparseForm::of_matrix(qp),
         },
@@ -197,6 +197,11 @@ fn too_many(n: usize) -> Option<String> {
 /// What clarabel takes for infinite; osqp takes 1e30, and prints what it thinks of a factorisation that overflows.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 const INFINITE: f64 = 1e20;
+
+/// Why a solver is not tried that needs the matrix, if there is none.
+fn no_matrix(qp: &dyn Qp) -> Option<String> {
+    qp.without_matrix().map(|why| format!("not tried: {why}"))
+}
 
 /// Why a solver is not tried that would need a larger matrix, if it would.
 fn too_large(qp: &dyn Qp) -> Option<String> {

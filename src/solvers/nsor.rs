@@ -17,7 +17,7 @@
 // The paper gives neither a relaxation factor nor a stopping rule for NSOR; its reference /19/ is not available to us.
 // We try the factors listed in `nsor.rs` and stop on the scaled residual of the optimality conditions.
 
-use super::{Answer, too_large};
+use super::{Answer, no_matrix, too_large};
 use crate::qp::{Matrix, Qp, residual};
 
 /// Relaxation factors that start.
@@ -50,7 +50,7 @@ pub(super) fn words(tolerance: f64) -> String {
 
 /// Runs NSOR until the scaled residual is at most `tolerance`, or the budget is used up.
 pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
-    if let Some(words) = too_large(qp) {
+    if let Some(words) = no_matrix(qp).or_else(|| too_large(qp)) {
         return Answer::refused(qp.dimension(), words);
     }
     let relaxation = Relaxation { qp, matrix: qp.matrix(), linear: qp.linear() };

@@ -7,18 +7,8 @@ use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use super::summary;
 use super::violation::Violation;
-use crate::scene::{Balance, Foundation, Resultant, Scale, Scene};
-use crate::state::ContactState;
-
-/// A rigid motion that costs nothing: all positions between two slopes have the same forces and the same energy. The deflection
-/// is that of the slope nearest to zero.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Motion {
-    /// The place about which the beam turns \[length\].
-    pub about: f64,
-    /// The least and the greatest slope `v'` there; infinite where nothing stops it.
-    pub slope: [f64; 2],
-}
+use crate::scene::{Balance, Foundation, Scale, Scene};
+use crate::state::{ContactState, Motion, Standing};
 
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
@@ -43,14 +33,6 @@ pub struct Exact {
     /// support and holds the slope of the beam there: the limit of a large reaction downwards and a large contact force
     /// upwards beside it. Not positive, mostly zero \[force · length\]. `state.reactions` has the net force.
     pub support_couples: [f64; 2],
-    /// The resultant of the loads, of a beam that its supports do not hold.
-    pub resultant: Option<Resultant>,
-    /// The distance of the resultant from the nearer one of the two outermost places where the beam rests, as a share of the
-    /// distance of these two: how safe it is from turning over. [`None`] of a beam that its supports hold, and of one that rests
-    /// on a single place.
-    pub margin: Option<f64>,
-    /// How the beam may still move, where its position is not certain.
-    pub motion: Option<Motion>,
     given: PiecewiseScene,
     pieces: Vec<Piece>,
     scale: Scale,
@@ -85,9 +67,6 @@ impl Exact {
             residual: checked.worst,
             violations,
             support_couples,
-            resultant: None,
-            margin: None,
-            motion: None,
             pieces: checked.pieces,
             given,
             scale,
@@ -97,17 +76,18 @@ impl Exact {
     }
 
     /// With what the supports leave free: `balance` in the units of the scene, `slopes` dimensionless.
-    pub(super) fn balanced(self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
-        let Self { scale, .. } = self;
+    pub(super) fn balanced(mut self, balance: Balance, slopes: Option<[f64; 2]>) -> Self {
+        let unit = self.scale.depth / self.scale.length;
         let motion = match balance {
             Balance::Neutral { about, .. } => {
-                slopes.map(|s| Motion { about, slope: s.map(|s| s * scale.depth / scale.length) })
+                let slope = |slope: f64| slope.is_finite().then_some(slope * unit);
+                slopes.map(|slopes| Motion { about, slope: slopes.map(slope) })
             }
             _ => None,
         };
-        let resultant = balance.resultant();
-        let margin = resultant.and_then(|resultant| margin(resultant.at, &self.state));
-        Self { resultant, margin, motion, ..self }
+        let standing = |resultant| Standing::of(resultant, &self.state.supports, &self.state.contacts, motion);
+        self.state.standing = balance.resultant().map(standing);
+        self
     }
 
     /// Deflection `v(x)`, positive downwards \[length\].
@@ -188,14 +168,6 @@ impl Exact {
         piece.deflection(&self.given, &mut taylor);
         derivatives(&taylor, t)
     }
-}
-
-/// See [`Exact::margin`].
-fn margin(at: f64, state: &ContactState) -> Option<f64> {
-    let contacts = state.contacts.iter().map(|contact| [contact.from, contact.to]);
-    let places = contacts.chain(state.supports.iter().map(|support| [support.at; 2]));
-    let [from, to] = places.reduce(|[from, to], [a, b]| [from.min(a), to.max(b)])?;
-    (from < to).then(|| (at - from).min(to - at) / (to - from))
 }
 
 /// The moment that foundation and a simple support exert on the beam together at an end of it.

@@ -42,6 +42,6 @@ mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
-pub use exact::{Exact, Motion, Sample};
+pub use exact::{Exact, Sample};
 pub use solve::{TheoryError, solve};
 pub use violation::Violation;

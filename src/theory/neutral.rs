@@ -35,7 +35,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64, grounded: bool) -> Op
         checked.worst = 0.0;
     }
     let found = Found { list, checked, steps: 0, lists: 1, converged: true };
-    found.certified().then_some((found, slopes))
+    found.solved().then_some((found, slopes))
 }
 
 /// Between which slopes the beam is clear of the ground.

@@ -30,6 +30,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
         regime: Regime::of(&contacts),
         reactions: Reactions { left: at_end(0.0), right: at_end(given.length * scale.length) },
         supports,
+        standing: None,
         contacts,
         deflection: Extremes {
             max: deflection.max * scale.depth,

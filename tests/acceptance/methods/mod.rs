@@ -7,3 +7,4 @@ mod matrices;
 mod multigrid;
 mod nodal_loads;
 mod properties;
+mod supports;

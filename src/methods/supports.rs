@@ -1,0 +1,118 @@
+//! The supports of a beam on a grid: which nodes they hold, at which deflection and slope.
+
+use std::ops::{Range, RangeInclusive};
+
+use crate::scene::{Grid, Held, Scene, SceneError};
+
+/// A support at a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NodeSupport {
+    /// Its node.
+    pub(crate) node: usize,
+    /// What it asks of the beam.
+    pub(crate) held: Held,
+    /// How far the ground lies below the beam there, `g − d_s`; infinite where there is none.
+    pub(crate) below: f64,
+}
+
+/// All supports of a beam, from left to right.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Supports {
+    all: Vec<NodeSupport>,
+    /// Those between the two end nodes.
+    inner: Range<usize>,
+    intervals: usize,
+}
+
+impl Supports {
+    /// Those of a scene.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::SupportBetweenNodes`] if no node lies on one of them, or two share a node.
+    pub(super) fn on(grid: &Grid, scene: &Scene) -> Result<Self, SceneError> {
+        let mut all: Vec<NodeSupport> = Vec::with_capacity(2);
+        for held in scene.held() {
+            let node = grid.node_at(held.at).filter(|node| all.last().is_none_or(|last| last.node < *node));
+            let Some(node) = node else {
+                let (at, intervals) = (held.at, grid.intervals());
+                return Err(SceneError::SupportBetweenNodes { at, intervals, fits: Grid::least_fitting(scene) });
+            };
+            let below = scene.gap(grid.place(node)) - held.deflection;
+            all.push(NodeSupport { node, held, below });
+        }
+        Ok(Self::of(all, grid.intervals()))
+    }
+
+    /// Given ones, ascending.
+    pub(super) fn of(all: Vec<NodeSupport>, intervals: usize) -> Self {
+        let inner = all.partition_point(|s| s.node == 0)..all.partition_point(|s| s.node < intervals);
+        Self { all, inner, intervals }
+    }
+
+    /// All of them.
+    pub(crate) fn all(&self) -> &[NodeSupport] {
+        &self.all
+    }
+
+    /// Those between the two end nodes.
+    pub(crate) fn inner(&self) -> &[NodeSupport] {
+        &self.all[self.inner.clone()]
+    }
+
+    /// Those at the nodes of a range.
+    pub(crate) fn within(&self, nodes: &RangeInclusive<usize>) -> &[NodeSupport] {
+        let from = self.all.partition_point(|s| s.node < *nodes.start());
+        let to = self.all.partition_point(|s| s.node <= *nodes.end());
+        &self.all[from..to.max(from)]
+    }
+
+    /// The one at a node. Most nodes have none, and most beams none inside.
+    #[inline]
+    pub(crate) fn at(&self, node: usize) -> Option<&NodeSupport> {
+        if node == 0 {
+            self.all.first().filter(|s| s.node == 0)
+        } else if node == self.intervals {
+            self.all.last().filter(|s| s.node == node)
+        } else if self.inner.is_empty() {
+            None
+        } else {
+            self.inner().binary_search_by_key(&node, |s| s.node).ok().map(|i| &self.inner()[i])
+        }
+    }
+
+    /// The first node that is no supported end.
+    #[inline]
+    pub(crate) fn first(&self) -> usize {
+        usize::from(self.inner.start != 0)
+    }
+
+    /// The nodes but those ends of the beam that are held.
+    pub(crate) fn nodes(&self) -> Range<usize> {
+        self.first()..self.intervals + usize::from(self.inner.end == self.all.len())
+    }
+
+    /// How many more places have to carry the beam before it is held: none, one, or two.
+    pub(crate) fn lacking(&self) -> usize {
+        let holds: usize = self.all.iter().map(|s| if s.held.slope.is_some() { 2 } else { 1 }).sum();
+        2_usize.saturating_sub(holds)
+    }
+
+    /// The same with simple supports at level zero at such ends of the beam that it is held: a basic structure for forces that
+    /// are in balance without these.
+    pub(super) fn completed(&self) -> Self {
+        let ghost = |node: usize| NodeSupport {
+            node,
+            held: Held { at: 0.0, deflection: 0.0, slope: None, grounded: [false; 2] },
+            below: 0.0,
+        };
+        let mut all = self.all.clone();
+        match (self.lacking(), self.all.first().map(|s| s.node)) {
+            (0, _) => {}
+            (1, Some(node)) if 2 * node < self.intervals => all.push(ghost(self.intervals)),
+            (1, _) => all.insert(0, ghost(0)),
+            _ => all.extend([0, self.intervals].map(ghost)),
+        }
+        Self::of(all, self.intervals)
+    }
+}
