@@ -2,9 +2,48 @@
 
 use std::ops::ControlFlow;
 
-use crate::scene::Scale;
+use crate::scene::{Resultant, Scale};
 
-/// Upward forces of the two supports \[force\].
+/// The force with which a support holds the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct SupportForce {
+    /// Where the support is \[length\].
+    pub at: f64,
+    /// Upwards; negative where the support holds the beam down \[force\].
+    pub force: f64,
+    /// Bending moment of the beam beside a built-in support, positive with the underside in tension; inside the beam, where the
+    /// two sides differ, the one that is larger in magnitude. [`None`] for a simple support \[force · length\].
+    pub moment: Option<f64>,
+}
+
+/// How a beam stands on the ground that its supports do not hold against turning or moving.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Standing {
+    /// The resultant of its loads.
+    pub resultant: Resultant,
+    /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry the
+    /// beam, supports included, as a share of the distance of these two. Zero if there is only one.
+    pub margin: f64,
+    /// The positions that are left, if there is more than one.
+    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
+    pub motion: Option<Motion>,
+}
+
+/// Positions of rest that differ by a rotation of the whole beam. Forces, moments and energy are the same in all of them; a state
+/// has the deflection whose slope at the place of rotation is nearest to zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Motion {
+    /// The place about which the beam turns \[length\].
+    pub about: f64,
+    /// Least and greatest slope `v'` there, positive where the beam goes down to the right; [`None`] for a side without end.
+    pub slope: [Option<f64>; 2],
+}
+
+/// Upward forces of the supports at the two ends of the beam \[force\]. Zero where an end has none: [`ContactState::supports`] says
+/// which supports there are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Reactions {
@@ -166,7 +205,9 @@ pub enum Discretisation {
     BeamElements,
 }
 
-/// Values at the interior nodes of a grid, `x_1 … x_n`.
+/// Values at the nodes of a grid from left to right: at all of them but an end of the beam that a support holds, where the
+/// deflection is that of the support. Of a beam with supports at both ends these are the interior nodes `x_1 … x_n`. A support
+/// inside the beam is a node with its clearance and no contact force; what it carries is in [`ContactState::supports`].
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Nodes {
@@ -190,8 +231,12 @@ pub struct Nodes {
 pub struct ContactState {
     /// How much it touches.
     pub regime: Regime,
-    /// Forces of the supports, with the load that a discretisation puts on the support itself counted in.
+    /// Forces of the supports at the two ends, with the load that a discretisation puts on the support itself counted in.
     pub reactions: Reactions,
+    /// Forces of all supports from left to right, counted in the same way.
+    pub supports: Vec<SupportForce>,
+    /// How the beam stands, if its supports do not hold it.
+    pub standing: Option<Standing>,
     /// Where it touches, from left to right.
     pub contacts: Vec<Contact>,
     /// Deflection, positive downwards \[length\].
@@ -202,6 +247,27 @@ pub struct ContactState {
     pub energy: f64,
     /// Values at the nodes, for a discretised method.
     pub nodes: Option<Nodes>,
+}
+
+impl SupportForce {
+    /// The supports at the two ends of a beam of this length that has no others.
+    #[must_use]
+    pub fn at_ends(length: f64, reactions: Reactions) -> Vec<Self> {
+        let simple = |at: f64, force: f64| Self { at, force, moment: None };
+        vec![simple(0.0, reactions.left), simple(length, reactions.right)]
+    }
+}
+
+impl Standing {
+    /// From dimensionless numbers to the units of the scene.
+    fn in_units_of(self, scale: &Scale) -> Self {
+        let Resultant { force, at } = self.resultant;
+        let motion = self.motion.map(|motion| Motion {
+            about: motion.about * scale.length,
+            slope: motion.slope.map(|slope| slope.map(|slope| slope * (scale.depth / scale.length))),
+        });
+        Self { resultant: Resultant { force: force * scale.force, at: at * scale.length }, motion, ..self }
+    }
 }
 
 impl ContactState {
@@ -235,6 +301,16 @@ impl ContactState {
         Self {
             regime: self.regime,
             reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
+            supports: self
+                .supports
+                .into_iter()
+                .map(|s| SupportForce {
+                    at: s.at * length,
+                    force: s.force * force,
+                    moment: s.moment.map(|moment| moment * scale.moment()),
+                })
+                .collect(),
+            standing: self.standing.map(|standing| standing.in_units_of(scale)),
             contacts: self.contacts.into_iter().map(contact).collect(),
             deflection: extremes(self.deflection, depth),
             moment: extremes(self.moment, scale.moment()),
@@ -257,7 +333,8 @@ impl ContactState {
         let numbers =
             [reactions.left, reactions.right, deflection.max, deflection.min, moment.max, moment.min, *energy];
         let contacts = self.contacts.iter().flat_map(|c| [c.from, c.to, c.force]);
-        numbers.into_iter().chain(contacts).all(f64::is_finite)
+        let supports = self.supports.iter().flat_map(|s| [s.force, s.moment.unwrap_or(0.0)]);
+        numbers.into_iter().chain(contacts).chain(supports).all(f64::is_finite)
     }
 }
 

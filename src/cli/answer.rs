@@ -28,6 +28,8 @@ pub(super) enum Route {
 /// What is printed.
 #[derive(Debug)]
 pub(super) struct Answer {
+    /// Length of the beam.
+    pub(super) length: f64,
     pub(super) method: &'static str,
     pub(super) solver: &'static str,
     /// Intervals of the grid, if there is one.
@@ -72,7 +74,8 @@ impl Answer {
         })?;
         let seconds = start.elapsed().as_secs_f64();
         let solution = exact.judged(&input.scene, demand);
-        Ok(Self { method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None })
+        let length = input.scene.beam().length();
+        Ok(Self { length, method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None })
     }
 
     /// The answer of a method on a grid, certified from a witness.
@@ -80,7 +83,7 @@ impl Answer {
         let start = Instant::now();
         let outcome = solve_raw(&input.scene, settings).map_err(|error| input.error(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        Ok(Self::on_grid(settings, outcome.judged(witness, &Demand::default()), seconds))
+        Ok(Self::on_grid(input, settings, outcome.judged(witness, &Demand::default()), seconds))
     }
 
     /// The same for a comparison of all routes, which leaves out those that are not worth their cost on so fine a grid.
@@ -91,7 +94,7 @@ impl Answer {
         }
         let why = format!("not tried: {intervals} intervals, {most} is the limit of this solver in a comparison");
         let outcome = left_out(&input.scene, settings, why).map_err(|error| input.error(error))?;
-        Ok(Self::on_grid(settings, outcome.judged(witness, &Demand::default()), 0.0))
+        Ok(Self::on_grid(input, settings, outcome.judged(witness, &Demand::default()), 0.0))
     }
 
     fn adaptive(input: &Input, request: &Request) -> Result<Self, Failure> {
@@ -114,12 +117,13 @@ impl Answer {
         };
         let alone = trials.iter().find(of_answer).map_or(seconds, |t| t.1);
         let grids = Grids { demanded: request.error, end: adapted.end, trials, seconds };
-        Ok(Self { grids: Some(grids), ..Self::on_grid(&adapted.settings, adapted.solution, alone) })
+        Ok(Self { grids: Some(grids), ..Self::on_grid(input, &adapted.settings, adapted.solution, alone) })
     }
 
-    fn on_grid(settings: &Settings, solution: Solution, seconds: f64) -> Self {
+    fn on_grid(input: &Input, settings: &Settings, solution: Solution, seconds: f64) -> Self {
         let (method, solver) = (settings.method.name(), settings.solver.name());
-        Self { method, solver, intervals: Some(settings.intervals), seconds, solution, grids: None }
+        let length = input.scene.beam().length();
+        Self { length, method, solver, intervals: Some(settings.intervals), seconds, solution, grids: None }
     }
 
     /// How far the beam may be off, or what else is wrong, and what to do about it.

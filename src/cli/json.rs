@@ -6,7 +6,7 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
-use palkki::state::{Contact, Extremes, Nodes, Reactions, Regime};
+use palkki::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime, Standing, SupportForce};
 use serde::Serialize;
 
 use super::answer::Answer;
@@ -99,7 +99,11 @@ struct RouteObject<'a> {
     unknowns: usize,
     iterations: usize,
     seconds: f64,
-    reactions: Reactions,
+    reactions: ReactionsObject,
+    supports: &'a [SupportForce],
+    /// Of a beam that its supports do not hold: `resultant`, `margin`, and `motion` where its position is not certain.
+    #[serde(flatten)]
+    standing: Option<Standing>,
     contacts: Vec<ContactObject>,
     contact_force: f64,
     deflection: DeflectionObject,
@@ -126,7 +130,9 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             unknowns: solution.unknowns,
             iterations: solution.iterations,
             seconds: answer.seconds,
-            reactions: state.reactions,
+            reactions: ReactionsObject::of(answer.length, state),
+            supports: &state.supports,
+            standing: state.standing,
             contacts: state.contacts.iter().map(ContactObject::from).collect(),
             contact_force: state.contact_force(),
             deflection: (&state.deflection).into(),
@@ -142,6 +148,22 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
                 grids: grids.trials.iter().map(|(trial, seconds)| GridObject { trial, seconds: *seconds }).collect(),
             }),
         }
+    }
+}
+
+/// Forces of the supports at the two ends of the beam; `null` where there is none.
+#[derive(Debug, Serialize)]
+struct ReactionsObject {
+    left: Option<f64>,
+    right: Option<f64>,
+}
+
+impl ReactionsObject {
+    fn of(length: f64, state: &ContactState) -> Self {
+        #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
+        let held = |end: f64| state.supports.iter().any(|support| support.at == end);
+        let Reactions { left, right } = state.reactions;
+        Self { left: held(0.0).then_some(left), right: held(length).then_some(right) }
     }
 }
 

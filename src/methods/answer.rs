@@ -3,7 +3,7 @@
 
 use super::{Discrete, statics};
 use crate::scene::Grid;
-use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime};
+use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime, SupportForce};
 
 /// What an answer means for the interior nodes.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,6 +96,8 @@ pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
     ContactState {
         regime: Regime::of(&contacts),
         reactions,
+        supports: SupportForce::at_ends(length, reactions),
+        standing: None,
         contacts,
         deflection: placed(deflection, &grid),
         moment: placed(moment, &grid),

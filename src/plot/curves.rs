@@ -229,6 +229,8 @@ mod tests {
         let state = ContactState {
             regime: Regime::Zone,
             reactions: Reactions::default(),
+            supports: Vec::new(),
+            standing: None,
             contacts: contacts.iter().map(contact).collect(),
             deflection: Extremes::default(),
             moment: Extremes::default(),

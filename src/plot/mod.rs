@@ -145,6 +145,8 @@ mod tests {
         ContactState {
             regime: Regime::of(&contacts),
             reactions: Reactions { left: 1.625, right: -0.375 },
+            supports: Vec::new(),
+            standing: None,
             contacts,
             deflection: Extremes { max: 0.75, max_at: x[0], min: 0.0, min_at: 0.0 },
             moment: Extremes { max: 0.875, max_at: x[1], min: 0.0, min_at: 0.0 },

@@ -20,6 +20,7 @@ use super::{Load, Scale, Scene};
 
 /// The resultant of all loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Resultant {
     /// `W`, positive downwards \[force\].
     pub force: f64,

@@ -7,7 +7,7 @@ use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use crate::scene::Scale;
-use crate::state::{Contact, ContactState, Extremes, Reactions, Regime};
+use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce};
 
 /// The state of the beam.
 pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
@@ -25,12 +25,13 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
         .collect::<Vec<_>>();
     let (deflection, curvature) = extremes(given, pieces);
     let moment = |m: f64| -m * stiffness * scale.moment() + 0.0;
+    let reactions =
+        Reactions { left: force(found.checked.shear[0] + ends[0]), right: force(-found.checked.shear[1] + ends[1]) };
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions {
-            left: force(found.checked.shear[0] + ends[0]),
-            right: force(-found.checked.shear[1] + ends[1]),
-        },
+        reactions,
+        supports: SupportForce::at_ends(given.length * scale.length, reactions),
+        standing: None,
         contacts,
         deflection: Extremes {
             max: deflection.max * scale.depth,
