@@ -1,13 +1,14 @@
 //! Contact forces that somebody computed, and the beam that bends under them and the true load.
 //!
 //! ```text
-//! EI v'''' = q − Σ f_k δ(x − x_k),   v(0) = v(l) = 0,  v''(0) = v''(l) = 0,   M = −EI v''
+//! EI v'''' = q − Σ f_k δ(x − x_k) − Σ R_s δ(x − x_s),   v(x_s) = d_s,  v'(x_s) = φ_s where it is built in,   M = −EI v''
 //! ```
 
+use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport};
 use super::kernel::interval::Interval;
-use super::kernel::load::{EnclosedLoad, one_at_a_place};
-use super::kernel::polynomial::{Polynomial, number};
-use super::kernel::span::march;
+use super::kernel::load::one_at_a_place;
+use super::kernel::polynomial::Polynomial;
+use super::witness::balance;
 use crate::scene::Scale;
 
 /// Forces of the foundation on the beam, at places, upwards; those that pull are cut off.
@@ -106,31 +107,44 @@ impl ContactLoad {
     }
 }
 
-/// Their deflection by cells, on each `v(from + s)`, found by one shot from a horizontal start; `breaks` besides those of the load
-/// and the forces. All in dimensionless numbers.
+/// Their deflection by cells, on each `v(from + s)`; `breaks` besides those of the load and the forces. All in dimensionless
+/// numbers. Supports exert what balance and compatibility ask of them. A beam that they do not hold is held by two of the given
+/// forces, the strongest and what presses most about it, or about its support: it touches the ground there, and what
+/// balance asks of these two takes the place of what was given. [`None`] where there are no two.
 pub(super) fn deflection(
     forces: &ContactLoad,
-    load: &EnclosedLoad,
+    enclosed: &EnclosedScene<'_>,
     breaks: &[f64],
-    stiffness: f64,
-    length: f64,
-) -> Vec<([f64; 2], Polynomial)> {
+) -> Option<Vec<([f64; 2], Polynomial)>> {
     let upwards = forces.pressing.iter().map(|&(at, force)| (at, Interval::exact(-force)));
-    let mut net = load.clone();
-    net.points = one_at_a_place(load.points.iter().copied().chain(upwards).collect());
-    let all: Vec<f64> = net.breaks(0.0, length).into_iter().chain(breaks.iter().copied()).collect();
-    let l = Interval::exact(length);
-    // First as if nothing held it at the left end, then with the slope and the shear that bring the right end back.
-    let [v, _, curvature, _] = march([Interval::ZERO; 4], 0.0, length, all.clone(), &net, stiffness).1;
-    let third = -(curvature / l);
-    let slope = -(v / l) - third * l * l / number(6);
-    march([Interval::ZERO, slope, Interval::ZERO, third], 0.0, length, all, &net, stiffness).0
+    let mut net = enclosed.load.clone();
+    net.points = one_at_a_place(enclosed.load.points.iter().copied().chain(upwards).collect());
+    let enclosed = EnclosedScene { load: &net, ..*enclosed };
+    let mut nodes: Vec<ContactNode> = enclosed.supports.iter().map(|s| ContactNode::free(s.x)).collect();
+    let mut places: Vec<f64> = enclosed.supports.iter().map(|s| s.x).collect();
+    if let [] | [EnclosedSupport { slope: None, .. }] = enclosed.supports {
+        while places.len() < 2 {
+            let turns = |&(at, force): &(f64, f64)| force * places.first().map_or(1.0, |x| (at - x).abs());
+            let most = forces.pressing.iter().max_by(|a, b| turns(a).total_cmp(&turns(b)))?;
+            if turns(most) <= 0.0 {
+                return None;
+            }
+            places.push(most.0);
+            nodes.push(ContactNode::free(most.0));
+        }
+    }
+    nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
+    balance(&enclosed, &mut nodes);
+    let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
+    let spans = (0..=nodes.len()).filter_map(|i| enclosed.span(ends(i)[0], ends(i)[1]));
+    Some(spans.flat_map(|span| span.curve(breaks.to_vec(), &net, enclosed.stiffness)).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Beam, Load, PointLoad, Scene};
+    use crate::certificate::in_intervals;
+    use crate::scene::{Balance, Beam, Load, PointLoad, Scene};
 
     /// A force `P` downwards and a contact force `F` upwards, at one place `a` or at two: of each
     ///
@@ -153,9 +167,11 @@ mod tests {
         for (at, contact) in [(3.0, 3.0), (2.0, 5.0), (5.0, 2.0)] {
             let points = vec![PointLoad { at, force: 11.0 }];
             let scene = Scene::new(beam.clone(), Load::new(&beam, 0.0, Vec::new(), points).expect("finite"), None);
-            let load = EnclosedLoad::of(&scene.expect("well posed"));
             let forces = ContactLoad::new(LENGTH, [(contact, 4.0)]).expect("a force");
-            for ([from, to], v) in deflection(&forces, &load, &[1.0, 6.5], STIFFNESS, LENGTH) {
+            let caused = in_intervals(&scene.expect("well posed"), Balance::Held, |enclosed| {
+                deflection(&forces, enclosed, &[1.0, 6.5]).expect("two supports hold it")
+            });
+            for ([from, to], v) in caused {
                 for s in [0.0, 0.4 * (to - from), to - from] {
                     let expected = of(11.0, at, from + s) - of(4.0, contact, from + s);
                     let value = v.at(Interval::exact(s)).middle();

@@ -3,28 +3,33 @@
 //! The judge is no contestant: it uses no method and no solver, only the scene, the answer and a list of contacts from anybody.
 //!
 //! [`certify`] proves two-sided bounds for the continuous beam.
-//! For any deflection `v̂ ≤ u` with `v̂(0) = v̂(l) = 0`, and any contact load `p ≥ 0` with its moment field `M`
-//! (`M'' = p − q`, `M(0) = M(l) = 0`), with `J` of (17) (Prager and Synge 1947, Repin 2000):
+//! With the gap `g = u − w0` below the undeflected beam and supports that ask `v(x_s) = d_s`, and where the beam is built in
+//! `v'(x_s) = φ_s`: for any deflection `v̂ ≤ g` that its supports hold, and any contact load `p ≥ 0` with support forces `R` of
+//! any sign and their moment field `M` (`M'' = p + Σ R_s δ − q`, couples where the beam is built in, `M = M' = 0` beyond both ends),
+//! with `J` of (17) (Prager and Synge 1947, Repin 2000):
 //!
 //! ```text
-//! D(p) ≤ J* ≤ J(v̂),     D(p) = −½ ∫ M²/EI dx − ∫ u dp
-//! J(v̂) − D(p) = ½ ∫ (EI v̂'' + M)²/EI dx + ∫ (u − v̂) dp = gap           both terms ≥ 0: nothing cancels
-//! ½ ∫ EI (v̂'' − v*'')² dx ≤ gap,     |v̂ − v*|(x) ≤ √( 2 gap x² (l − x)² / (3 EI l) )
+//! D(p, R) ≤ J* ≤ J(v̂),     D(p, R) = −½ ∫ M²/EI dx − ∫ g dp − Σ R_s d_s [− Σ couples · φ_s]
+//! J(v̂) − D(p, R) = ½ ∫ (EI v̂'' + M)²/EI dx + ∫ (g − v̂) dp = gap        both terms ≥ 0: nothing cancels
+//! ½ ∫ EI (v̂'' − v*'')² dx + ∫ (g − v*) dp ≤ gap
+//! |v̂ − v*|(x) ≤ √( 2 gap c(x, x) ),     c = x² (l − x)² / (3 EI l) on two supports at the ends
 //! |v − v*| ≤ |v − v̂| + |v̂ − v*|                                          for the deflection v that is judged
 //! ```
+//!
+//! The flexibility `c` of other supports, and what takes their place where contact alone holds the beam, is said in `hold`.
 //!
 //! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
 //! penetration between the nodes, carried out.
 //!
-//! The pair `(v̂, M)` follows from a **witness**, a list of contacts from anybody: `v̂` is the foundation in its zones and the
+//! The pair `(v̂, M)` follows from a **witness**, a list of contacts from anybody: `v̂` is the gap in its zones and the
 //! exact beam between them, with slopes that one linear system gives (module `witness`). For the true list the gap is zero, and
 //! it grows with the square of what a place is off by. Nothing is looked for here. That `v̂` and `p` are admissible is proven in
 //! interval arithmetic, everywhere and for every kind of foundation, and what cannot be proven is corrected at its price (modules
 //! `proof`, `clearance`, `pressing` of the `kernel`). So a witness may be wrong: that makes the bounds wide, and never untrue.
 //!
 //! What is taken for given: a foundation is known to a few units in the last place of its terms. If its depth at a support is
-//! zero but for that, it is level with it; points of a polyline that are on one line but for that, are on one line. What a scene
-//! is up to rounding is said in `scene::pieces`.
+//! the level of the support but for that, they are level, and the support stands where the ground is; points of a polyline that are on one line but for that, are on one line. What a scene
+//! is up to rounding is said in `scene::pieces`, and whether its loads are in balance in `scene::balance`.
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
@@ -43,13 +48,14 @@ pub use lumped::{Lumped, NotLumped};
 pub use quantities::stiffness;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
-use self::kernel::contact_node::EnclosedScene;
+use self::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use self::kernel::distance::{self, Error};
 use self::kernel::foundation::EnclosedFoundation;
+use self::kernel::gap::EnclosedGap;
 use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
 use self::quantities::{energy, reactions};
-use crate::scene::{Foundation, Load, Scale, Scene, SceneError};
+use crate::scene::{Balance, Foundation, Scale, Scaled, Scene, SceneError};
 use crate::state::{Contact, Nodes};
 
 /// The deflection that is judged.
@@ -70,31 +76,46 @@ pub enum Judged<'a> {
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
-    /// Where there is no foundation it is out of reach.
-    const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
-    scene.only_simple_beam("the certified error")?;
-    let scaled = scene.scaled()?;
-    let (scene, scale) = (&scaled.scene, &scaled.scale);
-    let fewer = scene.foundation().and_then(Foundation::without_collinear_points);
-    let foundation = fewer.as_ref().or(scene.foundation()).unwrap_or(&NONE);
-    let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
-    let load = EnclosedLoad::of(scene);
-    let enclosed =
-        EnclosedScene { foundation: EnclosedFoundation::on(foundation, length), load: &load, stiffness, length };
-    let Some(pair) = pair(&enclosed, witness, scale) else { return Ok(Certificate::UNKNOWN) };
-    let error = match judged {
-        Judged::Nodes(nodes) => distance::of_nodes(&pair, nodes, scale, stiffness, length),
-        Judged::Forces(forces) => {
-            let caused = contact_load::deflection(&forces.scaled(scale), &load, &[], stiffness, length);
-            distance::of_pieces(&pair, &caused, stiffness, length)
-        }
-        Judged::Witness => distance::of_witness(&pair, stiffness, length),
-    };
-    Ok(Certificate::new(&enclosed, scene.load(), scale, &pair, error))
+    enclosed(scene, |enclosed, scaled| {
+        let scale = &scaled.scale;
+        let Some(pair) = pair(enclosed, witness, scale) else { return Certificate::unknown(enclosed.supports.len()) };
+        let EnclosedScene { stiffness, length, .. } = *enclosed;
+        let error = match judged {
+            Judged::Nodes(nodes) => distance::of_nodes(&pair, nodes, scale, enclosed),
+            Judged::Forces(forces) => contact_load::deflection(&forces.scaled(scale), enclosed, &[])
+                .map_or(Error::UNKNOWN, |caused| distance::of_pieces(&pair, &caused, stiffness, length)),
+            Judged::Witness => distance::of_witness(&pair, stiffness, length),
+        };
+        Certificate::new(enclosed, scaled, &pair, error)
+    })
 }
 
-/// The pair that a list of contacts proves, or that of a beam that touches nowhere if that is better: whatever the list, there
-/// is a bound.
+/// What `act` says of a scene that is made dimensionless and enclosed in intervals.
+fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
+    let scaled = scene.scaled()?;
+    Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
+}
+
+/// What `act` says of a scene that is enclosed in intervals as it is.
+fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
+    /// Where there is no foundation it is out of reach.
+    const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
+    let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
+    let given = [scene.foundation(), scene.beam().shape()];
+    let fewer = given.map(|profile| profile.and_then(Foundation::without_collinear_points));
+    let [ground, shape] = [0, 1].map(|k| fewer[k].as_ref().or(given[k]));
+    let profile = |given| EnclosedFoundation::on(given, length);
+    let gap = EnclosedGap { ground: profile(ground.unwrap_or(&NONE)), shape: shape.map(profile) };
+    let (load, supports) = (EnclosedLoad::of(scene), EnclosedSupport::of(scene, &gap));
+    let balanced_at = match balance {
+        Balance::Neutral { about, .. } => Some(about),
+        Balance::Held | Balance::Stands(_) => None,
+    };
+    act(&EnclosedScene { gap, load: &load, supports: &supports, balanced_at, stiffness, length })
+}
+
+/// The pair that a list of contacts proves, or that of a beam that touches nowhere if that is better. Whatever the list, there
+/// is a bound for a beam that its supports hold.
 fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
     let of = |contacts: &[Contact]| proof::pair(enclosed, &witness::nodes(enclosed, contacts, scale));
     let pair = of(contacts);
@@ -110,7 +131,7 @@ fn is_sharp(enclosed: &EnclosedScene<'_>, pair: &Pair) -> bool {
     const SHARP: f64 = 1e-6;
     let width = |p: &Piece| Interval::exact(p.to) - Interval::exact(p.from);
     let size = pair.pieces.iter().fold(0.0, |most: f64, p| most.max(p.v.range(width(p)).magnitude()));
-    distance::of_gap(pair.gap.hi(), enclosed.stiffness, enclosed.length) <= SHARP * size
+    distance::anywhere(pair, enclosed.stiffness, enclosed.length) <= SHARP * size
 }
 
 /// Bounds that hold for the continuous beam, in the units of the scene. Infinite where nothing could be shown.
@@ -122,7 +143,7 @@ pub struct Certificate {
     pub energy_upper: f64,
     /// At least `J(v̂) − D(p)`, without cancellation.
     pub gap: f64,
-    /// At least `max |v − v*|` over the whole beam.
+    /// At least `max |v − v*|` over the whole beam; see [`up_to_a_turn`](Self::up_to_a_turn).
     pub deflection_error: f64,
     /// Where that bound is largest.
     pub deflection_error_at: f64,
@@ -131,9 +152,13 @@ pub struct Certificate {
     pub best_deflection_error: f64,
     /// The largest magnitude of the deflection that was judged, rounded up.
     pub deflection: f64,
-    /// What the reactions of the two supports lie between, left and right; [`None`] where nothing could be shown.
-    pub reactions: [Option<[f64; 2]>; 2],
-    /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
+    /// The place about which the beam can turn without a force, if neither supports nor loads say how it stands: the true
+    /// deflection is known up to such a turn, and the errors of deflections are those after the best turn.
+    pub up_to_a_turn: Option<f64>,
+    /// What the forces of the supports lie between, from left to right; [`None`] where nothing could be shown.
+    pub reactions: Vec<Option<[f64; 2]>>,
+    /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open, and for any beam
+    /// but the paper's: what a settlement takes up is not done by the load.
     pub stiffness: Option<[f64; 2]>,
     /// True if the true deflection is known to a millionth of its largest value: the contacts of the witness are those of the
     /// beam, but for what cannot be felt. Otherwise the bounds are coarse.
@@ -141,26 +166,31 @@ pub struct Certificate {
 }
 
 impl Certificate {
-    /// Nothing could be shown.
-    const UNKNOWN: Self = Self {
-        energy_lower: f64::NEG_INFINITY,
-        energy_upper: f64::INFINITY,
-        gap: f64::INFINITY,
-        deflection_error: f64::INFINITY,
-        deflection_error_at: 0.0,
-        best_deflection_error: f64::INFINITY,
-        deflection: f64::INFINITY,
-        reactions: [None, None],
-        stiffness: None,
-        contacts_proven: false,
-    };
+    /// Nothing could be shown of a beam on some number of supports.
+    fn unknown(supports: usize) -> Self {
+        Self {
+            energy_lower: f64::NEG_INFINITY,
+            energy_upper: f64::INFINITY,
+            gap: f64::INFINITY,
+            deflection_error: f64::INFINITY,
+            deflection_error_at: 0.0,
+            best_deflection_error: f64::INFINITY,
+            deflection: f64::INFINITY,
+            up_to_a_turn: None,
+            reactions: vec![None; supports],
+            stiffness: None,
+            contacts_proven: false,
+        }
+    }
 
     /// From what was proven, dimensionless. All factors are powers of two: only exponents change.
-    fn new(enclosed: &EnclosedScene<'_>, load: &Load, scale: &Scale, pair: &Pair, error: Error) -> Self {
+    fn new(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, error: Error) -> Self {
+        let (scene, scale) = (&scaled.scene, &scaled.scale);
         let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness);
         let gap = pair.gap.hi();
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
-        let stiffness = stiffness(energies, load, enclosed.length);
+        let stiffness =
+            if scene.beam().is_simple() { stiffness(energies, scene.load(), enclosed.length) } else { None };
         let force = |r: Interval| [r.lo() * scale.force, r.hi() * scale.force];
         Self {
             energy_lower: energies[0] * scale.energy(),
@@ -168,9 +198,10 @@ impl Certificate {
             gap: gap * scale.energy(),
             deflection_error: error.most * scale.depth,
             deflection_error_at: error.at * scale.length,
-            best_deflection_error: distance::of_gap(gap, enclosed.stiffness, enclosed.length) * scale.depth,
+            best_deflection_error: distance::anywhere(pair, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,
-            reactions: reactions(enclosed, pair).map(|bracket| bracket.map(force)),
+            up_to_a_turn: enclosed.balanced_at.filter(|x| pair.turns_about(*x)).map(|x| x * scale.length),
+            reactions: reactions(enclosed, pair).into_iter().map(|bracket| bracket.map(force)).collect(),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
             contacts_proven: is_sharp(enclosed, pair),
         }

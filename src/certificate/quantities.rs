@@ -1,7 +1,7 @@
 //! From a proven pair to other quantities than the deflection: energy, reactions, and the paper's structural stiffness.
 
 use super::kernel::contact_node::EnclosedScene;
-use super::kernel::distance::factor;
+use super::kernel::distance::{factor, on_part};
 use super::kernel::interval::Interval;
 use super::kernel::load::EnclosedLoad;
 use super::kernel::polynomial::number;
@@ -15,69 +15,81 @@ pub(super) fn energy(pieces: &[Piece], load: &EnclosedLoad, stiffness: f64) -> I
         let width = Interval::exact(*to) - Interval::exact(*from);
         let bending = v.derivative().derivative().integral_of_square(width) * Interval::exact(0.5 * stiffness);
         sum = sum + bending - load.cell(*from, *to).integral_of_product(v, width);
-        if let Some(force) = load.point(*from).filter(|_| 0.0 < *from) {
+        if let Some(force) = load.point(*from) {
             sum = sum - force * v.at(Interval::ZERO);
         }
+    }
+    // At the right end no piece begins.
+    if let Some(Piece { from, to, v, .. }) = pieces.last()
+        && let Some(force) = load.point(*to)
+    {
+        sum = sum - force * v.at(Interval::exact(*to) - Interval::exact(*from));
     }
     sum
 }
 
-/// What the two reactions lie between.
+/// What the forces of the supports lie between, from left to right.
 ///
 /// Where the clearance of `v̂` is larger than the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up
-/// to the distance `c` from a support, both moment fields have `M'' = −q` there, so that they differ by `κ x`, and
+/// to the distance `c` from a support, both moment fields have `M'' = −q` there, so that they differ by a line, and
 ///
 /// ```text
-/// ½ ∫₀^c (κ x)²/EI dx ≤ gap:     |M'(0) − M*'(0)| = |κ| ≤ √( 6 EI gap / c³ )
+/// ½ ∫₀^c (m + κ x)²/EI dx ≤ gap:     |M'(x) − M*'(x)| = |κ| ≤ √( 24 EI gap / c³ ),     √( 6 EI gap / c³ ) for m = 0
 /// ```
-pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
-    let gap = pair.gap.hi();
-    let share = factor(gap, enclosed.stiffness, enclosed.length).hi();
-    [true, false].map(|left| {
-        let clear = clear_from(enclosed, &pair.pieces, share, left);
-        if clear <= 0.0 {
-            return None;
+///
+/// If it is so all the way to a free end, nothing differs on that side, and beside a simple support `m = 0` on the other one.
+pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Option<Interval>> {
+    let supports = enclosed.supports;
+    let bracket = |k: usize, reaction: Interval| {
+        let x = supports[k].x;
+        let before = k.checked_sub(1).map(|k| supports[k].x);
+        let after = supports.get(k + 1).map(|support| support.x);
+        let ends = [before.unwrap_or(0.0), after.unwrap_or(enclosed.length)];
+        let clear = ends.map(|end| Interval::exact(clear_from(enclosed, pair, x, end)) - Interval::exact(x));
+        let given = [(before, 0), (after, 1)]
+            .map(|(next, side)| next.is_none() && ends[side] == clear_from(enclosed, pair, x, ends[side]));
+        let mut turns = Interval::ZERO;
+        for side in [0, 1] {
+            let share = if given[1 - side] && supports[k].slope.is_none() { 6 } else { 24 };
+            let c = Interval::exact(clear[side].least_magnitude());
+            let turn = number(share) * Interval::exact(enclosed.stiffness) * pair.gap / (c * c * c);
+            match (given[side], c.lo() <= 0.0) {
+                (true, _) => {}
+                (false, true) => return None,
+                (false, false) => turns = turns + turn.sqrt(),
+            }
         }
-        let c = Interval::exact(clear);
-        let turn = (number(6) * Interval::exact(enclosed.stiffness) * Interval::exact(gap) / (c * c * c)).sqrt();
-        Some(pair.reactions[usize::from(!left)] + Interval::around_zero(turn.hi()))
-    })
+        Some(reaction + Interval::around_zero(turns.hi()))
+    };
+    let known = enclosed.balanced_at.is_none_or(|x| !pair.turns_about(x));
+    pair.reactions.iter().enumerate().map(|(k, reaction)| if known { bracket(k, *reaction) } else { None }).collect()
 }
 
-/// How far from a support the clearance is proven to be larger than `share · x (l − x)`.
-fn clear_from(enclosed: &EnclosedScene<'_>, pieces: &[Piece], share: f64, left: bool) -> f64 {
+/// How far from a support towards another place the beam is proven to be clear of the ground.
+fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64, end: f64) -> f64 {
     /// Parts of a piece; only how far the proof reaches depends on it.
     const PARTS: u32 = 16;
-    let &EnclosedScene { foundation, length, .. } = enclosed;
-    let mut reached = 0.0;
-    let mut pieces: Vec<_> = pieces.iter().collect();
-    if !left {
-        pieces.reverse();
-    }
-    for piece in pieces {
-        if piece.follows {
-            return reached;
-        }
+    let factor = factor(pair.gap.hi(), enclosed.stiffness);
+    let (from, to) = (support.min(end), support.max(end));
+    let mut parts = Vec::new();
+    for piece in pair.pieces.iter().filter(|piece| from <= piece.from && piece.to <= to) {
         let mut ends: Vec<f64> =
             (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
-        ends.extend(foundation.breaks(piece.from, piece.to));
+        ends.extend(enclosed.gap.breaks(piece.from, piece.to));
         ends.sort_by(f64::total_cmp);
         ends.dedup();
-        let mut parts: Vec<[f64; 2]> = ends.windows(2).map(|w| [w[0], w[1]]).collect();
-        if !left {
-            parts.reverse();
-        }
-        for [a, b] in parts {
-            let v = piece.v.shifted(Interval::exact(a) - Interval::exact(piece.from));
-            let h = foundation.cell(a, b).minus(&v).range(Interval::exact(b) - Interval::exact(a));
-            let far = if left { b } else { length - a };
-            if h.lo() <= (Interval::exact(share) * Interval::exact(far) * Interval::exact(length)).hi() {
-                return reached;
-            }
-            reached = if left { b } else { (Interval::exact(length) - Interval::exact(a)).lo() };
-        }
+        parts.extend(ends.windows(2).map(|w| (piece, [w[0], w[1]])));
     }
-    reached
+    if end < support {
+        parts.reverse();
+    }
+    let is_clear = |(piece, [a, b]): &(&Piece, [f64; 2])| {
+        let v = piece.v.shifted(Interval::exact(*a) - Interval::exact(piece.from));
+        let h = enclosed.gap.cell(*a, *b).minus(&v).range(Interval::exact(*b) - Interval::exact(*a));
+        !piece.follows && on_part(pair, factor, [*a, *b]) < h.lo()
+    };
+    let clear = parts.iter().take_while(|part| is_clear(part)).last();
+    clear.map_or(support, |(_, [a, b])| if end < support { *a } else { *b })
 }
 
 /// The structural stiffness from bounds on the energy, and the load with its resultant `Q`.
@@ -113,9 +125,10 @@ fn resultant(load: &Load, length: f64) -> Interval {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certificate::kernel::foundation::EnclosedFoundation;
+    use crate::certificate::in_intervals;
+    use crate::certificate::kernel::hold::{Hold, Place};
     use crate::certificate::kernel::polynomial::Polynomial;
-    use crate::scene::{Beam, Foundation, Load, Scene};
+    use crate::scene::{Balance, Beam, Foundation, Load, Scene};
 
     const LENGTH: f64 = 20.0;
     const STIFFNESS: f64 = 70.0;
@@ -139,20 +152,22 @@ mod tests {
         const SHARE: f64 = 0.0041;
         let gap = 1.5 * SHARE * SHARE * STIFFNESS * LENGTH;
         let sag = 0.07;
+        /// Parts that are clear: until `0.4 − v` is less than the bound.
+        const CLEAR: [f64; 2] = [13.0 * 7.0 / 16.0, 8.0 * 13.0 / 16.0];
         let slopes = [piece([0.0, 7.0], &[0.0, sag / 7.0]), piece([7.0, LENGTH], &[sag, -sag / 13.0])];
         let pair = Pair {
             pieces: slopes.to_vec(),
             gap: Interval::exact(gap),
-            reactions: [3.0, 4.0].map(Interval::exact),
+            reactions: [3.0, 4.0].map(Interval::exact).to_vec(),
+            holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
             lifted: 0.0,
         };
         let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
         let load = Load::uniform_on(&beam, 1.0).expect("finite");
-        let pieces = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
         let over = |pair: &Pair, depth: f64| {
-            let flat = Foundation::Flat { depth };
-            let foundation = EnclosedFoundation::on(&flat, LENGTH);
-            reactions(&EnclosedScene { foundation, load: &pieces, stiffness: STIFFNESS, length: LENGTH }, pair)
+            let flat = Some(Foundation::Flat { depth });
+            let scene = Scene::new(beam.clone(), load.clone(), flat.filter(|_| depth.is_finite())).expect("well posed");
+            in_intervals(&scene, Balance::Held, |enclosed| reactions(enclosed, pair))
         };
         let check = |pair: &Pair, depth: f64, clear: [f64; 2]| {
             for ((bracket, middle), c) in over(pair, depth).iter().zip([3.0, 4.0]).zip(clear) {
@@ -163,12 +178,12 @@ mod tests {
             }
         };
         check(&pair, f64::INFINITY, [LENGTH, LENGTH]);
-        // Sixteen parts a piece; in each the least clearance has to be more than SHARE times its far end times the length.
-        check(&pair, 0.4, [9.0 * 7.0 / 16.0, 5.0 * 13.0 / 16.0]);
+        // Sixteen parts a piece; in each the least clearance has to be more than SHARE times the largest `x (l − x)`.
+        check(&pair, 0.4, CLEAR);
 
         let mut lying = pair;
         lying.pieces[0].follows = true;
-        let [left, right] = over(&lying, 0.4);
+        let [left, right] = over(&lying, 0.4)[..] else { panic!("two supports") };
         assert!(
             left.is_none() && right.is_some(),
             "where the beam lies on the ground beside a support, nothing is known"

@@ -1,11 +1,12 @@
 //! Which condition of (4), (7) contact forces violate, by how much and where.
 
 use super::contact_load::{ContactLoad, deflection};
-use super::kernel::foundation::EnclosedFoundation;
+use super::enclosed;
+use super::kernel::contact_node::EnclosedScene;
 use super::kernel::interval::Interval;
-use super::kernel::load::EnclosedLoad;
+use super::kernel::polynomial::Polynomial;
 use super::lumped::Lumped;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Resultant, Scaled, Scene, SceneError};
 
 /// A condition of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,6 +18,8 @@ pub enum ViolationKind {
     Penetration,
     /// `p (u − v) = 0`: a force acts where the beam that these forces hold is clear of the foundation.
     Complementarity,
+    /// `∫p = W`, `∫p x = W x_W`: the forces do not balance the loads of a beam that its supports do not hold.
+    Balance,
 }
 
 impl ViolationKind {
@@ -27,6 +30,7 @@ impl ViolationKind {
             Self::Tension => "tension",
             Self::Penetration => "penetration",
             Self::Complementarity => "complementarity",
+            Self::Balance => "balance",
         }
     }
 }
@@ -40,7 +44,7 @@ pub struct Violation {
     pub kind: ViolationKind,
     /// Where \[length\].
     pub at: f64,
-    /// The force that pulls \[force\], or how deep the beam is in the foundation, or how clear of it \[length\].
+    /// The force that pulls or that is missing \[force\], or how deep the beam is in the foundation, or how clear of it \[length\].
     pub amount: f64,
     /// The amount as a share: of all contact forces, or of the largest deflection.
     pub relative: f64,
@@ -52,49 +56,69 @@ pub struct Violation {
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
-    scene.only_simple_beam("the check of contact forces")?;
-    let scaled = scene.scaled()?;
-    let (scene, scale) = (&scaled.scene, &scaled.scale);
-    let forces = given.scaled(scale);
-    let (load, stiffness, length) = (EnclosedLoad::of(scene), scene.beam().bending_stiffness(), scene.beam().length());
-    let beam = deflection(&forces, &load, &[], stiffness, length);
+    enclosed(scene, |enclosed, scaled| {
+        let scale = &scaled.scale;
+        let forces = given.scaled(scale);
+        let all = sum(&forces);
+        let mut found: Vec<Violation> = tension(&forces, all).into_iter().collect();
+        found.extend(imbalance(scaled, &forces));
+        for of_force in &mut found {
+            (of_force.at, of_force.amount) = (of_force.at * scale.length, of_force.amount * scale.force);
+        }
+        let breaks = enclosed.gap.breaks(0.0, enclosed.length);
+        if let Some(beam) = deflection(&forces, enclosed, &breaks).filter(|_| scaled.scene.foundation().is_some()) {
+            found.extend(of_depth(enclosed, &forces, &beam).map(|found| Violation {
+                at: found.at * scale.length,
+                amount: found.amount * scale.depth,
+                ..found
+            }));
+        }
+        found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
+        found
+    })
+}
 
-    let all = sum(&forces);
+/// How far the beam that forces hold is in the foundation, and how far from it a force acts.
+fn of_depth(
+    enclosed: &EnclosedScene<'_>,
+    forces: &ContactLoad,
+    beam: &[([f64; 2], Polynomial)],
+) -> impl Iterator<Item = Violation> {
+    let all = sum(forces);
     let moved = beam.iter().fold(0.0, |most: f64, (_, v)| most.max(v.at(Interval::ZERO).middle().abs()));
-    let mut found: Vec<Violation> = tension(&forces, all).into_iter().collect();
-    for tension in &mut found {
-        (tension.at, tension.amount) = (tension.at * scale.length, tension.amount * scale.force);
-    }
-    let Some(foundation) = EnclosedFoundation::of(scene) else { return Ok(found) };
-    let mut add = |kind, (at, amount): (f64, f64)| {
-        if 0.0 < amount {
-            let relative = share(amount, moved);
-            found.push(Violation { kind, at: at * scale.length, amount: amount * scale.depth, relative });
-        }
-    };
-    let mut deepest = (0.0, 0.0);
-    for ([a, b], v) in deflection(&forces, &load, &foundation.breaks(0.0, length), stiffness, length) {
-        let below = v.minus(&foundation.cell(a, b));
+    let below = beam.iter().flat_map(|([a, b], v)| {
+        let below = v.minus(&enclosed.gap.cell(*a, *b));
         // At both ends and in the middle of each cell.
-        for share in [0.0, 0.5, 1.0] {
-            let s = share * (b - a);
-            let depth = below.at(Interval::exact(s)).middle();
-            if deepest.1 < depth {
-                deepest = (a + s, depth);
-            }
-        }
-    }
-    add(ViolationKind::Penetration, deepest);
-    let clear = forces.pressing.iter().map(|&(x, force)| {
-        let i = beam.partition_point(|c| c.0[1] < x).min(beam.len() - 1);
-        let ([from, _], v) = &beam[i];
-        let clearance = (foundation.depth(x) - v.at(Interval::exact(x) - Interval::exact(*from))).middle();
-        // As in the check of a discrete state: a small force far from the foundation is as good as none.
-        (x, clearance.min(share(force, all) * moved))
+        [0.0, 0.5, 1.0].map(|share| (a + share * (b - a), below.at(Interval::exact(share * (b - a))).middle()))
     });
-    add(ViolationKind::Complementarity, worst(clear));
-    found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
-    Ok(found)
+    let clear = forces.pressing.iter().map(|&(x, force)| {
+        let i = beam.partition_point(|c| c.0[1] < x).min(beam.len().saturating_sub(1));
+        let clear_of = |([from, _], v): &([f64; 2], Polynomial)| {
+            enclosed.gap.depth(x) - v.at(Interval::exact(x) - Interval::exact(*from))
+        };
+        // As in the check of a discrete state: a small force far from the foundation is as good as none.
+        (x, beam.get(i).map_or(0.0, |cell| clear_of(cell).middle()).min(share(force, all) * moved))
+    });
+    let found = [(ViolationKind::Penetration, worst(below)), (ViolationKind::Complementarity, worst(clear))];
+    let found = found.into_iter().filter(|(_, (_, amount))| 0.0 < *amount);
+    found.map(move |(kind, (at, amount))| Violation { kind, at, amount, relative: share(amount, moved) })
+}
+
+/// What is missing for the balance of a beam that its supports do not hold: a force, or a couple over the length of the beam;
+/// at the resultant of the loads. Rounding of some digits that were printed is none.
+fn imbalance(scaled: &Scaled, forces: &ContactLoad) -> Option<Violation> {
+    /// Of the load.
+    const ROUNDING: f64 = 1e-9;
+    let Resultant { force, at } = scaled.balance.resultant()?;
+    let length = scaled.scene.beam().length();
+    let about = scaled.scene.beam().supports().first().map(|support| support.at);
+    let carried: f64 = forces.pressing.iter().map(|f| f.1).sum();
+    let turning: f64 = forces.pressing.iter().map(|f| f.1 * (f.0 - about.unwrap_or(0.0))).sum();
+    let couple = force * (at - about.unwrap_or(0.0)) - turning;
+    let missing = if about.is_none() { (force - carried).abs() } else { 0.0 };
+    let amount = missing.max(couple.abs() / length);
+    let relative = share(amount, scaled.scene.load().magnitude(length));
+    (ROUNDING < relative).then_some(Violation { kind: ViolationKind::Balance, at, amount, relative })
 }
 
 /// The same for a beam whose load is lumped at nodes: the conditions at the nodes, which are all that such a beam keeps.
@@ -113,13 +137,6 @@ pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
     let mut found: Vec<Violation> = tension(load, all).into_iter().chain(of_depth).collect();
     found.sort_by(|a, b| b.relative.total_cmp(&a.relative));
     found
-}
-
-impl<'a> EnclosedFoundation<'a> {
-    /// [`None`] where there is no foundation.
-    pub(crate) fn of(scene: &'a Scene) -> Option<Self> {
-        Some(Self::on(scene.foundation()?, scene.beam().length()))
-    }
 }
 
 /// The sum of all forces, those that pull included.

@@ -5,57 +5,74 @@
 //! With the places given they minimise the energy of the spans, and solve
 //!
 //! ```text
-//! EI v''(x−) = EI v''(x+),     EI v'' = 0 at a support
+//! EI v''(x−) = EI v''(x+),     EI v'' = 0 at an end of the beam, given by the loads beside an overhang
 //! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a span from a to b
 //! ```
 //!
 //! a linear system with three diagonals. Nothing that is proven rests on its solution: a slope that is off costs sharpness.
 
-use super::kernel::contact_node::{ContactNode, EnclosedScene, Kind};
-use super::kernel::foundation::EnclosedFoundation;
-use super::kernel::span::Span;
-use crate::scene::{Foundation, Scale};
+use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
+use super::kernel::gap::EnclosedGap;
+use crate::scene::Scale;
 use crate::state::Contact;
 
-/// The contact nodes of a list of contacts in the units of the scene, in its order, with the slopes that follow from their
-/// places. A contact at a single place is a corner of the foundation if there is one, and otherwise a point of tangency.
+/// The contact nodes of a list of contacts in the units of the scene, in its order, and of the supports, with the slopes that
+/// follow from their places. A contact at a single place is a corner of the gap if there is one, or the end of the beam, and
+/// otherwise a point of tangency.
 #[expect(clippy::float_cmp, reason = "a contact from a place to the same place is a point")]
 pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Vec<ContactNode> {
-    let length = enclosed.length;
-    let mut nodes: Vec<ContactNode> = Vec::with_capacity(2 * contacts.len() + 2);
+    let mut nodes: Vec<ContactNode> = Vec::with_capacity(2 * contacts.len() + enclosed.supports.len());
+    let mut in_zone = false;
     for contact in contacts {
         let [from, to] = [contact.from / scale.length, contact.to / scale.length];
         // Zones that share an end are one zone, and the end of a zone is no other contact.
-        if nodes.last().is_some_and(|node| node.kind == Kind::End && node.x == from) {
+        if in_zone && nodes.last().is_some_and(|node| node.x == from) {
             if from < to {
                 nodes.pop();
-                nodes.push(ContactNode::new(Kind::End, to));
+                nodes.push(ContactNode::on_ground(to, true));
             }
             continue;
         }
-        if from != to {
-            nodes.extend([ContactNode::new(Kind::Start, from), ContactNode::new(Kind::End, to)]);
-        } else if from == 0.0 || from == length {
+        in_zone = from != to;
+        if in_zone {
+            nodes.extend([ContactNode::start(from), ContactNode::on_ground(to, true)]);
+        } else if enclosed.support(from).is_some() {
             // A point at a support says nothing that the support does not say.
+        } else if from == 0.0 || from == enclosed.length || enclosed.gap.is_corner(from) {
+            nodes.push(ContactNode::free(from));
         } else {
-            let kind = if enclosed.foundation.is_corner(from) { Kind::Corner } else { Kind::Touch };
-            nodes.push(ContactNode::new(kind, from));
+            nodes.push(ContactNode::on_ground(from, false));
         }
     }
-    // A zone that begins or ends at a support takes its place.
-    if nodes.first().is_none_or(|node| node.x != 0.0) {
-        nodes.insert(0, ContactNode::new(Kind::Support, 0.0));
+    // A zone that begins or ends at a support takes its place, and one that goes on beyond it takes it in.
+    for support in enclosed.supports {
+        let at = nodes.iter().position(|node| support.x <= node.x).unwrap_or(nodes.len());
+        if nodes.get(at).is_none_or(|node| node.x != support.x) {
+            let lies = 0 < at && nodes[at - 1].lies;
+            nodes.insert(at, if lies { ContactNode::start(support.x) } else { ContactNode::free(support.x) });
+        }
     }
-    if nodes.last().is_none_or(|node| node.x != length) {
-        nodes.push(ContactNode::new(Kind::Support, length));
+    if nodes.is_empty() {
+        nodes.extend(enclosed.balanced_at.map(ContactNode::free));
     }
     find_slopes(enclosed, &mut nodes);
     nodes
 }
 
 impl ContactNode {
-    pub(crate) fn new(kind: Kind, x: f64) -> Self {
-        Self { kind, x, slope: 0.0 }
+    /// Where the slope of the beam is its own.
+    pub(super) fn free(x: f64) -> Self {
+        Self { x, slope: Slope::Free(0.0), lies: false }
+    }
+
+    /// Where the slope is that of the gap, from one of its sides.
+    pub(super) fn on_ground(x: f64, from_the_left: bool) -> Self {
+        Self { x, slope: Slope::OfGround { from_the_left }, lies: false }
+    }
+
+    /// The start of a zone.
+    fn start(x: f64) -> Self {
+        Self { lies: true, ..Self::on_ground(x, false) }
     }
 }
 
@@ -71,7 +88,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     balance(enclosed, nodes);
-    // Each of the two may hold, let go because of the other, and hold again.
+    // Each of them may hold, let go because of another, and hold again.
     for _ in 0..3 {
         if !at_supports(enclosed, nodes) {
             break;
@@ -81,31 +98,39 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     at_corners(enclosed, nodes);
 }
 
-fn balance(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
+/// Finds the slopes for which the moments are balanced.
+pub(super) fn balance(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     // The second step is for rounding.
     for _ in 0..2 {
         let Some(changes) = changes(enclosed, nodes) else { return };
-        nodes.iter_mut().zip(changes).for_each(|(node, change)| node.slope += change);
+        for (node, change) in nodes.iter_mut().zip(changes) {
+            if let Slope::Free(slope) = &mut node.slope {
+                *slope += change;
+            }
+        }
     }
 }
 
-/// By how much the slopes have to change for the moments to be balanced, zero where the foundation gives the slope.
+/// By how much the slopes have to change for the moments to be balanced, zero where supports or foundation give the slope.
 fn changes(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Vec<f64>> {
+    let built_in = |node: &ContactNode| enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
+    let is_hinge: Vec<bool> = nodes.iter().map(|j| matches!(j.slope, Slope::Free(_)) && !built_in(j)).collect();
     // Rows `[below, diagonal, above, right side]`.
-    let mut rows: Vec<[f64; 4]> =
-        nodes.iter().map(|j| [0.0, f64::from(u8::from(!j.kind.is_hinge())), 0.0, 0.0]).collect();
-    for (i, pair) in nodes.windows(2).enumerate() {
-        let Some(span) = enclosed.span(&pair[0], &pair[1]) else { continue };
-        let length = span.length();
-        if pair[0].kind.is_hinge() {
-            rows[i][1] += 4.0 / length;
-            rows[i][2] += 2.0 / length;
-            rows[i][3] += span.start[2].middle();
+    let mut rows: Vec<[f64; 4]> = is_hinge.iter().map(|hinge| [0.0, f64::from(u8::from(!hinge)), 0.0, 0.0]).collect();
+    for i in 0..=nodes.len() {
+        let ends = [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
+        let Some(span) = enclosed.span(ends[0], ends[1]) else { continue };
+        // The moments of an overhang do not depend on its slope.
+        let stiff = if let [Some(a), Some(b)] = ends { 2.0 / (b.x - a.x) } else { 0.0 };
+        if 0 < i && is_hinge[i - 1] {
+            rows[i - 1][1] += 2.0 * stiff;
+            rows[i - 1][2] += stiff;
+            rows[i - 1][3] += span.start[2].middle();
         }
-        if pair[1].kind.is_hinge() {
-            rows[i + 1][0] += 2.0 / length;
-            rows[i + 1][1] += 4.0 / length;
-            rows[i + 1][3] -= span.end[2].middle();
+        if i < nodes.len() && is_hinge[i] {
+            rows[i][0] += stiff;
+            rows[i][1] += 2.0 * stiff;
+            rows[i][3] -= span.end[2].middle();
         }
     }
     tridiagonal(rows)
@@ -129,86 +154,76 @@ fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
 
 /// Turns slopes at corners into the range that the foundation allows.
 fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
-    for node in nodes.iter_mut().filter(|j| j.kind == Kind::Corner) {
-        let [before, after] = enclosed.foundation.slopes(node.x);
-        let margin = |bound: f64| INSIDE * (bound.abs() + node.slope.abs());
-        let least = before.map_or(f64::NEG_INFINITY, |b| b + margin(b));
-        let most = after.map_or(f64::INFINITY, |a| a - margin(a));
-        node.slope = if least <= most { node.slope.max(least).min(most) } else { 0.5 * (least + most) };
+    for node in nodes.iter_mut().filter(|node| enclosed.support(node.x).is_none()) {
+        let Slope::Free(slope) = &mut node.slope else { continue };
+        let [before, after] = enclosed.gap.slopes(node.x);
+        let margin = |bound: f64| INSIDE * (bound.abs() + slope.abs());
+        let least = before.filter(|_| 0.0 < node.x).map_or(f64::NEG_INFINITY, |b| b + margin(b));
+        let most = after.filter(|_| node.x < enclosed.length).map_or(f64::INFINITY, |a| a - margin(a));
+        *slope = if least <= most { slope.max(least).min(most) } else { 0.5 * (least + most) };
     }
 }
 
-/// A support that the foundation is level with holds a beam that would be steeper than the foundation, and lets go of one
-/// that it would have to pull. True if one of them does.
+/// A support that the foundation is level with holds a beam that would be steeper than the foundation beside it, and lets go of
+/// one that it would have to pull. True if one of them does.
 fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool {
-    let mut changed = false;
-    let last = nodes.len() - 1;
-    for (i, sign) in [(0, 1.0), (last, -1.0)] {
-        let ContactNode { kind, x, slope } = nodes[i];
-        let level = enclosed.foundation.depth(x).magnitude() <= 0.0
-            && enclosed.foundation.side(x, i == last).is_none_or(|u| u.abs() <= 0.0);
-        let below = enclosed.foundation.jet(x, i == last)[1].middle();
-        match kind {
-            Kind::Support if level && ROUNDING * (slope.abs() + below.abs()) < sign * (slope - below) => {
-                nodes[i].kind = Kind::Clamp;
-                changed = true;
+    let (mut changed, before) = (false, nodes.to_vec());
+    for i in 0..nodes.len() {
+        let ContactNode { x, slope, lies } = before[i];
+        let Some(EnclosedSupport { slope: None, grounded, .. }) = enclosed.support(x) else { continue };
+        if lies || (0 < i && before[i - 1].lies) {
+            continue;
+        }
+        match slope {
+            Slope::Free(slope) => {
+                let steeper = |left: bool| {
+                    let below = enclosed.gap.jet(x, left)[1].middle();
+                    let by = if left { below - slope } else { slope - below };
+                    grounded[usize::from(!left)] && ROUNDING * (slope.abs() + below.abs()) < by
+                };
+                if let Some(left) = [true, false].into_iter().find(|left| steeper(*left)) {
+                    nodes[i] = ContactNode::on_ground(x, left);
+                    changed = true;
+                }
             }
-            Kind::Clamp if curvature(enclosed, nodes, i) < 0.0 => {
-                nodes[i] = ContactNode::new(Kind::Support, x);
-                changed = true;
+            // Ground on both sides pushes whichever way the beam would turn.
+            Slope::OfGround { .. } if *grounded == [true; 2] && enclosed.gap.is_smooth_at(x) => {}
+            Slope::OfGround { from_the_left } => {
+                let jump = curvature(enclosed, &before, i, true) - curvature(enclosed, &before, i, false);
+                if if from_the_left { 0.0 < jump } else { jump < 0.0 } {
+                    nodes[i] = ContactNode::free(x);
+                    changed = true;
+                }
             }
-            _ => {}
         }
     }
     changed
 }
 
-/// `v''` of the beam at one of its ends.
-fn curvature(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], end: usize) -> f64 {
-    let span = |a: usize| enclosed.span(&nodes[a], &nodes[a + 1]);
-    let of = |span: Option<Span>, jet: fn(&Span) -> f64| span.as_ref().map_or(0.0, jet);
-    if end == 0 { of(span(0), |s| s.start[2].middle()) } else { of(span(end - 1), |s| s.end[2].middle()) }
+/// `v''` of the beam on one side of a node, zero where there is none.
+fn curvature(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], i: usize, on_the_right: bool) -> f64 {
+    let span = if on_the_right {
+        enclosed.span(nodes.get(i), nodes.get(i + 1))
+    } else {
+        enclosed.span(i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i))
+    };
+    span.map_or(0.0, |span| if on_the_right { span.start[2] } else { span.end[2] }.middle())
 }
 
-impl Kind {
-    /// True where the slope of the beam is not that of the foundation.
-    fn is_hinge(self) -> bool {
-        matches!(self, Self::Support | Self::Corner)
-    }
-}
-
-impl Span {
-    pub(crate) fn length(&self) -> f64 {
-        self.to - self.from
-    }
-}
-
-impl EnclosedFoundation<'_> {
-    /// The slopes on the two sides of a corner; [`None`] on the side of a step, which the beam is clear of.
-    pub(super) fn slopes(&self, x: f64) -> [Option<f64>; 2] {
-        let Foundation::Polyline { points } = self.given else { return [None, None] };
-        let first = points.partition_point(|p| p[0] < x);
-        let beyond = points.partition_point(|p| p[0] <= x);
-        let here = points[first..beyond].iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-        let slope = |at: usize, beside: Option<&[f64; 2]>| {
-            let (at, beside) = (points.get(at)?, beside?);
-            (at[1] <= here).then(|| (beside[1] - at[1]) / (beside[0] - at[0]))
-        };
-        [
-            first.checked_sub(1).and_then(|before| slope(first, points.get(before))),
-            beyond.checked_sub(1).and_then(|last| slope(last, points.get(beyond))),
-        ]
+impl EnclosedGap<'_> {
+    /// The slopes on the two sides of a place; [`None`] on the side of a step, which the beam is clear of.
+    fn slopes(&self, x: f64) -> [Option<f64>; 2] {
+        [true, false].map(|left| self.ground.is_upper(x, left).then(|| self.jet(x, left)[1].middle()))
     }
 
-    /// Whether the foundation can carry a concentrated force at a place because it has a corner there that points upwards: the
-    /// upper edge of a step, or a kink after which it falls more than before.
+    /// Whether a place can carry a concentrated force because there is a corner that points upwards: the upper edge of a step,
+    /// or a kink after which the ground falls more from the beam than before.
     pub(super) fn is_corner(&self, x: f64) -> bool {
-        let Foundation::Polyline { points } = self.given else { return false };
-        let first = points.partition_point(|p| p[0] < x).max(1);
-        let beyond = points.partition_point(|p| p[0] <= x).min(points.len() - 1);
-        // Of a step infinite, in the direction in which it goes.
-        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-        (first..beyond).any(|i| slope(points[i - 1], points[i]) < slope(points[i], points[i + 1]))
+        match self.slopes(x) {
+            _ if self.is_smooth_at(x) => false,
+            [Some(before), Some(after)] => before < after,
+            _ => true,
+        }
     }
 }
 

@@ -100,6 +100,7 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
                 ViolationKind::Tension => labels.force("a force pulls"),
                 ViolationKind::Penetration => labels.length("the beam is in the foundation"),
                 ViolationKind::Complementarity => labels.length("a force acts across a clearance"),
+                ViolationKind::Balance => labels.force("the forces do not balance the loads"),
             };
             vec![what, magnitude(v.amount), magnitude(v.relative), result(v.at)]
         })

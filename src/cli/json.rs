@@ -229,21 +229,35 @@ struct CertificateObject {
     #[serde(skip_serializing_if = "Option::is_none")]
     best_deflection_error: Option<f64>,
     reactions: BracketsObject,
+    /// There only where the deflection is known up to a turn: the place about which.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    up_to_a_turn: Option<f64>,
     stiffness: Option<[f64; 2]>,
     /// There only where no list of contacts was proven to be that of the beam.
     #[serde(skip_serializing_if = "Option::is_none")]
     coarse: Option<bool>,
 }
 
+/// What the forces of the supports lie between: of two supports, which by default stand at the ends, by their names; of any other
+/// number as a list from left to right.
 #[derive(Debug, Serialize)]
-struct BracketsObject {
-    left: Option<[f64; 2]>,
-    right: Option<[f64; 2]>,
+#[serde(untagged)]
+enum BracketsObject {
+    Two { left: Option<[f64; 2]>, right: Option<[f64; 2]> },
+    All(Vec<Option<[f64; 2]>>),
+}
+
+impl From<&[Option<[f64; 2]>]> for BracketsObject {
+    fn from(brackets: &[Option<[f64; 2]>]) -> Self {
+        match *brackets {
+            [left, right] => Self::Two { left, right },
+            _ => Self::All(brackets.to_vec()),
+        }
+    }
 }
 
 impl From<&Certificate> for CertificateObject {
     fn from(certificate: &Certificate) -> Self {
-        let [left, right] = certificate.reactions;
         Self {
             energy_lower: certificate.energy_lower,
             energy_upper: certificate.energy_upper,
@@ -251,7 +265,8 @@ impl From<&Certificate> for CertificateObject {
             deflection_error: certificate.deflection_error,
             deflection_error_at: certificate.deflection_error_at,
             best_deflection_error: None,
-            reactions: BracketsObject { left, right },
+            reactions: BracketsObject::from(certificate.reactions.as_slice()),
+            up_to_a_turn: certificate.up_to_a_turn,
             stiffness: certificate.stiffness,
             coarse: (!certificate.contacts_proven).then_some(true),
         }

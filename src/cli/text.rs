@@ -23,13 +23,24 @@ const COARSE: &str = "These bounds hold and are coarse: no list of contacts was 
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
     let mut rows = vec![bracket(labels.moment("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
-    for (name, reaction) in ["left reaction", "right reaction"].into_iter().zip(certificate.reactions) {
-        rows.extend(reaction.map(|reaction| bracket(labels.force(name), reaction)));
+    for (k, reaction) in certificate.reactions.iter().enumerate() {
+        let name = match (certificate.reactions.len(), k) {
+            (2, 0) => "left reaction".to_owned(),
+            (2, _) => "right reaction".to_owned(),
+            _ => format!("force of support {}", k + 1),
+        };
+        rows.extend(reaction.map(|reaction| bracket(labels.force(&name), reaction)));
     }
     rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.stiffness("stiffness D"), stiffness)));
     let error = magnitude_at_most(certificate.deflection_error);
     rows.push(vec![labels.length("error of the deflection"), String::new(), error]);
-    let table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
+    let mut table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
+    if let Some(about) = certificate.up_to_a_turn {
+        table += &format!(
+            "The deflection is guaranteed up to a turn about x = {}: nothing says how the beam stands.\n",
+            result(about)
+        );
+    }
     if certificate.contacts_proven { table } else { table + COARSE }
 }
 

@@ -1,16 +1,16 @@
 //! How far a span has to be lifted to be clear of the foundation: mostly not at all.
 //!
-//! The span is lifted by `α φ`, which vanishes at its nodes and, where the slope is given, with its slope:
+//! The span is lifted by `α φ`, which vanishes at its nodes with its slope, where the beam goes on or the slope is given:
 //!
 //! ```text
-//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 1 at a support, 2 at all other nodes
+//! φ(s) = (s/L)^a (1 − s/L)^b,     a, b = 2 at a node, 1 at one where the beam ends and its slope is free, 0 at a free end
 //! ```
 //!
 //! so that what it costs is of the size of `α`, and not of its root: where the beam is pressed it stays where it is. `α = 0`
-//! proves `v ≤ u`. Where beam and foundation are one curve but for rounding, no arithmetic can tell, and `α` is of the size
+//! proves `v ≤ g`. Where beam and foundation are one curve but for rounding, no arithmetic can tell, and `α` is of the size
 //! of the rounding.
 
-use super::contact_node::{ContactNode, EnclosedScene, Kind};
+use super::contact_node::{ContactNode, EnclosedScene, Slope};
 use super::interval::Interval;
 use super::polynomial::Polynomial;
 use super::span::Span;
@@ -20,22 +20,33 @@ const MOST_PARTS: usize = 200;
 /// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
 const SMALLEST_PART: f64 = 1.0 / 8.0;
 
-/// The power of the distance from a node in `φ`.
-pub(crate) fn power(node: &ContactNode) -> usize {
-    if node.kind == Kind::Support { 1 } else { 2 }
+/// The ends of a span: nodes, or free ends of the beam.
+pub(crate) type Ends<'a> = [Option<&'a ContactNode>; 2];
+
+/// The power of the distance from an end of a span in `φ`.
+pub(crate) fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
+    let Some(node) = end else { return 0 };
+    let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
+    let ends = node.x <= 0.0 || enclosed.length <= node.x;
+    if ends && !built_in && matches!(node.slope, Slope::Free(_)) { 1 } else { 2 }
 }
 
 /// `α`, not negative; [`None`] if no lift of this shape is enough.
-pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, left: &ContactNode, right: &ContactNode) -> Option<f64> {
-    let middle = 0.5 * (span.from + span.to);
-    let mut breaks = enclosed.foundation.breaks(span.from, span.to);
+pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) -> Option<f64> {
+    // From each node to the middle, or to the free end.
+    let middle = match ends {
+        [None, _] => span.from,
+        [_, None] => span.to,
+        _ => 0.5 * (span.from + span.to),
+    };
+    let mut breaks = enclosed.gap.breaks(span.from, span.to);
     breaks.push(middle);
     let curve = span.curve(breaks, enclosed.load, enclosed.stiffness);
     let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
-    // From each node to the middle: the clearance about that end of a cell that is nearer to the node.
+    // The clearance about that end of a cell that is nearer to the node.
     let from_the_left = curve.iter().take_while(|(cell, _)| cell[0] < middle).map(|(cell, v)| {
         let [from, to] = *cell;
-        (from, width(*cell), enclosed.foundation.cell(from, to).minus(v))
+        (from, width(*cell), enclosed.gap.cell(from, to).minus(v))
     });
     let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
         let [from, to] = *cell;
@@ -44,19 +55,25 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, left: &ContactNode
         } else {
             v.shifted(width(*cell)).mirrored()
         };
-        (to, width(*cell), enclosed.foundation.mirrored_cell(from, to).minus(&v))
+        (to, width(*cell), enclosed.gap.mirrored_cell(from, to).minus(&v))
     });
-    let most = beside(enclosed, span, left, right, from_the_left)?;
-    let most = most.max(beside(enclosed, span, right, left, from_the_right)?);
+    let powers = ends.map(|end| power(enclosed, end));
+    let mut most = 0.0_f64;
+    if let Some(node) = ends[0] {
+        most = most.max(beside(enclosed, span, node, powers, from_the_left)?);
+    }
+    if let Some(node) = ends[1] {
+        most = most.max(beside(enclosed, span, node, [powers[1], powers[0]], from_the_right)?);
+    }
     most.is_finite().then_some(most)
 }
 
-/// `α` for cells from a node to the middle of its span.
+/// `α` for cells from a node to the middle of its span, with the powers of `φ` at this node and at the other end.
 fn beside(
     enclosed: &EnclosedScene<'_>,
     span: &Span,
     node: &ContactNode,
-    other: &ContactNode,
+    powers: [usize; 2],
     cells: impl Iterator<Item = (f64, Interval, Polynomial)>,
 ) -> Option<f64> {
     let length = Interval::exact(span.to) - Interval::exact(span.from);
@@ -66,13 +83,13 @@ fn beside(
         let order = if before.is_none() { order(enclosed, node, span.to <= node.x) } else { 0 };
         let clearance = match before {
             // What vanishes at the node is small beside it, also behind the end of a short cell.
-            Some((width, ref before)) if enclosed.foundation.is_smooth_at(near) => clearance.continuing(before, width),
+            Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => clearance.continuing(before, width),
             Some(_) => clearance,
             None => clearance.vanishing(order),
         };
         let [less, more] = [near.min(node.x), near.max(node.x)].map(Interval::exact);
         let distance = if before.is_none() { Interval::ZERO } else { more - less };
-        let powers = [order, power(node), power(other)];
+        let powers = [order, powers[0], powers[1]];
         let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi(), length, powers };
         most = part.lift(most, &mut MOST_PARTS.clone())?;
         before = Some((width, clearance));
@@ -80,18 +97,17 @@ fn beside(
     Some(most)
 }
 
-/// `φ` about the left end of the span.
-pub(crate) fn shape(span: &Span, left: &ContactNode, right: &ContactNode) -> Polynomial {
+/// `φ` about the left end of the span, with its powers at both ends.
+pub(crate) fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
+    const BINOMIALS: [&[f64]; 3] = [&[1.0], &[1.0, -1.0], &[1.0, -2.0, 1.0]];
     let per = Interval::exact(1.0) / (Interval::exact(span.to) - Interval::exact(span.from));
-    let binomial: &[f64] = if power(right) == 1 { &[1.0, -1.0] } else { &[1.0, -2.0, 1.0] };
-    let mut factor = per;
-    if power(left) == 2 {
-        factor = factor * per;
-    }
-    let mut coefficients = vec![Interval::ZERO; power(left)];
-    for &c in binomial {
-        coefficients.push(Interval::exact(c) * factor);
-        factor = factor * per;
+    let mut factor = Interval::exact(1.0);
+    let mut coefficients = vec![Interval::ZERO; powers[0]];
+    for order in 0..powers[0] + powers[1] + 1 {
+        if powers[0] <= order {
+            coefficients.push(Interval::exact(BINOMIALS[powers[1]][order - powers[0]]) * factor);
+        }
+        factor = if order == 0 { per } else { factor * per };
     }
     Polynomial::new(&coefficients)
 }
@@ -99,16 +115,15 @@ pub(crate) fn shape(span: &Span, left: &ContactNode, right: &ContactNode) -> Pol
 /// Which power of the distance from a node is a factor of the clearance beside it. At a point of a polyline the foundation
 /// may fall away from the beam with another slope, or in a step.
 fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) -> usize {
-    let touches = enclosed
-        .foundation
-        .side(node.x, from_the_left)
-        .is_none_or(|u| (u - enclosed.end(node)[0].middle()).abs() <= 0.0);
-    match node.kind {
-        Kind::Support => usize::from(enclosed.foundation.depth(node.x).magnitude() <= 0.0),
-        Kind::Clamp => 2,
-        Kind::Touch | Kind::Start | Kind::End if enclosed.foundation.is_smooth_at(node.x) => 2,
-        Kind::Corner | Kind::Touch | Kind::Start | Kind::End => usize::from(touches),
-    }
+    let support = enclosed.support(node.x);
+    let meets = support.is_none_or(|s| s.grounded[usize::from(!from_the_left)]);
+    let touches = meets && enclosed.gap.ground.is_upper(node.x, from_the_left);
+    // The slope is that of the gap, on this side.
+    let tangent = support.and_then(|s| s.slope).map_or_else(
+        || enclosed.is_tangent(node, from_the_left),
+        |slope| slope == enclosed.gap.jet(node.x, from_the_left)[1],
+    );
+    if touches { 1 + usize::from(tangent) } else { 0 }
 }
 
 /// A part of a cell: the clearance over a power `order` of the distance from a contact node.
@@ -132,7 +147,7 @@ impl Part {
         let rest = (self.length - (self.distance + self.width)) * per;
         let power = |base: Interval, times: usize| (0..times).fold(Interval::exact(1.0), |product, _| product * base);
         let product = power(per, own) * power(self.distance, own - order) * power(rest, other);
-        if rest.lo() <= 0.0 { 0.0 } else { product.lo().max(0.0) }
+        if rest.lo() <= 0.0 && 0 < other { 0.0 } else { product.lo().max(0.0) }
     }
 
     /// `α` for this part if that is more than the `most` of others, and otherwise that.

@@ -1,72 +1,128 @@
-//! Contact nodes: the contacts of a witness as places in an enclosed scene.
+//! Contact nodes: the supports of a scene and the contacts of a witness as places in an enclosed scene.
 //!
-//! Between two neighbouring nodes the beam either hangs free or lies on the foundation.
+//! Between two neighbouring nodes the beam either hangs free or lies on the foundation; beyond the outermost ones it hangs free.
 //!
-//! | node | `v` | `v'` | holds for the true places |
-//! |---|---|---|---|
-//! | support | 0 | free | `v'' = 0` |
-//! | clamp: a support that the foundation is level with and holds the slope at | 0 | `u'` | |
-//! | corner | `u` | free | `v''` continuous |
-//! | touch | `u` | `u'` | `v''` continuous |
-//! | start, end of a zone | `u` | `u'` | `v'' = u''` |
+//! | node | `v` | `v'` | `M` | force |
+//! |---|---|---|---|---|
+//! | corner | `g` | free | continuous | presses |
+//! | touch | `g` | `g'` | continuous | presses |
+//! | start, end of a zone | `g` | `g'` | `−EI g''` | presses |
+//! | support | `d` | free, or `g'` as one that is level with the ground | continuous, or any jump that ground beside it makes | any |
+//! | built in | `d` | `φ` | any jump | any |
 //!
-//! What the last column says is not asked of a witness: the gap grows with the square of what is missing.
+//! A node is described by what it does to the slope and by whether the beam lies on the ground from there to the next one. What
+//! stands at its place, a support or nothing, is said by the scene. `M = 0` at the ends of the beam, and beyond the outermost
+//! nodes `M` follows from the loads.
 
-use super::foundation::EnclosedFoundation;
+use super::gap::EnclosedGap;
 use super::interval::Interval;
 use super::load::EnclosedLoad;
 use super::span::Span;
+use crate::scene::Scene;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Support,
-    Clamp,
-    Corner,
-    Touch,
-    Start,
-    End,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Slope {
+    /// That of the beam, a number of its own.
+    Free(f64),
+    /// That of the gap, from one of its sides.
+    OfGround { from_the_left: bool },
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ContactNode {
-    pub(crate) kind: Kind,
     pub(crate) x: f64,
-    /// Of the beam, at a support or a corner.
-    pub(crate) slope: f64,
+    /// Of the beam; where it is built in it is that of the support.
+    pub(crate) slope: Slope,
+    /// True where the beam lies on the ground from here to the next node.
+    pub(crate) lies: bool,
+}
+
+/// A support: what it asks of the deflection.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EnclosedSupport {
+    pub(crate) x: f64,
+    /// `d`; where the ground is level with it but for rounding, the gap there.
+    pub(crate) deflection: Interval,
+    /// `φ`, where the beam is built in; where the ground has the same slope, as far as is known, that of the gap.
+    pub(crate) slope: Option<Interval>,
+    /// Whether the ground on its left and on its right side starts at its level.
+    pub(crate) grounded: [bool; 2],
 }
 
 /// A dimensionless scene, taken apart: all that is known of it in intervals.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnclosedScene<'a> {
-    pub(crate) foundation: EnclosedFoundation<'a>,
+    pub(crate) gap: EnclosedGap<'a>,
     pub(crate) load: &'a EnclosedLoad,
+    /// From left to right.
+    pub(crate) supports: &'a [EnclosedSupport],
+    /// The place above which the resultant of the loads is exactly, if it is the only one that can carry them: its couple
+    /// vanishes, whatever rounding leaves of it.
+    pub(crate) balanced_at: Option<f64>,
     pub(crate) stiffness: f64,
     pub(crate) length: f64,
 }
 
+impl EnclosedSupport {
+    /// The supports of a dimensionless scene above a gap.
+    pub(crate) fn of(scene: &Scene, gap: &EnclosedGap<'_>) -> Vec<Self> {
+        let length = scene.beam().length();
+        let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
+            let x = given.at;
+            let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, length <= x));
+            let grounded = [0.0 < x && held.grounded[0], x < length && held.grounded[1]];
+            let deflection = Interval::exact(given.level) - own[0];
+            let slope = given.slope.map(|slope| {
+                let slope = Interval::exact(slope) - own[1];
+                let of_gap = [0, 1].map(|side| gap.jet(x, side == 0)[1]);
+                let met = of_gap.map(|of_gap| slope.meet(of_gap));
+                let same = |side: &usize| grounded[*side] && met[*side].lo() <= met[*side].hi();
+                [0, 1].into_iter().find(same).map_or(slope, |side| of_gap[side])
+            });
+            let level = grounded[0] || grounded[1];
+            Self { x, deflection: if level { gap.depth(x) } else { deflection }, slope, grounded }
+        });
+        enclosed.collect()
+    }
+}
+
 impl EnclosedScene<'_> {
-    /// `v` and `v'` of the beam at a node.
-    pub(crate) fn end(&self, node: &ContactNode) -> [Interval; 2] {
-        match node.kind {
-            Kind::Support => [Interval::ZERO, Interval::exact(node.slope)],
-            Kind::Corner => [self.foundation.depth(node.x), Interval::exact(node.slope)],
-            Kind::Clamp => [Interval::ZERO, self.jet(node)[1]],
-            Kind::Touch | Kind::Start | Kind::End => {
-                let [u, slope, ..] = self.jet(node);
-                [u, slope]
-            }
+    /// The support at a place.
+    pub(crate) fn support(&self, x: f64) -> Option<&EnclosedSupport> {
+        self.supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().map(|i| &self.supports[i])
+    }
+
+    /// Whether the slope of a node that is not built in is that of the gap on a side.
+    pub(crate) fn is_tangent(&self, node: &ContactNode, from_the_left: bool) -> bool {
+        match node.slope {
+            Slope::Free(_) => false,
+            Slope::OfGround { from_the_left: side } => side == from_the_left || self.gap.is_smooth_at(node.x),
         }
     }
 
-    /// The depth and its first three derivatives at a node, at a point of a polyline on the side on which the beam follows it.
-    pub(crate) fn jet(&self, node: &ContactNode) -> [Interval; 4] {
-        let from_the_left = node.kind == Kind::End || (node.kind == Kind::Clamp && 0.0 < node.x);
-        self.foundation.jet(node.x, from_the_left)
+    /// `v` and `v'` of the beam at a node.
+    pub(crate) fn end(&self, node: &ContactNode) -> [Interval; 2] {
+        let support = self.support(node.x);
+        let [v, slope] = match node.slope {
+            Slope::Free(slope) => {
+                [support.map_or_else(|| self.gap.depth(node.x), |s| s.deflection), Interval::exact(slope)]
+            }
+            Slope::OfGround { from_the_left } => {
+                let [g, slope, ..] = self.gap.jet(node.x, from_the_left);
+                [support.map_or(g, |s| s.deflection), slope]
+            }
+        };
+        [v, support.and_then(|s| s.slope).unwrap_or(slope)]
     }
 
-    /// The part between two nodes; [`None`] where the beam lies on the foundation.
-    pub(crate) fn span(&self, left: &ContactNode, right: &ContactNode) -> Option<Span> {
-        (left.kind != Kind::Start)
-            .then(|| Span::new([left.x, right.x], [self.end(left), self.end(right)], self.load, self.stiffness))
+    /// The part between two nodes, or beyond an outermost one; [`None`] where the beam lies on the foundation, and where there is
+    /// no beam.
+    pub(crate) fn span(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Span> {
+        let place = |node: Option<&ContactNode>, end: f64| node.map_or(end, |node| node.x);
+        let ends = [place(left, 0.0), place(right, self.length)];
+        let hangs = ends[0] < ends[1] && !left.is_some_and(|node| node.lies);
+        hangs.then(|| {
+            Span::new(ends, [left, right].map(|node| node.map(|node| self.end(node))), self.load, self.stiffness)
+        })
     }
 }

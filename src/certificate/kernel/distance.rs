@@ -12,8 +12,11 @@
 //! `0 ≤ s ≤ S` and degree at most ten by `Σ (r_k + 20 ε |c_k|) S^k`: `r_k` for what is not known of a coefficient, two roundings
 //! and that of `s` for every power (Higham 2002, section 5.1).
 
+use super::contact_node::{EnclosedScene, EnclosedSupport};
+use super::hold::OUTWARDS;
 use super::interval::Interval;
 use super::largest::largest;
+use super::load::cells;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::proof::Pair;
 use super::proof::Piece;
@@ -21,16 +24,22 @@ use crate::scene::Scale;
 use crate::state::Nodes;
 
 // Report: certificate
-/// `√(2 gap / (3 EI l))`, by which `x (l − x)` is to be multiplied.
-pub(crate) fn factor(gap: f64, stiffness: f64, length: f64) -> Interval {
-    let below = number(3) * Interval::exact(stiffness) * Interval::exact(length);
-    (number(2) * Interval::exact(gap) / below).sqrt()
+/// `√(2 gap / 3 EI)`, by which a lever is to be multiplied.
+pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
+    (number(2) * Interval::exact(gap) / (number(3) * Interval::exact(stiffness))).sqrt().hi()
 }
 
-/// How far an admissible deflection can be off at most, anywhere: `l²/4 · √(2 gap / (3 EI l))`.
-pub(crate) fn of_gap(gap: f64, stiffness: f64, length: f64) -> f64 {
-    let l = Interval::exact(length);
-    (factor(gap, stiffness, length) * (l * l / number(4))).hi()
+/// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
+pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
+    let bounds = pair.holds.iter().map(|hold| (factor * hold.lever(part) + hold.shift(part)) * OUTWARDS);
+    bounds.fold(f64::INFINITY, f64::min)
+}
+
+/// The same anywhere: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
+pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
+    let factor = factor(pair.gap.hi(), stiffness);
+    let places = pair.holds.iter().flat_map(|hold| [hold.0.from, hold.0.to, hold.1.from, hold.1.to]).collect();
+    cells(0.0, length, places).into_iter().map(|part| on_part(pair, factor, part)).fold(0.0, f64::max)
 }
 // Report: end
 
@@ -42,9 +51,6 @@ const PARTS: f64 = 8.0;
 /// Units of rounding in one value of a polynomial with [`TERMS`] coefficients: `3 · 10 + 2` halves, and a margin. So many are
 /// also enough for the cubic between two nodes.
 const ROUNDINGS: f64 = 20.0 * f64::EPSILON;
-
-/// More than a dozen roundings of a sum of products without cancellation.
-const OUTWARDS: f64 = 1.0 + 32.0 * f64::EPSILON;
 
 /// A bound on the error of a deflection.
 #[derive(Debug, Clone, Copy)]
@@ -129,9 +135,10 @@ impl Admissible {
     }
 }
 
-/// The largest value of `√(2 gap x² (l − x)²/(3 EI l)) + |v̂ − v|`, and where it is. The judged deflection is known at samples,
-/// the ends of all pieces among them, and its fourth derivative is at most `fourth`.
-fn compare(pair: &Pair, mut samples: impl Iterator<Item = Sample>, fourth: f64, factor: f64, length: f64) -> Error {
+/// The largest value of the bound on `|v̂ − v*|` and of `|v̂ − v|` together, and where it is. The judged deflection is known at
+/// samples, the ends of all pieces among them, and its fourth derivative is at most `fourth`.
+fn compare(pair: &Pair, mut samples: impl Iterator<Item = Sample>, fourth: f64, stiffness: f64) -> Error {
+    let factor = factor(pair.gap.hi(), stiffness);
     let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
     let mut pieces = pair.pieces.iter().map(Admissible::of);
     let mut current = pieces.next();
@@ -143,10 +150,8 @@ fn compare(pair: &Pair, mut samples: impl Iterator<Item = Sample>, fourth: f64, 
         let mut after = piece.apart(&right);
         if let Some((left, before)) = &left {
             let arrow = 0.125 * (right.x - left.x) * (right.x - left.x);
-            // x (l − x) is concave with a second derivative of two.
-            let lever = (left.x * (length - left.x)).max(right.x * (length - right.x)) + 2.0 * arrow;
             let turned = larger(before[1], after[1]) + arrow * (fourth + piece.fourth);
-            let bound = factor * lever + larger(before[0], after[0]) + arrow * turned;
+            let bound = on_part(pair, factor, [left.x, right.x]) + larger(before[0], after[0]) + arrow * turned;
             let [v, bend] = [0, 1].map(|k| larger(left.values[k].abs(), right.values[k].abs()));
             error.include(outwards(bound), outwards(v + arrow * bend), 0.5 * (left.x + right.x));
         }
@@ -187,40 +192,56 @@ pub(crate) fn of_pieces(pair: &Pair, judged: &[([f64; 2], Polynomial)], stiffnes
             let values = [0, 1].map(|k| plain[k].at(x - from));
             Sample { x, values, off: [plain[0].off, plain[1].off] }
         };
-        let start = (from <= 0.0).then_some(from);
-        start.into_iter().chain(between(&pair.pieces, *cell, length)).chain([cell[1]]).map(sample)
+        std::iter::once(from).chain(between(&pair.pieces, *cell, length)).chain([cell[1]]).map(sample)
     });
-    let error = compare(pair, samples, most, factor(pair.gap.hi(), stiffness, length).hi(), length);
+    let error = compare(pair, samples, most, stiffness);
     Error { size: error.size.min(largest(judged.iter().copied())), ..error }
 }
 
 /// The error of the deflection that the places of a witness make, off which `v̂` was lifted.
 pub(crate) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> Error {
     let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
-    let [gap, lifted] = [of_gap(pair.gap.hi(), stiffness, length), pair.lifted].map(Interval::exact);
+    let [gap, lifted] = [anywhere(pair, stiffness, length), pair.lifted].map(Interval::exact);
     let most = (gap + lifted).hi();
     if most.is_finite() { Error { most, at: 0.5 * length, size } } else { Error::UNKNOWN }
 }
 
-/// The error of the cubics between the nodes of a grid, with the given deflections and moments at both ends of each.
-pub(crate) fn of_nodes(pair: &Pair, given: &Nodes, scale: &Scale, stiffness: f64, length: f64) -> Error {
+/// The error of the cubics between the nodes of a grid, with the given deflections and moments at both ends of each. Supports
+/// that are none of the nodes are added: what they ask is known, and without moment but where the beam is built in.
+pub(crate) fn of_nodes(pair: &Pair, given: &Nodes, scale: &Scale, enclosed: &EnclosedScene<'_>) -> Error {
+    let EnclosedScene { stiffness, length, supports, .. } = *enclosed;
     let n = given.x.len();
     if given.deflection.len() != n || given.moment.len() != n {
         return Error::UNKNOWN;
     }
-    // Place, deflection and curvature at a node, the supports included, dimensionless.
-    let mut nodes = vec![[0.0; 3]];
-    nodes.extend((0..n).map(|k| {
-        let bent = -(given.moment[k] / scale.moment()) / stiffness;
-        [given.x[k] / scale.length, given.deflection[k] / scale.depth, bent]
-    }));
-    nodes.push([length, 0.0, 0.0]);
-    if !nodes.is_sorted_by(|a, b| a[0] < b[0]) {
+    // Place, deflection and curvature at a node, dimensionless.
+    let mut nodes = Vec::with_capacity(n + supports.len());
+    let mut left = supports.iter().peekable();
+    let added = |support: &EnclosedSupport| [support.x, support.deflection.middle(), 0.0];
+    for k in 0..n {
+        let x = given.x[k] / scale.length;
+        nodes.extend(std::iter::from_fn(|| left.next_if(|s| s.x < x)).map(added));
+        left.next_if(|s| s.x <= x);
+        nodes.push([x, given.deflection[k] / scale.depth, -(given.moment[k] / scale.moment()) / stiffness]);
+    }
+    nodes.extend(left.map(added));
+    let reaches =
+        nodes.first().is_some_and(|node| node[0].abs() <= 0.0) && nodes.last().is_some_and(|node| length <= node[0]);
+    if !reaches || !nodes.is_sorted_by(|a, b| a[0] < b[0]) {
         return Error::UNKNOWN;
     }
+    let built_in = |x: f64| enclosed.support(x).and_then(|support| support.slope);
+    // The curvature at a support in which the beam is built in, from its slope and the other end of the cell.
+    let turned = |[a, v0, _]: [f64; 3], [b, v1, k1]: [f64; 3], slope: Interval| {
+        3.0 * (v1 - v0 - slope.middle() * (b - a)) / ((b - a) * (b - a)) - 0.5 * k1
+    };
     let at_node = |[x, v, bent]: [f64; 3]| Sample { x, values: [v, bent], off: [0.0, f64::EPSILON * bent.abs()] };
     let samples = nodes.windows(2).flat_map(|cell| {
-        let [[a, v0, k0], [b, v1, k1]] = [cell[0], cell[1]];
+        let (mut left, mut right) = (cell[0], cell[1]);
+        let (held, ends) = (built_in(left[0]), built_in(right[0]));
+        left[2] = held.map_or(left[2], |slope| turned(left, right, slope));
+        right[2] = ends.map_or(right[2], |slope| turned(right, left, slope));
+        let [[a, v0, k0], [b, v1, k1]] = [left, right];
         let inside = move |x: f64| {
             let [r, s] = [(b - x) / (b - a), (x - a) / (b - a)];
             let bow = (b - a) * (b - a) / 6.0;
@@ -229,10 +250,10 @@ pub(crate) fn of_nodes(pair: &Pair, given: &Nodes, scale: &Scale, stiffness: f64
             let off = [v0.abs() + v1.abs() + bow * bent, bent].map(|v| v * ROUNDINGS);
             Sample { x, values: [v, k0 * r + k1 * s], off }
         };
-        between(&pair.pieces, [a, b], length).into_iter().map(inside).chain([at_node(cell[1])])
+        let start = (a <= 0.0 || held.is_some()).then(|| at_node(left));
+        start.into_iter().chain(between(&pair.pieces, [a, b], length).into_iter().map(inside)).chain([at_node(right)])
     });
-    let samples = std::iter::once(at_node(nodes[0])).chain(samples);
-    compare(pair, samples, 0.0, factor(pair.gap.hi(), stiffness, length).hi(), length)
+    compare(pair, samples, 0.0, stiffness)
 }
 
 #[cfg(test)]

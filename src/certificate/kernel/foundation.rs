@@ -5,14 +5,11 @@ use super::polynomial::{Polynomial, TERMS, expanded, number, shift};
 use crate::scene::Foundation;
 use crate::scene::polynomial::{cuts, long_degree};
 
-/// The foundation of a scene, ready to be asked for enclosures.
+/// The foundation of a scene or the own shape of its beam, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnclosedFoundation<'a> {
-    pub(crate) given: &'a Foundation,
+    given: &'a Foundation,
     length: f64,
-    /// Depths at the supports where they are zero but for rounding; a straight line through them is taken off the
-    /// foundation, which makes it level with these supports.
-    level: [Option<Interval>; 2],
 }
 
 /// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
@@ -25,32 +22,8 @@ const CELLS_PER_DEGREE: usize = 16;
 const MOST_CELLS_OF_A_POLYNOMIAL: usize = 1024;
 
 impl<'a> EnclosedFoundation<'a> {
-    pub(crate) fn on(foundation: &'a Foundation, length: f64) -> Self {
-        let plain = Self { given: foundation, length, level: [None; 2] };
-        if matches!(foundation, Foundation::Flat { .. } | Foundation::Polyline { .. }) {
-            return plain;
-        }
-        let level = [0.0, length].map(|x| {
-            let nothing = foundation.level_within(x, length);
-            Some(plain.cell(x, x).at(Interval::ZERO)).filter(|u| u.lo() <= nothing && -nothing <= u.hi())
-        });
-        Self { level, ..plain }
-    }
-
-    /// Takes off the line that makes the foundation level with supports; `taylor` is about `x`.
-    fn levelled(&self, taylor: &Polynomial, x: f64) -> Polynomial {
-        let [left, right] = self.level;
-        if left.is_none() && right.is_none() {
-            return *taylor;
-        }
-        let [a, b] = [left, right].map(|u| u.unwrap_or(Interval::ZERO));
-        let slope = (b - a) / Interval::exact(self.length);
-        let mut levelled = taylor.minus(&Polynomial::new(&[a + slope * Interval::exact(x), slope]));
-        // What is taken off at a support is its own depth.
-        if (left.is_some() && x <= 0.0) || (right.is_some() && self.length <= x) {
-            levelled = levelled.vanishing(1);
-        }
-        levelled
+    pub(crate) fn on(given: &'a Foundation, length: f64) -> Self {
+        Self { given, length }
     }
 
     /// Ends of cells strictly between two places.
@@ -85,11 +58,9 @@ impl<'a> EnclosedFoundation<'a> {
     fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
         match self.given {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
-            Foundation::Polynomial { coefficients } => {
-                self.levelled(&of_polynomial(coefficients, origin, [from, to]), origin)
-            }
+            Foundation::Polynomial { coefficients } => of_polynomial(coefficients, origin, [from, to]),
             Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-                self.levelled(&of_cosine([*mean, *amplitude, *wavelength, *phase], origin), origin)
+                of_cosine([*mean, *amplitude, *wavelength, *phase], origin)
             }
             Foundation::Polyline { points } => segment(points, from, origin),
         }
@@ -134,11 +105,11 @@ impl<'a> EnclosedFoundation<'a> {
         part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
     }
 
-    /// The depth just beside a point of a polyline; [`None`] where nothing happens.
-    pub(crate) fn side(&self, x: f64, from_the_left: bool) -> Option<f64> {
+    /// False beside a place that is the foot of a step.
+    pub(crate) fn is_upper(&self, x: f64, from_the_left: bool) -> bool {
         let here = self.points_at(x);
-        let point = if from_the_left { here.first() } else { here.last() };
-        point.map(|p| p[1])
+        let beside = if from_the_left { here.first() } else { here.last() };
+        beside.is_none_or(|beside| here.iter().all(|point| beside[1] <= point[1]))
     }
 
     /// The points of a polyline at a place: two at a step.

@@ -3,9 +3,9 @@
 //! | part | files |
 //! |---|---|
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
-//! | enclosure of the scene: foundation, load, and what is zero but for rounding | `foundation`, `load`; `scene::pieces` |
+//! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
 //! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing` |
-//! | from the gap to the error of a deflection | `distance`, `largest` |
+//! | from the gap to the error of a deflection | `hold`, `distance`, `largest` |
 //!
 //! Nothing in it asks for anything outside but a scene and the values at the nodes of a grid.
 
@@ -13,6 +13,8 @@ pub(super) mod clearance;
 pub(super) mod contact_node;
 pub(super) mod distance;
 pub(super) mod foundation;
+pub(super) mod gap;
+pub(super) mod hold;
 pub(super) mod interval;
 pub(super) mod largest;
 pub(super) mod load;

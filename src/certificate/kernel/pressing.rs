@@ -1,6 +1,7 @@
 //! What a moment field would have to pull with, and what it costs to cut that off.
 
 use super::contact_node::EnclosedScene;
+use super::hold::{Hold, OUTWARDS};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::{Polynomial, number};
@@ -8,87 +9,90 @@ use super::polynomial::{Polynomial, number};
 /// Parts into which a cell is cut before what it seems to pull with is taken for true.
 const MOST_PARTS: usize = 400;
 
-/// What was cut off.
-#[derive(Debug, Clone, Copy)]
+/// What was cut off of the contact load: forces and couples on parts of the beam, all as magnitudes.
+#[derive(Debug, Clone, Default)]
 pub(crate) struct TensionCutOff {
-    /// At least `√(∫ m²/EI dx)` of its moments `m` on the simple beam.
-    pub(crate) moments: Interval,
-    /// At least the shear force of these moments at any place.
-    pub(crate) shear: Interval,
-    stiffness: Interval,
-    length: Interval,
+    /// Part, force, couple.
+    pulls: Vec<([f64; 2], f64, f64)>,
 }
 
 impl TensionCutOff {
-    pub(crate) fn new(enclosed: &EnclosedScene<'_>) -> Self {
-        let (stiffness, length) = (Interval::exact(enclosed.stiffness), Interval::exact(enclosed.length));
-        Self { moments: Interval::ZERO, shear: Interval::ZERO, stiffness, length }
-    }
-
-    /// A concentrated force, cut off as far as it may be negative: its moments are a triangle with the height
-    /// `f x (l − x)/l`, and `∫ m²/EI dx = (f x (l − x))²/3 EI l`.
+    /// A concentrated force, cut off as far as it may be negative.
     pub(crate) fn force(&mut self, x: f64, force: Interval) {
         if force.lo() < 0.0 {
-            let x = Interval::exact(x);
-            let lever = x * (self.length - x) / (number(3) * self.stiffness * self.length).sqrt();
-            self.moments = self.moments + Interval::exact(-force.lo()) * lever;
-            self.shear = self.shear + Interval::exact(-force.lo());
+            self.pulls.push(([x, x], -force.lo(), 0.0));
         }
     }
 
-    /// The moment at a support, where foundation and support can only exert one that bends the beam upwards: the limit of a
-    /// contact force that grows as it comes nearer to the support. It costs nothing in the limit, since the gap of a force at
-    /// the distance `ε` is `M² ε / 6 EI`. What has the other sign is cut off: `m` falls to zero at the other support.
-    pub(crate) fn couple(&mut self, moment: Interval) {
-        if 0.0 < moment.hi() {
-            let most = Interval::exact(moment.hi());
-            self.moments = self.moments + most * (self.length / (number(3) * self.stiffness)).sqrt();
-            self.shear = self.shear + most / self.length;
+    /// A jump of the moment, `M(x+) − M(x−)`. At a support the ground beside it, on its left and on its right, can make one, if
+    /// it is level with the support and the beam follows it there: the limit of a contact force that grows as it comes nearer to
+    /// the support, which pulls. It costs nothing in the limit, since the gap of a force at the distance `ε` is `M² ε / 6 EI`.
+    /// From the left it is positive, from the right negative. Any other is cut off.
+    pub(crate) fn couple(&mut self, x: f64, jump: Interval, [left, right]: [bool; 2]) {
+        let not_made = [(left, jump.hi()), (right, -jump.lo())].into_iter().filter(|(made, _)| !made);
+        let cut = not_made.fold(0.0, |most: f64, (_, jump)| most.max(jump));
+        if 0.0 < cut {
+            self.pulls.push(([x, x], 0.0, cut));
         }
     }
 
-    /// A pressure of at least `least`, negative, on a part of the beam.
-    fn pressure(&mut self, least: f64, width: Interval) {
-        let force = Interval::exact(-least) * width;
-        let lever = self.length * self.length / number(4) / (number(3) * self.stiffness * self.length).sqrt();
-        self.moments = self.moments + force * lever;
-        self.shear = self.shear + force;
+    /// Whether nothing was cut off.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.pulls.is_empty()
+    }
+
+    /// What is cut off is carried by one of the holds each: at least `√(∫ m²/EI dx)` of the moments `m` that this takes, and at
+    /// least the force at any place of a hold.
+    ///
+    /// ```text
+    /// √(∫ m²/EI dx) ≤ Σ f √c(x, x) + Σ C √((L + 3 a)/3 EI)
+    /// ```
+    pub(crate) fn carried(&self, holds: &[Hold], stiffness: f64) -> [Interval; 2] {
+        let root = (number(3) * Interval::exact(stiffness)).sqrt();
+        let mut sums = [Interval::ZERO; 2];
+        for &(part, force, couple) in &self.pulls {
+            let bent = |hold: &Hold| force * hold.lever(part) + couple * hold.lever_of_couple(part);
+            let best = holds.iter().map(|hold| (bent(hold) * OUTWARDS, hold)).min_by(|a, b| a.0.total_cmp(&b.0));
+            let [lever, share] = best.map_or([f64::INFINITY; 2], |(m, hold)| [m, hold.share(part, force, couple)]);
+            sums = [sums[0] + Interval::exact(lever) / root, sums[1] + Interval::exact(share)];
+        }
+        sums
     }
 }
 
 /// A zone: whether the beam can lie on the foundation all the way between two places, and what pulls there.
 pub(crate) fn zone(enclosed: &EnclosedScene<'_>, from: f64, to: f64, cut_off: &mut TensionCutOff) -> Option<()> {
-    if !enclosed.foundation.is_smooth_between(from, to) {
+    if !enclosed.gap.is_smooth_between(from, to) {
         return None;
     }
     for x in enclosed.load.breaks(from, to) {
         cut_off.force(x, enclosed.load.point(x).unwrap_or(Interval::ZERO));
     }
-    let mut breaks = enclosed.foundation.breaks(from, to);
+    let mut breaks = enclosed.gap.breaks(from, to);
     breaks.extend(enclosed.load.breaks(from, to));
     for [from, to] in cells(from, to, breaks) {
-        let fourth = enclosed.foundation.cell(from, to).derivative().derivative().derivative().derivative();
+        let fourth = enclosed.gap.cell(from, to).derivative().derivative().derivative().derivative();
         let p = enclosed.load.cell(from, to).minus(&fourth.times(Interval::exact(enclosed.stiffness)));
-        pulls(&p, Interval::exact(to) - Interval::exact(from), &mut MOST_PARTS.clone(), cut_off);
+        pulls(&p, [from, to], Interval::exact(to) - Interval::exact(from), &mut MOST_PARTS.clone(), cut_off);
     }
     Some(())
 }
 
-/// Cuts off what a pressure may pull with for `0 ≤ s ≤ w`.
-fn pulls(pressure: &Polynomial, width: Interval, parts: &mut usize, cut_off: &mut TensionCutOff) {
+/// Cuts off what a pressure on a cell may pull with for `0 ≤ s ≤ w`.
+fn pulls(pressure: &Polynomial, cell: [f64; 2], width: Interval, parts: &mut usize, cut_off: &mut TensionCutOff) {
     let range = pressure.range(width);
     if 0.0 <= range.lo() {
         return;
     }
     *parts = parts.saturating_sub(1);
     if *parts == 0 || range.hi() <= 0.0 || -range.lo() <= 4.0 * pressure.uncertainty(width.hi()) {
-        cut_off.pressure(range.lo(), width);
+        cut_off.pulls.push((cell, (Interval::exact(-range.lo()) * width).hi(), 0.0));
         return;
     }
     // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
     let half = Interval::exact(0.5 * width.hi());
-    pulls(pressure, half, parts, cut_off);
-    pulls(&pressure.shifted(half), half, parts, cut_off);
+    pulls(pressure, cell, half, parts, cut_off);
+    pulls(&pressure.shifted(half), cell, half, parts, cut_off);
 }
 
 #[cfg(test)]

@@ -1,29 +1,31 @@
 //! From nodes to a proven pair: a deflection `v̂` that is admissible everywhere and a moment field `M` whose contact load
 //! presses everywhere.
 //!
-//! In contact `v̂ = u` and `M = −EI u''`; in a span `v̂` is the exact beam between its nodes and `M` the moment field with
-//! `M'' = −q` and the moments of its two ends. Then `(u − v̂) p = 0` everywhere, `EI v̂'' + M` is linear in each span, `r`
-//! say, and
+//! In contact `v̂ = g` and `M = −EI g''`; in a span `v̂` is the exact beam between its nodes and `M` the moment field with
+//! `M'' = −q` and the moments of its two ends, of which a free end of the beam has none. Then `(g − v̂) p = 0` everywhere,
+//! `EI v̂'' + M` is linear in each span, `r` say, and
 //!
 //! ```text
-//! J(v̂) − D(p) = Σ L (r₀² + r₀ r₁ + r₁²) / 6 EI
+//! J(v̂) − D(p, R) = Σ L (r₀² + r₀ r₁ + r₁²) / 6 EI
 //! ```
 //!
-//! To prove are `u − v̂ ≥ 0` in spans, `q − EI u'''' ≥ 0` in zones, and the concentrated forces at the nodes,
-//! `M'(x+) − M'(x−) + P ≥ 0` with a point load `P` that stands there.
+//! To prove are `g − v̂ ≥ 0` in spans, `q − EI g'''' ≥ 0` in zones, and at nodes without a support the concentrated forces
+//! `M'(x+) − M'(x−) + P ≥ 0`, with a point load `P` that stands there, and `M(x+) = M(x−)`.
 //!
 //! Where one of them fails, the pair is corrected until it holds: a span is lifted by `α φ` (module `clearance`), which is zero
-//! wherever the beam is pressed, and pressure that pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the
-//! simple beam. With `‖m‖² = ∫ m²/EI dx`
+//! wherever the beam is pressed, and what pulls, `p⁻`, is cut off, which changes `M` by the moments of `p⁻` on the beam on two
+//! of its supports, or built in. With `‖m‖² = ∫ m²/EI dx`
 //!
 //! ```text
-//! ‖M⁻‖ ≤ ∫ p⁻ x (l − x) / √(3 EI l) dx,     gap = ½ (‖r‖ + ‖EI α φ''‖ + ‖M⁻‖)²
+//! ‖M⁻‖ ≤ ∫ p⁻ √c(x, x) dx,     gap = ½ (‖r‖ + ‖EI α φ''‖ + ‖M⁻‖)²
 //! ```
 //!
-//! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong witness what it is wrong by.
+//! so that what rounding leaves open at a tie costs as much as the rounding, and a wrong witness what it is wrong by. A beam
+//! without two supports is held by contact forces: what is cut off is taken from two of them, and none may be used up.
 
 use super::clearance;
-use super::contact_node::{ContactNode, EnclosedScene, Kind};
+use super::contact_node::{ContactNode, EnclosedScene, Slope};
+use super::hold::{Hold, Place};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::{Polynomial, number};
@@ -44,15 +46,24 @@ pub(crate) struct Piece {
 /// A proven pair.
 #[derive(Debug, Clone)]
 pub(crate) struct Pair {
-    /// `v̂`: its value and its slope are continuous, and it vanishes at both ends. Pieces end where the load changes its formula
+    /// `v̂`: its value and its slope are continuous, and its supports hold it. Pieces end where the load changes its formula
     /// and at point loads.
     pub(crate) pieces: Vec<Piece>,
-    /// `J(v̂) − D(p)`.
+    /// `J(v̂) − D(p, R)`.
     pub(crate) gap: Interval,
-    /// `M'` at the two ends: the reactions that belong to `M`, without loads on the supports themselves.
-    pub(crate) reactions: [Interval; 2],
+    /// What the supports exert upwards, from left to right, where the contacts of `M` are those of the beam.
+    pub(crate) reactions: Vec<Interval>,
+    /// What holds the beam: each of them alone bounds the distance of `v̂` from `v*`.
+    pub(crate) holds: Vec<Hold>,
     /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
     pub(crate) lifted: f64,
+}
+
+impl Pair {
+    /// Whether a turn about a place is all that is not known.
+    pub(crate) fn turns_about(&self, x: f64) -> bool {
+        matches!(self.holds[..], [Hold(left, right)] if left.from == x && right.to == x)
+    }
 }
 
 /// The pair of some nodes, if there is one.
@@ -61,32 +72,42 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         return None;
     }
     let stiffness = Interval::exact(enclosed.stiffness);
-    let spans: Vec<Option<Span>> = nodes.windows(2).map(|w| enclosed.span(&w[0], &w[1])).collect();
-    let moment = |i: usize| moment_at(enclosed, nodes, &spans, i);
+    // Part i is that to the left of node i.
+    let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
+    let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
+    let beam = Moments { enclosed, nodes, spans: &spans };
     let mut gap = Interval::ZERO;
     let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
-    let mut cut_off = TensionCutOff::new(enclosed);
+    let mut cut_off = TensionCutOff::default();
     let mut shears = Vec::new();
     let mut pieces = Vec::new();
     for (i, span) in spans.iter().enumerate() {
-        let (left, right) = (&nodes[i], &nodes[i + 1]);
         let Some(span) = span else {
+            let [Some(left), Some(right)] = ends(i) else {
+                shears.push([Interval::ZERO; 2]);
+                continue;
+            };
             pressing::zone(enclosed, left.x, right.x, &mut cut_off)?;
-            let third = |node: &ContactNode| -(stiffness * enclosed.jet(node)[3]);
-            shears.push([third(left), third(right)]);
+            shears.push([(left, false), (right, true)].map(|(j, left)| -(stiffness * enclosed.gap.jet(j.x, left)[3])));
             pieces.extend(lying(enclosed, left.x, right.x));
             continue;
         };
         let length = Interval::exact(span.to) - Interval::exact(span.from);
-        let r = [stiffness * span.start[2] + moment(i), stiffness * span.end[2] + moment(i + 1)];
-        // Not from the third derivative, of which rounding is larger by the square of a short span.
-        let shear = (moment(i + 1) - moment(i) + span.loaded[0]) / length;
-        shears.push([shear, shear - span.loaded[1]]);
-        gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
+        if let [Some(_), Some(_)] = ends(i) {
+            let moments = [beam.moment(i - 1, 1), beam.moment(i, 0)];
+            let r = [stiffness * span.start[2] + moments[0], stiffness * span.end[2] + moments[1]];
+            // Not from the third derivative, of which rounding is larger by the square of a short span.
+            let shear = (moments[1] - moments[0] + span.loaded[0]) / length;
+            shears.push([shear, shear - span.loaded[1]]);
+            gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
+        } else {
+            shears.push([span.start, span.end].map(|jet| -(stiffness * jet[3])));
+        }
         let mut curve = span.curve(Vec::new(), enclosed.load, enclosed.stiffness);
-        let alpha = clearance::lift(enclosed, span, left, right)?;
+        let alpha = clearance::lift(enclosed, span, ends(i))?;
         if 0.0 < alpha {
-            let lift = clearance::shape(span, left, right).times(Interval::exact(alpha));
+            let powers = ends(i).map(|end| clearance::power(enclosed, end));
+            let lift = clearance::shape(span, powers).times(Interval::exact(alpha));
             lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
             lifted = lifted.max(lift.range(length).magnitude());
             for ([from, _], v) in &mut curve {
@@ -95,66 +116,177 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         }
         pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
     }
-    for i in 1..nodes.len() - 1 {
-        let point = enclosed.load.point(nodes[i].x).unwrap_or(Interval::ZERO);
-        cut_off.force(nodes[i].x, shears[i][0] - shears[i - 1][1] + point);
+    let (mut reactions, mut presses) = (Vec::new(), Vec::new());
+    for (i, node) in nodes.iter().enumerate() {
+        let point = enclosed.load.point(node.x).unwrap_or(Interval::ZERO);
+        let force = shears[i + 1][0] - shears[i][1] + point;
+        if enclosed.support(node.x).is_some() {
+            reactions.push(force);
+        } else {
+            cut_off.force(node.x, force);
+            presses.push((Place::at(node.x), force.lo()));
+        }
+        if let Some((jump, made)) = beam.jump(i) {
+            cut_off.couple(node.x, jump, made);
+        }
     }
-    for i in [0, nodes.len() - 1] {
-        cut_off.couple(moment(i));
+    let mut holds = held(enclosed, nodes);
+    let by_contacts = holds.is_empty();
+    if by_contacts {
+        // Parts of zones press, too, but nothing can be taken from them.
+        if cut_off.is_empty() {
+            presses.extend(nodes.windows(2).filter(|w| w[0].lies).flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x)));
+        }
+        presses.extend(enclosed.supports.iter().map(|s| (Place::at(s.x), f64::INFINITY)));
+        holds.push(widest(&mut presses)?);
     }
-    let correction = lifts.sqrt() + cut_off.moments;
+    let [moments, share] = cut_off.carried(&holds, enclosed.stiffness);
+    let correction = lifts.sqrt() + moments;
     let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + correction;
-    let (first, last) = (shears.first()?, shears.last()?);
-    let corrected = Interval::around_zero(cut_off.shear.hi());
+    // Without correction the square would only add rounding.
+    let gap = if correction.is_zero() { gap.hi() } else { (root.square() / number(2)).hi() };
+    for place in holds.iter_mut().filter(|_| by_contacts).flat_map(|Hold(left, right)| [left, right]) {
+        let force = presses.iter().find(|(other, _)| other.from == place.from).map_or(0.0, |(_, force)| *force);
+        if force < f64::INFINITY {
+            // What is cut off is taken from it.
+            let left = (Interval::exact(force) - share).lo();
+            place.off = if 0.0 < left { (Interval::exact(gap) / Interval::exact(left)).hi() } else { return None };
+        }
+    }
+    let corrected = Interval::around_zero(share.hi());
     Some(Pair {
         pieces,
-        // Without correction the square would only add rounding.
-        gap: Interval::between(0.0, if correction.is_zero() { gap.hi() } else { (root.square() / number(2)).hi() }),
-        reactions: [first[0] + corrected, -last[1] + corrected],
+        gap: Interval::between(0.0, gap),
+        reactions: reactions.into_iter().map(|force| force + corrected).collect(),
+        holds,
         lifted,
     })
 }
 
-/// Whether nodes are in order, reach from support to support and end every zone that they start. Of anything else nothing
-/// follows.
+/// What holds the beam whatever it touches: neighbouring two of its supports, and one that is built in, or about which the loads
+/// are in balance.
+fn held(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Vec<Hold> {
+    let twice = |x: f64| Hold(Place::at(x), Place::at(x));
+    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
+    let one = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
+    two.chain(one.chain(enclosed.balanced_at.filter(|_| nodes.len() == 1)).map(twice)).collect()
+}
+
+/// The outer thirds of a zone with what presses on them at least: the load, and what the shear of the beam that follows the
+/// ground changes by.
+fn outer_thirds(enclosed: &EnclosedScene<'_>, from: f64, to: f64) -> [(Place, f64); 2] {
+    let third = (to - from) / 3.0;
+    [[from, from + third], [to - third, to]].map(|[from, to]| {
+        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
+        let breaks = enclosed.load.breaks(from, to);
+        let points = breaks.iter().filter_map(|x| enclosed.load.point(*x));
+        let sum = points.fold(Interval::exact(enclosed.stiffness) * (start - end), |sum, point| sum + point);
+        let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
+        let one = Polynomial::new(&[Interval::exact(1.0)]);
+        let loads = cells(from, to, breaks).into_iter();
+        let loads = loads.map(|cell| enclosed.load.cell(cell[0], cell[1]).integral_of_product(&one, width(cell)));
+        (Place { from, to, off: 0.0 }, loads.fold(sum, |sum, load| sum + load).lo())
+    })
+}
+
+/// Of places with what presses there the two that hold the beam best: strongly, and far apart.
+fn widest(presses: &mut Vec<(Place, f64)>) -> Option<Hold> {
+    /// Of the strongest places.
+    const MOST: usize = 64;
+    presses.retain(|(_, force)| 0.0 < *force);
+    presses.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let strongest = &presses[..presses.len().min(MOST)];
+    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| (a, b)));
+    let apart = pairs.filter(|(a, b)| a.0.to < b.0.from).map(|(a, b)| ((b.0.from - a.0.to) * a.1.min(b.1), a.0, b.0));
+    apart.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, left, right)| Hold(left, right))
+}
+
+/// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where
+/// they meet it. Of anything else nothing follows.
 fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
-    let [first, .., last] = nodes else { return false };
-    let in_order = nodes.windows(2).all(|w| w[0].x < w[1].x);
-    let zones_end = nodes.windows(2).all(|w| (w[0].kind == Kind::Start) <= (w[1].kind == Kind::End));
-    let from_the_left = first.x.abs() <= 0.0 && matches!(first.kind, Kind::Support | Kind::Clamp | Kind::Start);
-    let to_the_right = enclosed.length <= last.x && matches!(last.kind, Kind::Support | Kind::Clamp | Kind::End);
-    // A beam that follows the foundation to a support is held there only if the foundation is, on that side of a step.
-    let held = [first, last].iter().all(|j| j.kind == Kind::Support || enclosed.jet(j)[0].magnitude() <= 0.0);
-    let inside = nodes[1..nodes.len() - 1].iter().all(|j| !matches!(j.kind, Kind::Support | Kind::Clamp));
-    in_order && zones_end && from_the_left && to_the_right && last.x <= enclosed.length && inside && held
+    let in_order = nodes.windows(2).all(|w| w[0].x < w[1].x) && nodes.last().is_some_and(|node| !node.lies);
+    let inside = nodes.iter().all(|node| (0.0..=enclosed.length).contains(&node.x));
+    let supports = nodes.iter().filter(|node| enclosed.support(node.x).is_some()).count();
+    // A beam that follows the ground to a support is held there only if the ground is, on that side of a step.
+    let meets = |node: &ContactNode, left: bool| {
+        let support = enclosed.support(node.x);
+        let held = support.and_then(|s| s.slope);
+        enclosed.gap.ground.is_upper(node.x, left)
+            && support.is_none_or(|s| s.grounded[usize::from(!left)])
+            && held.map_or(enclosed.is_tangent(node, left), |slope| slope == enclosed.gap.jet(node.x, left)[1])
+    };
+    let meet = nodes.iter().enumerate().all(|(i, node)| {
+        let lies = [0 < i && nodes[i - 1].lies, node.lies];
+        let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
+        let own = !built_in && matches!(node.slope, Slope::OfGround { .. });
+        let follows = own && !lies[0] && !lies[1];
+        (!follows || meets(node, true) || meets(node, false))
+            && (!lies[0] || meets(node, true))
+            && (!lies[1] || meets(node, false))
+    });
+    in_order && inside && supports == enclosed.supports.len() && meet
 }
 
 /// The foundation between two places, as pieces.
 fn lying(enclosed: &EnclosedScene<'_>, from: f64, to: f64) -> impl Iterator<Item = Piece> {
-    let mut breaks = enclosed.foundation.breaks(from, to);
+    let mut breaks = enclosed.gap.breaks(from, to);
     breaks.extend(enclosed.load.breaks(from, to));
-    let foundation = enclosed.foundation;
-    cells(from, to, breaks).into_iter().map(move |[from, to]| Piece {
-        from,
-        to,
-        v: foundation.cell(from, to),
-        follows: true,
-    })
+    let gap = enclosed.gap;
+    cells(from, to, breaks).into_iter().map(move |[from, to]| Piece { from, to, v: gap.cell(from, to), follows: true })
 }
 
-/// `M` at a node. Where only continuity is asked for, a number between the moments of the two spans.
-fn moment_at(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], spans: &[Option<Span>], i: usize) -> Interval {
-    // At the ends there is only one of them.
-    let left = i.checked_sub(1).and_then(|k| spans[k].as_ref()).map(|s| s.end[2]);
-    let right = spans.get(i).and_then(Option::as_ref).map(|s| s.start[2]);
-    let known = |curvature: Option<Interval>| curvature.unwrap_or(Interval::ZERO);
-    match nodes[i].kind {
-        Kind::Support => Interval::ZERO,
-        Kind::Clamp => -(Interval::exact(enclosed.stiffness) * known(left.or(right))),
-        Kind::Start | Kind::End => -(Interval::exact(enclosed.stiffness) * enclosed.jet(&nodes[i])[2]),
-        Kind::Corner | Kind::Touch => {
-            Interval::exact(-0.5 * enclosed.stiffness * (known(left).middle() + known(right).middle()))
+/// The moments beside the nodes, on the left side, 0, and on the right one, 1.
+struct Moments<'a> {
+    enclosed: &'a EnclosedScene<'a>,
+    nodes: &'a [ContactNode],
+    /// The part to the left of each node, and that to the right of the last one.
+    spans: &'a [Option<Span>],
+}
+
+impl Moments<'_> {
+    /// `v̂''`, zero where there is no beam.
+    fn curvature(&self, i: usize, side: usize) -> Interval {
+        match &self.spans[i + side] {
+            Some(span) => [span.end, span.start][side][2],
+            None if i + side == 0 || i + side == self.nodes.len() => Interval::ZERO,
+            None => self.enclosed.gap.jet(self.nodes[i].x, side == 0)[2],
         }
+    }
+
+    /// Whether only one moment is possible: in a zone, beside a free end, and where there is no beam.
+    fn is_given(&self, i: usize, side: usize) -> bool {
+        self.spans[i + side].is_none() || i + side == 0 || i + side == self.nodes.len()
+    }
+
+    /// Whether something at a node may make the moment jump.
+    fn may_jump(&self, i: usize) -> bool {
+        let support = self.enclosed.support(self.nodes[i].x);
+        support.is_some_and(|s| s.slope.is_some() || matches!(self.nodes[i].slope, Slope::OfGround { .. }))
+    }
+
+    /// `M`. Where only continuity is asked for, a number between the moments of the two spans.
+    fn moment(&self, i: usize, side: usize) -> Interval {
+        let own = |side: usize| -(Interval::exact(self.enclosed.stiffness) * self.curvature(i, side));
+        if self.may_jump(i) || self.is_given(i, side) {
+            own(side)
+        } else if self.is_given(i, 1 - side) {
+            own(1 - side)
+        } else {
+            let sum = self.curvature(i, 0).middle() + self.curvature(i, 1).middle();
+            Interval::exact(-0.5 * self.enclosed.stiffness * sum)
+        }
+    }
+
+    /// `M(x+) − M(x−)` where it may not vanish and is not made by what the beam is built in, or in which the loads are in balance;
+    /// and whether ground on the left and on the right can make it.
+    fn jump(&self, i: usize) -> Option<(Interval, [bool; 2])> {
+        let node = &self.nodes[i];
+        let support = self.enclosed.support(node.x);
+        let balanced = self.nodes.len() == 1 && self.enclosed.balanced_at == Some(node.x);
+        let built_in = support.is_some_and(|s| s.slope.is_some());
+        let may = self.may_jump(i) || (self.is_given(i, 0) && self.is_given(i, 1));
+        let made = |side| support.is_some_and(|s| s.grounded[side]) && self.enclosed.is_tangent(node, side == 0);
+        (may && !built_in && !balanced).then(|| (self.moment(i, 1) - self.moment(i, 0), [0, 1].map(made)))
     }
 }
 

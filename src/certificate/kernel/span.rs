@@ -1,9 +1,11 @@
 //! A part of the beam that hangs free between two nodes: the exact beam under the true load, given deflection and slope
-//! at both ends.
+//! at both ends. At a free end of the beam nothing is given, and moment and shear force vanish beyond it.
 //!
 //! ```text
 //! v = v₀ + θ₀ s + κ₀ s²/2 + τ₀ s³/6 + v_q,     EI v_q'''' = q,  v_q = v_q' = v_q'' = v_q''' = 0 at s = 0
 //! κ₀ =  6 (Δv − θ₀ L)/L² − 2 Δθ/L,    τ₀ = −12 (Δv − θ₀ L)/L³ + 6 Δθ/L²,    Δv = v₁ − v_q(L) − v₀,  Δθ = θ₁ − v_q'(L) − θ₀
+//! free on the left    κ₀ = 0,  τ₀ = P/EI                              with a point load P at the free end
+//! free on the right   κ₀ = −v_q''(L) − τ₀ L,  τ₀ = −v_q'''(L) − P/EI
 //! ```
 
 use super::interval::Interval;
@@ -69,19 +71,37 @@ pub(crate) fn march(
 }
 
 impl Span {
-    /// The beam between two places with deflection and slope `[v, v']` at both.
+    /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free.
     pub(crate) fn new(
         [from, to]: [f64; 2],
-        [left, right]: [[Interval; 2]; 2],
+        ends: [Option<[Interval; 2]>; 2],
         load: &EnclosedLoad,
         stiffness: f64,
     ) -> Self {
         let (_, own) = march([Interval::ZERO; 4], from, to, load.breaks(from, to), load, stiffness);
         let length = Interval::exact(to) - Interval::exact(from);
-        let rise = right[0] - left[0] - own[0] - left[1] * length;
-        let turn = right[1] - left[1] - own[1];
-        let curvature = (number(6) * rise / length - number(2) * turn) / length;
-        let third = (number(6) * turn - number(12) * rise / length) / (length * length);
+        let at_tip = |x: f64| load.point(x).unwrap_or(Interval::ZERO) / Interval::exact(stiffness);
+        let [half, sixth] = [length * length / number(2), length * length * length / number(6)];
+        let (left, right, [curvature, third]) = match ends {
+            [Some(left), Some(right)] => {
+                let rise = right[0] - left[0] - own[0] - left[1] * length;
+                let turn = right[1] - left[1] - own[1];
+                let curvature = (number(6) * rise / length - number(2) * turn) / length;
+                (left, right, [curvature, (number(6) * turn - number(12) * rise / length) / (length * length)])
+            }
+            [Some(left), None] => {
+                let third = -(own[3] + at_tip(to));
+                let curvature = -own[2] - third * length;
+                let v = left[0] + left[1] * length + curvature * half + third * sixth + own[0];
+                (left, [v, left[1] + curvature * length + third * half + own[1]], [curvature, third])
+            }
+            [None, right] => {
+                let right = right.unwrap_or([Interval::ZERO; 2]);
+                let third = at_tip(from);
+                let slope = right[1] - third * half - own[1];
+                ([right[0] - slope * length - third * sixth - own[0], slope], right, [Interval::ZERO, third])
+            }
+        };
         Self {
             from,
             to,
@@ -125,7 +145,7 @@ mod tests {
         let load = Load::new(&beam, 2.0, vec![growing], Vec::new()).expect("finite");
         let load = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
         let ends = [[0.3, 0.2], [0.5, -0.4]].map(|end| end.map(Interval::exact));
-        let span = Span::new([3.0, 10.0], ends, &load, stiffness);
+        let span = Span::new([3.0, 10.0], ends.map(Some), &load, stiffness);
         let curve = span.curve(vec![6.0], &load, stiffness);
         let ([from, to], last) = curve[1];
         let mirrored = span.mirrored(from, &load, stiffness);

@@ -10,6 +10,7 @@ mod judge;
 mod lumped;
 mod scale;
 mod sharpness;
+mod supports;
 mod truth;
 mod uneven;
 mod verdict;

@@ -1,9 +1,8 @@
 //! Lifts of spans that are in the ground, against the lift that is needed at some hundred places.
 
 use super::*;
-use crate::certificate::kernel::foundation::EnclosedFoundation;
-use crate::certificate::kernel::load::EnclosedLoad;
-use crate::scene::{Beam, Foundation, Load, Scene};
+use crate::certificate::in_intervals;
+use crate::scene::{Balance, Beam, Foundation, Load, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -11,13 +10,29 @@ const LOAD: f64 = 3.0;
 /// Places along a span.
 const PLACES: u32 = 400;
 
+/// What a node is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Support,
+    Corner,
+    Touch,
+    Start,
+    End,
+}
+
 fn node(kind: Kind, x: f64, slope: f64) -> ContactNode {
-    ContactNode { kind, x, slope }
+    let from_the_left = kind == Kind::End;
+    let free = matches!(kind, Kind::Support | Kind::Corner);
+    let slope = if free { Slope::Free(slope) } else { Slope::OfGround { from_the_left } };
+    ContactNode { x, slope, lies: kind == Kind::Start }
 }
 
 /// `φ`, from its formula.
 fn phi(s: f64, length: f64, left: ContactNode, right: ContactNode) -> f64 {
-    let power = |node: ContactNode, z: f64| if node.kind == Kind::Support { z } else { z * z };
+    let power = |node: ContactNode, z: f64| {
+        let ends = node.x <= 0.0 || LENGTH <= node.x;
+        if ends && matches!(node.slope, Slope::Free(_)) { z } else { z * z }
+    };
     power(left, s / length) * power(right, 1.0 - s / length)
 }
 
@@ -25,18 +40,18 @@ fn phi(s: f64, length: f64, left: ContactNode, right: ContactNode) -> f64 {
 fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) -> (Option<f64>, f64) {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, load).expect("finite");
-    let pieces = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
-    let ground = EnclosedFoundation::on(foundation, LENGTH);
-    let enclosed = EnclosedScene { foundation: ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH };
-    let span = enclosed.span(&left, &right).expect("a span");
-    let curve = span.curve(Vec::new(), &pieces, STIFFNESS);
-    let mut needed = 0.0_f64;
-    for k in 1..PLACES {
-        let s = span.length() * f64::from(k) / f64::from(PLACES);
-        let v = curve[0].1.at(Interval::exact(s)).middle();
-        needed = needed.max((v - foundation.depth(left.x + s)) / phi(s, span.length(), left, right));
-    }
-    (lift(&enclosed, &span, &left, &right), needed)
+    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        let span = enclosed.span(Some(&left), Some(&right)).expect("a span");
+        let curve = span.curve(Vec::new(), enclosed.load, STIFFNESS);
+        let mut needed = 0.0_f64;
+        for k in 1..PLACES {
+            let s = (span.to - span.from) * f64::from(k) / f64::from(PLACES);
+            let v = curve[0].1.at(Interval::exact(s)).middle();
+            needed = needed.max((v - foundation.depth(left.x + s)) / phi(s, (span.to - span.from), left, right));
+        }
+        (lift(enclosed, &span, [Some(&left), Some(&right)]), needed)
+    })
 }
 
 /// What is enough is not less than what is needed, and not much more.
@@ -90,7 +105,10 @@ fn spans_are_lifted_as_far_as_they_have_to_be() {
         ] {
             if mirrored {
                 points = points.iter().rev().map(|[x, depth]| [LENGTH - x, *depth]).collect();
-                let turned = |j: ContactNode| node(j.kind, LENGTH - j.x, -j.slope);
+                let turned = |j: ContactNode| {
+                    let Slope::Free(slope) = j.slope else { return j };
+                    ContactNode { x: LENGTH - j.x, slope: Slope::Free(-slope), ..j }
+                };
                 (left, right) = (turned(right), turned(left));
             }
             enough("corner", &Foundation::Polyline { points }, LOAD, [left, right]);
@@ -153,13 +171,13 @@ fn the_shape_of_a_lift() {
     const ROUNDING: f64 = 1e-14;
     let span =
         Span { from: 3.0, to: 10.0, start: [Interval::ZERO; 4], end: [Interval::ZERO; 4], loaded: [Interval::ZERO; 2] };
-    let kinds = [Kind::Support, Kind::Clamp, Kind::Corner, Kind::Touch, Kind::Start, Kind::End];
-    for (left, right) in kinds.into_iter().flat_map(|left| kinds.map(|right| (left, right))) {
-        let (left, right) = (node(left, 3.0, 0.0), node(right, 10.0, 0.0));
-        let shape = shape(&span, &left, &right);
-        for s in [0.0, 1.0, 3.5, 6.0, 7.0] {
-            let (value, expected) = (shape.at(Interval::exact(s)).middle(), phi(s, 7.0, left, right));
-            assert!((value - expected).abs() <= ROUNDING, "{left:?}, {right:?}: {value} at {s}, not {expected}");
+    for powers in (0..3).flat_map(|a| (0..3).map(move |b| [a, b])) {
+        let shape = shape(&span, powers);
+        for s in [0.0, 1.0, 3.5, 6.0, 7.0_f64] {
+            let power = |z: f64, times: usize| (0..times).fold(1.0, |product, _| product * z);
+            let expected = power(s / 7.0, powers[0]) * power(1.0 - s / 7.0, powers[1]);
+            let value = shape.at(Interval::exact(s)).middle();
+            assert!((value - expected).abs() <= ROUNDING, "{powers:?}: {value} at {s}, not {expected}");
         }
     }
 }

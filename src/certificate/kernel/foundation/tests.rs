@@ -100,37 +100,6 @@ fn cells_of_a_cosine_enclose_it() {
     assert!(range.hi() - range.lo() <= 20.0 * ROUNDING, "{range:?}");
 }
 
-/// `1 − (1 − δ) x/l` is off by `δ` at the right support and taken for `1 − x/l`: the line through `δ` is taken off everywhere.
-#[test]
-fn ground_is_levelled_at_one_support() {
-    const OFF: f64 = 24.0 * UNIT;
-    let foundation = Foundation::Polynomial { coefficients: vec![1.0, -(1.0 - OFF) / LENGTH] };
-    let ground = EnclosedFoundation::on(&foundation, LENGTH);
-    assert!(ground.depth(LENGTH).is_zero() && ground.mirrored_cell(8.0, LENGTH).coefficients()[0].is_zero());
-    assert!(ground.cell(0.0, 4.0).at(Interval::ZERO).contains(1.0), "the left support is not level");
-    for (from, s) in [(0.0, 8.0), (4.0, 4.0), (8.0, 0.0), (8.0, 4.0), (12.0, 0.0)] {
-        let (range, depth) = (ground.cell(from, from + s).at(Interval::exact(s)), 1.0 - (from + s) / LENGTH);
-        assert!(range.contains(depth), "{depth} at {from} + {s}, not {range:?}");
-        assert!(range.hi() - range.lo() < 0.5 * OFF, "{range:?} is not sharp enough to tell");
-    }
-    // Twice as much is no rounding.
-    let foundation = Foundation::Polynomial { coefficients: vec![1.0, -(1.0 - 2.0 * OFF) / LENGTH] };
-    assert!(0.0 < EnclosedFoundation::on(&foundation, LENGTH).depth(LENGTH).lo());
-}
-
-/// `1 + δ − cos(2πx/l)` is off by `δ` at both supports, and taken for `1 − cos(2πx/l)`.
-#[test]
-fn ground_is_levelled_at_both_supports() {
-    const OFF: f64 = 24.0 * UNIT;
-    let foundation = Foundation::Cosine { mean: 1.0 + OFF, amplitude: -1.0, wavelength: LENGTH, phase: 0.0 };
-    let ground = EnclosedFoundation::on(&foundation, LENGTH);
-    assert!(ground.depth(0.0).is_zero() && ground.depth(LENGTH).is_zero());
-    for (from, to, depth) in [(8.0, 8.5, 2.0), (4.0, 4.5, 1.0), (12.0, 12.5, 1.0)] {
-        encloses(&ground.cell(from, to), 0.0, depth, 0.0);
-        assert!((ground.depth(from).middle() - depth).abs() < 0.5 * OFF, "{:?}", ground.depth(from));
-    }
-}
-
 #[test]
 fn cells_end_where_they_are_said_to() {
     let (long, short) = (long(), Foundation::Polynomial { coefficients: vec![1.0; 10] });
@@ -167,8 +136,6 @@ fn survey() -> Foundation {
 fn a_polyline_is_what_its_points_say() {
     let foundation = survey();
     let ground = EnclosedFoundation::on(&foundation, LENGTH);
-    let places = (0..=32).map(|k| 0.5 * f64::from(k));
-    assert_eq!(places.filter(|&x| ground.is_corner(x)).collect::<Vec<_>>(), [2.0, 5.0, 7.0, 8.0]);
     assert_eq!(ground.breaks(1.0, 5.0), [2.0, 3.0, 4.0]);
     assert_eq!(ground.breaks(4.5, 6.0), [5.0]);
     for (x, expected) in [(0.5, true), (1.0, false), (4.0, false), (4.5, true), (5.0, false)] {
@@ -187,21 +154,11 @@ fn a_polyline_is_what_its_points_say() {
     ] {
         assert_eq!(ground.is_smooth_between(from, to), expected, "from {from} to {to}");
     }
-    for (x, expected) in [
-        (0.0, [None, Some(0.0)]),
-        (3.0, [Some(2.0), Some(-1.0)]),
-        (5.0, [None, Some(2.0)]),
-        (7.0, [Some(-1.0), Some(0.5)]),
-        (8.0, [Some(0.5), None]),
-        (LENGTH, [Some(-0.875), None]),
-    ] {
-        assert_eq!(ground.slopes(x), expected, "at {x}");
-    }
-    for (x, sides, depth) in [(5.0, [2.0, 1.0], 1.0), (8.0, [2.5, 3.5], 2.5), (3.0, [4.0, 4.0], 4.0)] {
-        assert_eq!([true, false].map(|left| ground.side(x, left)), sides.map(Some), "at {x}");
+    for (x, upper, depth) in [(5.0, [false, true], 1.0), (8.0, [true, false], 2.5), (3.0, [true, true], 4.0)] {
+        assert_eq!([true, false].map(|left| ground.is_upper(x, left)), upper, "at {x}");
         assert_eq!(ground.depth(x), Interval::exact(depth), "at {x}");
     }
-    assert_eq!(ground.side(4.5, true), None);
+    assert!(ground.is_upper(4.5, true), "there is no step");
     // From one depth to its opposite is not level.
     encloses(&ground.cell(8.0, LENGTH), 4.0, 0.0, 0.0);
     encloses(&ground.cell(12.0, LENGTH), 4.0, -3.5, 0.0);
@@ -211,14 +168,4 @@ fn a_polyline_is_what_its_points_say() {
         [Interval::exact(2.0)],
         "a level stretch is level without rounding"
     );
-}
-
-/// A point given twice makes no corner, nor does one on the line of its neighbours.
-#[test]
-fn what_is_no_corner_carries_no_force() {
-    for at in [vec![4.0], vec![4.0, 4.0], vec![1.0, 4.0, 6.0]] {
-        let points = [0.0].into_iter().chain(at).chain([8.0]).map(|x| [x, 1.0 + 0.25 * x]).collect();
-        let line = Foundation::Polyline { points };
-        assert!(!(0..=8).any(|x| EnclosedFoundation::on(&line, 8.0).is_corner(f64::from(x))), "{line:?}");
-    }
 }

@@ -1,9 +1,9 @@
 //! What cutting off costs, against beams that are pulled.
 
 use super::*;
-use crate::certificate::kernel::foundation::EnclosedFoundation;
-use crate::certificate::kernel::load::EnclosedLoad;
-use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
+use crate::certificate::in_intervals;
+use crate::certificate::kernel::hold::Place;
+use crate::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -16,22 +16,22 @@ fn is(what: &str, number: Interval, expected: f64) {
     assert!(range.contains(&number.hi()), "{what}: {number:?}, not {expected}");
 }
 
-/// A cut on the beam above `foundation` under one point load, and what becomes of it.
+/// A cut on the beam above `foundation` under one point load, and what becomes of it: moments and share.
 fn cut_off(
     foundation: &Foundation,
     load: f64,
     point: [f64; 2],
     change: impl FnOnce(&EnclosedScene<'_>, &mut TensionCutOff),
-) -> TensionCutOff {
+) -> [Interval; 2] {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let points = vec![PointLoad { at: point[0], force: point[1] }];
     let load = Load::new(&beam, load, Vec::new(), points).expect("finite");
-    let pieces = EnclosedLoad::of(&Scene::new(beam, load, Some(foundation.clone())).expect("well posed"));
-    let ground = EnclosedFoundation::on(foundation, LENGTH);
-    let enclosed = EnclosedScene { foundation: ground, load: &pieces, stiffness: STIFFNESS, length: LENGTH };
-    let mut cut_off = TensionCutOff::new(&enclosed);
-    change(&enclosed, &mut cut_off);
-    cut_off
+    let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        let mut cut_off = TensionCutOff::default();
+        change(enclosed, &mut cut_off);
+        cut_off.carried(&[Hold(Place::at(0.0), Place::at(LENGTH))], STIFFNESS)
+    })
 }
 
 const FLAT: Foundation = Foundation::Flat { depth: 1.0 };
@@ -48,23 +48,33 @@ fn forces_couples_and_pressures_cost_what_their_moments_do() {
     let force = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
         (0..2).for_each(|_| cut_off.force(5.0, Interval::between(-2.0, 1.0)))
     });
-    is("moments of forces", force.moments, 2.0 * 2.0 * 5.0 * 15.0 / root());
-    is("shear of forces", force.shear, 4.0);
+    is("moments of forces", force[0], 2.0 * 2.0 * 5.0 * 15.0 / root());
+    is("share of forces", force[1], 4.0);
     // m = M x/l: ∫ m²/EI dx = M² l/3 EI.
-    let couple =
-        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| (0..2).for_each(|_| cut_off.couple(Interval::between(-1.0, 2.0))));
-    is("moments of couples", couple.moments, 2.0 * 2.0 * (LENGTH / (3.0 * STIFFNESS)).sqrt());
-    is("shear of couples", couple.shear, 4.0 / LENGTH);
-    let width = Interval::exact(3.0);
-    let pressure = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| (0..2).for_each(|_| cut_off.pressure(-2.0, width)));
-    is("moments of pressures", pressure.moments, 2.0 * 6.0 * 0.25 * LENGTH * LENGTH / root());
-    is("shear of pressures", pressure.shear, 12.0);
+    let couple = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
+        cut_off.couple(0.0, Interval::between(-1.0, 2.0), [false, true]);
+        cut_off.couple(LENGTH, Interval::between(-2.0, 1.0), [true, false]);
+    });
+    is("moments of couples", couple[0], 2.0 * 2.0 * (LENGTH / (3.0 * STIFFNESS)).sqrt());
+    is("share of couples", couple[1], 4.0 / LENGTH);
+    let pressure = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
+        let pressure = Polynomial::new(&[Interval::exact(-2.0)]);
+        pulls(&pressure, [0.0, LENGTH], Interval::exact(3.0), &mut MOST_PARTS.clone(), cut_off);
+    });
+    is("moments of pressures", pressure[0], 6.0 * 0.25 * LENGTH * LENGTH / root());
+    is("share of pressures", pressure[1], 6.0);
     for nothing in [
         cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.force(5.0, Interval::between(0.0, 1.0))),
-        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.couple(Interval::between(-1.0, 0.0))),
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.couple(0.0, Interval::between(-1.0, 0.0), [false, true])),
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.couple(0.0, Interval::between(0.0, 1.0), [true, false])),
+        cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| cut_off.couple(0.0, Interval::between(-1.0, 1.0), [true, true])),
     ] {
-        assert!(nothing.moments.is_zero() && nothing.shear.is_zero(), "what presses costs nothing");
+        assert!(nothing[0].is_zero() && nothing[1].is_zero(), "what presses costs nothing");
     }
+    let neither = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
+        cut_off.couple(0.0, Interval::between(-3.0, 1.0), [false, false]);
+    });
+    is("a couple that nothing makes", neither[1], 3.0 / LENGTH);
 }
 
 /// `p = s − 1` pulls with 1/2 before `s = 1`, and `p = −2` with twice the width.
@@ -73,16 +83,16 @@ fn a_pressure_is_cut_off_where_it_pulls() {
     let pulled = |p: &[f64], width: f64| {
         let p: Vec<Interval> = p.iter().map(|c| Interval::exact(*c)).collect();
         cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
-            pulls(&Polynomial::new(&p), Interval::exact(width), &mut MOST_PARTS.clone(), cut_off);
+            pulls(&Polynomial::new(&p), [0.0, width], Interval::exact(width), &mut MOST_PARTS.clone(), cut_off);
         })
     };
-    is("all the way", pulled(&[-2.0], 3.0).shear, 6.0);
+    is("all the way", pulled(&[-2.0], 3.0)[1], 6.0);
     for (p, width) in [([-1.0, 1.0], 5.0), ([4.0, -1.0], 5.0)] {
-        let shear = pulled(&p, width).shear.hi();
+        let shear = pulled(&p, width)[1].hi();
         // Parts of the part that pulls are counted with the least of their values.
         assert!((0.5..1.1).contains(&shear), "{shear} for {p:?}");
     }
-    assert!(pulled(&[0.5, 1.0], 5.0).shear.is_zero());
+    assert!(pulled(&[0.5, 1.0], 5.0)[1].is_zero());
 }
 
 /// A beam on a rise of curvature that changes: `q − EI u''''` of a quartic, and a point load that pulls.
@@ -92,7 +102,7 @@ fn a_zone_pulls_where_its_curve_is_too_sharp() {
     let zone = |foundation: &Foundation, load: f64, point: [f64; 2]| {
         let mut held = None;
         let cut_off = cut_off(foundation, load, point, |enclosed, cut_off| held = zone(enclosed, 4.0, 12.0, cut_off));
-        held.map(|()| cut_off.shear.hi())
+        held.map(|()| cut_off[1].hi())
     };
     let fourth = 24.0 * STIFFNESS * 1e-3;
     let shear = zone(&quartic(1e-3), 0.5 * fourth, NOWHERE).expect("a smooth ground");

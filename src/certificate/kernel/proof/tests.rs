@@ -1,10 +1,9 @@
 //! The gap of a pair against its own two energies, which are computed apart.
 
 use super::*;
-use crate::certificate::kernel::foundation::EnclosedFoundation;
-use crate::certificate::kernel::load::EnclosedLoad;
+use crate::certificate::in_intervals;
 use crate::certificate::quantities::energy;
-use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
+use crate::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -12,6 +11,32 @@ const LOAD: f64 = 3.0;
 const DEPTH: f64 = 0.4;
 /// Both energies are sums of some dozens of roundings, and the gap is what is left of them.
 const ROUNDING: f64 = 1e-12;
+
+/// What a node is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Support,
+    Corner,
+    Touch,
+    Start,
+    End,
+}
+
+fn node(kind: Kind, x: f64, slope: f64) -> ContactNode {
+    let from_the_left = kind == Kind::End;
+    let free = matches!(kind, Kind::Support | Kind::Corner);
+    let slope = if free { Slope::Free(slope) } else { Slope::OfGround { from_the_left } };
+    ContactNode { x, slope, lies: kind == Kind::Start }
+}
+
+/// The pair of nodes above a foundation, and what it is a pair of: its energy.
+fn pair_of(scene: &Scene, nodes: &[ContactNode]) -> Option<(Pair, Interval)> {
+    in_intervals(scene, Balance::Held, |enclosed| {
+        let pair = pair(enclosed, nodes)?;
+        let energy = energy(&pair.pieces, enclosed.load, STIFFNESS);
+        Some((pair, energy))
+    })
+}
 
 /// Lift-off points at the distances `a` and `b` from the supports, where the moments vanish: the contact load is `q` between
 /// them and a force `q a/2`, `q b/2` at each, and
@@ -24,25 +49,17 @@ fn the_gap_is_the_difference_of_the_two_energies() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
     let flat = Foundation::Flat { depth: DEPTH };
-    let scene = Scene::new(beam.clone(), load, Some(flat.clone())).expect("well posed");
-    let pieces = EnclosedLoad::of(&scene);
-    let enclosed = EnclosedScene {
-        foundation: EnclosedFoundation::on(&flat, LENGTH),
-        load: &pieces,
-        stiffness: STIFFNESS,
-        length: LENGTH,
-    };
+    let scene = Scene::new(beam.clone(), load, Some(flat)).expect("well posed");
     // Nearer to the supports than the true ones, so that the beam arrives from above; and slopes that are off.
     for (a, b, share) in [(3.5, 3.5, 0.0), (3.0, 3.6, 0.0), (3.5, 3.2, 0.05), (3.1, 3.4, -0.05)] {
         let slope = |a: f64| (1.5 * DEPTH / a + LOAD * a * a * a / (48.0 * STIFFNESS)) * (1.0 + share);
         let nodes = [
-            ContactNode { kind: Kind::Support, x: 0.0, slope: slope(a) },
-            ContactNode::new(Kind::Start, a),
-            ContactNode::new(Kind::End, LENGTH - b),
-            ContactNode { kind: Kind::Support, x: LENGTH, slope: -slope(b) },
+            node(Kind::Support, 0.0, slope(a)),
+            node(Kind::Start, a, 0.0),
+            node(Kind::End, LENGTH - b, 0.0),
+            node(Kind::Support, LENGTH, -slope(b)),
         ];
-        let pair = pair(&enclosed, &nodes).expect("nodes from support to support");
-        let upper = energy(&pair.pieces, &pieces, STIFFNESS);
+        let (pair, upper) = pair_of(&scene, &nodes).expect("nodes from support to support");
         let fifth = |a: f64| a * a * a * a * a;
         let lower =
             -LOAD * LOAD * (fifth(a) + fifth(b)) / (240.0 * STIFFNESS) - DEPTH * LOAD * (LENGTH - 0.5 * (a + b));
@@ -64,26 +81,18 @@ fn corrected(foundation: Foundation, point: f64, slope: f64, corner: bool, lower
     let points = vec![PointLoad { at: middle, force: point }];
     let load = Load::new(&beam, LOAD, Vec::new(), points).expect("finite");
     let scene = Scene::new(beam.clone(), load, Some(foundation.clone())).expect("well posed");
-    let pieces = EnclosedLoad::of(&scene);
-    let enclosed = EnclosedScene {
-        foundation: EnclosedFoundation::on(&foundation, LENGTH),
-        load: &pieces,
-        stiffness: STIFFNESS,
-        length: LENGTH,
-    };
-    let support = |x: f64, slope: f64| ContactNode { kind: Kind::Support, x, slope };
-    let mut nodes = vec![support(0.0, slope), support(LENGTH, -slope)];
+    let mut nodes = vec![node(Kind::Support, 0.0, slope), node(Kind::Support, LENGTH, -slope)];
     if corner {
-        nodes.insert(1, ContactNode::new(Kind::Corner, middle));
+        nodes.insert(1, node(Kind::Corner, middle, 0.0));
     }
-    let pair = pair(&enclosed, &nodes).expect("nodes from support to support");
+    let (pair, upper) = pair_of(&scene, &nodes).expect("nodes from support to support");
     for k in 0..=200 {
         let x = LENGTH * f64::from(k) / 200.0;
         let piece = pair.pieces.iter().find(|p| x <= p.to).expect("all the way");
         let v = piece.v.at(Interval::exact(x) - Interval::exact(piece.from));
         assert!(v.lo() <= foundation.depth(x), "the beam is in the ground at {x}: {v:?}");
     }
-    let gap = energy(&pair.pieces, &pieces, STIFFNESS).middle() - lower;
+    let gap = upper.middle() - lower;
     assert!((pair.gap.hi() - gap).abs() <= CORRECTIONS * gap, "{:?}, not {gap}", pair.gap);
     pair
 }
@@ -134,15 +143,9 @@ fn a_beam_that_lies_on_the_ground_has_its_shear() {
     let foundation = Foundation::Polynomial { coefficients };
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
-    let pieces = EnclosedLoad::of(&Scene::new(beam.clone(), load, Some(foundation.clone())).expect("well posed"));
-    let enclosed = EnclosedScene {
-        foundation: EnclosedFoundation::on(&foundation, LENGTH),
-        load: &pieces,
-        stiffness: STIFFNESS,
-        length: LENGTH,
-    };
-    let nodes = [ContactNode::new(Kind::Start, 0.0), ContactNode::new(Kind::End, LENGTH)];
-    let pair = pair(&enclosed, &nodes).expect("from support to support");
+    let scene = Scene::new(beam, load, Some(foundation)).expect("well posed");
+    let nodes = [node(Kind::Start, 0.0, 0.0), node(Kind::End, LENGTH, 0.0)];
+    let (pair, _) = pair_of(&scene, &nodes).expect("from support to support");
     for reaction in pair.reactions {
         let expected = 12.0 * c * LENGTH * STIFFNESS;
         assert!((reaction.middle() - expected).abs() <= ROUNDING * expected, "{reaction:?}, not {expected}");
@@ -154,18 +157,13 @@ fn of_nodes_that_are_no_list_nothing_follows() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
     let flat = Foundation::Flat { depth: DEPTH };
-    let pieces = EnclosedLoad::of(&Scene::new(beam.clone(), load, Some(flat.clone())).expect("well posed"));
-    let enclosed = EnclosedScene {
-        foundation: EnclosedFoundation::on(&flat, LENGTH),
-        load: &pieces,
-        stiffness: STIFFNESS,
-        length: LENGTH,
-    };
+    let scene = Scene::new(beam, load, Some(flat)).expect("well posed");
     let [support, start, end, touch] = [Kind::Support, Kind::Start, Kind::End, Kind::Touch];
     let complete = |nodes: &[(Kind, f64)]| {
-        let nodes: Vec<ContactNode> = nodes.iter().map(|&(kind, x)| ContactNode::new(kind, x)).collect();
-        assert_eq!(pair(&enclosed, &nodes).is_some(), is_complete(&enclosed, &nodes), "{nodes:?}");
-        is_complete(&enclosed, &nodes)
+        let nodes: Vec<ContactNode> = nodes.iter().map(|&(kind, x)| node(kind, x, 0.0)).collect();
+        let complete = in_intervals(&scene, Balance::Held, |enclosed| is_complete(enclosed, &nodes));
+        assert_eq!(pair_of(&scene, &nodes).is_some(), complete, "{nodes:?}");
+        complete
     };
     assert!(complete(&[(support, 0.0), (support, LENGTH)]));
     assert!(complete(&[(support, 0.0), (start, 3.0), (end, 7.0), (touch, 9.0), (support, LENGTH)]));
@@ -178,11 +176,11 @@ fn of_nodes_that_are_no_list_nothing_follows() {
         &[(support, 0.0), (support, LENGTH + 1.0)],
         &[(support, 0.0), (touch, LENGTH)],
         &[(start, 0.0), (end, 7.0), (support, LENGTH)],
-        &[(support, 0.0), (support, 9.0), (support, LENGTH)],
+        &[(support, 0.0), (support, LENGTH), (touch, LENGTH + 1.0)],
         &[(support, 0.0), (touch, 9.0), (touch, 8.0), (support, LENGTH)],
         &[(support, 0.0), (touch, 9.0), (touch, 9.0), (support, LENGTH)],
         &[(support, 0.0), (start, 9.0), (support, LENGTH)],
-        &[(support, 0.0), (start, 9.0), (touch, 12.0), (support, LENGTH)],
+        &[(support, 0.0), (start, 9.0), (Kind::Corner, 12.0), (support, LENGTH)],
     ] {
         assert!(!complete(nodes), "{nodes:?}");
     }
@@ -197,20 +195,10 @@ fn at_the_foot_of_a_step_no_support_is_met() {
         [([[0.0, 0.0], [0.0, 1.0], [LENGTH, 1.0]], false), ([[0.0, 1.0], [0.0, 0.0], [LENGTH, 0.0]], true)]
     {
         let ground = Foundation::Polyline { points: points.to_vec() };
-        let pieces =
-            EnclosedLoad::of(&Scene::new(beam.clone(), load.clone(), Some(ground.clone())).expect("well posed"));
-        let enclosed = EnclosedScene {
-            foundation: EnclosedFoundation::on(&ground, LENGTH),
-            load: &pieces,
-            stiffness: STIFFNESS,
-            length: LENGTH,
-        };
-        let nodes = [
-            ContactNode::new(Kind::Start, 0.0),
-            ContactNode::new(Kind::End, 7.0),
-            ContactNode::new(Kind::Support, LENGTH),
-        ];
-        assert_eq!(is_complete(&enclosed, &nodes), meets, "{points:?}");
+        let scene = Scene::new(beam.clone(), load.clone(), Some(ground)).expect("well posed");
+        let nodes = [node(Kind::Start, 0.0, 0.0), node(Kind::End, 7.0, 0.0), node(Kind::Support, LENGTH, 0.0)];
+        let complete = in_intervals(&scene, Balance::Held, |enclosed| is_complete(enclosed, &nodes));
+        assert_eq!(complete, meets, "{points:?}");
     }
 }
 
@@ -226,24 +214,17 @@ fn a_couple_that_pulls_counts_at_both_supports() {
         let steep = steeper * free;
         let moment = 3.0 * STIFFNESS * (steep - free) / LENGTH;
         let expected = 0.5 * moment * moment * LENGTH / (3.0 * STIFFNESS);
-        let end = |kind: Kind, x: f64, slope: f64| ContactNode { kind, x, slope };
         // The slope of a beam whose other end is free to turn.
         let other = -free + 0.5 * (free - steep);
+        let tangent =
+            |x: f64| ContactNode { lies: false, ..node(if x <= 0.0 { Kind::Touch } else { Kind::End }, x, 0.0) };
         for (coefficients, nodes) in [
-            (vec![0.0, steep], [end(Kind::Clamp, 0.0, 0.0), end(Kind::Support, LENGTH, other)]),
-            (vec![steep * LENGTH, -steep], [end(Kind::Support, 0.0, -other), end(Kind::Clamp, LENGTH, 0.0)]),
+            (vec![0.0, steep], [tangent(0.0), node(Kind::Support, LENGTH, other)]),
+            (vec![steep * LENGTH, -steep], [node(Kind::Support, 0.0, -other), tangent(LENGTH)]),
         ] {
             let foundation = Foundation::Polynomial { coefficients };
-            let pieces = EnclosedLoad::of(
-                &Scene::new(beam.clone(), load.clone(), Some(foundation.clone())).expect("well posed"),
-            );
-            let enclosed = EnclosedScene {
-                foundation: EnclosedFoundation::on(&foundation, LENGTH),
-                load: &pieces,
-                stiffness: STIFFNESS,
-                length: LENGTH,
-            };
-            let gap = pair(&enclosed, &nodes).expect("from support to support").gap.hi();
+            let scene = Scene::new(beam.clone(), load.clone(), Some(foundation)).expect("well posed");
+            let gap = pair_of(&scene, &nodes).expect("from support to support").0.gap.hi();
             assert!((gap - expected).abs() <= 1e-9 * expected, "{gap}, not {expected}, at {nodes:?}");
         }
     }

@@ -101,8 +101,8 @@ impl<'a> Truth<'a> {
             false_bounds.push(FalseBound::EnergyUpper);
         }
         let slack = THEORY * self.scene.load().magnitude(self.scene.beam().length());
-        for (reaction, bracket) in [state.reactions.left, state.reactions.right].into_iter().zip(certificate.reactions)
-        {
+        let reactions = [state.reactions.left, state.reactions.right];
+        for (reaction, bracket) in reactions.into_iter().zip(certificate.reactions.iter()) {
             if bracket.is_some_and(|[least, most]| !(holds(least, reaction + slack) && holds(reaction - slack, most))) {
                 false_bounds.push(FalseBound::Reaction);
             }

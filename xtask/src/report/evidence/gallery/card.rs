@@ -86,7 +86,10 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     let mut row = |name: String, unit: &str, values: &[f64], scale: f64, proven: Option<f64>| {
         rows.push(Row { name, unit: unit.to_owned(), values: values.to_vec(), scale, proven });
     };
-    let widths = certificate.and_then(|c| Some([c.reactions[0]?, c.reactions[1]?]));
+    let widths = certificate.and_then(|c| match c.reactions[..] {
+        [Some(left), Some(right)] => Some([left, right]),
+        _ => None,
+    });
     let width = widths.map(|reactions| reactions.iter().map(|[lo, hi]| hi - lo).fold(0.0, f64::max));
     row(REACTIONS.to_owned(), &of_force, &[state.reactions.left, state.reactions.right], force, width);
     if exact.support_couples.iter().any(|couple| *couple < 0.0) {

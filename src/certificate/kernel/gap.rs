@@ -1,0 +1,59 @@
+//! The gap `g = u − w0` below the undeflected beam: depth of the foundation less the own shape, both enclosed.
+
+use super::foundation::EnclosedFoundation;
+use super::interval::Interval;
+use super::polynomial::Polynomial;
+
+/// The gap. Of a straight beam it is the depth of the foundation, without a subtraction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct EnclosedGap<'a> {
+    pub(crate) ground: EnclosedFoundation<'a>,
+    pub(crate) shape: Option<EnclosedFoundation<'a>>,
+}
+
+impl EnclosedGap<'_> {
+    /// Ends of cells strictly between two places, of ground and shape, in any order.
+    pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
+        let mut breaks = self.ground.breaks(from, to);
+        breaks.extend(self.shape.iter().flat_map(|shape| shape.breaks(from, to)));
+        breaks
+    }
+
+    fn less(&self, ground: Polynomial, shape: impl Fn(&EnclosedFoundation<'_>) -> Polynomial) -> Polynomial {
+        self.shape.as_ref().map_or(ground, |own| ground.minus(&shape(own)))
+    }
+
+    /// `g(from + s)` for `0 ≤ s ≤ to − from`; there is no break between the two places.
+    pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
+        self.less(self.ground.cell(from, to), |shape| shape.cell(from, to))
+    }
+
+    /// `g(to − s)` for `0 ≤ s ≤ to − from`.
+    pub(crate) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
+        self.less(self.ground.mirrored_cell(from, to), |shape| shape.mirrored_cell(from, to))
+    }
+
+    /// The gap and its first three derivatives at a place, on one of its sides.
+    pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
+        let [mut jet, own] =
+            [Some(self.ground), self.shape].map(|p| p.map_or([Interval::ZERO; 4], |p| p.jet(x, from_the_left)));
+        jet.iter_mut().zip(own).for_each(|(g, own)| *g = *g - own);
+        jet
+    }
+
+    /// `g(x)`, at a step the smaller of the two.
+    pub(crate) fn depth(&self, x: f64) -> Interval {
+        let depth = self.ground.depth(x);
+        self.shape.map_or(depth, |shape| depth - shape.depth(x))
+    }
+
+    /// False at the points of a polyline.
+    pub(crate) fn is_smooth_at(&self, x: f64) -> bool {
+        self.ground.is_smooth_at(x) && self.shape.is_none_or(|shape| shape.is_smooth_at(x))
+    }
+
+    /// True if it is one smooth curve between two places.
+    pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
+        self.ground.is_smooth_between(from, to) && self.shape.is_none_or(|shape| shape.is_smooth_between(from, to))
+    }
+}
