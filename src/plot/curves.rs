@@ -3,7 +3,7 @@
 use super::layer::Place;
 use super::{PlotError, same_length};
 use crate::scene::Scene;
-use crate::state::{ContactState, Extremes, Nodes, Reactions};
+use crate::state::{ContactState, Extremes, Nodes, SupportForce};
 use crate::theory::Exact;
 
 /// A concentrated contact force, upwards.
@@ -18,11 +18,13 @@ pub struct PointForce {
 /// The beam in its final position. Curves are joined linearly; a jump is two values at the same place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
-    /// Places of `deflection`, `clearance` and `moment`, from support to support \[length\].
+    /// Places of the lists below, from end to end of the beam \[length\].
     pub x: Vec<f64>,
     /// `v`, positive downwards \[length\].
     pub deflection: Vec<f64>,
-    /// `h = u − v` \[length\]; infinite where there is no foundation.
+    /// The own shape `w0`, positive downwards; empty for a straight beam \[length\].
+    pub shape: Vec<f64>,
+    /// `h = u − w0 − v` \[length\]; infinite where there is no foundation.
     pub clearance: Vec<f64>,
     /// `M = −EI v''`, positive with the underside in tension \[force · length\].
     pub moment: Vec<f64>,
@@ -35,7 +37,7 @@ pub struct Curves {
     /// Where the beam touches, from and to \[length\].
     pub contacts: Vec<[f64; 2]>,
     /// Forces of the supports.
-    pub reactions: Reactions,
+    pub supports: Vec<SupportForce>,
     /// Extremes of the deflection, to be labelled.
     pub deflection_extremes: Extremes,
     /// Extremes of the moment, to be labelled.
@@ -88,18 +90,32 @@ impl Curves {
         let (pressure, point_forces) = contact_forces(state, nodes, &x);
         Ok(Self {
             deflection: closed(&nodes.deflection, 0.0, 0.0),
-            clearance: closed(&nodes.clearance, scene.gap(0.0), scene.gap(length)),
+            shape: own_shape(scene, &x),
+            clearance: closed(&nodes.clearance, scene.depth(0.0), scene.depth(length)),
             moment,
             shear,
             pressure,
             point_forces,
             contacts: state.contacts.iter().map(|c| [c.from, c.to]).collect(),
-            reactions: state.reactions,
+            supports: state.supports.clone(),
             deflection_extremes: state.deflection,
             moment_extremes: state.moment,
             x,
         })
     }
+}
+
+impl Curves {
+    /// The axis of the beam, `w0 + v`, at the places `x`.
+    pub(super) fn axis(&self) -> Vec<Place> {
+        let shape = self.shape.iter().copied().chain(std::iter::repeat(0.0));
+        self.x.iter().zip(&self.deflection).zip(shape).map(|((&x, v), w0)| [x, w0 + v]).collect()
+    }
+}
+
+/// `w0` at the places `x`; nothing for a straight beam.
+fn own_shape(scene: &Scene, x: &[f64]) -> Vec<f64> {
+    scene.beam().shape().map_or(Vec::new(), |shape| x.iter().map(|&x| shape.depth(x)).collect())
 }
 
 /// Pressures and concentrated forces of all contacts; `x` has the supports besides the nodes.
@@ -181,13 +197,14 @@ impl Curves {
         Self {
             x: samples.iter().map(|s| s.x).collect(),
             deflection: samples.iter().map(|s| s.deflection).collect(),
+            shape: own_shape(scene, &samples.iter().map(|s| s.x).collect::<Vec<_>>()),
             clearance: samples.iter().map(|s| s.clearance).collect(),
             moment: samples.iter().map(|s| s.moment).collect(),
             shear: samples.iter().map(|s| [s.x, s.shear]).collect(),
             pressure,
             point_forces: point_forces(exact),
             contacts: state.contacts.iter().map(|c| [c.from, c.to]).collect(),
-            reactions: state.reactions,
+            supports: state.supports.clone(),
             deflection_extremes: state.deflection,
             moment_extremes: state.moment,
         }

@@ -1,9 +1,9 @@
 //! From a layer to lines on the drawing; a load is a block for what is distributed, and arrows for point loads.
 
 use super::axis::Axes;
-use super::canvas::{Canvas, INK, Point, SHAFT, TEXT, sampled};
+use super::canvas::{Align, Canvas, INK, Point, SHAFT, TEXT, Type, sampled};
 use super::label::{Frame, Label, Labels};
-use super::layer::{Arrows, Layer, LoadSketch, Place, Reference};
+use super::layer::{Arrows, Cell, Layer, LoadSketch, Place, Reference, SupportKind};
 use super::palette::{Color, Dash, Style};
 use super::{PlotError, finite};
 
@@ -39,14 +39,14 @@ pub(super) fn draw(
             labels.ask(Label { below, ..Label::new(text, at, Color::BLACK) });
             Ok(())
         }
-        Layer::Supports { at: [left, right] } => {
-            support(canvas, axes.place(*left), false)?;
-            support(canvas, axes.place(*right), true)
+        Layer::Supports(supports) => {
+            supports.iter().try_for_each(|mark| support(canvas, axes.place(mark.at), mark.kind))
         }
         Layer::Load(sketch) => {
             distributed(canvas, sketch, axes, labels)?;
             point_loads(canvas, sketch, axes, labels)
         }
+        Layer::Cells(all) => all.iter().try_for_each(|one| cell(canvas, one, axes)),
     }
 }
 
@@ -100,6 +100,15 @@ fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels)
         labels.ask(Label { optional: arrow.optional, below: force < 0.0, ..label });
     }
     Ok(())
+}
+
+/// A cell of a map, with white between it and the next ones.
+fn cell(canvas: &mut Canvas, cell: &Cell, axes: &Axes) -> Result<(), PlotError> {
+    const GAP: f64 = 4.0;
+    let [x, y] = cell.at;
+    let ([left, above], [right, below]) = (axes.place([x - 0.5, y - 0.5]), axes.place([x + 0.5, y + 0.5]));
+    canvas.rectangle([left + GAP, above + GAP], [right - GAP, below - GAP], cell.color, 0.45)?;
+    canvas.text(&cell.text, axes.place(cell.at), Align::Center, Type::BOLD)
 }
 
 /// A line, and a light colour between it and the level `base`.
@@ -171,13 +180,48 @@ fn zone(canvas: &mut Canvas, from: Point, to: Point) -> Result<(), PlotError> {
     }
 }
 
-/// A support: a triangle, and below the one that can roll a second line.
-fn support(canvas: &mut Canvas, [x, y]: Point, rolls: bool) -> Result<(), PlotError> {
+fn support(canvas: &mut Canvas, [x, y]: Point, kind: SupportKind) -> Result<(), PlotError> {
+    let rolls = match kind {
+        SupportKind::Hinge => false,
+        SupportKind::Roller => true,
+        SupportKind::BuiltIn { ends } => return walls(canvas, [x, y], ends),
+    };
     let triangle = [[x, y], [x + 26.0, y + 42.0], [x - 26.0, y + 42.0]];
     canvas.fill(&triangle, Color::WHITE, 1.0)?;
     canvas.line(&[triangle[0], triangle[1], triangle[2], triangle[0]], Color::BLACK, 4, Dash::Solid)?;
     let ground = if rolls { y + 52.0 } else { y + 42.0 };
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
+}
+
+/// Walls that hold the beam against turning: across it where it ends, above and below it elsewhere.
+fn walls(canvas: &mut Canvas, [x, y]: Point, ends: [bool; 2]) -> Result<(), PlotError> {
+    /// Half the height of a wall, half the width of one above or below the beam, and how far that is from the axis.
+    const HEIGHT: f64 = 52.0;
+    const WIDTH: f64 = 34.0;
+    const CLEAR: f64 = 12.0;
+    /// Length of the strokes, and their distance.
+    const STROKE: f64 = 16.0;
+    let strokes = |from: f64, to: f64| {
+        let count = 5_u32;
+        (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
+    };
+    let outwards = match ends {
+        [true, _] => -STROKE,
+        [_, true] => STROKE,
+        [false, false] => {
+            for side in [-1.0, 1.0] {
+                let level = y + side * CLEAR;
+                canvas.line(&[[x - WIDTH, level], [x + WIDTH, level]], Color::BLACK, 5, Dash::Solid)?;
+                for at in strokes(x - WIDTH, x + WIDTH) {
+                    canvas.line(&[[at, level], [at - STROKE, level + side * STROKE]], Color::BLACK, 3, Dash::Solid)?;
+                }
+            }
+            return Ok(());
+        }
+    };
+    canvas.line(&[[x, y - HEIGHT], [x, y + HEIGHT]], Color::BLACK, 6, Dash::Solid)?;
+    strokes(y - HEIGHT, y + HEIGHT)
+        .try_for_each(|at| canvas.line(&[[x, at], [x + outwards, at + STROKE]], Color::BLACK, 3, Dash::Solid))
 }
 
 fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {

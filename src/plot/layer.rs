@@ -57,13 +57,48 @@ pub enum Layer {
         /// Whether the point gets a dot.
         dot: bool,
     },
-    /// The two supports, as triangles below the points.
-    Supports {
-        /// Left and right.
-        at: [Place; 2],
-    },
+    /// Supports, as engineers draw them.
+    Supports(Vec<SupportMark>),
     /// Loads, sketched above a level on a scale of their own.
     Load(LoadSketch),
+    /// Coloured, lettered cells of a map, as wide and as high as one unit of its axes, which have names; see [`Axis::named`].
+    ///
+    /// [`Axis::named`]: super::Axis::named
+    Cells(Vec<Cell>),
+}
+
+/// One cell of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// Its middle: which column, which row.
+    pub at: Place,
+    /// Its colour, drawn light.
+    pub color: Color,
+    /// A letter or a short word, which says it again for those who do not see the colour.
+    pub text: String,
+}
+
+/// A support, with the place of the axis of the beam that it holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SupportMark {
+    /// The place.
+    pub at: Place,
+    /// How it looks.
+    pub kind: SupportKind,
+}
+
+/// How a support looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SupportKind {
+    /// A triangle: the beam can turn.
+    Hinge,
+    /// A triangle with a second line below: it can roll as well.
+    Roller,
+    /// Hatched walls: the beam is built in. True on the sides, left and right, on which the beam ends.
+    BuiltIn {
+        /// The wall stands at the end of the beam, on its left or on its right.
+        ends: [bool; 2],
+    },
 }
 
 /// Where a reference line crosses the panel.
@@ -147,7 +182,8 @@ impl Layer {
             Self::Reference { at: Reference::X(x), .. } => [vec![*x], Vec::new()],
             Self::Reference { at: Reference::Y(y), .. } => [Vec::new(), vec![*y]],
             Self::Note { at, .. } => of(&[*at]),
-            Self::Supports { at } => of(at),
+            Self::Supports(supports) => of(&supports.iter().map(|support| support.at).collect::<Vec<_>>()),
+            Self::Cells(cells) => of(&cells.iter().map(|cell| cell.at).collect::<Vec<_>>()),
             Self::Load(load) => {
                 let [mut xs, _] = of(&load.intensity);
                 xs.extend(load.points.iter().map(|p| p.0));

@@ -1,8 +1,8 @@
 //! Figures as SVG: pure functions from data to text, the same to the byte for the same data, without I/O.
 //!
-//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`curves()`] draws a beam in its final position, `paper`
-//! the figures of the paper, [`study`] convergence and regimes, [`table`] verdicts and bars. Deflections and bending
-//! moments grow downwards; a concentrated force is an arrow with its value, on a scale of forces of its own.
+//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`curves()`] draws a beam in its final position, [`sheet`]
+//! many of them, small. Deflections and bending moments grow downwards; a concentrated force is an arrow with its value, on a
+//! scale of forces of its own.
 //!
 //! ```
 //! use palkki::plot::{self, Axis, Curves, Figure, Layer, Panel, Style};
@@ -10,7 +10,7 @@
 //! use palkki::theory;
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
-//! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 //! let exact = theory::solve(&scene)?;
 //! let svg = plot::curves(&scene, &Curves::exact(&scene, &exact), "beam theory")?;
 //! assert!(svg.starts_with("<svg"));
@@ -32,17 +32,14 @@ mod label;
 mod layer;
 mod palette;
 mod panel;
-pub mod paper;
 mod sketch;
 mod solution;
-pub mod study;
-pub mod table;
 
 pub use crate::text::significant;
 pub use axis::Axis;
 pub use curves::{Curves, PointForce};
 pub use figure::Figure;
-pub use layer::{Arrow, Arrows, Layer, LoadSketch, Place, Reference};
+pub use layer::{Arrow, Arrows, Cell, Layer, LoadSketch, Place, Reference, SupportKind, SupportMark};
 pub use palette::{Color, Dash, Marker, Style};
 pub use panel::Panel;
 pub use solution::{curves, sheet};
@@ -116,7 +113,7 @@ const DIGITS: usize = 4;
 mod tests {
     use super::{Curves, PlotError};
     use crate::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, Units};
-    use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime};
+    use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime, SupportForce};
 
     const LENGTH: f64 = 8.0;
 
@@ -145,7 +142,7 @@ mod tests {
         ContactState {
             regime: Regime::of(&contacts),
             reactions: Reactions { left: 1.625, right: -0.375 },
-            supports: Vec::new(),
+            supports: SupportForce::at_ends(LENGTH, Reactions { left: 1.625, right: -0.375 }),
             standing: None,
             contacts,
             deflection: Extremes { max: 0.75, max_at: x[0], min: 0.0, min_at: 0.0 },
@@ -212,6 +209,7 @@ mod tests {
         let scene = Scene::new(beam, Load::default(), None).expect("a scene");
         let mut state = state(&[0.0; 7], 1.0);
         state.reactions = Reactions::default();
+        state.supports.iter_mut().for_each(|support| support.force = 0.0);
         (state.deflection, state.moment) = (Extremes::default(), Extremes::default());
         state.nodes = Some(Nodes {
             discretisation: crate::state::Discretisation::BeamElements,
@@ -227,7 +225,7 @@ mod tests {
     #[test]
     fn numbers_that_are_not_finite_are_refused() {
         let spoil: [fn(&mut ContactState); 4] = [
-            |s| s.reactions.left = f64::NAN,
+            |s| s.supports[0].force = f64::NAN,
             |s| s.deflection.max = f64::INFINITY,
             |s| s.nodes.as_mut().expect("nodes").moment[2] = f64::NAN,
             |s| s.nodes.as_mut().expect("nodes").clearance[1] = f64::INFINITY,

@@ -2,8 +2,8 @@
 
 use super::DIGITS;
 use super::curves::Curves;
-use super::layer::{LoadSketch, Place};
-use crate::scene::{Foundation, Scene, Units};
+use super::layer::{Layer, LoadSketch, Place, SupportKind, SupportMark};
+use crate::scene::{Foundation, Scene, Support, Units};
 use crate::text::significant;
 
 /// The foundation as far as it is drawn.
@@ -34,7 +34,7 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
         Some(Foundation::Flat { depth }) => vec![[0.0, *depth], [length, *depth]],
         Some(smooth) => even.map(|x| [x, smooth.depth(x)]).collect(),
     };
-    let deflected = curves.deflection.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let deflected = curves.axis().iter().fold(0.0_f64, |most, p| most.max(p[1].abs()));
     let limit = if 0.0 < deflected { DEEPEST * deflected } else { f64::INFINITY };
     let (pieces, gaps) = cut(&line, limit);
     // A stretch without ground is marked at the bottom of what is drawn.
@@ -94,6 +94,21 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
     (pieces, gaps)
 }
 
+/// The supports as engineers draw them: the first of simple ones is a hinge, and the others roll.
+pub(super) fn support_marks(scene: &Scene) -> Layer {
+    let (beam, supports) = (scene.beam(), scene.beam().supports());
+    let is_held = supports.iter().any(|support| support.slope.is_some());
+    let mark = |(i, support): (usize, &Support)| {
+        let kind = match support.slope {
+            Some(_) => SupportKind::BuiltIn { ends: [support.at <= 0.0, beam.length() <= support.at] },
+            None if i == 0 && !is_held => SupportKind::Hinge,
+            None => SupportKind::Roller,
+        };
+        SupportMark { at: [support.at, support.level], kind }
+    };
+    Layer::Supports(supports.iter().enumerate().map(mark).collect())
+}
+
 /// `q(x)` as a line with its steps, and the point loads.
 pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> LoadSketch {
     let (load, length) = (scene.load(), scene.beam().length());
@@ -124,7 +139,7 @@ pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Load
     }
     let points = load.point().iter().map(|p| (p.at, p.force, with_unit(p.force.abs(), &units.force))).collect();
     // Above the highest point of the beam, which may rise above the line of its supports.
-    let level = curves.deflection.iter().fold(0.0_f64, |least, v| least.min(*v));
+    let level = curves.axis().iter().fold(0.0_f64, |least, p| least.min(p[1]));
     LoadSketch { level, intensity, values, points }
 }
 

@@ -7,10 +7,10 @@ use super::figure::Figure;
 use super::layer::{Arrow, Arrows, Layer, Place};
 use super::palette::{Color, Dash, Style};
 use super::panel::Panel;
-use super::sketch::{Ground, UnitLabels, foundation_line, sketch, with_unit};
+use super::sketch::{Ground, UnitLabels, foundation_line, sketch, support_marks, with_unit};
 use super::{PlotError, finite, same_length};
 use crate::scene::Scene;
-use crate::state::Extremes;
+use crate::state::{Extremes, SupportForce};
 
 /// Draws a solution given as curves; `subtitle`, the method for example, follows the title of the scene.
 ///
@@ -90,9 +90,15 @@ fn description(curves: &Curves, ground: &Ground, units: &UnitLabels) -> String {
         with_unit(m.max, unit),
         with_unit(m.max_at, length)
     ));
-    let r = curves.reactions;
-    let force = &units.force;
-    parts.push(format!("Reactions {} left and {} right.", with_unit(r.left, force), with_unit(r.right, force)));
+    if curves.supports.is_empty() {
+        parts.push("It has no supports.".to_owned());
+    } else {
+        let force = |support: &SupportForce| {
+            format!("{} at {}", with_unit(support.force, &units.force), with_unit(support.at, length))
+        };
+        let forces: Vec<String> = curves.supports.iter().map(force).collect();
+        parts.push(format!("Forces of the supports: {}.", forces.join(", ")));
+    }
     parts.join(" ")
 }
 
@@ -140,8 +146,12 @@ fn footroom(ground: &Ground) -> f64 {
 }
 
 fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) -> Result<Panel, PlotError> {
-    let length = scene.beam().length();
-    let y = Axis::new("deflection v and foundation u, downwards").unit(units.length.clone()).down().including(&[0.0]);
+    let words = if curves.shape.is_empty() {
+        "deflection v and foundation u, downwards"
+    } else {
+        "axis w0 + v of the beam and foundation u, downwards"
+    };
+    let y = Axis::new(words).unit(units.length.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(640.0);
     panel.layers.extend(ground.pieces.iter().map(|points| Layer::Foundation { points: points.clone() }));
     let below = ground.below.iter().map(|(at, text)| Layer::Note { at: *at, text: text.clone(), dot: false });
@@ -155,20 +165,29 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
         (true, false) => 280.0,
     };
     panel = panel
-        .with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] })
-        .with(Layer::line(zip(&curves.x, &curves.deflection), Style { width: 9, ..Style::solid(Color::BLACK) }))
+        .with(support_marks(scene))
+        .with(Layer::line(curves.axis(), Style { width: 9, ..Style::solid(Color::BLACK) }))
         .room(headroom, footroom(ground));
     if load {
         panel = panel.with(Layer::Load(sketch));
     }
-    panel.layers.extend(extremes("v", &curves.deflection_extremes, &units.length, units)?);
+    let unloaded = zip(&curves.x, &curves.shape);
+    if !unloaded.is_empty() {
+        let style = Style { width: 4, dash: Some(Dash::Dashed), ..Style::solid(Color::GRAY) };
+        panel = panel.with(Layer::named(unloaded, style, "unloaded"));
+    }
+    let raised = |note: Layer| match (note, scene.beam().shape()) {
+        (Layer::Note { at: [x, v], text, dot }, Some(shape)) => Layer::Note { at: [x, shape.depth(x) + v], text, dot },
+        (note, _) => note,
+    };
+    panel.layers.extend(extremes("v", &curves.deflection_extremes, &units.length, units)?.into_iter().map(raised));
     Ok(panel)
 }
 
 /// Shape and contact of a scene at a glance.
 fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let length = scene.beam().length();
-    let beam = zip(&curves.x, &curves.deflection);
+    let beam = curves.axis();
     let ground = foundation_line(scene, curves);
     let x = Axis { padding: 0.04, ..Axis::new("").bare().including(&[0.0, length]) };
     let mut panel = Panel::new(x, Axis::new(name).bare().down().including(&[0.0]))
@@ -185,7 +204,7 @@ fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let arrows = forces.map(|f| Arrow { at: [f.at, at(f.at)], force: f.force, text: String::new(), optional: true });
     let arrows = Arrows { arrows: arrows.collect(), color: Color::VERMILLION, dash: Dash::Solid };
     let thick = |width: u32, color: Color| Style { width, ..Style::solid(color) };
-    panel = panel.with(Layer::Supports { at: [[0.0, 0.0], [length, 0.0]] });
+    panel = panel.with(support_marks(scene));
     panel.layers.extend(curves.contacts.iter().map(zone).map(|zone| Layer::line(zone, thick(18, Color::VERMILLION))));
     panel.with(Layer::line(beam, thick(7, Color::BLACK))).with(Layer::Arrows(arrows))
 }
@@ -218,12 +237,10 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
         _ => Vec::new(),
     };
     let touching = !curves.contacts.is_empty();
-    let (name, at, value) = if touching {
-        ("clearance h = u − v, thick where it touches", most.max_at, most.max)
-    } else {
-        ("clearance h = u − v", most.min_at, most.min)
-    };
-    let mut panels = vec![panel(name, points, at, value)];
+    let (name, at, value) =
+        if touching { (", thick where it touches", most.max_at, most.max) } else { ("", most.min_at, most.min) };
+    let what = if curves.shape.is_empty() { "clearance h = u − v" } else { "clearance h = u − w0 − v" };
+    let mut panels = vec![panel(&format!("{what}{name}"), points, at, value)];
     let small = extremes(&between);
     if 0.0 < small.max && small.max < SMALL * most.max {
         panels.push(panel("the same between the contacts, enlarged", between, small.max_at, small.max));
@@ -234,9 +251,7 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
 fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
     /// Height that all arrows share \[drawing units\].
     const HEIGHT: f64 = 480.0;
-    let length = scene.beam().length();
-    let reactions = [(0.0, curves.reactions.left), (length, curves.reactions.right)];
-    let all = || curves.point_forces.iter().map(|f| f.force).chain(reactions.map(|r| r.1));
+    let all = || curves.point_forces.iter().map(|f| f.force).chain(curves.supports.iter().map(|support| support.force));
     let [least, most] = all().fold([0.0_f64; 2], |[least, most], f| [least.min(f), most.max(f)]);
     // Arrows that point downwards, at a support that holds the beam down, need their part of the height.
     let footroom = if least < 0.0 { 90.0 + HEIGHT * (-least / (most - least)) } else { 40.0 };
@@ -252,7 +267,7 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
     let area = |zone: &Vec<Place>| Layer::Area { points: zone.clone(), level: 0.0, color: Color::VERMILLION };
     panel.layers.extend(curves.pressure.iter().map(area));
     let layer = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
-    let supports = reactions.map(|(at, force)| arrow(at, force, false, units)).to_vec();
+    let supports = curves.supports.iter().map(|support| arrow(support.at, support.force, false, units)).collect();
     panel
         .with(zero_line(scene))
         .with(layer(contact_arrows(&curves.point_forces, units), Color::VERMILLION))
