@@ -47,11 +47,6 @@ pub(crate) struct Line {
     /// Of the adaptive grid: intervals of its last grid, and the certified error of the deflection.
     pub(crate) last_intervals: Option<usize>,
     pub(crate) certified_error: Option<f64>,
-    /// Median seconds of what is measured in turns with the solve.
-    pub(crate) added_s: Option<f64>,
-    pub(crate) tridiagonal_s: Option<f64>,
-    pub(crate) certificate_s: Option<f64>,
-    pub(crate) peak_kb: Option<u64>,
 }
 
 impl Line {

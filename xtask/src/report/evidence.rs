@@ -19,7 +19,6 @@ mod judged;
 mod problem;
 mod provenance;
 mod scale;
-mod sliders;
 mod solvers;
 mod teaching;
 
@@ -42,7 +41,7 @@ mod prelude {
     pub(super) use minijinja::{Value, context};
     pub(super) use palkki::route::{Method, Solver, Status};
     pub(super) use palkki::scene::{Foundation, Scene};
-    pub(super) use palkki::{Settings, solve_raw, theory};
+    pub(super) use palkki::theory;
 
     pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes, worst_difference};
     pub(super) use crate::table::{Table, row};
@@ -58,7 +57,6 @@ const SUBJECTS: &[Subject] = &[
     ("problem", problem::sketch),
     ("methods", problem::methods),
     ("theory", closed::evidence),
-    ("sliders", sliders::evidence),
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
     ("figures", figures::evidence),
@@ -70,7 +68,6 @@ const SUBJECTS: &[Subject] = &[
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
-    ("sheet", gallery::sheet),
     ("claims", claims::evidence),
     ("recommendation", claims::recommendation),
     ("cost", cost::evidence),

@@ -16,13 +16,13 @@ usage: cargo xtask <task>
   report           compute the paper again and write report/
   report --check   compute it and compare with report/: names stale, missing and left-over files
   report --page NAME       one document of report/templates alone, while its text is written; `index`: index.html alone
-  browser          tries report/index.html in an installed Chromium or Chrome: widths, themes, sliders, printing
+  browser          tries report/index.html in an installed Chromium or Chrome: widths, themes, printing
   certificates     every answer beside the truth, and faults put into answers: minutes, into report/data
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
   measure --scale  time and memory over the points of a survey, into report/data/scale.csv; --up-to N points, --fresh, --only
-  fuzz             look for texts that break the parsers, guided by coverage: counts go to report/data/fuzzing.csv; --runs N
+  fuzz             look for texts that break the parsers, guided by coverage; --runs N
   hostile          random and adversarial scenes through the whole program: counts go to report/data/hostile.csv; --runs N
   doctor           what this machine lacks to build and to test, and what to do about it
 ";

@@ -1,14 +1,12 @@
 //! Guaranteed bounds for the continuous beam beside the true errors, on every scene of the gallery; and for contact forces
-//! that were computed with the load lumped at the nodes: by the paper, by springs instead of a rigid foundation, and by
-//! libraries. What `palkki certify` finds about them, told that the load is nodal and not told.
+//! that were computed with the load lumped at the nodes: by the paper, and by springs instead of a rigid foundation. What
+//! `palkki certify` finds about them, told that the load is nodal and not told.
 
 use nalgebra::{DMatrix, DVector};
-use palkki::DEFAULT_TOLERANCE;
 use palkki::certificate::{
     ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
 };
 use palkki::methods::Discrete;
-use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::qp::Dense;
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
@@ -38,9 +36,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     }
     let springs = of_springs()?;
     let first_stiff = springs.iter().find(|spring| spring.accepted()).ok_or("some springs are stiff enough")?.exponent;
-    let (svg, springs_data) = figure(&springs, first_stiff)?;
     let paper = of_the_paper()?;
-    let (libraries, met, passed, accepted) = of_libraries(study)?;
     let values = context! {
         table,
         runs => data.len(),
@@ -50,10 +46,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         forces => of_forces(paper.iter().chain(&springs)),
         spaced => SPACED,
         first_stiff => power_of_ten(first_stiff),
-        libraries => libraries,
-        library_runs => context! { met, passed, accepted },
     };
-    Ok(Evidence::new(values).data("bounds", data).figure("springs", svg, springs_data))
+    Ok(Evidence::new(values).data("bounds", data))
 }
 
 /// The force method with the active set on one grid: how far its deflection is from beam theory, and how far it can be, over
@@ -71,14 +65,6 @@ fn errors(scene: &Scene, intervals: usize) -> Result<[f64; 2], Cause> {
 const SPACED: usize = 60;
 /// Stiffness of a spring over that of the beam, powers of ten.
 const STIFFNESSES: [i32; 7] = [0, 1, 2, 3, 4, 6, 8];
-/// Intervals of the runs of libraries, and what they are asked for: little, and as much as by default.
-const LIBRARY_INTERVALS: usize = 256;
-const RUNS: [(Method, Solver, f64); 4] = [
-    (Method::Displacement, Solver::Clarabel, 1e-2),
-    (Method::Displacement, Solver::Clarabel, DEFAULT_TOLERANCE),
-    (Method::Force, Solver::Osqp, 1e-3),
-    (Method::Complementarity, Solver::Osqp, DEFAULT_TOLERANCE),
-];
 /// Violations below this share are rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -95,8 +81,6 @@ struct Found {
     accepted: [bool; 2],
     /// What the forces violate most: under the distributed load, and at the nodes under the nodal loads.
     worst: [Option<Violation>; 2],
-    /// Error of the end reaction of the example, as a share.
-    reaction: f64,
 }
 
 impl Found {
@@ -109,31 +93,18 @@ impl Found {
             certify(scene, Judged::Forces(&load), &contacts)?,
             certify(scene, Judged::Nodes(&lumped.nodes), &contacts)?,
         ];
-        // The example is symmetrical: an end reaction is half of what the forces leave.
-        let carried: f64 = forces.iter().map(|f| f.1).sum();
         Ok(Self {
             who,
             exponent: 0,
             errors: certificates.each_ref().map(|c| c.deflection_error / c.deflection),
             accepted: certificates.clone().map(|c| Verdict::of_forces(scene, c).status == Status::Certified),
             worst: [violations(scene, &load)?, violations_at_nodes(&lumped)].map(|all| all.into_iter().next()),
-            reaction: (0.5 * (scene.load().resultant(length) - carried) / paper::theory().reaction - 1.0).abs(),
         })
     }
 
     /// Accepted where it is known that the load is nodal.
     fn accepted(&self) -> bool {
         self.accepted[1]
-    }
-
-    /// The guaranteed error where it is known that the load is nodal.
-    fn error(&self) -> f64 {
-        self.errors[1]
-    }
-
-    /// The worst violation at the nodes.
-    fn violation(&self) -> f64 {
-        self.worst[1].map_or(0.0, |v| v.relative)
     }
 }
 
@@ -187,30 +158,6 @@ fn sags() -> Result<Table, Cause> {
     Ok(table)
 }
 
-/// Libraries asked for little and for much, on the cosine wave; how many did what they were asked, how many pass our check,
-/// and how many are accepted.
-fn of_libraries(study: &Study<'_>) -> Result<(Table, usize, usize, usize), Cause> {
-    let wave = scenes::read(study.root, "wave")?;
-    let header =
-        ["library, method", "asked for", "did what it was asked", "passes our check", "certified error", "accepted"];
-    let mut table = Table::new(header);
-    let (mut met, mut passed, mut accepted) = (0, 0, 0);
-    for (method, solver, tolerance) in RUNS {
-        let settings = Settings { tolerance, ..Settings::new(method, solver, LIBRARY_INTERVALS) };
-        let outcome = solve_raw(&wave, &settings)?;
-        let own = outcome.own_residual.ok_or("a library has a residual of its own")?;
-        let certified = outcome.status == Status::Certified;
-        let found = Found::of(&wave, String::new(), &of_nodes(&outcome.state.nodes.unwrap_or_default()))?;
-        met += usize::from(own.is_met());
-        passed += usize::from(certified);
-        accepted += usize::from(found.accepted());
-        let [is_met, passes, is_accepted] = [own.is_met(), certified, found.accepted()].map(yes_no);
-        let error = cell(Some(found.error()), 2);
-        table.push(row![format!("{solver}, {method}"), bound(own.asked), is_met, passes, error, is_accepted]);
-    }
-    Ok((table, met, passed, accepted))
-}
-
 fn of_nodes(nodes: &Nodes) -> Vec<(f64, f64)> {
     nodes.x.iter().copied().zip(nodes.contact_force.iter().copied()).collect()
 }
@@ -257,30 +204,4 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
     let scale = &scaled.scale;
     let place = |i: usize| discrete.grid.place(i + 1) * scale.length;
     Ok(answer.x.iter().enumerate().map(|(i, force)| (place(i), force * scale.force)).collect())
-}
-
-/// The figure of the springs, of which the first that are accepted have the stiffness 10ᵏ, and its numbers.
-fn figure(springs: &[Found], first_stiff: i32) -> Result<(String, Table), PlotError> {
-    let line =
-        |value: fn(&Found) -> f64| springs.iter().map(|s| [10_f64.powi(s.exponent), value(s)]).collect::<Vec<_>>();
-    let lines = [
-        ("certified error of the deflection", line(Found::error)),
-        ("worst violation at the nodes", line(Found::violation)),
-        ("true error of the end reaction", line(|s| s.reaction)),
-    ];
-    let x = Axis::new("stiffness of a spring over that of the beam, k l³/48EI").log();
-    let mut panel = Panel::new(x, Axis::new("relative error").log()).tall(700.0);
-    let mut data = Table::new(["quantity", "stiffness_ratio", "relative_error"]);
-    for (i, (label, points)) in lines.into_iter().enumerate() {
-        data = data.rows(points.iter().map(|p| row![label, scientific(p[0], 0), scientific(p[1], 2)]));
-        panel = panel.with(Layer::Series { points, style: Style::of_series(i), label: label.to_owned() });
-    }
-    let svg = Figure::new(
-        format!("Springs are accepted from {} times the stiffness of the beam on", power_of_ten(first_stiff)),
-        "Relative errors over the stiffness of the springs, both axes logarithmic. The violation at the nodes falls in proportion; \
-         the certified error and the error of the end reaction fall until the error of the grid is left.",
-        vec![panel],
-    )
-    .svg()?;
-    Ok((svg, data))
 }

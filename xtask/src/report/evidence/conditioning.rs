@@ -1,6 +1,5 @@
 //! Forward error, residual, and what the condition number promises: every route on the example, against eighty digits.
 
-mod grazing;
 mod routes;
 
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
@@ -25,7 +24,6 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let finest = drawn.1.iter().map(|grid| grid.intervals).max().unwrap_or_default();
     let passes = |grid: &&Grid| grid.run(MATRIX).is_some_and(|run| run.certified);
     let matrix_until = drawn.1.iter().take_while(passes).last().map_or(0, |grid| grid.intervals);
-    let grazing = grazing::measured()?;
     let values = context! {
         table => table(&all, &drawn.1),
         method => DRAWN.name(),
@@ -38,10 +36,8 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
             promised => worst(&all, |run, grid| Some(run.promised(grid))),
         },
         iterative => iterative(&all)?,
-        grazing => grazing.values,
     };
-    let evidence = Evidence::new(values).figure("conditioning", figure(&drawn.1)?, data(&all));
-    Ok(evidence.figure("conditioning-grazing", grazing.svg, grazing.data))
+    Ok(Evidence::new(values).figure("conditioning", figure(&drawn.1)?, data(&all)))
 }
 
 /// The largest of some powers of ten of the active set.
@@ -142,7 +138,7 @@ fn data(all: &[Measured]) -> Table {
 mod tests {
     use palkki::methods::Method;
 
-    use super::{grazing, routes};
+    use super::routes;
 
     /// Certified, every power of ten of the condition number in its residual, and nothing of it in its error.
     #[test]
@@ -154,30 +150,6 @@ mod tests {
             assert!(run.certified && -4 < run.promised(&grid), "{method}: {run:?}");
             // Contact forces near lift-off lose a factor n; a few units in the last place of that, and the margin of three.
             assert!(run.contact_force <= -12 && run.reaction.max(run.deflection) <= -14, "{method}: {run:?}");
-        }
-    }
-
-    /// What the errors are measured against is no contact force at all.
-    #[test]
-    fn contact_without_pressure_has_none() {
-        /// Rounding of a depth, a few units in the last place, is worth some thousand times as much force here.
-        const ROUNDING: f64 = 1e-12;
-        for method in Method::ALL {
-            let (found, load) = grazing::reference(method).expect("a scene of the example");
-            let worst = found.iter().fold(0.0_f64, |most, p| most.max(p.abs()));
-            assert!(worst <= ROUNDING * load, "{method}: {worst:e}");
-        }
-    }
-
-    #[test]
-    fn errors_at_contact_without_pressure_go_with_the_root_of_the_tolerance() {
-        let fitted = grazing::measured().expect("scenes of the example").fitted;
-        for (method, [grazing, pressed]) in fitted {
-            for (grazing, pressed) in grazing.into_iter().zip(pressed) {
-                // Iterations end where they end: a step of the path is a power of ten or two, over seven powers of ten.
-                assert!((grazing - 0.5).abs() < 0.1, "{method}: exponent {grazing:.2}");
-                assert!(0.8 < pressed, "{method}: exponent {pressed:.2}");
-            }
         }
     }
 }

@@ -13,8 +13,6 @@ const SCENES: [(&str, &str); 3] = [("survey", "kinks"), ("crest", "one zone"), (
 /// The first has a node at each reading of the survey, every fifth interval; each further one has twice as many.
 const COARSEST: usize = 120;
 const HALVINGS: u32 = 5;
-/// The scene with smooth crests goes on by the force method, whose three-moment equations do not mind.
-const FINE_HALVINGS: u32 = 10;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // The force method has the same nodal values as the displacement method.
@@ -29,26 +27,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     for (name, _) in SCENES {
         let scene = scenes::read(study.root, name)?;
         let exact = theory::solve(&scene)?;
-        let of = |method| of_scene(&scene, &exact, method, &grids);
-        found.push((name, [of(Method::Force)?, of(Method::Complementarity)?].concat()));
+        found.push((name, of_scene(&scene, &exact, Method::Force, &grids)?));
     }
-    let crests = scenes::read(study.root, "wave")?;
-    let every: Vec<usize> = (0..=FINE_HALVINGS).map(|k| COARSEST << k).collect();
-    let fine = of_scene(&crests, &theory::solve(&crests)?, Method::Force, &every)?;
-    let fine_rows: Vec<_> = fine
-        .iter()
-        .map(|a| context! { quantity => a.quantity.name(), error => last(&a.errors), order => a.order })
-        .collect();
-
     let values = context! {
         coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1], table => example_table(&differences, &energy),
         differences_energy_is_fast => fast, first_force,
         uneven => context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found) },
-        fine => context! { title => crests.title(), intervals => COARSEST << FINE_HALVINGS, rows => fine_rows },
     };
-    Ok(Evidence::new(values)
-        .figure("convergence", example_figure(&energy)?, example_data(&[&differences, &energy]))
-        .figure("approach", uneven_figure(&found)?, uneven_data(&found)))
+    let data = example_data(&[&differences, &energy]);
+    Ok(Evidence::new(values).figure("convergence", example_figure(&energy)?, data))
 }
 
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
@@ -133,28 +120,4 @@ fn uneven_table(found: &[(&str, Vec<Series>)]) -> Table {
         let ends = [short(first(errors)), short(last(errors))];
         row![name, contact, ends[0], ends[1], order(0), order(1), order(2)]
     }))
-}
-
-fn uneven_figure(found: &[(&str, Vec<Series>)]) -> Result<String, Cause> {
-    let (mut series, mut orders) = (Vec::new(), Vec::new());
-    for ((_, found), (_, contact)) in found.iter().zip(SCENES) {
-        // The first quantity of the first method is the end reaction of the force method.
-        series.extend(found.first().map(|a| Named { label: contact, points: places(&a.errors) }));
-        orders.extend(found.first().map(|a| format!("order {:.0} with {contact}", a.order)));
-    }
-    Ok(convergence(
-        &format!("End reaction on uneven ground: {}", orders.join(", ")),
-        "Relative error of the end reaction by the force method over the number of intervals, both axes logarithmic, for one \
-         scene with kinks, one with a zone and one with smooth crests.",
-        &series,
-    )?)
-}
-
-fn uneven_data(found: &[(&str, Vec<Series>)]) -> Table {
-    let rows = found.iter().flat_map(|(name, found)| {
-        found.iter().flat_map(move |a| {
-            a.errors.iter().map(move |(n, error)| row![name, a.method, a.quantity.name(), n, scientific(*error, 2)])
-        })
-    });
-    Table::new(["scene", "method", "quantity", "intervals", "relative_error"]).rows(rows)
 }

@@ -1,9 +1,8 @@
 //! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
 
-mod map;
-
+use palkki::plot::table::{Cell, Tone, verdict_map};
 use palkki::route::RawSolution;
-use palkki_evidence::extremes::{Extreme, POWERS, borders, sizes, units};
+use palkki_evidence::extremes::{Extreme, POWERS, Truth, borders, deep, sizes, units};
 
 use super::prelude::*;
 
@@ -12,6 +11,22 @@ const DIGITS: f64 = 1e-12;
 /// How far two certified answers to one quadratic program may be apart, over the load: what a residual of 10⁻⁹ leaves of nodal
 /// forces, see [`palkki::certificate::CERTIFIED_RESIDUAL`].
 const SAME: f64 = 1e-6;
+/// Grids on flat ground of every depth: the fewest intervals, odd and even ones, one more than the paper's.
+const GRIDS: [usize; 5] = [2, 3, 5, 8, 31];
+/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other pages show.
+const NSOR: usize = 8;
+/// What the row of beam theory is called.
+const THEORY: &str = "beam theory";
+/// The group of the map.
+const DEPTHS: &str = "depths";
+
+/// What a run turned out to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Verdict {
+    Right,
+    NotCertified,
+    Wrong,
+}
 
 /// How many runs ended how.
 #[derive(Debug, Clone, Copy, Default)]
@@ -22,190 +37,172 @@ struct Count {
 }
 
 impl Count {
-    fn add(&mut self, verdict: Verdict) {
-        match verdict {
-            Verdict::Right => self.right += 1,
-            Verdict::NotCertified => self.not_certified += 1,
-            Verdict::Wrong => self.wrong += 1,
+    fn of(verdicts: impl IntoIterator<Item = Verdict>) -> Self {
+        let mut count = Self::default();
+        for verdict in verdicts {
+            match verdict {
+                Verdict::Right => count.right += 1,
+                Verdict::NotCertified => count.not_certified += 1,
+                Verdict::Wrong => count.wrong += 1,
+            }
         }
+        count
     }
 
-    fn join(&mut self, other: Self) {
-        self.right += other.right;
-        self.not_certified += other.not_certified;
-        self.wrong += other.wrong;
+    fn sum<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
+        rows.fold(Self::default(), |sum, row| Self {
+            right: sum.right + row.count.right,
+            not_certified: sum.not_certified + row.count.not_certified,
+            wrong: sum.wrong + row.count.wrong,
+        })
     }
 
-    fn of<'a>(counts: impl IntoIterator<Item = &'a Self>) -> Self {
-        let mut sum = Self::default();
-        counts.into_iter().for_each(|count| sum.join(*count));
-        sum
-    }
-
-    fn runs(&self) -> usize {
+    fn runs(self) -> usize {
         self.right + self.not_certified + self.wrong
     }
 }
 
-/// What a run turned out to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Verdict {
-    Right,
-    NotCertified,
-    Wrong,
-}
-
-impl Verdict {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Right => "right",
-            Self::NotCertified => "not certified",
-            Self::Wrong => "wrong and certified",
-        }
-    }
+/// All runs of a solver on one scene.
+struct Row {
+    group: &'static str,
+    scene: String,
+    authority: &'static str,
+    solver: &'static str,
+    count: Count,
 }
 
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
-    let map = map::measured()?;
+    let mut rows = Vec::new();
+    for power in POWERS {
+        rows.extend(tried(DEPTHS, &deep(power)?, &GRIDS)?);
+    }
     let in_units = units()?.into_iter().map(|(_, extreme)| extreme).collect();
-    let tried = tried(vec![("sizes", sizes()?), ("borders", borders()?), ("units", in_units)])?;
-    let mut count = map.count;
-    count.join(tried.count);
+    let groups = [("sizes", sizes()?), ("borders", borders()?), ("units", in_units)];
+    let scenes: usize = groups.iter().map(|(_, extremes)| extremes.len()).sum();
+    let names = std::iter::once(DEPTHS).chain(groups.each_ref().map(|(group, _)| *group)).collect::<Vec<_>>();
+    for (group, extremes) in groups {
+        for extreme in extremes {
+            rows.extend(tried(group, &extreme, &[extreme.intervals])?);
+        }
+    }
+    let count = Count::sum(rows.iter());
+    let header = ["group", "scene", "reference", "solver", "right", "not_certified", "wrong_and_certified"];
+    let data = Table::new(header).rows(rows.iter().map(|row| {
+        let Count { right, not_certified, wrong } = row.count;
+        row![row.group, row.scene, row.authority, row.solver, right, not_certified, wrong]
+    }));
     let values = context! {
         digits => bound(DIGITS),
         same => bound(SAME),
         runs => count.runs(),
         wrong => count.wrong,
         nsor => NSOR,
+        grids => GRIDS,
+        scenes,
         decades => POWERS[POWERS.len() - 1] - POWERS[0],
-        map => map.values,
-        cases => tried.values,
+        table => table(&rows, &names),
     };
-    Ok(Evidence::new(values).figure("extremes", map.svg, map.data).data("extremes-cases", tried.data))
+    Ok(Evidence::new(values).figure("extremes", drawn(&rows, count.wrong)?, data))
 }
 
-/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other pages show.
-const NSOR: usize = 8;
+/// Runs every solver with every method on some grids of one scene, and beam theory.
+fn tried(group: &'static str, extreme: &Extreme, grids: &[usize]) -> Result<Vec<Row>, Cause> {
+    let row = |solver, verdicts: Vec<Verdict>| Row {
+        group,
+        scene: extreme.name.clone(),
+        authority: extreme.authority,
+        solver,
+        count: Count::of(verdicts),
+    };
+    let mut rows = vec![row(THEORY, vec![exact(extreme)?])];
+    for solver in Solver::ALL {
+        let finest = if solver == Solver::Nsor { NSOR } else { usize::MAX };
+        let mut grids: Vec<usize> = grids.iter().map(|&intervals| intervals.min(finest)).collect();
+        grids.dedup();
+        let mut verdicts = Vec::new();
+        for intervals in grids {
+            let extreme = Extreme { intervals, ..extreme.clone() };
+            for method in Method::ALL {
+                verdicts.push(checked(&extreme, method, solver)?);
+            }
+        }
+        rows.push(row(solver.name(), verdicts));
+    }
+    Ok(rows)
+}
 
 /// A run of a discretised route, and what it is beside the active set on the same quadratic program.
-fn checked(extreme: &Extreme, method: Method, solver: Solver, reference: &RawSolution) -> Result<Verdict, Cause> {
-    let outcome = on_grid(&extreme.scene, method, solver, extreme.intervals)?;
+fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict, Cause> {
+    let run = |solver| -> Result<RawSolution, Cause> { on_grid(&extreme.scene, method, solver, extreme.intervals) };
+    let outcome = run(solver)?;
     if outcome.status != Status::Certified {
         return Ok(Verdict::NotCertified);
     }
-    let beside = Extreme {
-        truth: palkki_evidence::extremes::Truth {
-            reactions: [reference.state.reactions.left, reference.state.reactions.right],
-            contact_force: reference.state.contact_force(),
-            energy: None,
-        },
-        ..extreme.clone()
+    let reference = run(Solver::ActiveSet)?;
+    let truth = Truth {
+        reactions: [reference.state.reactions.left, reference.state.reactions.right],
+        contact_force: reference.state.contact_force(),
+        energy: None,
     };
+    let beside = Extreme { truth, ..extreme.clone() };
     let same = reference.status != Status::Certified || beside.error(&outcome.state) <= SAME;
     let near = extreme.error(&outcome.state) <= extreme.allowance();
     Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
 }
 
-/// The active set on the same quadratic program.
-fn reference(extreme: &Extreme, method: Method) -> Result<RawSolution, Cause> {
-    on_grid(&extreme.scene, method, Solver::ActiveSet, extreme.intervals)
-}
-
-/// Beam theory, with its error where it is certified.
-fn exact(extreme: &Extreme) -> Result<(Verdict, f64), Cause> {
+/// Beam theory.
+fn exact(extreme: &Extreme) -> Result<Verdict, Cause> {
     let exact = theory::solve(&extreme.scene)?;
-    let error = extreme.error(&exact.state);
     if exact.status != Status::Certified {
-        return Ok((Verdict::NotCertified, 0.0));
+        return Ok(Verdict::NotCertified);
     }
-    let right = error <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
-    Ok((if right { Verdict::Right } else { Verdict::Wrong }, error))
+    let right = extreme.error(&exact.state) <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
+    Ok(if right { Verdict::Right } else { Verdict::Wrong })
 }
 
-/// Errors below this differ between machines.
-const ROUNDING: f64 = 1e-13;
-
-/// Everything that was tried.
-struct Tried {
-    count: Count,
-    values: Value,
-    data: Table,
+/// The names of the rows of map and table.
+fn solvers() -> impl Iterator<Item = &'static str> {
+    Solver::ALL.into_iter().map(Solver::name).chain([THEORY])
 }
 
-/// What became of one scene: by beam theory, by the force method with the active set, by the other routes.
-struct Case {
-    theory: Verdict,
-    theory_error: f64,
-    force: Verdict,
-    others: Count,
-    /// The other routes whose answers are not certified.
-    not_certified: Vec<String>,
+/// Of each solver and each group, how many runs are right.
+fn table(rows: &[Row], groups: &[&str]) -> Table {
+    let header = ["solver"].into_iter().chain(groups.iter().copied()).chain(["wrong and certified"]);
+    Table::new(header).rows(solvers().map(|solver| {
+        let of = |group: &str| Count::sum(rows.iter().filter(|row| row.solver == solver && row.group == group));
+        let cells = groups.iter().map(|group| format!("{} of {} right", of(group).right, of(group).runs()));
+        let wrong: usize = groups.iter().map(|group| of(group).wrong).sum();
+        row![solver].into_iter().chain(cells).chain([wrong.to_string()]).collect::<Vec<_>>()
+    }))
 }
 
-/// Runs every route on every scene.
-fn tried(groups: Vec<(&'static str, Vec<Extreme>)>) -> Result<Tried, Cause> {
-    let header = ["group", "scenes", "beam theory: right", "its worst error", "force, active set: right"];
-    let mut table = Table::new(header.into_iter().chain(["other routes: right", "not certified"]));
-    let header = ["scene", "group", "reference", "exact", "force_active_set", "others_right", "others_not_certified"];
-    let mut data = Table::new(header.into_iter().chain(["others_wrong_and_certified", "which_are_not_certified"]));
-    let (mut force_limits, mut cases) = (Vec::new(), 0);
-    let (mut all, mut all_theory, mut all_force) = (Count::default(), Count::default(), Count::default());
-    for (name, extremes) in groups {
-        let (mut theory, mut force, mut others) = (Count::default(), Count::default(), Count::default());
-        let mut worst = 0.0_f64;
-        cases += extremes.len();
-        let scenes = extremes.len();
-        for extreme in extremes {
-            let case = run(&extreme)?;
-            worst = worst.max(case.theory_error);
-            theory.add(case.theory);
-            force.add(case.force);
-            others.join(case.others);
-            let (theory, force, names) = (case.theory.name(), case.force.name(), case.not_certified.join(" "));
-            let Count { right, not_certified, wrong } = case.others;
-            data.push(row![extreme.name, name, extreme.authority, theory, force, right, not_certified, wrong, names]);
-            if case.force == Verdict::NotCertified {
-                force_limits.push(extreme.name);
-            }
-        }
-        let error = bound(worst.max(ROUNDING));
-        table.push(row![name, scenes, theory.right, error, force.right, others.right, others.not_certified]);
-        all.join(Count::of([&theory, &force, &others]));
-        all_theory.join(theory);
-        all_force.join(force);
-    }
-    let values = context! {
-        table,
-        scenes => cases,
-        theory => context! { right => all_theory.right, not_certified => all_theory.not_certified },
-        force => context! { right => all_force.right, not_certified => all_force.not_certified },
-        force_limits,
+/// A cell says how many of its runs are not right; the worst of them gives its colour.
+fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
+    let shown = |row: &Row| {
+        let (tone, number) = match row.count {
+            Count { wrong: wrong @ 1.., .. } => (Tone::Bad, wrong),
+            Count { not_certified: not_certified @ 1.., .. } => (Tone::Fair, not_certified),
+            _ => (Tone::Good, 0),
+        };
+        Cell { tone, text: number.to_string() }
     };
-    Ok(Tried { count: all, values, data })
-}
-
-/// Runs every route on one scene.
-fn run(extreme: &Extreme) -> Result<Case, Cause> {
-    let (theory, theory_error) = exact(extreme)?;
-    let (mut force, mut others, mut not_certified) = (Verdict::NotCertified, Count::default(), Vec::new());
-    for method in Method::ALL {
-        let active = reference(extreme, method)?;
-        for solver in Solver::ALL {
-            let verdict = if solver == Solver::Nsor && NSOR < extreme.intervals {
-                let coarse = Extreme { intervals: NSOR, ..extreme.clone() };
-                checked(&coarse, method, solver, &reference(&coarse, method)?)?
-            } else {
-                checked(extreme, method, solver, &active)?
-            };
-            if method == Method::Force && solver == Solver::ActiveSet {
-                force = verdict;
-                continue;
-            }
-            others.add(verdict);
-            if verdict == Verdict::NotCertified {
-                not_certified.push(format!("{method}/{solver}"));
-            }
-        }
-    }
-    Ok(Case { theory, theory_error, force, others, not_certified })
+    let of = |solver| rows.iter().filter(move |row| row.solver == solver && row.group == DEPTHS);
+    let map: Vec<_> = solvers().map(|solver| (solver, of(solver).map(shown).collect())).collect();
+    let legend = [Tone::Good, Tone::Fair, Tone::Bad].map(|tone| Cell { tone, text: "n".to_owned() });
+    let words = ["all runs right (n = 0)", "n runs not certified", "n runs wrong and certified"];
+    let legend: Vec<(Cell, &str)> = legend.into_iter().zip(words).collect();
+    let columns = POWERS.map(|power| format!("1e{power}"));
+    let [from, .., to] = &columns;
+    let title = match wrong {
+        0 => format!("No certified answer is wrong, for EI u₀/(q l⁴) from {from} to {to}"),
+        _ => format!("{wrong} certified answers are wrong"),
+    };
+    Ok(verdict_map(
+        &title,
+        "A map: rows are solvers, on all methods and grids, and beam theory; columns are EI u₀/(q l⁴). Each cell has the number \
+         of runs that are not right.",
+        &columns.each_ref().map(String::as_str),
+        &map,
+        &legend,
+    )?)
 }

@@ -112,7 +112,7 @@ fn sentence(store: &Store) -> Option<String> {
 }
 
 /// Slope of the line that is fitted to points by least squares; none through fewer than three.
-pub(super) fn slope(points: &[[f64; 2]]) -> Option<f64> {
+fn slope(points: &[[f64; 2]]) -> Option<f64> {
     if points.len() < 3 {
         return None;
     }

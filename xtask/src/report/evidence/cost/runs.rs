@@ -1,10 +1,9 @@
-//! How every run ended: two questions for a library, a map of routes over grids, and how the time of certified runs grows.
+//! How every run ended: two questions for a library, and a map of routes over grids.
 
 use palkki::plot::PlotError;
 use palkki::plot::table::{Cell, Tone, verdict_map};
 
-use super::price::slope;
-use super::{LIBRARIES, METHODS, SOLVERS, ended, milliseconds, shown};
+use super::{LIBRARIES, METHODS, SOLVERS, shown};
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
 use crate::report::evidence::prelude::*;
@@ -12,7 +11,7 @@ use crate::report::evidence::prelude::*;
 /// Values, and the map.
 pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let (title, svg, data) = map(store)?;
-    let values = context! { questions => questions(store), growth => growth(store), map => title };
+    let values = context! { questions => questions(store), map => title };
     Ok((values, ("runs", svg, data)))
 }
 
@@ -112,43 +111,4 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
         intervals of the paper's example.";
     let svg = verdict_map(&title, description, &columns, &rows, &legend)?;
     Ok((title, svg, data))
-}
-
-/// How the time grows with the grid: of each solver the method that is certified on the finest grid. Certified runs on 100
-/// intervals and more, asked for [`super::ASKED`].
-fn growth(store: &Store) -> Table {
-    let lines = ended(store, EXAMPLE);
-    let header = ["solver", "method", "finest certified grid", "ms there", "ns per unknown there", "time grows like"];
-    let mut table = Table::new(header);
-    for solver in SOLVERS {
-        let of_method = |method: &'static str| {
-            let mut runs: Vec<&Line> = lines
-                .iter()
-                .filter(|line| line.is(method, solver) && line.is_certified() && shown(line))
-                .copied()
-                .collect();
-            runs.sort_by_key(|line| line.intervals);
-            (method, runs)
-        };
-        // The finest grid, and there the quickest method.
-        let best = METHODS.map(of_method).into_iter().max_by(|(_, a), (_, b)| {
-            let last =
-                |runs: &[&Line]| runs.last().map_or((0, f64::INFINITY), |line| (line.intervals, milliseconds(line)));
-            let (a, b) = (last(a), last(b));
-            a.0.cmp(&b.0).then(b.1.total_cmp(&a.1))
-        });
-        let Some((method, runs)) = best else { continue };
-        let Some(finest) = runs.last() else { continue };
-        let fitted: Vec<[f64; 2]> = runs
-            .iter()
-            .filter(|line| 100 <= line.intervals)
-            .map(|line| [as_number(line.intervals).log10(), milliseconds(line).log10()])
-            .collect();
-        let exponent =
-            slope(&fitted).map_or_else(|| "too few certified runs".to_owned(), |slope| format!("n^{slope:.1}"));
-        let per_unknown = 1e6 * milliseconds(finest) / as_number(finest.intervals);
-        let finest_ms = cell(Some(milliseconds(finest)), 2);
-        table.push(row![solver, method, count(finest.intervals), finest_ms, cell(Some(per_unknown), 2), exponent]);
-    }
-    table
 }
