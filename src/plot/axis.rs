@@ -1,6 +1,6 @@
 //! Axes: a label with its unit, linear or logarithmic, and which way its numbers grow; and the labelled places along them, round numbers or decades.
 
-use super::{PlotError, finite};
+use super::{PlotError, count as number, finite};
 use crate::text::{decade, fixed, power_of_ten, significant, ten_to};
 
 /// One axis of a panel.
@@ -20,6 +20,8 @@ pub struct Axis {
     pub padding: f64,
     /// Whether numbers and grid lines are drawn.
     pub numbers: bool,
+    /// What stands at 0, 1, 2 … instead of numbers; empty for an axis of numbers.
+    pub names: Vec<String>,
 }
 
 impl Axis {
@@ -33,7 +35,13 @@ impl Axis {
             include: Vec::new(),
             padding: 0.04,
             numbers: true,
+            names: Vec::new(),
         }
+    }
+
+    /// An axis of names, one for each row or column of a map.
+    pub fn named(label: impl Into<String>, names: Vec<String>) -> Self {
+        Self { names, padding: 0.0, ..Self::new(label) }
     }
 
     /// With a unit, if there is one.
@@ -83,7 +91,11 @@ impl Axis {
             range = Some(range.map_or([value; 2], |[lo, hi]| [lo.min(value), hi.max(value)]));
         }
         let [lo, hi] = range.ok_or(PlotError::Empty { what: "a panel" })?;
-        let (lo, hi, ticks, factor) = if self.log {
+        let (lo, hi, ticks, factor) = if !self.names.is_empty() {
+            let tick = |(k, name): (usize, &String)| Tick { value: number(k), label: name.clone() };
+            let ticks = self.names.iter().enumerate().map(tick).collect();
+            (-0.5, number(self.names.len()) - 0.5, ticks, 0)
+        } else if self.log {
             let [lo, hi] = [libm::log10(lo), libm::log10(hi)];
             // A range of one number gets half a decade on either side.
             let room = if lo < hi { self.padding * (hi - lo) } else { 0.5 };

@@ -6,7 +6,7 @@ use plotters::backend::{DrawingBackend, SVGBackend};
 /// Where a text lies relative to its point.
 pub(super) use plotters::style::text_anchor::HPos as Align;
 use plotters::style::text_anchor::{Pos, VPos};
-use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
+use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, RGBColor, ShapeStyle, TextStyle};
 
 use super::palette::{Color, Dash, Marker};
 use super::{PlotError, finite};
@@ -25,12 +25,10 @@ pub(super) struct Type {
     pub(super) size: f64,
     pub(super) color: Color,
     pub(super) bold: bool,
-    /// Running upwards.
-    pub(super) turned: bool,
 }
 
 impl Type {
-    pub(super) const PLAIN: Self = Self { size: TEXT, color: Color::BLACK, bold: false, turned: false };
+    pub(super) const PLAIN: Self = Self { size: TEXT, color: Color::BLACK, bold: false };
     pub(super) const BOLD: Self = Self { bold: true, ..Self::PLAIN };
     pub(super) const TITLE: Self = Self { size: 58.0, ..Self::BOLD };
 }
@@ -160,14 +158,11 @@ impl<'a> Canvas<'a> {
             return Ok(());
         }
         let style = if kind.bold { FontStyle::Bold } else { FontStyle::Normal };
-        let turn = if kind.turned { FontTransform::Rotate270 } else { FontTransform::None };
-        let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style).transform(turn);
+        let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style);
         let color = rgb(kind.color);
         let style = TextStyle::from(font).color(&color).pos(Pos::new(align, VPos::Center));
         // The backend's "centre" puts the base line half an x-height below the point; a digit is taller than an x.
-        let lower = 0.09 * kind.size;
-        let at = if kind.turned { [at[0] + lower, at[1]] } else { [at[0], at[1] + lower] };
-        done(self.backend.draw_text(text, &style, pixel(at)?))
+        done(self.backend.draw_text(text, &style, pixel([at[0], at[1] + 0.09 * kind.size])?))
     }
 }
 

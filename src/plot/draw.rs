@@ -1,9 +1,9 @@
 //! From a layer to lines on the drawing; a load is a block for what is distributed, and arrows for point loads.
 
 use super::axis::Axes;
-use super::canvas::{Canvas, INK, Point, SHAFT, TEXT, sampled};
+use super::canvas::{Align, Canvas, INK, Point, SHAFT, TEXT, Type, sampled};
 use super::label::{Frame, Label, Labels};
-use super::layer::{Arrows, Layer, LoadSketch, Place, Reference};
+use super::layer::{Arrows, Cell, Layer, LoadSketch, Place, Reference};
 use super::palette::{Color, Dash, Style};
 use super::{PlotError, finite};
 
@@ -47,6 +47,7 @@ pub(super) fn draw(
             distributed(canvas, sketch, axes, labels)?;
             point_loads(canvas, sketch, axes, labels)
         }
+        Layer::Cells(all) => all.iter().try_for_each(|one| cell(canvas, one, axes)),
     }
 }
 
@@ -100,6 +101,15 @@ fn arrows(canvas: &mut Canvas, layer: &Arrows, axes: &Axes, labels: &mut Labels)
         labels.ask(Label { optional: arrow.optional, below: force < 0.0, ..label });
     }
     Ok(())
+}
+
+/// A cell of a map, with white between it and the next ones.
+fn cell(canvas: &mut Canvas, cell: &Cell, axes: &Axes) -> Result<(), PlotError> {
+    const GAP: f64 = 4.0;
+    let [x, y] = cell.at;
+    let ([left, above], [right, below]) = (axes.place([x - 0.5, y - 0.5]), axes.place([x + 0.5, y + 0.5]));
+    canvas.rectangle([left + GAP, above + GAP], [right - GAP, below - GAP], cell.color, 0.45)?;
+    canvas.text(&cell.text, axes.place(cell.at), Align::Center, Type::BOLD)
 }
 
 /// A line, and a light colour between it and the level `base`.

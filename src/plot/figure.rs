@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::canvas::{Align, Canvas, TEXT, Type, wrapped};
 use super::palette::dark_rules;
-use super::panel::Panel;
+use super::panel::{Layout, Panel};
 use super::{PlotError, count};
 
 /// Panels under one title, in rows from left to right.
@@ -43,34 +43,31 @@ impl Figure {
         let sheet = f64::from(WIDTH);
         let heading = Heading::of(&self.title);
         let mut top = heading.bottom + 0.7 * MARGIN;
-        let rows = self.rows();
+        let rows = self.rows()?;
         let mut places = Vec::new();
         for row in &rows {
-            let width = sheet / count(row.len());
             let mut height: f64 = 0.0;
-            for (column, &panel) in row.iter().enumerate() {
+            for (column, layout) in row.iter().enumerate() {
                 // Frames that stand one below the other have the same sides.
-                let mut margins = [0.0_f64; 2];
-                for other in rows.iter().filter(|other| other.len() == row.len()) {
-                    let [left, right] = other[column].margins(width)?;
-                    margins = [margins[0].max(left), margins[1].max(right)];
-                }
-                height = height.max(panel.total_height(width)?);
-                places.push((panel, [width * count(column), top], width, margins));
+                let same = rows.iter().filter(|other| other.len() == row.len()).map(|other| other[column].margins);
+                let margins = same.fold([0.0_f64; 2], |most, next| [most[0].max(next[0]), most[1].max(next[1])]);
+                let layout = layout.with_margins(margins);
+                height = height.max(layout.height());
+                places.push((layout, [sheet / count(row.len()) * count(column), top]));
             }
             top += height;
         }
         document(&self.title, &self.description, whole(top), |canvas| {
             heading.draw(canvas)?;
-            for (panel, corner, width, margins) in places {
-                panel.draw(canvas, corner, width, margins)?;
+            for (layout, corner) in places {
+                layout.draw(canvas, corner)?;
             }
             Ok(())
         })
     }
 
     /// The panels row by row; each takes an equal part of its row.
-    fn rows(&self) -> Vec<Vec<&Panel>> {
+    fn rows(&self) -> Result<Vec<Vec<Layout<'_>>>, PlotError> {
         let mut rows: Vec<Vec<&Panel>> = Vec::new();
         for panel in &self.panels {
             match rows.last_mut() {
@@ -80,7 +77,8 @@ impl Figure {
                 _ => rows.push(vec![panel]),
             }
         }
-        rows
+        let width = |row: &[&Panel]| f64::from(WIDTH) / count(row.len());
+        rows.iter().map(|row| row.iter().map(|panel| panel.layout(width(row))).collect()).collect()
     }
 }
 

@@ -64,6 +64,21 @@ pub enum Layer {
     },
     /// Loads, sketched above a level on a scale of their own.
     Load(LoadSketch),
+    /// Coloured, lettered cells of a map, as wide and as high as one unit of its axes, which have names; see [`Axis::named`].
+    ///
+    /// [`Axis::named`]: super::Axis::named
+    Cells(Vec<Cell>),
+}
+
+/// One cell of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// Its middle: which column, which row.
+    pub at: Place,
+    /// Its colour, drawn light.
+    pub color: Color,
+    /// A letter or a short word, which says it again for those who do not see the colour.
+    pub text: String,
 }
 
 /// Where a reference line crosses the panel.
@@ -148,6 +163,7 @@ impl Layer {
             Self::Reference { at: Reference::Y(y), .. } => [Vec::new(), vec![*y]],
             Self::Note { at, .. } => of(&[*at]),
             Self::Supports { at } => of(at),
+            Self::Cells(cells) => of(&cells.iter().map(|cell| cell.at).collect::<Vec<_>>()),
             Self::Load(load) => {
                 let [mut xs, _] = of(&load.intensity);
                 xs.extend(load.points.iter().map(|p| p.0));

@@ -1,8 +1,8 @@
 //! Figures as SVG: pure functions from data to text, the same to the byte for the same data, without I/O.
 //!
-//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`curves()`] draws a beam in its final position, `paper`
-//! the figures of the paper, [`study`] convergence and regimes, [`table`] verdicts and bars. Deflections and bending
-//! moments grow downwards; a concentrated force is an arrow with its value, on a scale of forces of its own.
+//! [`Figure`], [`Panel`], [`Axis`] and [`Layer`] are the grammar; [`curves()`] draws a beam in its final position, [`sheet`]
+//! many of them, small. Deflections and bending moments grow downwards; a concentrated force is an arrow with its value, on a
+//! scale of forces of its own.
 //!
 //! ```
 //! use palkki::plot::{self, Axis, Curves, Figure, Layer, Panel, Style};
@@ -32,17 +32,14 @@ mod label;
 mod layer;
 mod palette;
 mod panel;
-pub mod paper;
 mod sketch;
 mod solution;
-pub mod study;
-pub mod table;
 
 pub use crate::text::significant;
 pub use axis::Axis;
 pub use curves::{Curves, PointForce};
 pub use figure::Figure;
-pub use layer::{Arrow, Arrows, Layer, LoadSketch, Place, Reference};
+pub use layer::{Arrow, Arrows, Cell, Layer, LoadSketch, Place, Reference};
 pub use palette::{Color, Dash, Marker, Style};
 pub use panel::Panel;
 pub use solution::{curves, sheet};

@@ -79,18 +79,9 @@ impl Panel {
         Self { wide: true, ..self }
     }
 
-    /// Height with all that belongs to it, in a column of `width` \[drawing units\].
-    pub(super) fn total_height(&self, width: f64) -> Result<f64, PlotError> {
-        let frame = self.frame([0.0, 0.0], width, [0.0, 0.0]);
-        let axes = self.axes(&frame)?;
-        let lines = self.heading(&axes, width).0.len() + self.x_label(&axes, width).len();
-        let numbers = if self.x.numbers { NUMBERS } else { 0.0 };
-        Ok(LINE * count(lines) + 0.3 * LINE + self.height + numbers + GAP)
-    }
-
-    /// Room for numbers and names on the left and on the right of the frame.
-    pub(super) fn margins(&self, width: f64) -> Result<[f64; 2], PlotError> {
-        let frame = self.frame([0.0, 0.0], width, [0.0, 0.0]);
+    /// The panel in a column of `width` \[drawing units\], with the words around its frame and the room that they need.
+    pub(super) fn layout(&self, width: f64) -> Result<Layout<'_>, PlotError> {
+        let frame = Frame { left: 0.0, top: 0.0, right: width, bottom: self.height, outer: width };
         let axes = self.axes(&frame)?;
         let widest = |ticks: &[Tick]| ticks.iter().fold(0.0_f64, |most, t| most.max(text_width(&t.label, Type::PLAIN)));
         let right = axes.forces.as_ref().map_or(0.0, |forces| CLEAR + widest(&forces.ticks));
@@ -101,48 +92,13 @@ impl Panel {
         let right = widths.fold(right, f64::max);
         // The last number below the frame is centred at its end.
         let last = axes.x.ticks.last().map_or(0.0, |tick| 0.5 * text_width(&tick.label, Type::PLAIN));
-        Ok([MARGIN + widest(&axes.y.ticks) + CLEAR, MARGIN + right.max(last)])
-    }
+        let margins = [MARGIN + widest(&axes.y.ticks) + CLEAR, MARGIN + right.max(last)];
 
-    /// The label of the vertical axis in lines, and that of the forces, which stands on the right of the first line.
-    fn heading(&self, axes: &Axes, width: f64) -> (Vec<String>, String) {
         let forces = self.forces.as_ref().zip(axes.forces.as_ref());
-        let right = forces.map_or_else(String::new, |(axis, resolved)| axis.heading(resolved.factor));
-        let left = width - 2.0 * MARGIN - text_width(&right, Type::BOLD) - if right.is_empty() { 0.0 } else { TEXT };
-        (wrapped(&self.y.heading(axes.y.factor), left, Type::BOLD), right)
-    }
-
-    fn x_label(&self, axes: &Axes, width: f64) -> Vec<String> {
-        wrapped(&self.x.heading(axes.x.factor), width - 2.0 * MARGIN, Type::PLAIN)
-    }
-
-    fn frame(&self, [left, top]: [f64; 2], width: f64, margins: [f64; 2]) -> Frame {
-        let (right, bottom) = (left + width - margins[1], top + self.height);
-        Frame { left: left + margins[0], top, right, bottom, outer: left + width }
-    }
-
-    /// Draws the panel with its upper left corner at `(left, top)`.
-    pub(super) fn draw(
-        &self,
-        canvas: &mut Canvas,
-        [left, top]: [f64; 2],
-        width: f64,
-        margins: [f64; 2],
-    ) -> Result<(), PlotError> {
-        let frame = self.frame([left, top], width, margins);
-        let (lines, forces) = self.heading(&self.axes(&frame)?, width);
-        for (i, line) in lines.iter().enumerate() {
-            canvas.text(line, [left + MARGIN, top + LINE * (count(i) + 0.5)], Align::Left, Type::BOLD)?;
-        }
-        canvas.text(&forces, [left + width - MARGIN, top + 0.5 * LINE], Align::Right, Type::BOLD)?;
-        let frame = self.frame([left, top + LINE * (count(lines.len()) + 0.3)], width, margins);
-        let axes = self.axes(&frame)?;
-        self.grid(canvas, &frame, &axes, width)?;
-        let mut labels = Labels::default();
-        for layer in &self.layers {
-            draw(canvas, layer, &axes, &frame, &mut labels)?;
-        }
-        labels.write(canvas, &frame)
+        let forces = forces.map_or_else(String::new, |(axis, resolved)| axis.heading(resolved.factor));
+        let taken = if forces.is_empty() { 0.0 } else { text_width(&forces, Type::BOLD) + TEXT };
+        let above = wrapped(&self.y.heading(axes.y.factor), width - 2.0 * MARGIN - taken, Type::BOLD);
+        Ok(Layout { panel: self, width, margins, above, forces, below: self.x.heading(axes.x.factor) })
     }
 
     fn axes(&self, frame: &Frame) -> Result<Axes, PlotError> {
@@ -163,25 +119,88 @@ impl Panel {
         let x = self.x.resolve(xs, [frame.left, frame.right], (frame.right - frame.left) / 250.0)?;
         Ok(Axes { x, y, forces })
     }
+}
+
+/// A panel in a column of the figure.
+#[derive(Debug, Clone)]
+pub(super) struct Layout<'a> {
+    panel: &'a Panel,
+    width: f64,
+    /// Room for numbers and names on the left and on the right of the frame.
+    pub(super) margins: [f64; 2],
+    /// The label of the vertical axis in lines, and that of the forces, which stands on the right of the first line.
+    above: Vec<String>,
+    forces: String,
+    /// The label of the horizontal axis.
+    below: String,
+}
+
+impl Layout<'_> {
+    /// With the margins of a column.
+    pub(super) fn with_margins(&self, margins: [f64; 2]) -> Self {
+        Self { margins, ..self.clone() }
+    }
+
+    /// Height with all that belongs to the panel.
+    pub(super) fn height(&self) -> f64 {
+        let lines = self.above.len() + self.x_label().len();
+        let numbers = if self.panel.x.numbers { NUMBERS } else { 0.0 };
+        LINE * count(lines) + 0.3 * LINE + self.panel.height + numbers + GAP
+    }
+
+    /// The label of the horizontal axis in lines, which are centred below the frame.
+    fn x_label(&self) -> Vec<String> {
+        let [left, right] = self.margins;
+        let half = 0.5 * (self.width - left - right) + left.min(right) - MARGIN;
+        wrapped(&self.below, 2.0 * half, Type::PLAIN)
+    }
+
+    /// Draws the panel with its upper left corner at `(left, top)`.
+    pub(super) fn draw(&self, canvas: &mut Canvas, [left, top]: [f64; 2]) -> Result<(), PlotError> {
+        for (i, line) in self.above.iter().enumerate() {
+            canvas.text(line, [left + MARGIN, top + LINE * (count(i) + 0.5)], Align::Left, Type::BOLD)?;
+        }
+        let outer = left + self.width;
+        canvas.text(&self.forces, [outer - MARGIN, top + 0.5 * LINE], Align::Right, Type::BOLD)?;
+        let top = top + LINE * (count(self.above.len()) + 0.3);
+        let frame = Frame {
+            left: left + self.margins[0],
+            top,
+            right: outer - self.margins[1],
+            bottom: top + self.panel.height,
+            outer,
+        };
+        let axes = self.panel.axes(&frame)?;
+        self.grid(canvas, &frame, &axes)?;
+        let mut labels = Labels::default();
+        for layer in &self.panel.layers {
+            draw(canvas, layer, &axes, &frame, &mut labels)?;
+        }
+        labels.write(canvas, &frame)
+    }
 
     /// Grid lines, numbers, frame and the label of the horizontal axis.
-    fn grid(&self, canvas: &mut Canvas, frame: &Frame, axes: &Axes, width: f64) -> Result<(), PlotError> {
+    fn grid(&self, canvas: &mut Canvas, frame: &Frame, axes: &Axes) -> Result<(), PlotError> {
         for tick in &axes.x.ticks {
             let x = axes.x.place(tick.value);
-            canvas.line(&[[x, frame.top], [x, frame.bottom + 12.0]], Color::GRID, 2, Dash::Solid)?;
+            if self.panel.x.names.is_empty() {
+                canvas.line(&[[x, frame.top], [x, frame.bottom + 12.0]], Color::GRID, 2, Dash::Solid)?;
+            }
             canvas.text(&tick.label, [x, frame.bottom + 0.55 * NUMBERS], Align::Center, Type::PLAIN)?;
         }
         for tick in &axes.y.ticks {
             let y = axes.y.place(tick.value);
-            canvas.line(&[[frame.left - 12.0, y], [frame.right, y]], Color::GRID, 2, Dash::Solid)?;
+            if self.panel.y.names.is_empty() {
+                canvas.line(&[[frame.left - 12.0, y], [frame.right, y]], Color::GRID, 2, Dash::Solid)?;
+            }
             canvas.text(&tick.label, [frame.left - CLEAR, y], Align::Right, Type::PLAIN)?;
         }
         // What has no numbers has no frame.
         let mut corners = Vec::new();
-        if self.y.numbers {
+        if self.panel.y.numbers {
             corners.extend([[frame.left, frame.top], [frame.left, frame.bottom]]);
         }
-        if self.x.numbers {
+        if self.panel.x.numbers {
             corners.extend([[frame.left, frame.bottom], [frame.right, frame.bottom]]);
         }
         if let Some(forces) = axes.forces.as_ref().filter(|forces| !forces.ticks.is_empty()) {
@@ -194,7 +213,7 @@ impl Panel {
         }
         canvas.line(&corners, Color::GRAY, 3, Dash::Solid)?;
         let middle = 0.5 * (frame.left + frame.right);
-        for (i, line) in self.x_label(axes, width).iter().enumerate() {
+        for (i, line) in self.x_label().iter().enumerate() {
             let y = frame.bottom + NUMBERS + LINE * (count(i) + 0.4);
             canvas.text(line, [middle, y], Align::Center, Type::PLAIN)?;
         }

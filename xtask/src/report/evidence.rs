@@ -16,11 +16,13 @@ mod figures;
 mod gallery;
 mod hostile;
 mod judged;
+mod paper;
 mod problem;
 mod provenance;
 mod scale;
 mod solvers;
 mod teaching;
+mod verdict_map;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

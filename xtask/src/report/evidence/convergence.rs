@@ -1,6 +1,6 @@
 //! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
 
-use palkki::plot::study::{Named, convergence};
+use palkki::plot::{Axis, Color, Figure, Layer, Panel, Place, PlotError, Style};
 use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
 
 use super::prelude::*;
@@ -75,14 +75,13 @@ fn example_table(differences: &[Series], energy: &[Series]) -> Table {
 }
 
 fn example_figure(energy: &[Series]) -> Result<String, Cause> {
-    let series: Vec<Named<'_>> =
-        energy.iter().map(|s| Named { label: s.quantity.name(), points: places(&s.errors) }).collect();
+    let series: Vec<(&str, Vec<Place>)> = energy.iter().map(|s| (s.quantity.name(), places(&s.errors))).collect();
     let listed: Vec<String> =
         energy.iter().map(|s| format!("{} with order {:.1}", s.quantity.name(), s.order)).collect();
     let orders = |of: bool| energy.iter().filter(move |s| (s.quantity == Quantity::LiftOff) == of).map(|s| s.order);
     // The least of the others.
     let (lift_off, rest) = (orders(true).fold(0.0, f64::max), orders(false).fold(f64::INFINITY, f64::min));
-    Ok(convergence(
+    Ok(drawn(
         &format!(
             "The paper's example: the lift-off point converges with order {lift_off:.0}, the rest with order {rest:.0}"
         ),
@@ -92,6 +91,31 @@ fn example_figure(energy: &[Series]) -> Result<String, Cause> {
         ),
         &series,
     )?)
+}
+
+/// Errors over the number of intervals, both axes logarithmic, with grey lines of order 1 and 2 to compare with.
+///
+/// An error of exactly zero has no place on the axis: it is left out, and the description says so.
+fn drawn(title: &str, description: &str, series: &[(&str, Vec<Place>)]) -> Result<String, PlotError> {
+    let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("relative error").log()).tall(1000.0);
+    let (mut zeros, mut all) = (0, Vec::new());
+    for (k, (label, points)) in series.iter().enumerate() {
+        let (shown, exact): (Vec<Place>, Vec<Place>) = points.iter().partition(|point| point[1] != 0.0);
+        zeros += exact.len();
+        all.extend_from_slice(&shown);
+        panel = panel.with(Layer::named(shown, Style::of_series(k), *label));
+    }
+    for order in [1_i32, 2] {
+        if let Some(points) = slope(&all, f64::from(order)) {
+            let style = Style { width: 4, ..Style::solid(Color::GRAY) };
+            panel.layers.insert(0, Layer::named(points, style, format!("order {order}")));
+        }
+    }
+    let mut description = format!("{description} Grey lines fall with order 1 and order 2.");
+    if 0 < zeros {
+        description.push_str(&format!(" Errors of exactly zero, not shown: {zeros}."));
+    }
+    Figure::new(title, description, vec![panel]).svg()
 }
 
 fn example_data(methods: &[&[Series]]) -> Table {
@@ -120,4 +144,39 @@ fn uneven_table(found: &[(&str, Vec<Series>)]) -> Table {
         let ends = [short(first(errors)), short(last(errors))];
         row![name, contact, ends[0], ends[1], order(0), order(1), order(2)]
     }))
+}
+
+/// A line `error ~ N⁻ᵖ` from above the first errors, over the range of the points; none if they have no range.
+fn slope(points: &[Place], order: f64) -> Option<Vec<Place>> {
+    /// How far above the largest error on the coarsest grid, as a factor.
+    const ABOVE: f64 = 1.6;
+    let range = |k: usize| points.iter().fold([f64::INFINITY, 0.0], |r: [f64; 2], p| [r[0].min(p[k]), r[1].max(p[k])]);
+    let ([from, to], [least, most]) = (range(0), range(1));
+    if !(0.0 < from && from < to && to < f64::INFINITY && 0.0 < least && most < f64::INFINITY) {
+        return None;
+    }
+    let start = ABOVE * most;
+    // Not below the least error.
+    let end = to.min(from * (start / least).powf(1.0 / order));
+    Some(vec![[from, start], [end, start * (from / end).powf(order)]])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PlotError, drawn};
+
+    #[test]
+    fn orders_are_drawn_to_compare_with_and_zeros_are_counted() {
+        let points = vec![[10.0, 1e-2], [20.0, 2.5e-3], [40.0, 0.0], [80.0, 1.5e-4]];
+        let svg = drawn("Errors", "Errors fall.", &[("end reaction", points)]).expect("a figure");
+        for text in [">end reaction<", ">order 1<", ">order 2<", "Errors of exactly zero, not shown: 1."] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+    }
+
+    #[test]
+    fn errors_that_are_all_zero_are_refused() {
+        assert!(matches!(drawn("", "", &[("", vec![[1.0, 0.0]])]), Err(PlotError::Empty { .. })), "nothing left");
+        assert!(drawn("", "", &[("", vec![[1.0, 1.0]])]).is_ok(), "one grid has no slope");
+    }
 }

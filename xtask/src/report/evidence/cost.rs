@@ -11,7 +11,7 @@ use crate::measure::line::{Line, Store};
 use crate::measure::plan::{EXAMPLE, LIMIT};
 
 /// Solvers in the order of figures and tables, the libraries among them, and the methods.
-const SOLVERS: [&str; 5] = ["active-set", "four-step", "nsor", "clarabel", "osqp"];
+pub(super) const SOLVERS: [&str; 5] = ["active-set", "four-step", "nsor", "clarabel", "osqp"];
 const LIBRARIES: [&str; 2] = ["clarabel", "osqp"];
 const METHODS: [&str; 3] = ["complementarity", "displacement", "force"];
 
@@ -19,12 +19,12 @@ const METHODS: [&str; 3] = ["complementarity", "displacement", "force"];
 const ASKED: f64 = 1e-10;
 
 /// The lines of a scene that have a result.
-fn ended<'a>(store: &'a Store, scene: &str) -> Vec<&'a Line> {
+pub(super) fn ended<'a>(store: &'a Store, scene: &str) -> Vec<&'a Line> {
     store.lines.iter().filter(|line| line.scene == scene && line.median_s.is_some()).collect()
 }
 
 /// Whether a line is asked for what is shown, or cannot be asked for anything.
-fn shown(line: &Line) -> bool {
+pub(super) fn shown(line: &Line) -> bool {
     line.asks(0.0) || line.asks(ASKED)
 }
 

@@ -1,10 +1,10 @@
 //! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
 
-use palkki::plot::table::{Cell, Tone, verdict_map};
 use palkki::route::RawSolution;
 use palkki_evidence::extremes::{Extreme, POWERS, Truth, borders, deep, sizes, units};
 
 use super::prelude::*;
+use super::verdict_map::{self, Tone};
 
 /// What beam theory is held to, over the load.
 const DIGITS: f64 = 1e-12;
@@ -184,25 +184,23 @@ fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
             Count { not_certified: not_certified @ 1.., .. } => (Tone::Fair, not_certified),
             _ => (Tone::Good, 0),
         };
-        Cell { tone, text: number.to_string() }
+        (tone, number.to_string())
     };
-    let of = |solver| rows.iter().filter(move |row| row.solver == solver && row.group == DEPTHS);
-    let map: Vec<_> = solvers().map(|solver| (solver, of(solver).map(shown).collect())).collect();
-    let legend = [Tone::Good, Tone::Fair, Tone::Bad].map(|tone| Cell { tone, text: "n".to_owned() });
-    let words = ["all runs right (n = 0)", "n runs not certified", "n runs wrong and certified"];
-    let legend: Vec<(Cell, &str)> = legend.into_iter().zip(words).collect();
-    let columns = POWERS.map(|power| format!("1e{power}"));
-    let [from, .., to] = &columns;
+    let of =
+        |power: usize, solver| rows.iter().filter(move |row| row.group == DEPTHS && row.solver == solver).nth(power);
+    let cells = |power| solvers().filter_map(|solver| of(power, solver).map(shown)).collect();
+    let map = POWERS.iter().enumerate().map(|(k, power)| (power_of_ten(*power), cells(k))).collect();
+    let [from, to] = [POWERS[0], POWERS[POWERS.len() - 1]].map(power_of_ten);
     let title = match wrong {
         0 => format!("No certified answer is wrong, for EI u₀/(q l⁴) from {from} to {to}"),
         _ => format!("{wrong} certified answers are wrong"),
     };
-    Ok(verdict_map(
+    Ok(verdict_map::drawn(
         &title,
-        "A map: rows are solvers, on all methods and grids, and beam theory; columns are EI u₀/(q l⁴). Each cell has the number \
-         of runs that are not right.",
-        &columns.each_ref().map(String::as_str),
-        &map,
-        &legend,
+        "A map: columns are solvers, on all methods and grids, and beam theory; rows are powers of ten of EI u₀/(q l⁴). Each cell \
+         has the number of runs that are not right; green cells have none, orange ones such that are not certified.",
+        "runs that are not certified, of up to 15, over EI u₀/(q l⁴)",
+        solvers().map(str::to_owned).collect(),
+        map,
     )?)
 }

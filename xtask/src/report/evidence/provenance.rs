@@ -22,7 +22,7 @@ struct Discrepancy {
 
 /// Where we depart from the paper: collected from the comments that begin with `// Discrepancy: <id>`.
 pub(super) fn discrepancies(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let entries = collect(&files::texts(study.root, &["src", "tests/evidence"], &[".rs"])?)?
+    let entries = collect(&files::texts(study.root, &["src", "tests/evidence", "xtask/src"], &[".rs"])?)?
         .into_iter()
         .map(|d| context! { id => d.id, file => d.file, text => d.text });
     let entries: Vec<Value> = entries.collect();

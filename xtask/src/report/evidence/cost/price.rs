@@ -1,7 +1,6 @@
 //! What a digit costs: the quickest certified run for each number of correct digits, solver by solver.
 
-use palkki::plot::PlotError;
-use palkki::plot::study::{self as plots, Named};
+use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
 use super::{SOLVERS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
@@ -124,21 +123,30 @@ fn slope(points: &[[f64; 2]]) -> Option<f64> {
     Some(covariance / variance).filter(|slope| slope.is_finite())
 }
 
-/// Two panels side by side: time over correct digits, a line for each solver, a star for the exact solution.
+/// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
 fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<String, PlotError> {
+    let place = |point: &Point<'_>| [point.digits, milliseconds(point.line)];
+    let exact = exact.map(|ms| [EXACT, ms.unwrap_or(f64::NAN)]);
+    let all: Vec<Place> = fronts.iter().flatten().flatten().map(place).chain(exact).collect();
+    let [digits, times]: [Vec<f64>; 2] = [0, 1].map(|k| all.iter().map(|p| p[k]).collect());
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
-        let points = |front: &[Point<'_>]| front.iter().map(|p| [p.digits, milliseconds(p.line)]).collect();
-        let lines = fronts.iter().zip(SOLVERS).map(|(front, label)| Named { label, points: points(front) });
-        plots::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)] }
+        let x = Axis::new("correct digits").including(&digits).including(&[0.0]);
+        let y = Axis::new(format!("{ground}: time")).unit(Some("ms".to_owned()));
+        let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
+        for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
+            let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
+            panel = panel.with(Layer::named(front.iter().map(place).collect(), style, solver));
+        }
+        panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
     });
-    plots::price(
+    let figure = Figure::new(
         "The active set buys a digit for little time; the exact solution needs no grid",
         "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
          reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
          beats.",
-        "correct digits",
-        &panels.collect::<Vec<_>>(),
-    )
+        panels.collect(),
+    );
+    Figure { columns: 2, ..figure }.svg()
 }
 
 #[cfg(test)]

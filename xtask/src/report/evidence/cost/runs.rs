@@ -1,12 +1,12 @@
 //! How every run ended: two questions for a library, and a map of routes over grids.
 
 use palkki::plot::PlotError;
-use palkki::plot::table::{Cell, Tone, verdict_map};
 
 use super::{LIBRARIES, METHODS, SOLVERS, shown};
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
 use crate::report::evidence::prelude::*;
+use crate::report::evidence::verdict_map::{self, Tone};
 
 /// Values, and the map.
 pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
@@ -82,7 +82,7 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
             let cells = grids.iter().map(|grid| {
                 let (tone, text) = outcome(found.iter().copied().find(|line| line.intervals == *grid));
                 data.push(row![format!("{method}/{solver}"), grid, text]);
-                Cell { tone, text: text.to_owned() }
+                (tone, text.to_owned())
             });
             rows.push((format!("{solver}, {method}"), cells.collect::<Vec<_>>()));
         }
@@ -96,19 +96,11 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
         up_to(1),
         up_to(2)
     );
-    let columns: Vec<String> = grids.iter().map(|grid| short(*grid)).collect();
-    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
-    let rows: Vec<(&str, Vec<Cell>)> = rows.iter().map(|(name, cells)| (name.as_str(), cells.clone())).collect();
-    let key = |tone, text: &str| Cell { tone, text: text.to_owned() };
-    let legend = [
-        (key(Tone::Good, "C"), "certified by our check"),
-        (key(Tone::Fair, "A"), "did what it was asked, and fails our check"),
-        (key(Tone::Bad, "S"), "says solved without doing what it was asked"),
-        (key(Tone::Fair, "G"), "did not say that it succeeded"),
-        (key(Tone::Absent, "–"), "left out: too slow on a coarser grid, or not in the plan"),
-    ];
+    let columns = grids.iter().map(|grid| short(*grid)).collect();
+    let legend = "intervals. C: certified by our check. A: did what it was asked, and fails our check. S: says solved without \
+        doing what it was asked. G: did not say that it succeeded. A dash: left out as too slow, or not in the plan.";
     let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
         intervals of the paper's example.";
-    let svg = verdict_map(&title, description, &columns, &rows, &legend)?;
+    let svg = verdict_map::drawn(&title, &format!("{description} {legend}"), legend, columns, rows)?;
     Ok((title, svg, data))
 }
