@@ -8,6 +8,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::Cause;
+use crate::report::files;
 
 /// The lines of a text below its header; lines that begin with `#` are comments.
 pub(crate) fn parse<Line: DeserializeOwned>(text: &str) -> Result<Vec<Line>, csv::Error> {
@@ -74,8 +75,8 @@ pub(crate) trait Row: Serialize + DeserializeOwned {
 
 /// Measurements: comments that say where they come from, and a line for each result; on disk and in memory.
 ///
-/// The file is always whole: each result writes it anew beside itself and then takes its place, which the system does at once
-/// or not at all. Whatever is killed whenever, the next run finds all results but the one that was under way.
+/// The file is always whole, see [`files::replace`]: whatever is killed whenever, the next run finds all results but the one
+/// that was under way.
 #[derive(Debug)]
 pub(crate) struct Measurements<R> {
     path: PathBuf,
@@ -133,11 +134,9 @@ impl<R: Row> Measurements<R> {
         self.write()
     }
 
-    /// Beside the file, and then in its place.
     fn write(&self) -> Result<(), Cause> {
         let described: String = self.described.iter().map(|line| format!("# {line}\n")).collect();
-        let beside = self.path.with_extension("csv.new");
-        let written = fs::write(&beside, described + &text(&self.lines)?);
-        written.and_then(|()| fs::rename(&beside, &self.path)).map_err(|error| format!("{}: {error}", R::PATH).into())
+        let text = described + &text(&self.lines)?;
+        files::replace(&self.path, &text).map_err(|error| format!("{}: {error}", R::PATH).into())
     }
 }

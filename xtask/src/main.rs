@@ -8,6 +8,8 @@ mod hostile;
 mod measure;
 mod report;
 mod scenes;
+#[cfg(test)]
+mod scratch;
 mod table;
 mod text;
 mod workers;
