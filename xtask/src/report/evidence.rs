@@ -4,23 +4,18 @@
 //! `{{ <name>.field }}`.
 
 mod adaptive;
-mod agreement;
 mod bounds;
-mod claims;
 mod closed;
-mod conditioning;
 mod convergence;
 mod cost;
-mod extremes;
-mod figures;
 mod gallery;
-mod hostile;
 mod judged;
 mod paper;
 mod problem;
 mod provenance;
 mod scale;
 mod solvers;
+mod stability;
 mod teaching;
 mod verdict_map;
 
@@ -61,22 +56,22 @@ const SUBJECTS: &[Subject] = &[
     ("theory", closed::evidence),
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
-    ("figures", figures::evidence),
-    ("first_force", figures::first_force),
+    ("figures", paper::figures::evidence),
+    ("first_force", paper::figures::first_force),
     ("regimes", problem::regimes),
-    ("agreement", agreement::evidence),
+    ("agreement", paper::agreement::evidence),
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
-    ("claims", claims::evidence),
-    ("recommendation", claims::recommendation),
+    ("claims", paper::claims::evidence),
+    ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),
     ("scale", scale::evidence),
-    ("conditioning", conditioning::evidence),
-    ("extremes", extremes::evidence),
-    ("hostile", hostile::evidence),
+    ("conditioning", stability::conditioning::evidence),
+    ("extremes", stability::extremes::evidence),
+    ("hostile", stability::hostile::evidence),
     ("discrepancies", provenance::discrepancies),
     ("reproduce", provenance::evidence),
 ];

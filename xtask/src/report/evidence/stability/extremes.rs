@@ -3,8 +3,8 @@
 use palkki::route::RawSolution;
 use palkki_evidence::extremes::{Extreme, POWERS, Truth, borders, deep, sizes, units};
 
-use super::prelude::*;
-use super::verdict_map::{self, Tone};
+use crate::report::evidence::prelude::*;
+use crate::report::evidence::verdict_map::{self, Tone};
 
 /// What beam theory is held to, over the load.
 const DIGITS: f64 = 1e-12;
@@ -71,7 +71,7 @@ struct Row {
     count: Count,
 }
 
-pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let mut rows = Vec::new();
     for power in POWERS {
         rows.extend(tried(DEPTHS, &deep(power)?, &GRIDS)?);

@@ -7,11 +7,11 @@ use palkki::theory::FlatSolution;
 use palkki_evidence::paper::convergence::Quantity;
 use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 
-use super::paper::{self, Theory};
-use super::prelude::*;
+use super::drawings::{self, Theory};
+use crate::report::evidence::prelude::*;
 
 /// Figures 4, 7 and 8.
-pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let exact = theory();
     let printed = &study.ledger()?.printed;
     let length = palkki_evidence::paper::beam()?.length();
@@ -19,18 +19,18 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (four, seven, eight) = (figure_4()?, figure_7()?, figure_8()?);
     let nodal_load = drawn.pressure * four.spacing;
     let (at, error) = deviation(&eight.nodes, &exact, length);
-    let svg_4 = paper::contact(
+    let svg_4 = drawings::contact(
         "Figure 4: finite differences share T between two nodes; the sum of the forces agrees",
         &drawn,
         ("finite differences", &four.nodes),
     )?;
-    let svg_7 = paper::contact(
+    let svg_7 = drawings::contact(
         "Figure 7: nodal forces of the energy methods swing; the sum of the forces agrees",
         &drawn,
         ("force method", &seven.nodes),
     )?;
     let percent = fixed(100.0 * error, 1);
-    let svg_8 = paper::shape(
+    let svg_8 = drawings::shape(
         &format!("Figure 8: both energy methods are within {percent} % of the depth from beam theory"),
         &drawn,
         &[("displacement method", &eight.nodes), ("force method", &seven.nodes)],
@@ -149,7 +149,7 @@ const GRIDS: std::ops::RangeInclusive<u32> = 8..=400;
 const FINE: u32 = 30;
 
 /// The first nodal contact force jumps from grid to grid; the resultant at the lift-off point converges.
-pub(super) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let theory = Quantity::PointForce.exact();
     let (mut first, mut resultant) = (Vec::new(), Vec::new());

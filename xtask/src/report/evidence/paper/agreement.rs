@@ -8,7 +8,7 @@ use palkki::scene::SceneError;
 use palkki::verdict::{Demand, Verdict};
 use palkki_evidence::paper::{INTERVALS, example, theory};
 
-use super::prelude::*;
+use crate::report::evidence::prelude::*;
 use palkki_evidence::authority::rational::{Data, fraction, number};
 
 /// Exact results of one discrete model, as fractions and as the nearest numbers.
@@ -28,7 +28,7 @@ struct Run {
     forces: Vec<f64>,
 }
 
-pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let tolerances = Tolerances::new()?;
     let run = |method, solver, intervals| -> Result<Run, Cause> {

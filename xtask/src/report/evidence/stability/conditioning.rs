@@ -3,10 +3,10 @@
 
 use palkki::plot::{Axis, Figure, Layer, Panel, Place, Style};
 
-use super::cost::{SOLVERS, ended, shown};
-use super::prelude::*;
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
+use crate::report::evidence::cost::{SOLVERS, ended, shown};
+use crate::report::evidence::prelude::*;
 
 /// The method whose matrix is `A = T²`.
 const METHOD: Method = Method::Complementarity;
@@ -23,7 +23,7 @@ fn expected(intervals: usize) -> f64 {
     METHOD.condition(intervals) * f64::EPSILON
 }
 
-pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (_, store) = Store::read(study.root)?;
     let lines: Vec<&Line> = ended(&store, EXAMPLE);
     let mut errors: Vec<Error> = Vec::new();

@@ -1,10 +1,10 @@
 //! Hostile input: rendered from the file of `cargo xtask hostile`, which takes minutes.
 
-use super::prelude::*;
 use crate::hostile::Family;
+use crate::report::evidence::prelude::*;
 use crate::{data, hostile};
 
-pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (hostile, families): (_, Vec<Family>) = data::read(study.root, hostile::PATH)?;
     let sum = |of: fn(&Family) -> usize| families.iter().map(of).sum::<usize>();
     let values = context! {
