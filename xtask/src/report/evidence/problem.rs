@@ -230,3 +230,16 @@ fn regimes_drawn(theory: &[Place], computed: Vec<Place>, paper: Place) -> Result
     )
     .svg()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::regimes_drawn;
+
+    #[test]
+    fn the_regimes_and_the_example_are_named() {
+        let svg = regimes_drawn(&[[0.0, 0.0], [0.02, 0.5]], vec![[0.01, 0.2]], [0.001, 0.1]).expect("a figure");
+        for text in ["contact zone", "contact at mid-span only", "no contact", ">the paper&apos;s example<"] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+    }
+}

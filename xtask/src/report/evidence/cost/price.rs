@@ -168,4 +168,14 @@ mod tests {
         assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0], [2.0, 5.0]]), Some(2.0));
         assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0]]), None, "two points prove nothing");
     }
+    #[test]
+    fn a_price_has_a_panel_for_each_ground() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let (_, (_, svg, _)) = of(&Store::read(&root).expect("measurements can be read").1).expect("a figure");
+        for text in ["flat ground: time [ms]", "smooth crests: time [ms]"] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+        assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");
+        assert_eq!(svg.matches(">clarabel<").count(), 2, "a line in each panel");
+    }
 }
