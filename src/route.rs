@@ -11,8 +11,10 @@ pub use crate::verdict::Status;
 pub struct RawSolution {
     /// The beam in its final position, in the units of the scene.
     pub state: ContactState,
-    /// Our verdict.
-    pub status: Status,
+    /// True if the answer solves the discrete problem: its KKT residual is at most
+    /// [`CERTIFIED_RESIDUAL`](crate::certificate::CERTIFIED_RESIDUAL), and all its numbers are finite. How far the beam may be
+    /// off is another question, which the [verdict](crate::verdict::Verdict) answers.
+    pub solved: bool,
     /// What the solver says of itself, in its own words.
     pub solver_status: String,
     /// True if the solver says that it solved the problem.
@@ -27,4 +29,21 @@ pub struct RawSolution {
     pub iterations: usize,
     /// Unknowns that all of these went through: what they cost, without a clock and up to a factor for each solver.
     pub work: usize,
+}
+
+impl RawSolution {
+    /// The word of tables for how it ended.
+    #[must_use]
+    pub fn ended(&self) -> &'static str {
+        ended(self.solved, self.solver_reports_success)
+    }
+}
+
+/// `solved`, `not solved`, or `gave up` where the solver says so as well.
+pub(crate) fn ended(solved: bool, reports_success: bool) -> &'static str {
+    match (solved, reports_success) {
+        (true, _) => "solved",
+        (false, true) => "not solved",
+        (false, false) => "gave up",
+    }
 }

@@ -3,7 +3,7 @@
 use crate::certificate::Kkt;
 use crate::methods::{self, Discrete, Nodal};
 use crate::multigrid;
-use crate::route::{Method, RawSolution, Solver, Status};
+use crate::route::{Method, RawSolution, Solver};
 use crate::scene::{Scene, SceneError};
 use crate::solvers::Answer;
 use crate::state::ContactState;
@@ -142,7 +142,7 @@ impl Exact {
             1 => "1 list of contacts tried".to_owned(),
             lists => format!("{lists} lists of contacts tried"),
         };
-        if self.status == Status::Certified {
+        if self.solved {
             return format!("all conditions hold everywhere, {lists}");
         }
         let violations: Vec<String> = self.violations.iter().map(ToString::to_string).collect();
@@ -150,14 +150,14 @@ impl Exact {
     }
 }
 
-/// Solves `scene` by one route, and does not judge the answer: its status is that of the discrete problem alone.
+/// Solves `scene` by one route, and does not judge the answer.
 ///
 /// A scene without a foundation needs no quadratic program and no solver: the beam is a simple beam.
 ///
 /// # Errors
 ///
 /// A [`SceneError`] if the grid is too coarse or the scene leaves the range of `f64`. A solver that fails is no error:
-/// its answer comes back with a [`Status`] that says so.
+/// [`RawSolution::solved`] says so.
 pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, SceneError> {
     by_route(scene, settings, None)
 }
@@ -207,10 +207,10 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
 
     let kkt = Kkt::of(&scaled.scene, &state);
     let state = state.in_units_of(&scaled.scale);
-    let status = Status::of(kkt.is_some_and(|kkt| kkt.holds()) && state.is_finite(), reports_success);
+    let solved = kkt.is_some_and(|kkt| kkt.holds()) && state.is_finite();
     Ok(RawSolution {
         state,
-        status,
+        solved,
         solver_status: words,
         solver_reports_success: reports_success,
         own_residual,

@@ -215,12 +215,12 @@ pub struct Verdict {
 impl Verdict {
     /// On the answer of a method on a grid.
     #[must_use]
-    pub fn of_raw(outcome: &RawSolution, witness: &Witness<'_>, demand: &Demand) -> Self {
-        let own = (!within(outcome.residual, demand.residual))
-            .then_some(Refusal::Residual { residual: outcome.residual, most: demand.residual });
-        let certificate = certificate(&outcome.state, witness);
-        let size = largest(&outcome.state);
-        Self::new(witness.scene(), certificate, size, own, demand.error, outcome.solver_reports_success)
+    pub fn of_raw(raw: &RawSolution, witness: &Witness<'_>, demand: &Demand) -> Self {
+        let own = (!within(raw.residual, demand.residual))
+            .then_some(Refusal::Residual { residual: raw.residual, most: demand.residual });
+        let certificate = certificate(&raw.state, witness);
+        let size = largest(&raw.state);
+        Self::new(witness.scene(), certificate, size, own, demand.error, raw.solver_reports_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.
@@ -228,13 +228,14 @@ impl Verdict {
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let contacts = &exact.state.contacts;
         let certificate = certify(scene, Judged::Witness, contacts).ok();
-        let own = match exact.status {
-            Status::Certified => certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state)),
-            Status::NotCertified | Status::NotConverged => Some(Refusal::Theory { residual: exact.residual }),
+        let own = if exact.solved {
+            certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state))
+        } else {
+            Some(Refusal::Theory { residual: exact.residual })
         };
         let most = demand.error.min(EXACT);
         let size = largest(&exact.state);
-        Self::new(scene, certificate, size, own, most, exact.status != Status::NotConverged)
+        Self::new(scene, certificate, size, own, most, exact.converged)
     }
 
     /// On contact forces from somebody who says nothing of a grid: what counts is the deflection that they cause.

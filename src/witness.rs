@@ -7,7 +7,6 @@
 
 use std::sync::OnceLock;
 
-use crate::route::Status;
 use crate::scene::{Foundation, Scene};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
@@ -33,12 +32,12 @@ impl<'a> Witness<'a> {
         Self { scene, theory: OnceLock::new() }
     }
 
-    /// The contacts of a solution that is already there, if that is certified.
+    /// The contacts of a solution that is already there, if it is one.
     #[must_use]
     pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
         let witness = Self::of(scene);
         // Nothing was found before.
-        let _ = witness.theory.set(certified(exact));
+        let _ = witness.theory.set(solved(exact));
         witness
     }
 
@@ -54,7 +53,7 @@ impl<'a> Witness<'a> {
     pub fn contacts<'s>(&'s self, nodes: usize, own: &'s [Contact]) -> &'s [Contact] {
         let found = match self.theory.get() {
             None if points(self.scene) <= ALWAYS + PER_NODE * nodes => {
-                self.theory.get_or_init(|| theory::solve(self.scene).ok().as_ref().and_then(certified))
+                self.theory.get_or_init(|| theory::solve(self.scene).ok().as_ref().and_then(solved))
             }
             found => found.unwrap_or(&None),
         };
@@ -62,9 +61,9 @@ impl<'a> Witness<'a> {
     }
 }
 
-/// The contacts of a certified solution.
-fn certified(exact: &Exact) -> Option<Vec<Contact>> {
-    (exact.status == Status::Certified).then(|| exact.state.contacts.clone())
+/// The contacts of an exact solution.
+fn solved(exact: &Exact) -> Option<Vec<Contact>> {
+    (exact.solved).then(|| exact.state.contacts.clone())
 }
 
 /// What beam theory has to look at.
@@ -105,7 +104,7 @@ mod tests {
         assert_eq!(places(witness.contacts(30, &own)), [exact], "it is found already");
         let mut solution = theory::solve(&small).expect("theory has an answer");
         assert_eq!(places(Witness::known(&large, &solution).contacts(30, &own)), [exact]);
-        solution.status = Status::NotCertified;
-        assert_eq!(places(Witness::known(&large, &solution).contacts(300, &own)), [[0.25; 2]], "not certified");
+        solution.solved = false;
+        assert_eq!(places(Witness::known(&large, &solution).contacts(300, &own)), [[0.25; 2]], "not solved");
     }
 }

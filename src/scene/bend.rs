@@ -9,7 +9,7 @@
 
 use std::f64::consts::PI;
 
-use super::Foundation;
+use super::{Foundation, polynomial};
 
 impl Foundation {
     /// The growth of the slope, from the chord over the length `a` to the left of `x` to that over `b` to its right, both
@@ -20,7 +20,7 @@ impl Foundation {
     pub fn bend(&self, x: f64, a: f64, b: f64, ends: [f64; 2]) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
-            Self::Polynomial { coefficients } => polynomial(coefficients, x, a, b),
+            Self::Polynomial { coefficients } => polynomial::bend(coefficients, x, a, b),
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 let rate = 2.0 * PI / wavelength;
                 amplitude * rate * cosine(2.0 * PI * (x / wavelength) + phase, 0.5 * rate * a, 0.5 * rate * b)
@@ -31,18 +31,6 @@ impl Foundation {
             }),
         }
     }
-}
-
-/// `(a + b) u[x − a, x, x + b]`, the divided difference by a scheme like Horner's.
-fn polynomial(coefficients: &[f64], x: f64, a: f64, b: f64) -> f64 {
-    // For u = c + t w(t): u[y] = c + y w[y], u[y, z] = w[y] + z w[y, z], u[x, y, z] = w[x, y] + z w[x, y, z].
-    let (mut one, mut two, mut three) = (0.0, 0.0, 0.0);
-    for c in coefficients.iter().rev() {
-        three = (x + b) * three + two;
-        two = x * two + one;
-        one = (x - a) * one + c;
-    }
-    (a + b) * three
 }
 
 /// The bend of `cos` at the phase `angle`, over a length of `2a` to the left and `2b` to the right. With `S(t) = sin t / t`,

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::Beam;
 use super::error::{SceneError, finite, on_beam, positive};
+use super::polynomial;
 use super::quantity::{Quantity, Support};
 
 /// Depth `u(x)` of the foundation below the line of the supports, positive downwards.
@@ -90,7 +91,7 @@ impl Foundation {
     pub fn depth(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => *depth,
-            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c),
+            Self::Polynomial { coefficients } => polynomial::value(coefficients, x),
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 mean + amplitude * libm::cos(2.0 * std::f64::consts::PI * (x / wavelength) + phase)
             }
@@ -103,7 +104,7 @@ impl Foundation {
     pub fn magnitude_at(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| sum * x.abs() + c.abs()),
+            Self::Polynomial { coefficients } => polynomial::magnitude_at(coefficients, x),
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 // The angle is rounded as well.
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();
@@ -121,7 +122,7 @@ impl Foundation {
     pub fn magnitude(&self, length: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| sum * length + c.abs()),
+            Self::Polynomial { coefficients } => polynomial::magnitude(coefficients, length),
             Self::Cosine { mean, amplitude, .. } => mean.abs() + amplitude.abs(),
             Self::Polyline { points } => points.iter().fold(0.0, |most, p| p[1].abs().max(most)),
         }

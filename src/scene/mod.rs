@@ -3,12 +3,14 @@
 mod beam;
 mod bend;
 mod depths;
+mod double;
 mod error;
 pub mod file;
 mod foundation;
 mod grid;
 mod load;
 pub(crate) mod pieces;
+pub(crate) mod polynomial;
 mod quantity;
 mod scale;
 

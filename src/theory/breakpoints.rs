@@ -5,7 +5,7 @@ use super::piecewise::{AtEnd, Breakpoint, Cell, PiecewiseScene};
 use super::shape::Shape;
 use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Foundation, Load, Scene};
+use crate::scene::{Foundation, Load, Scene, polynomial};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -59,6 +59,11 @@ fn places(foundation: &Foundation, load: &Load, length: f64, ends: &[f64]) -> Ve
     places.extend(load.linear().iter().flat_map(|q| [q.from, q.to]));
     places.extend(load.point().iter().map(|p| p.at));
     places.extend([0.0, length]);
+    if let Foundation::Polynomial { coefficients } = foundation
+        && let Some(degree) = polynomial::long_degree(coefficients)
+    {
+        places.extend(polynomial::cuts(length, polynomial::parts(degree)));
+    }
     if let Foundation::Cosine { wavelength, .. } = foundation {
         let most = CELL_ANGLE * wavelength / (2.0 * std::f64::consts::PI);
         places.sort_by(f64::total_cmp);
@@ -149,6 +154,9 @@ fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
         Foundation::Flat { depth } => (vec![Shape::Polynomial { origin: 0.0, coefficients: vec![*depth] }], Vec::new()),
         Foundation::Polynomial { coefficients } => {
+            if let Some(degree) = polynomial::long_degree(coefficients) {
+                return (vec![Shape::long(coefficients, degree, length)], Vec::new());
+            }
             let used = coefficients.iter().rposition(|&c| c != 0.0).map_or(1, |i| i + 1);
             (vec![Shape::Polynomial { origin: 0.0, coefficients: coefficients[..used].to_vec() }], Vec::new())
         }

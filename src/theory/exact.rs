@@ -6,7 +6,6 @@ use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use super::summary;
 use super::violation::Violation;
-use crate::route::Status;
 use crate::scene::{Foundation, Scale, Scene};
 use crate::state::ContactState;
 
@@ -15,8 +14,10 @@ use crate::state::ContactState;
 pub struct Exact {
     /// The beam in its final position; no nodes.
     pub state: ContactState,
-    /// Certified if every condition holds everywhere, to 12 digits; otherwise this is the best answer that was found.
-    pub status: Status,
+    /// True if every condition holds everywhere, to 12 digits; otherwise this is the best answer that was found.
+    pub solved: bool,
+    /// True if Newton's method converged for its list of contacts.
+    pub converged: bool,
     /// Unknowns of the exact model: lift-off positions, and slopes at edges of the profile.
     pub unknowns: usize,
     /// Newton steps, those of lists that failed their check included.
@@ -25,7 +26,7 @@ pub struct Exact {
     pub lists: usize,
     /// Worst violation of any condition, relative to the largest deflection, force or moment.
     pub residual: f64,
-    /// What the answer violates; empty if it is certified.
+    /// What the answer violates; empty if it is solved.
     pub violations: Vec<Violation>,
     /// Moments that foundation and support exert on the beam together where the foundation starts at the level of a
     /// support and holds the slope of the beam there: the limit of a large reaction downwards and a large contact force
@@ -39,18 +40,25 @@ pub struct Exact {
 }
 
 impl Exact {
+    /// The word of tables for how it ended: `solved`, `not solved`, or `gave up` where Newton's method did not converge either.
+    #[must_use]
+    pub fn ended(&self) -> &'static str {
+        crate::route::ended(self.solved, self.converged)
+    }
+
     /// From the search's result.
     pub(super) fn new(given: PiecewiseScene, found: Found, scale: Scale, stiffness: f64, founded: bool) -> Self {
         let state = summary::state(&given, &found, &scale, stiffness);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
-        let status = Status::of(found.certified() && overflow.is_none(), found.converged);
-        let Found { list, checked, steps, lists, .. } = found;
+        let solved = found.solved() && overflow.is_none();
+        let Found { list, checked, steps, lists, converged } = found;
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples = checked.couples.map(|couple| couple.unwrap_or(0.0) * stiffness * scale.moment());
         Self {
             state,
-            status,
+            solved,
+            converged,
             unknowns: list.nodes.len(),
             iterations: steps,
             lists,

@@ -177,6 +177,7 @@ impl PiecewiseScene {
             [Shape::Polynomial { origin, coefficients }] => {
                 coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - origin).abs() + c.abs()).min(self.magnitude)
             }
+            [shape @ Shape::Long(_)] => shape.size_near(x).min(self.magnitude),
             _ => self.magnitude,
         }
     }

@@ -45,13 +45,13 @@ pub(super) struct Found {
 
 impl Found {
     /// True if every condition holds.
-    pub(super) fn certified(&self) -> bool {
+    pub(super) fn solved(&self) -> bool {
         self.checked.faults.is_empty() && self.converged
     }
 
-    /// The better of two: one that is certified, one that converged, the one that violates less.
+    /// The better of two: one that is solved, one that converged, the one that violates less.
     pub(super) fn better(self, other: Self) -> Self {
-        let rank = |f: &Self| u8::from(f.certified()) + u8::from(f.converged);
+        let rank = |f: &Self| u8::from(f.solved()) + u8::from(f.converged);
         let better = rank(&self).cmp(&rank(&other)).then(other.checked.worst.total_cmp(&self.checked.worst));
         if better.is_lt() { other } else { self }
     }
@@ -70,7 +70,7 @@ pub(super) fn free(given: &PiecewiseScene) -> Found {
 /// piece of the scene.
 pub(super) fn search(given: &PiecewiseScene) -> Found {
     let mut best = free(given);
-    if best.certified() {
+    if best.solved() {
         return best;
     }
     let mut samples = Samples::first(given, LINKS);
@@ -102,7 +102,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
             let checked = check(given, &list);
             (steps, lists) = (steps + run.steps, lists + 1);
             let found = Found { list, checked, steps, lists, converged: run.converged };
-            if found.certified() {
+            if found.solved() {
                 return found;
             }
             let next = repaired(given, &found.list, &found.checked);

@@ -1,5 +1,7 @@
 //! One smooth piece of a foundation profile: its depth and all derivatives.
 
+use crate::scene::polynomial::{LONG_TERMS, cuts, expanded, parts};
+
 /// A full turn, `2π`.
 const FULL: f64 = 2.0 * std::f64::consts::PI;
 
@@ -33,6 +35,16 @@ pub(super) enum Shape {
         /// Phase at `x = 0` \[rad\].
         phase: f64,
     },
+    /// A long polynomial, expanded about a place near by.
+    Long(Vec<Expansion>),
+}
+
+/// A long polynomial on a part of the beam, by its first Taylor coefficients about the middle of it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Expansion {
+    end: f64,
+    middle: f64,
+    coefficients: [f64; LONG_TERMS],
 }
 
 /// The waves `A cos(ωx + φ)` of a cosine profile.
@@ -57,7 +69,7 @@ impl Shape {
     /// The waves, if it is a cosine.
     pub(super) fn wave(&self) -> Option<Wave> {
         match *self {
-            Self::Line { .. } | Self::Polynomial { .. } => None,
+            Self::Line { .. } | Self::Polynomial { .. } | Self::Long(_) => None,
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 Some(Wave { amplitude, number: FULL / wavelength, wavelength, phase })
             }
@@ -71,12 +83,31 @@ impl Shape {
         Self::Line { origin, depth, slope: (u1 - u0) / (x1 - x0) }
     }
 
-    /// The degree, if it is a polynomial.
+    /// A long polynomial of this degree on a beam, by parts.
+    pub(super) fn long(coefficients: &[f64], degree: usize, length: f64) -> Self {
+        let mut start = 0.0;
+        let ends = cuts(length, parts(degree)).chain([length]);
+        let part = |end: f64| {
+            let middle = 0.5 * (start + end);
+            start = end;
+            Expansion { end, middle, coefficients: expanded(&coefficients[..=degree], middle) }
+        };
+        Self::Long(ends.map(part).collect())
+    }
+
+    /// Of a long polynomial, the terms of its expansion that add up to the depth at `x`; infinite for the others.
+    pub(super) fn size_near(&self, x: f64) -> f64 {
+        let Self::Long(parts) = self else { return f64::INFINITY };
+        let near = expansion(parts, x);
+        near.coefficients.iter().rev().fold(0.0, |sum, c| sum * (x - near.middle).abs() + c.abs())
+    }
+
+    /// The degree, if it is one polynomial.
     pub(super) fn degree(&self) -> Option<usize> {
         match self {
             Self::Line { .. } => Some(1),
             Self::Polynomial { coefficients, .. } => Some(coefficients.len().saturating_sub(1)),
-            Self::Cosine { .. } => None,
+            Self::Cosine { .. } | Self::Long(_) => None,
         }
     }
 
@@ -87,7 +118,7 @@ impl Shape {
         let terms = match self {
             Self::Line { .. } => return 0.0,
             Self::Polynomial { coefficients, .. } => coefficients.len().min(taylor.len()),
-            Self::Cosine { .. } => taylor.len(),
+            Self::Cosine { .. } | Self::Long(_) => taylor.len(),
         };
         self.taylor(x, &mut taylor[..terms]);
         if even {
@@ -106,6 +137,10 @@ impl Shape {
                 }
             }
             Self::Polynomial { origin, coefficients } => shifted(coefficients, x - origin, out),
+            Self::Long(parts) => {
+                let near = expansion(parts, x);
+                shifted(&near.coefficients, x - near.middle, out);
+            }
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 let wave = FULL / wavelength;
                 let angle = FULL * (x / wavelength) + phase;
@@ -123,6 +158,12 @@ impl Shape {
             }
         }
     }
+}
+
+/// The expansion of the part in which `x` lies.
+fn expansion(parts: &[Expansion], x: f64) -> &Expansion {
+    let part = parts.partition_point(|part| part.end < x);
+    &parts[part.min(parts.len() - 1)]
 }
 
 /// Coefficients of `Σ c_j (t + shift)^j` in powers of `t`, as many as `out` has room for.

@@ -1,8 +1,9 @@
 //! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
 
 use super::interval::Interval;
-use super::polynomial::{Polynomial, TERMS, number, shift};
+use super::polynomial::{Polynomial, TERMS, expanded, number, shift};
 use crate::scene::Foundation;
+use crate::scene::polynomial::{cuts, long_degree};
 
 /// The foundation of a scene, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
@@ -18,8 +19,10 @@ pub(crate) struct EnclosedFoundation<'a> {
 const MOST_CELLS: f64 = 1e5;
 /// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
 const CELLS_IN_A_WAVE: f64 = 32.0;
-/// Cells on the beam for a polynomial that has more coefficients than are kept.
-const CELLS_OF_A_LONG_POLYNOMIAL: f64 = 256.0;
+/// Cells on the beam for each degree of a long polynomial: over one of them Taylor's remainder changes by less than
+/// `(π/16)^10 / 10! < 3e-14` of the largest depth. Beyond the last limit enclosures are wider.
+const CELLS_PER_DEGREE: usize = 16;
+const MOST_CELLS_OF_A_POLYNOMIAL: usize = 1024;
 
 impl<'a> EnclosedFoundation<'a> {
     pub(crate) fn on(foundation: &'a Foundation, length: f64) -> Self {
@@ -62,8 +65,11 @@ impl<'a> EnclosedFoundation<'a> {
         };
         match self.given {
             Foundation::Flat { .. } => Vec::new(),
-            Foundation::Polynomial { coefficients } if coefficients.len() <= TERMS => Vec::new(),
-            Foundation::Polynomial { .. } => steps(self.length / CELLS_OF_A_LONG_POLYNOMIAL).collect(),
+            Foundation::Polynomial { coefficients } => {
+                let parts =
+                    long_degree(coefficients).map_or(1, |d| MOST_CELLS_OF_A_POLYNOMIAL.min(CELLS_PER_DEGREE * d));
+                cuts(self.length, parts).filter(|x| from < *x && *x < to).collect()
+            }
             Foundation::Cosine { wavelength, .. } => steps(wavelength / CELLS_IN_A_WAVE).collect(),
             Foundation::Polyline { points } => {
                 let first = points.partition_point(|p| p[0] <= from);
@@ -165,19 +171,20 @@ fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
 }
 
 /// Taylor's polynomial about an origin, for a cell; terms beyond those that are kept become the remainder of Lagrange.
-fn of_polynomial(given: &[f64], origin: f64, cell: [f64; 2]) -> Polynomial {
-    let mut shifted: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
-    if shifted.len() <= TERMS {
+fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial {
+    let Some(degree) = long_degree(given) else {
+        let mut shifted: Vec<Interval> = given.iter().take(TERMS).map(|&c| Interval::exact(c)).collect();
         shift(&mut shifted, Interval::exact(origin));
         return Polynomial::new(&shifted);
+    };
+    let mut taylor = expanded(&given[..=degree], origin);
+    if TERMS < taylor.len() {
+        // The coefficient of the remainder: that of Taylor's polynomial at any place of the cell.
+        let mut anywhere = taylor.clone();
+        shift(&mut anywhere, Interval::between(from, to) - Interval::exact(origin));
+        taylor[TERMS - 1] = anywhere[TERMS - 1];
     }
-    // The coefficient of the remainder: that of Taylor's polynomial at any place of the cell.
-    let mut anywhere = shifted.clone();
-    shift(&mut anywhere, Interval::between(cell[0], cell[1]));
-    shift(&mut shifted, Interval::exact(origin));
-    shifted.truncate(TERMS);
-    shifted[TERMS - 1] = anywhere[TERMS - 1];
-    Polynomial::new(&shifted)
+    Polynomial::new(&taylor)
 }
 
 /// Derivatives of a cosine at `x`, over factorials; the last one at any place.

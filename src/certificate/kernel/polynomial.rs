@@ -151,6 +151,34 @@ pub(crate) fn shift(coefficients: &mut [Interval], s: Interval) {
     }
 }
 
+/// Taylor coefficients about `x` of the polynomial with these coefficients in powers of the place. Each is carried as a number
+/// and an interval that holds what it is off by, so that what is lost is of the size of the square of a rounding.
+pub(crate) fn expanded(given: &[f64], x: f64) -> Vec<Interval> {
+    let mut taylor: Vec<(f64, Interval)> = given.iter().map(|&c| (c, Interval::ZERO)).collect();
+    for start in 0..taylor.len() {
+        for j in (start..taylor.len() - 1).rev() {
+            taylor[j] = carried(taylor[j + 1], x, taylor[j]);
+        }
+    }
+    taylor.into_iter().map(|(c, off)| Interval::exact(c) + off).collect()
+}
+
+/// `a x + b`, rounded, and what it is off by.
+fn carried((a, a_off): (f64, Interval), x: f64, (b, b_off): (f64, Interval)) -> (f64, Interval) {
+    let product = a * x;
+    let sum = product + b;
+    if !sum.is_finite() {
+        return (0.0, Interval::WHOLE);
+    }
+    // What the product rounds off is a number, unless it is below the range of normal ones; what a sum rounds off always is
+    // (Knuth).
+    let lost = libm::fma(a, x, -product);
+    let part = sum - product;
+    let rest = (product - (sum - part)) + (b - part);
+    let lost = Interval::between(lost.next_down(), lost.next_up());
+    (sum, a_off * Interval::exact(x) + b_off + lost + Interval::exact(rest))
+}
+
 /// A small whole number.
 #[expect(clippy::cast_precision_loss, reason = "at most a few dozen")]
 pub(crate) fn number(value: usize) -> Interval {

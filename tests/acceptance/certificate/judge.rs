@@ -3,7 +3,7 @@
 mod measures;
 
 use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::{ContactState, Nodes};
 
@@ -13,7 +13,7 @@ use crate::scenes::{example, run, scene, uniform};
 #[track_caller]
 fn correct_on(scene: &Scene, intervals: usize) -> ContactState {
     let outcome = run(scene, Method::Force, Solver::ActiveSet, intervals);
-    assert_eq!(outcome.status, Status::Certified);
+    assert!(outcome.solved);
     outcome.state
 }
 
@@ -21,7 +21,7 @@ fn correct_on(scene: &Scene, intervals: usize) -> ContactState {
 #[track_caller]
 fn correct(scene: &Scene, method: Method) -> ContactState {
     let outcome = run(scene, method, Solver::ActiveSet, 30);
-    assert_eq!(outcome.status, Status::Certified, "{method}");
+    assert!(outcome.solved, "{method}");
     outcome.state
 }
 
@@ -84,7 +84,7 @@ fn a_state_of_another_scene_or_method_does_not_pass() {
 fn a_stationary_point_that_is_not_optimal_does_not_pass() {
     let outcome = run(&example(), Method::Displacement, Solver::FourStep, 100);
     assert!(outcome.solver_reports_success, "the four steps end with x ≥ 0");
-    assert_eq!(outcome.status, Status::NotCertified);
+    assert!(!outcome.solved && outcome.solver_reports_success);
     assert!(CERTIFIED_RESIDUAL < outcome.residual);
     let kkt = Kkt::of(&example(), &outcome.state).expect("nodes");
     assert!(kkt.penetration < CERTIFIED_RESIDUAL && CERTIFIED_RESIDUAL < kkt.tension, "{kkt:?}");

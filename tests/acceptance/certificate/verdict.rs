@@ -152,7 +152,7 @@ fn beam_theory_is_judged_like_everybody() {
     assert_ne!(verdict.status, Status::Certified, "another scene's contacts: {verdict:?}");
 
     let mut wrong = right;
-    wrong.status = Status::NotCertified;
+    wrong.solved = false;
     let refusal = Verdict::of_exact(&scene, &wrong, &Demand::default()).refusal;
     assert!(matches!(refusal, Some(Refusal::Theory { .. })), "{refusal:?}");
 }

@@ -2,7 +2,7 @@
 //!
 //! `cond K` and `cond A` grow like `n⁴` and pass 10¹⁶ near 10⁴ intervals. The solves on a contact set never form them.
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 
 use crate::scenes::{apart, example, nodes, report, run};
 
@@ -18,7 +18,7 @@ fn every_method_is_certified_on_a_million_intervals() {
     for method in Method::ALL {
         for intervals in [30_000, 100_000, 1_000_000] {
             let outcome = run(&example(), method, Solver::ActiveSet, intervals);
-            assert_eq!(outcome.status, Status::Certified, "{method}, {intervals} intervals");
+            assert!(outcome.solved, "{method}, {intervals} intervals");
             let residual = outcome.residual;
             assert!(residual <= RESIDUAL, "{method}, {intervals} intervals: residual {residual:.1e}");
         }
@@ -60,7 +60,7 @@ fn uneven_ground_loses_no_digits_either() {
     for (name, scene) in report().into_iter().filter(|(name, _)| name != "step") {
         for method in [Method::Complementarity, Method::Displacement] {
             let outcome = run(&scene, method, Solver::ActiveSet, 20_000);
-            assert_eq!(outcome.status, Status::Certified, "{name}, {method}: residual {:.1e}", outcome.residual);
+            assert!(outcome.solved, "{name}, {method}: residual {:.1e}", outcome.residual);
         }
     }
 }

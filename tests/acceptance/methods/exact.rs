@@ -6,7 +6,7 @@
 
 mod large;
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
 use palkki::state::Nodes;
 
@@ -33,7 +33,7 @@ fn example_on(intervals: u16) -> Data {
 #[track_caller]
 fn exact(data: &Data, scene: &Scene, method: Method) -> (Exact, Nodes) {
     let outcome = run(scene, method, Solver::ActiveSet, data.loads.len() + 1);
-    assert_eq!(outcome.status, Status::Certified, "{method}");
+    assert!(outcome.solved, "{method}");
     let nodes = nodes(&outcome).clone();
     let contact: Vec<bool> = nodes.contact_force.iter().map(|p| 0.0 < *p).collect();
     let exact = if method == Method::Complementarity { data.differences(&contact) } else { data.energy(&contact) };
@@ -179,7 +179,7 @@ fn every_route_finds_the_first_contact_force_or_says_that_it_does_not() {
             let outcome = run(&example(), method, solver, 30);
             let force = nodes(&outcome).contact_force[node];
             let error = (force - reference).abs();
-            if outcome.status == Status::Certified {
+            if outcome.solved {
                 certified += 1;
                 assert!(error <= asked(solver), "{method} {solver}: {force}, off by {error:.1e}");
             } else {

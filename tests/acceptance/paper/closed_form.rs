@@ -1,7 +1,7 @@
 //! Closed forms: beam theory against the conditions that it was derived from, the discrete methods against formulas that can
 //! be written down for nodal loads.
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::Foundation;
 use palkki::state::Regime;
 use palkki::theory::{FlatSolution, flat};
@@ -158,7 +158,7 @@ fn a_free_beam_bends_by_the_formula() {
         for intervals in [2_u8, 3, 10, 75] {
             let scene = uniform(l, ei, q, Foundation::Flat { depth: 6.0 * unit_depth() });
             let outcome = run(&scene, method, Solver::ActiveSet, intervals.into());
-            assert_eq!(outcome.status, Status::Certified, "{method} {intervals}");
+            assert!(outcome.solved, "{method} {intervals}");
             assert_eq!(outcome.state.regime, Regime::None, "{method} {intervals}");
             let nodes = nodes(&outcome);
             for ((&x, &v), &m) in nodes.x.iter().zip(&nodes.deflection).zip(&nodes.moment) {
@@ -184,7 +184,7 @@ fn contact_at_mid_span_has_the_force_of_the_formula() {
 
             let outcome =
                 run(&uniform(l, ei, q, Foundation::Flat { depth }), method, Solver::ActiveSet, intervals.into());
-            assert_eq!(outcome.status, Status::Certified, "{method} {intervals}");
+            assert!(outcome.solved, "{method} {intervals}");
             assert_eq!(outcome.state.regime, Regime::Points, "{method} {intervals}");
             let [contact] = outcome.state.contacts[..] else { panic!("one contact: {:?}", outcome.state.contacts) };
             close(contact.from, 0.5 * l, SUMS, "place");
@@ -210,7 +210,7 @@ fn the_scene_with_one_kink_has_the_force_of_the_formula() {
         let force = (by_nodes + by_force(2.0, 7.0, kink) - 0.5) / by_force(1.0, kink, kink);
         for method in [Method::Displacement, Method::Force] {
             let outcome = run(&scene, method, Solver::ActiveSet, intervals.into());
-            assert_eq!(outcome.status, Status::Certified, "{method} {intervals}");
+            assert!(outcome.solved, "{method} {intervals}");
             close(outcome.state.contact_force(), force, SUMS, "force at the kink");
         }
     }

@@ -30,7 +30,7 @@ fn full_exchanges_without_a_fallback_go_round_in_circles() {
 fn the_four_steps_end_there_at_the_optimum_or_not() {
     for instance in corpus() {
         let outcome = run(&instance.scene, instance.method, Solver::FourStep, instance.intervals);
-        assert_eq!(outcome.status.name(), instance.four_step, "{}", instance.line);
+        assert_eq!(outcome.ended(), instance.four_step, "{}", instance.line);
     }
 }
 

@@ -6,7 +6,7 @@ mod exchanges;
 mod libraries;
 mod windows;
 
-use palkki::route::{Method, RawSolution, Solver, Status};
+use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::Scene;
 
 use crate::scenes::run;
@@ -17,7 +17,7 @@ fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> RawSo
     let outcome = run(scene, method, Solver::ActiveSet, intervals);
     let (name, taken, residual) = (scene.title(), outcome.iterations, outcome.residual);
     let told = format!("{name}, {method}, {intervals}: {taken} solves, residual {residual:.1e}");
-    assert_eq!(outcome.status, Status::Certified, "{told}");
+    assert!(outcome.solved, "{told}");
     assert!(outcome.solver_reports_success && taken <= solves, "{told}");
     outcome
 }

@@ -1,6 +1,6 @@
 //! The force method, and dense contact by every method, on fine grids: what it costs where contact is hard to find, and which digits are left.
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::Foundation;
 
 use super::ends;
@@ -38,7 +38,7 @@ fn scenes_of_the_report_on_a_hundred_thousand_intervals() {
 fn a_step_between_the_nodes_does_not_lead_a_window_astray() {
     ends(&scene("step"), Method::Force, 200_004, 800);
     let outcome = run(&scene("step"), Method::Displacement, Solver::ActiveSet, 200_004);
-    assert_eq!(outcome.status, Status::Certified);
+    assert!(outcome.solved);
     assert!(outcome.work <= 10 * outcome.unknowns, "{} for {} unknowns", outcome.work, outcome.unknowns);
 }
 
@@ -55,7 +55,7 @@ fn dense_contact_costs_some_dozen_solves_of_the_whole() {
         for method in Method::ALL {
             let outcome = run(&scene, method, Solver::ActiveSet, intervals);
             let told = format!("{method}, {intervals}, {segments}: {} for {}", outcome.work, outcome.unknowns);
-            assert_eq!(outcome.status, Status::Certified, "{told}");
+            assert!(outcome.solved, "{told}");
             assert!(outcome.work <= WORTH * outcome.unknowns, "{told}");
         }
     }

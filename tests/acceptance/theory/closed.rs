@@ -1,6 +1,5 @@
 //! The exact solution against foundations that have one in closed form.
 
-use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
 use palkki::state::Regime;
 use palkki::theory::closed::{incline, lifted, parabola};
@@ -20,7 +19,7 @@ fn solved(length: f64, stiffness: f64, load: f64, point: &[PointLoad], foundatio
     let beam = Beam::new(length, stiffness).expect("a beam");
     let load = Load::new(&beam, load, Vec::new(), point.to_vec()).expect("a load");
     let exact = solve(&Scene::new(beam, load, Some(foundation)).expect("a scene")).expect("an answer");
-    assert_eq!(exact.status, Status::Certified, "{:?}", exact.violations);
+    assert!(exact.solved, "{:?}", exact.violations);
     exact
 }
 

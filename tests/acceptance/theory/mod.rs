@@ -3,6 +3,7 @@
 mod borders;
 mod closed;
 mod level;
+mod long;
 mod near;
 mod statics;
 mod surveys;

@@ -1,7 +1,6 @@
 //! Places that nearly coincide: a load beside a kink, a step or a place of contact, from the last bit to a millionth of the
 //! beam away from it.
 
-use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 use palkki::theory::{Exact, solve};
 
@@ -50,7 +49,7 @@ fn a_load_may_lie_beside_any_place() {
                 for (load, energy) in loads(&beam, x).into_iter().zip(here) {
                     let beside = solved(beam, load, &foundation);
                     let what = format!("{foundation:?}, load at {x:?} beside {at}");
-                    assert_eq!(beside.status, Status::Certified, "{what}: {:?}", beside.violations);
+                    assert!(beside.solved, "{what}: {:?}", beside.violations);
                     let allowed = DIGITS + SENSITIVITY * (x - at).abs() / LENGTH;
                     assert!((beside.state.energy / energy - 1.0).abs() <= allowed, "{what}: {}", beside.state.energy);
                 }

@@ -1,7 +1,7 @@
 //! Surveys of many points, as a laser gives them: certified at a hundred thousand points, and in agreement with a fine grid where a
 //! grid can be fine enough.
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::theory::{self, Exact};
 use palkki_evidence::extremes::{Ground, survey};
 
@@ -14,7 +14,7 @@ const LOADS: [f64; 2] = [1.0, 1e4];
 fn certified(ground: Ground, segments: u32, load: f64) -> Exact {
     let exact = theory::solve(&survey(ground, segments, load).expect("a scene")).expect("an answer");
     let told = format!("{}, {segments}, {load}: {:e}, {:?}", ground.name(), exact.residual, exact.violations);
-    assert_eq!(exact.status, Status::Certified, "{told}");
+    assert!(exact.solved, "{told}");
     exact
 }
 
@@ -39,7 +39,7 @@ fn surveys_of_a_thousand_points_agree_with_a_fine_grid_in_energy() {
             let exact = certified(ground, 1000, load);
             let scene = survey(ground, 1000, load).expect("a scene");
             let outcome = run(&scene, Method::Force, Solver::ActiveSet, 100_000);
-            assert_eq!(outcome.status, Status::Certified, "{}, {load}", ground.name());
+            assert!(outcome.solved, "{}, {load}", ground.name());
             let off = ((outcome.state.energy - exact.state.energy) / exact.state.energy).abs();
             assert!(off <= OFF, "{}, {load}: energies differ by {off:e}", ground.name());
         }

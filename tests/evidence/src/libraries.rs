@@ -3,7 +3,7 @@
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, Stationary, residual};
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::{Settings, solve_raw};
@@ -27,13 +27,13 @@ enum Given {
 
 /// What came out.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RawSolution {
+pub struct Run {
     /// What the library says, or what we say where it was not asked.
     pub word: String,
     /// True if it says that it succeeded.
     pub claims: bool,
     /// Whether the answer passes our check.
-    pub status: Status,
+    pub solved: bool,
     /// Iterations.
     pub iterations: usize,
 }
@@ -111,17 +111,17 @@ impl Qp for Banded {
 
 impl Situation {
     /// Hands it to a library, by the force method where it is a scene.
-    pub fn run(&self, library: Solver) -> Result<RawSolution, String> {
+    pub fn run(&self, library: Solver) -> Result<Run, String> {
         match self.given {
             Given::Scene { foundation, load, intervals } => {
                 let scene = read(foundation, load)?;
                 let settings =
                     Settings { tolerance: self.tolerance, ..Settings::new(Method::Force, library, intervals) };
                 let outcome = solve_raw(&scene, &settings).map_err(|error| error.to_string())?;
-                Ok(RawSolution {
+                Ok(Run {
                     word: outcome.solver_status,
                     claims: outcome.solver_reports_success,
-                    status: outcome.status,
+                    solved: outcome.solved,
                     iterations: outcome.iterations,
                 })
             }
@@ -131,15 +131,9 @@ impl Situation {
                 let answer = library.run(&qp, self.tolerance);
                 // Its own multipliers are not believed: the gradient is taken anew.
                 let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
-                let status = match answer.reports_success {
-                    _ if found <= CERTIFIED_RESIDUAL && answer.x.len() == linear.len() && !linear.is_empty() => {
-                        Status::Certified
-                    }
-                    true => Status::NotCertified,
-                    false => Status::NotConverged,
-                };
+                let solved = found <= CERTIFIED_RESIDUAL && answer.x.len() == linear.len() && !linear.is_empty();
                 let (word, claims) = (answer.words, answer.reports_success);
-                Ok(RawSolution { word, claims, status, iterations: answer.iterations })
+                Ok(Run { word, claims, solved, iterations: answer.iterations })
             }
         }
     }

@@ -53,6 +53,7 @@ pub(crate) fn rows(name: &str, scene: &Scene, grids: &[usize]) -> Result<Vec<Row
 
 fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals: usize) -> Result<Row, Cause> {
     let outcome = solve_raw(truth.scene, &Settings::new(method, solver, intervals))?;
+    let ended = outcome.ended();
     let nodes = outcome.state.nodes.ok_or("a discretised state has nodes")?;
     let (word, error, certified) = match truth.nodes(&nodes) {
         None => (REFUSED, f64::INFINITY, f64::INFINITY),
@@ -66,7 +67,7 @@ fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals:
         method: method.name().to_owned(),
         solver: solver.name().to_owned(),
         intervals,
-        status: outcome.status.name().to_owned(),
+        status: ended.to_owned(),
         outcome: word.to_owned(),
         // Digits of an error that is rounding are rounding themselves.
         truth: if error < THEORY { 0.0 } else { error },

@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use palkki::adaptive::{End, Request, adapt};
-use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::{Settings, solve_raw, theory};
@@ -55,17 +54,17 @@ struct Answer {
 }
 
 fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
-    let line = |status: Status, success: bool, iterations: usize, unknowns: usize| Line {
+    let line = |status: &str, success: bool, iterations: usize, unknowns: usize| Line {
         says_solved: Some(success),
         iterations: Some(iterations),
         unknowns: Some(unknowns),
-        ..begun.clone().ended(status.name())
+        ..begun.clone().ended(status)
     };
     match job.route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),
         Route::Exact => {
             let exact = theory::solve(scene)?;
-            let line = line(exact.status, exact.status == Status::Certified, exact.iterations, exact.unknowns);
+            let line = line(exact.ended(), exact.solved, exact.iterations, exact.unknowns);
             Ok(Answer { state: exact.state, residual: exact.residual, line })
         }
         Route::Solver(method, solver) => {
@@ -74,7 +73,7 @@ fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
             let line = Line {
                 did_as_asked: found.own_residual.map(|own| own.is_met()),
                 own_residual: found.own_residual.and_then(|own| rounded(own.residual, 2)),
-                ..line(found.status, found.solver_reports_success, found.iterations, found.unknowns)
+                ..line(found.ended(), found.solver_reports_success, found.iterations, found.unknowns)
             };
             Ok(Answer { state: found.state, residual: found.residual, line })
         }
@@ -85,7 +84,7 @@ fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
             let line = Line {
                 last_intervals: Some(found.settings.intervals),
                 certified_error: rounded(found.solution.verdict.error, 2),
-                ..line(found.solution.verdict.status, reached, iterations, found.solution.unknowns)
+                ..line(found.solution.verdict.status.name(), reached, iterations, found.solution.unknowns)
             };
             Ok(Answer { state: found.solution.state, residual: found.solution.residual, line })
         }

@@ -20,7 +20,7 @@ pub(crate) struct Line {
     pub(crate) intervals: usize,
     /// What was asked for; 0 where nothing is.
     pub(crate) tolerance: f64,
-    /// Our check: `certified`, `not-certified`, `not-converged`; `proven` for an optimum; or why there is no result.
+    /// Our check: `solved`, `not solved`, `gave up`; of the adaptive grid its verdict; `proven` for an optimum; or why there is no result.
     pub(crate) status: String,
     /// Whether the solver says that it solved the problem.
     pub(crate) says_solved: Option<bool>,
@@ -86,8 +86,9 @@ impl Line {
         self.status == LEFT_OUT
     }
 
-    pub(crate) fn is_certified(&self) -> bool {
-        self.status == "certified"
+    /// True if its problem is solved, and of an adaptive search if its answer is certified.
+    pub(crate) fn succeeded(&self) -> bool {
+        self.status == "solved" || self.status == "certified"
     }
 
     /// Whether it asks for a tolerance, or has none.

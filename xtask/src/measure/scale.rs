@@ -134,7 +134,7 @@ pub(crate) struct Line {
     /// `method/solver`
     pub(crate) route: String,
     pub(crate) intervals: u32,
-    /// Our check: `certified`, `not-certified`, `not-converged`; or `left-out`, `stopped`, `refused`.
+    /// Our check: `solved`, `not solved`, `gave up`; or `left-out`, `stopped`, `refused`.
     pub(crate) status: String,
     /// Why there is no result.
     pub(crate) why: String,
@@ -175,8 +175,8 @@ impl Line {
         Self { status: status.to_owned(), why, ..self }
     }
 
-    pub(crate) fn is_certified(&self) -> bool {
-        self.status == "certified"
+    pub(crate) fn is_solved(&self) -> bool {
+        self.status == "solved"
     }
 
     pub(crate) fn is_refused(&self) -> bool {
@@ -298,7 +298,7 @@ fn once(job: Job, scene: &Scene) -> Line {
     match job.route {
         Route::Exact => match theory::solve(scene) {
             Ok(exact) => Line {
-                status: exact.status.name().to_owned(),
+                status: exact.ended().to_owned(),
                 residual: rounded(exact.residual, 2),
                 energy: rounded(exact.state.energy, 15),
                 iterations: Some(exact.iterations),
@@ -313,7 +313,7 @@ fn once(job: Job, scene: &Scene) -> Line {
             let intervals = usize::try_from(job.intervals()).unwrap_or(usize::MAX);
             match solve_raw(scene, &Settings::new(Method::Force, solver, intervals)) {
                 Ok(outcome) => Line {
-                    status: outcome.status.name().to_owned(),
+                    status: outcome.ended().to_owned(),
                     residual: rounded(outcome.residual, 2),
                     energy: rounded(outcome.state.energy, 15),
                     iterations: Some(outcome.iterations),
@@ -363,6 +363,6 @@ mod tests {
         assert!(told(&["white noise", "100", "1e0", "nobody"].map(str::to_owned)).is_err() && told(&[]).is_err());
         let job = Job { ground: Ground::ALL[0], points: 100, load: 1.0, route: Route::Exact };
         let line = job.measured_here().expect("a line");
-        assert_eq!((line.name(), line.is_certified()), (Line::of(job).name(), true), "{line:?}");
+        assert_eq!((line.name(), line.is_solved()), (Line::of(job).name(), true), "{line:?}");
     }
 }

@@ -46,6 +46,40 @@ fn cells_of_a_long_polynomial_enclose_it() {
     }
 }
 
+/// `T_20(x/4 − 1)`, the terms of which add up to `10¹⁵`: cells enclose what its recurrence gives, to some roundings of 1.
+#[test]
+fn cells_of_a_long_polynomial_are_sharp() {
+    const ROUNDING: f64 = 1e-13;
+    let (mut last, mut this) = (vec![1.0], vec![-1.0, 0.25]);
+    for _ in 1..20 {
+        let mut next = vec![0.0; this.len() + 1];
+        for (j, c) in this.iter().enumerate() {
+            next[j] -= 2.0 * c;
+            next[j + 1] += 0.5 * c;
+        }
+        next.iter_mut().zip(&last).for_each(|(next, last)| *next -= last);
+        (last, this) = (this, next);
+    }
+    let chebyshev = |x: f64| {
+        let t = x / 4.0 - 1.0;
+        (1..20).fold((1.0, t), |(last, this), _| (this, 2.0 * t * this - last)).1
+    };
+    let foundation = Foundation::Polynomial { coefficients: this };
+    let ground = EnclosedFoundation::on(&foundation, 8.0);
+    let mut ends = vec![0.0];
+    ends.extend(ground.breaks(0.0, 8.0));
+    ends.push(8.0);
+    for cell in ends.windows(2) {
+        let (enclosed, mirrored) = (ground.cell(cell[0], cell[1]), ground.mirrored_cell(cell[0], cell[1]));
+        for x in [cell[0], 0.5 * (cell[0] + cell[1]), cell[1]] {
+            encloses(&enclosed, x - cell[0], chebyshev(x), ROUNDING);
+            encloses(&mirrored, cell[1] - x, chebyshev(x), ROUNDING);
+            let range = enclosed.at(Interval::exact(x - cell[0]));
+            assert!(range.hi() - range.lo() < 10.0 * ROUNDING, "{range:?} at {x}");
+        }
+    }
+}
+
 /// The same for a cosine, on a cell as long as the wave; on one of those that it is cut into the remainder is of rounding size.
 #[test]
 fn cells_of_a_cosine_enclose_it() {
@@ -99,9 +133,12 @@ fn ground_is_levelled_at_both_supports() {
 
 #[test]
 fn cells_end_where_they_are_said_to() {
-    let (long, short) = (long(), Foundation::Polynomial { coefficients: vec![1.0; TERMS] });
-    let sixteenths: Vec<f64> = (1..8).map(|k| 1.0 + f64::from(k) / 16.0).collect();
-    assert_eq!(EnclosedFoundation::on(&long, LENGTH).breaks(1.0, 1.5), sixteenths, "256 cells on the beam");
+    let (long, short) = (long(), Foundation::Polynomial { coefficients: vec![1.0; 10] });
+    let cells = EnclosedFoundation::on(&long, LENGTH).breaks(0.0, LENGTH);
+    assert_eq!(cells.len() + 1, 12 * CELLS_PER_DEGREE, "so many for each degree");
+    assert!(cells.is_sorted() && 0.0 < cells[0] && cells[cells.len() - 1] < LENGTH);
+    let inside: Vec<f64> = cells.into_iter().filter(|x| 1.0 < *x && *x < 1.5).collect();
+    assert_eq!(EnclosedFoundation::on(&long, LENGTH).breaks(1.0, 1.5), inside);
     assert!(EnclosedFoundation::on(&short, LENGTH).breaks(1.0, 1.5).is_empty());
     let wave = Foundation::Cosine { mean: 1.0, amplitude: 0.5, wavelength: 64.0, phase: 0.0 };
     assert_eq!(EnclosedFoundation::on(&wave, LENGTH).breaks(9.0, 14.0), [10.0, 12.0], "32 cells in a wave");

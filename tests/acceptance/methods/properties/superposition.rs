@@ -1,6 +1,6 @@
 //! More load where the beam lies on the ground anyway, no contact, contact everywhere, deeper ground.
 
-use palkki::route::{Method, RawSolution, Solver, Status};
+use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::{Foundation, PointLoad};
 use palkki::state::Regime;
 
@@ -11,7 +11,7 @@ const INTERVALS: usize = 40;
 
 fn solved(parts: &Parts, method: Method) -> RawSolution {
     let outcome = run(&parts.scene(), method, Solver::ActiveSet, INTERVALS);
-    assert_eq!(outcome.status, Status::Certified, "{method}: {parts:?}");
+    assert!(outcome.solved, "{method}: {parts:?}");
     outcome
 }
 
@@ -61,7 +61,7 @@ fn ground_out_of_reach_is_not_touched() {
 fn ground_at_the_level_of_the_supports_carries_everything() {
     for method in Method::ALL {
         let outcome = run(&uniform(8.0, 2.0, 3.0, Foundation::Flat { depth: 0.0 }), method, Solver::ActiveSet, 16);
-        assert_eq!(outcome.status, Status::Certified, "{method}");
+        assert!(outcome.solved, "{method}");
         assert!(apart(&nodes(&outcome).contact_force, &[1.5; 15]) <= 1.5 * ROUNDING, "q₀Δ = 1.5 on every node");
         assert!(largest(&nodes(&outcome).deflection) <= 0.0, "{method}: nothing bends");
         assert_eq!(outcome.state.regime, Regime::Zone, "{method}");
@@ -78,7 +78,7 @@ fn ground_in_the_shape_of_the_beam_carries_its_share() {
     // The fourth difference of a polynomial of degree 4 is its derivative, so that finite differences reproduce it exactly:
     // all but the nodes beside the supports, where v_{−1} = −v_1 leaves out v''''. The energy methods have no such luck.
     let outcome = run(&uniform(l, ei, q, shape), Method::Complementarity, Solver::ActiveSet, 16);
-    assert_eq!(outcome.status, Status::Certified);
+    assert!(outcome.solved);
     let p = &nodes(&outcome).contact_force;
     let inner = vec![0.5 * q * l / 16.0; 13];
     assert!(apart(&p[1..14], &inner) <= ROUNDING * q * l, "half of q₀Δ inside: {p:?}");
@@ -90,7 +90,7 @@ fn a_beam_that_follows_a_dish_is_carried_by_it() {
     let dish = scene("dish");
     for method in Method::ALL {
         let outcome = run(&dish, method, Solver::ActiveSet, 100);
-        assert_eq!(outcome.status, Status::Certified, "{method}");
+        assert!(outcome.solved, "{method}");
         let nodes = nodes(&outcome);
         let inside = |i: &usize| (40..=60).contains(i);
         for i in (0..nodes.x.len()).filter(inside) {

@@ -1,6 +1,6 @@
 //! Seen from the other side, a beam is the same beam.
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::{LinearLoad, PointLoad};
 use palkki::state::ContactState;
 
@@ -87,7 +87,7 @@ fn no_force_acts_across_a_clearance_and_none_pulls() {
     for (name, scene) in report() {
         for method in Method::ALL {
             let outcome = run(&scene, method, Solver::ActiveSet, 30);
-            assert_eq!(outcome.status, Status::Certified, "{name} {method}");
+            assert!(outcome.solved, "{name} {method}");
             let nodes = nodes(&outcome);
             for (p, h) in nodes.contact_force.iter().zip(&nodes.clearance) {
                 // Exactly: the active set sets the one or the other to zero.

@@ -1,7 +1,7 @@
 //! Many random uneven foundations: the active set always ends, at a state that the judge certifies.
 
 use palkki::methods::Discrete;
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::Regime;
 use palkki_evidence::paper::uneven::{Unevenness, scenes};
@@ -31,10 +31,12 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
         for method in Method::ALL {
             let outcome = run(scene, method, Solver::ActiveSet, intervals);
             touched += usize::from(outcome.state.regime != Regime::None);
-            if outcome.status != Status::Certified || !outcome.solver_reports_success {
+            if !outcome.solved || !outcome.solver_reports_success {
                 failures.push(format!(
                     "scene {k}, {method}, {intervals} intervals: {}, residual {:.1e}, {}",
-                    outcome.status, outcome.residual, outcome.solver_status
+                    outcome.ended(),
+                    outcome.residual,
+                    outcome.solver_status
                 ));
             }
         }
@@ -61,7 +63,7 @@ fn the_active_set_is_certified_on_instances_that_are_known_to_cycle() {
     for (k, scene) in hard.iter().enumerate() {
         for method in Method::ALL {
             let outcome = run(scene, method, Solver::ActiveSet, 300);
-            assert_eq!(outcome.status, Status::Certified, "{k}, {method}: {:.1e}", outcome.residual);
+            assert!(outcome.solved, "{k}, {method}: {:.1e}", outcome.residual);
         }
     }
 }
@@ -71,7 +73,7 @@ fn the_active_set_is_certified_on_instances_that_are_known_to_cycle() {
 fn the_active_set_ends_where_full_exchanges_wander() {
     for method in Method::ALL {
         let outcome = run(&hump(), method, Solver::ActiveSet, 1000);
-        assert_eq!(outcome.status, Status::Certified, "{method}: {:.1e}", outcome.residual);
+        assert!(outcome.solved, "{method}: {:.1e}", outcome.residual);
     }
 }
 

@@ -4,7 +4,7 @@
 //! witness that is only believed where it is proven), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
 
 use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate};
-use palkki::route::{RawSolution, Status};
+use palkki::route::RawSolution;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::Exact;
@@ -124,7 +124,7 @@ pub(super) fn judge(
     exact: Option<&Exact>,
 ) -> Option<Certificate> {
     let who = name(settings);
-    if outcome.status == Status::Certified {
+    if outcome.solved {
         balanced(trial, &who, scene, &outcome.state);
     }
     let nodes = outcome.state.nodes.as_ref()?;
@@ -133,7 +133,7 @@ pub(super) fn judge(
     if certificate.gap < 0.0 || certificate.energy_upper < certificate.energy_lower {
         trial.wrong.push(format!("{who}: bounds are upside down: {certificate:?}"));
     }
-    if let Some(exact) = exact.filter(|exact| exact.status == Status::Certified) {
+    if let Some(exact) = exact.filter(|exact| exact.solved) {
         within(trial, &who, exact, &certificate, scene);
         let (_, size) = sizes(scene, &exact.state);
         for (x, v) in nodes.x.iter().zip(&nodes.deflection) {
@@ -156,7 +156,7 @@ pub(super) fn same(
     state: &ContactState,
     reference: &RawSolution,
 ) {
-    if reference.status != Status::Certified {
+    if !reference.solved {
         return;
     }
     let other = &reference.state;

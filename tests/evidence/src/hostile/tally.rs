@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use palkki::route::Status;
-
 use super::scenes::Family;
 use super::trial::{self, Trial};
 
@@ -87,16 +85,16 @@ impl Tally {
             count.refused += 1;
             return;
         }
-        let certified = |status: Status| usize::from(status != Status::Certified);
-        count.exact[trial.exact.map_or(2, certified)] += 1;
-        if trial.exact == Some(Status::Certified) {
+        let index = |solved: bool| usize::from(!solved);
+        count.exact[trial.exact.map_or(2, index)] += 1;
+        if trial.exact == Some(true) {
             count.bounded += usize::from(trial.bounded);
         }
-        if let Some(status) = trial.reference {
-            count.reference[certified(status)] += 1;
+        if let Some(solved) = trial.reference {
+            count.reference[index(solved)] += 1;
         }
-        if let Some(status) = trial.route {
-            count.route[certified(status)] += 1;
+        if let Some(solved) = trial.route {
+            count.route[index(solved)] += 1;
         }
         count.contradicted += usize::from(trial.contradicted);
         count.rescaled += usize::from(trial.rescaled);

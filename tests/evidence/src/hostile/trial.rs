@@ -2,7 +2,7 @@
 //! their laws.
 
 use crate::random::Random;
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::theory;
@@ -22,14 +22,14 @@ const MOST_INTERVALS: usize = 60;
 pub(crate) struct Trial {
     /// True if the text is a scene.
     pub(crate) accepted: bool,
-    /// Verdict on beam theory, if it has an answer.
-    pub(crate) exact: Option<Status>,
+    /// Whether beam theory solved it, if it has an answer.
+    pub(crate) exact: Option<bool>,
     /// Whether the program calls it certified in the end: its bounds are finite, and its deflection is that of its contacts.
     pub(crate) bounded: bool,
-    /// Verdict on the reference on the same grid, force method or finite differences with the active set.
-    pub(crate) reference: Option<Status>,
-    /// Verdict on another route on that grid.
-    pub(crate) route: Option<Status>,
+    /// Whether the reference on the same grid, force method or finite differences with the active set, solved its problem.
+    pub(crate) reference: Option<bool>,
+    /// Whether another route on that grid solved its problem.
+    pub(crate) route: Option<bool>,
     /// True if the route's solver says that it succeeded and the judge does not.
     pub(crate) contradicted: bool,
     /// True if an answer was compared with that in other units.
@@ -63,14 +63,14 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
 
     let exact = theory::solve(&scene).ok();
     let bounds = exact.as_ref().and_then(|exact| {
-        trial.exact = Some(exact.status);
+        trial.exact = Some(exact.solved);
         trial.work[0] = exact.lists;
         let verdict = Verdict::of_exact(&scene, exact, &Demand::default());
         // How sharp the bounds are is not asked here.
         trial.bounded = matches!(verdict.refusal, None | Some(Refusal::Error { .. }));
         verdict.certificate
     });
-    if let Some(exact) = exact.as_ref().filter(|exact| exact.status == Status::Certified) {
+    if let Some(exact) = exact.as_ref().filter(|exact| exact.solved) {
         balanced(&mut trial, "theory", &scene, &exact.state);
         if let Some(bounds) = &bounds {
             within(&mut trial, "theory", exact, bounds, &scene);
@@ -85,17 +85,17 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         if let (Some(a), Some(b)) = (&bounds, &certificate) {
             overlap(trial, settings, a, b);
         }
-        trial.contradicted |= outcome.solver_reports_success && outcome.status != Status::Certified;
+        trial.contradicted |= outcome.solver_reports_success && !outcome.solved;
         trial.work[1] = trial.work[1].max(outcome.iterations);
         Some(outcome)
     };
     let other = judged(&mut trial, &reference);
-    trial.reference = other.as_ref().map(|outcome| outcome.status);
+    trial.reference = other.as_ref().map(|outcome| outcome.solved);
     if settings != reference
         && let Some(outcome) = judged(&mut trial, &settings)
     {
-        trial.route = Some(outcome.status);
-        if let Some(other) = other.as_ref().filter(|_| outcome.status == Status::Certified) {
+        trial.route = Some(outcome.solved);
+        if let Some(other) = other.as_ref().filter(|_| outcome.solved) {
             same(&mut trial, &settings, &scene, &outcome.state, other);
         }
     }

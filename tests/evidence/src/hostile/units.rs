@@ -1,7 +1,6 @@
 //! A scene in other units has the same answer, to the bit where the units are powers of two.
 
 use crate::random::Random;
-use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
@@ -36,7 +35,7 @@ pub(super) fn in_other_units(
     let bits = |state: &ContactState, unit: f64| {
         [state.reactions.left, state.reactions.right, state.contact_force()].map(|f| (f * unit).to_bits())
     };
-    let mut compare = |who: &str, a: (&ContactState, Status), b: (&ContactState, Status)| {
+    let mut compare = |who: &str, a: (&ContactState, bool), b: (&ContactState, bool)| {
         let subnormal = |state: &ContactState| {
             let c = state.contacts.iter().map(|c| c.force);
             [state.reactions.left, state.reactions.right].into_iter().chain(c).any(f64::is_subnormal)
@@ -50,9 +49,9 @@ pub(super) fn in_other_units(
         }
     };
     if let (Some(a), Ok(b)) = (exact, theory::solve(&other)) {
-        compare("theory", (&a.state, a.status), (&b.state, b.status));
+        compare("theory", (&a.state, a.solved), (&b.state, b.solved));
     }
     if let (Ok(a), Ok(b)) = (solve_raw(scene, settings), solve_raw(&other, settings)) {
-        compare(&name(settings), (&a.state, a.status), (&b.state, b.status));
+        compare(&name(settings), (&a.state, a.solved), (&b.state, b.solved));
     }
 }

@@ -1,5 +1,5 @@
-//! Speed and accuracy: rendered from the file of `cargo xtask measure`, which alone knows times. Only certified runs count
-//! as results; what did not end, or failed our check, is marked and never fitted.
+//! Speed and accuracy: rendered from the file of `cargo xtask measure`, which alone knows times. Only runs that solve their
+//! problem count as results; what did not end, or failed our check, is marked and never fitted.
 
 mod advice;
 mod price;
@@ -64,7 +64,7 @@ fn reactions(store: &Store) -> Table {
         let lines = ended(store, scene);
         let errors = GRIDS.map(|grid| {
             let line = lines.iter().find(|line| line.is("force", "active-set") && line.intervals == grid);
-            let error = line.filter(|line| line.is_certified()).and_then(|line| line.reaction_total);
+            let error = line.filter(|line| line.succeeded()).and_then(|line| line.reaction_total);
             error.map_or_else(|| "–".to_owned(), |error| format!("{} %", cell(Some(100.0 * error), 2)))
         });
         row![ground].into_iter().chain(errors)

@@ -21,7 +21,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (faults, faults_file) = broken(study)?;
     let count = |is: &dyn Fn(&Row) -> bool| rows.iter().filter(|row| is(row)).count();
     let bounded = |row: &Row| row.outcome == answers::BOUNDED && row.certified.is_finite();
-    let failed = |row: &Row| row.status != "certified";
+    let failed = |row: &Row| row.status != "solved";
     let mut ratios: Vec<(f64, &Row)> = rows.iter().filter_map(|row| Some((row.ratio()?, row))).collect();
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     let values = context! {

@@ -150,7 +150,7 @@ pub(super) fn regimes(_: &Study<'_>) -> Result<Evidence, Cause> {
         let depth = share * unit;
         let scene = scene_over(Foundation::Flat { depth })?;
         let solution = theory::solve(&scene)?;
-        exact += usize::from(solution.status == Status::Certified);
+        exact += usize::from(solution.solved);
         let reaction = solution.state.reactions.left / (load * l);
         closed = closed.max((theory::flat(l, ei, depth, load).reaction / (load * l) - reaction).abs());
         line.push([share, reaction]);

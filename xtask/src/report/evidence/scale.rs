@@ -1,4 +1,4 @@
-//! Time and memory over the points of a survey: rendered from the file of `cargo xtask measure --scale`. Only certified runs
+//! Time and memory over the points of a survey: rendered from the file of `cargo xtask measure --scale`. Only solved runs
 //! count as results.
 
 use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, PlotError, Style};
@@ -49,13 +49,13 @@ impl<'a> Survey<'a> {
         format!("{}, q = {load}", self.ground.name())
     }
 
-    fn certified(&self, route: Route) -> Option<&'a Line> {
+    fn solved(&self, route: Route) -> Option<&'a Line> {
         let place = ROUTES.iter().position(|other| *other == route)?;
-        self.lines[place].filter(|line| line.is_certified())
+        self.lines[place].filter(|line| line.is_solved())
     }
 
     fn seconds(&self, route: Route) -> Option<f64> {
-        self.certified(route)?.median_s
+        self.solved(route)?.median_s
     }
 
     /// Seconds by a route over those by another.
@@ -65,8 +65,8 @@ impl<'a> Survey<'a> {
 
     /// By how much the energy on the grid of the active set differs from that of the exact solution, over the latter.
     fn grid_off(&self) -> Option<f64> {
-        let exact = self.certified(EXACT)?.energy?;
-        Some(((self.certified(ACTIVE_SET)?.energy? - exact) / exact).abs())
+        let exact = self.solved(EXACT)?.energy?;
+        Some(((self.solved(ACTIVE_SET)?.energy? - exact) / exact).abs())
     }
 }
 
@@ -92,7 +92,7 @@ fn least_most(numbers: impl IntoIterator<Item = f64>) -> Option<Value> {
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (file, scale) = Scale::read(study.root)?;
     let surveys = surveys(&scale);
-    let exact = || scale.lines.iter().filter(|line| line.route == EXACT.name() && line.is_certified());
+    let exact = || scale.lines.iter().filter(|line| line.route == EXACT.name() && line.is_solved());
     let most = surveys.iter().map(|survey| survey.points).max().ok_or("no survey is measured")?;
     let largest = || surveys.iter().filter(|survey| survey.points == most);
     let interior = || surveys.iter().filter_map(|survey| Some((survey, survey.ratio(INTERIOR_POINT, EXACT)?)));
@@ -108,7 +108,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         patience => [EXACT.patience(), INTERIOR_POINT.patience()],
         most,
         surveys => largest().count(),
-        solved => largest().filter(|survey| survey.certified(EXACT).is_some()).count(),
+        solved => largest().filter(|survey| survey.solved(EXACT).is_some()).count(),
         seconds => least_most(largest().filter_map(|survey| survey.seconds(EXACT))),
         lists => exact().filter_map(|line| line.lists).max(),
         residual => exact().filter_map(|line| line.residual).max_by(f64::total_cmp),
@@ -139,7 +139,7 @@ fn table(surveys: &[Survey<'_>]) -> Table {
     let routes = ROUTES.map(|route| format!("{}, s (MB)", look(route).0));
     let rows = surveys.iter().map(|survey| {
         let shown = survey.lines.map(|line| match line {
-            Some(line) if line.is_certified() => {
+            Some(line) if line.is_solved() => {
                 let megabytes =
                     line.peak_kb.map(|kilobytes| 1e-3 * f64::from(u32::try_from(kilobytes).unwrap_or(u32::MAX)));
                 format!("{} ({})", cell(line.median_s, 2), cell(megabytes, 2))
@@ -147,7 +147,7 @@ fn table(surveys: &[Survey<'_>]) -> Table {
             Some(line) if line.median_s.is_some() => line.status.clone(),
             _ => "–".to_owned(),
         });
-        let contacts = survey.certified(EXACT).and_then(|line| line.contacts);
+        let contacts = survey.solved(EXACT).and_then(|line| line.contacts);
         let contacts = contacts.map_or_else(|| "–".to_owned(), count);
         let off = error_cell(survey.grid_off());
         [survey.name(), count(survey.points), contacts].into_iter().chain(shown).chain([off]).collect::<Vec<_>>()
@@ -193,7 +193,7 @@ fn drawn(surveys: &[Survey<'_>]) -> Result<(String, Drawn), PlotError> {
     );
     let description = "Six panels, three kinds of ground under a light and a heavy load: seconds of a solve over the points of the \
         survey, both logarithmic, by the exact solution, the force method with the active set, and the force method with an \
-        interior point. Certified runs only.";
+        interior point. Runs that are solved only.";
     let figure = Figure { columns: 2, ..Figure::new(title.as_str(), description, panels) };
     Ok((title, ("scale-time", figure.svg()?, data)))
 }

@@ -102,12 +102,12 @@ fn pulling(rounds: &Rounds, forces: &[f64]) -> Option<[usize; 3]> {
 /// Exercise 3: the first grid on which the four steps fail, beside the one before.
 fn failure(scene: &Scene) -> Result<Value, Cause> {
     let run = |solver: Solver, n: usize| on_grid(scene, Method::Complementarity, solver, n);
-    let fails = |n: &usize| run(Solver::FourStep, *n).is_ok_and(|outcome| outcome.status != Status::Certified);
+    let fails = |n: &usize| run(Solver::FourStep, *n).is_ok_and(|outcome| !outcome.solved);
     let intervals = (4..=200).find(fails).ok_or("the four steps do not fail any more")?;
     let mut table = Table::new(["intervals", "rounds", "passes our check", "left reaction", "right reaction"]);
     for n in [intervals - 1, intervals] {
         let outcome = run(Solver::FourStep, n)?;
-        let passes = yes_no(outcome.status == Status::Certified);
+        let passes = yes_no(outcome.solved);
         let reactions = [outcome.state.reactions.left, outcome.state.reactions.right].map(|r| fixed(r, 4));
         table.push(row![n, outcome.iterations, passes, reactions[0], reactions[1]]);
     }
@@ -139,7 +139,7 @@ fn failure(scene: &Scene) -> Result<Value, Cause> {
         held => held + 1,
         below => (worst + 1..held).all(|i| rounds[round].0[i] < 0.0),
         rounds => rounds.len(),
-        active_set => best.status == Status::Certified,
+        active_set => best.solved,
         reaction => best.state.reactions.left,
     })
 }

@@ -66,7 +66,7 @@ impl Advice {
             return Err(format!("`{}` names no scene", self.case));
         }
         for line in lines {
-            if !line.is_certified() {
+            if !line.succeeded() {
                 return Err(format!("`{}` is {} on scene {}", self.case, line.status, line.scene));
             }
             match Self::error(line) {
@@ -143,10 +143,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_certified_is_no_advice() {
+    fn what_is_not_solved_is_no_advice() {
         let (_, mut store) = Store::read(&root()).expect("measurements can be read");
         let advice = held(&root(), &store).expect("all advice holds").remove(0);
-        store.lines.iter_mut().for_each(|line| line.status = "not-certified".to_owned());
-        assert!(advice.check(&store).is_err_and(|message| message.contains("not-certified")));
+        store.lines.iter_mut().for_each(|line| line.status = "not solved".to_owned());
+        assert!(advice.check(&store).is_err_and(|message| message.contains("not solved")));
     }
 }

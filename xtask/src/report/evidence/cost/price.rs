@@ -1,4 +1,4 @@
-//! What a digit costs: the quickest certified run for each number of correct digits, solver by solver.
+//! What a digit costs: the quickest solved run for each number of correct digits, solver by solver.
 
 use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
@@ -49,11 +49,11 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     Ok((context! { flat, uneven }, ("price", svg, data)))
 }
 
-/// The certified runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
+/// The solved runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
 fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
-    let certified = lines.iter().filter(|line| line.solver == solver && line.is_certified());
+    let solved = lines.iter().filter(|line| line.solver == solver && line.succeeded());
     let mut points: Vec<Point<'a>> =
-        certified.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
+        solved.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
     points.sort_by(|a, b| milliseconds(a.line).total_cmp(&milliseconds(b.line)));
     let mut best = f64::NEG_INFINITY;
     points.retain(|point| {
@@ -64,22 +64,22 @@ fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
     points
 }
 
-/// Milliseconds of the quickest certified run with so many digits, and the fewest intervals with which the active set has them.
+/// Milliseconds of the quickest solved run with so many digits, and the fewest intervals with which the active set has them.
 fn table(lines: &[&Line], exact: Option<f64>) -> Table {
-    let certified = |solver: &str, digits: f64| {
-        let has = move |line: &&&Line| line.is_certified() && line.digits().is_some_and(|found| digits <= found);
+    let solved = |solver: &str, digits: f64| {
+        let has = move |line: &&&Line| line.succeeded() && line.digits().is_some_and(|found| digits <= found);
         let solver = solver.to_owned();
         lines.iter().filter(has).filter(move |line| line.solver == solver).copied().collect::<Vec<_>>()
     };
     let header = row!["correct digits"].into_iter().chain(DIGITS.map(|digits| digits.to_string()));
     let intervals = DIGITS.map(|digits| {
-        let fewest = certified("active-set", digits).into_iter().map(|line| line.intervals).min();
+        let fewest = solved("active-set", digits).into_iter().map(|line| line.intervals).min();
         fewest.map_or_else(|| "–".to_owned(), count)
     });
     let mut table = Table::new(header);
     table.push(row!["intervals"].into_iter().chain(intervals));
     for solver in SOLVERS {
-        let quickest = |digits| certified(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
+        let quickest = |digits| solved(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
         table.push([format!("{solver}, ms")].into_iter().chain(DIGITS.map(|digits| cell(quickest(digits), 2))));
     }
     table.push(row!["exact solution, ms"].into_iter().chain(DIGITS.map(|_| cell(exact, 2))));
@@ -142,7 +142,7 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
     let figure = Figure::new(
         "The active set buys a digit for little time; the exact solution needs no grid",
         "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
-         reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
+         reaction, contact force, deflection and energy. One line for each solver joins its solved runs that nothing quicker \
          beats.",
         panels.collect(),
     );

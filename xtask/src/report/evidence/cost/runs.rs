@@ -18,7 +18,7 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
 /// Of all runs of the libraries that were measured: did they do what they were asked, and do their answers pass our check.
 fn questions(store: &Store) -> Table {
     let header =
-        ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these certified by our check"];
+        ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these solved by our check"];
     Table::new(header).rows(LIBRARIES.map(|library| {
         let runs = || {
             let of_library =
@@ -29,7 +29,7 @@ fn questions(store: &Store) -> Table {
             runs().count(),
             runs().filter(|line| line.says_solved == Some(true)).count(),
             runs().filter(|line| line.did_as_asked == Some(true)).count(),
-            runs().filter(|line| line.did_as_asked == Some(true) && line.is_certified()).count(),
+            runs().filter(|line| line.did_as_asked == Some(true) && line.succeeded()).count(),
         ];
         row![library].into_iter().chain(counts.map(count))
     }))
@@ -40,9 +40,9 @@ fn outcome(line: Option<&Line>) -> (Tone, &'static str) {
     match line {
         None => (Tone::Absent, "–"),
         Some(line) if line.is_left_out() => (Tone::Absent, "–"),
-        Some(line) if line.is_certified() => (Tone::Good, "C"),
+        Some(line) if line.succeeded() => (Tone::Good, "S"),
         Some(line) if line.did_as_asked == Some(true) => (Tone::Fair, "A"),
-        Some(line) if line.says_solved == Some(true) => (Tone::Bad, "S"),
+        Some(line) if line.says_solved == Some(true) => (Tone::Bad, "C"),
         Some(_) => (Tone::Fair, "G"),
     }
 }
@@ -71,12 +71,12 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
     let (mut rows, mut finest) = (Vec::new(), Vec::new());
     let mut data = Table::new(["route", "intervals", "outcome"]);
     for solver in SOLVERS {
-        // The finest grid up to which all methods are certified.
-        let certified = |grid: &usize| {
+        // The finest grid up to which all methods solve their problem.
+        let solved = |grid: &usize| {
             let ends = |method| of_route(method, solver).into_iter().find(|line| line.intervals == *grid);
-            METHODS.into_iter().all(|method| outcome(ends(method)).1 == "C")
+            METHODS.into_iter().all(|method| outcome(ends(method)).1 == "S")
         };
-        finest.push(grids.iter().take_while(|grid| certified(grid)).last().copied());
+        finest.push(grids.iter().take_while(|grid| solved(grid)).last().copied());
         for method in METHODS {
             let found = of_route(method, solver);
             let cells = grids.iter().map(|grid| {
@@ -89,7 +89,7 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
     }
     let up_to = |k: usize| finest[k].map_or_else(|| "none".to_owned(), short);
     let title = format!(
-        "Certified by all methods: active set up to {} intervals, clarabel {}, osqp {}, four steps {}, NSOR {}",
+        "Solved by all methods: active set up to {} intervals, clarabel {}, osqp {}, four steps {}, NSOR {}",
         up_to(0),
         up_to(3),
         up_to(4),
@@ -97,8 +97,8 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
         up_to(2)
     );
     let columns = grids.iter().map(|grid| short(*grid)).collect();
-    let legend = "intervals. C: certified by our check. A: did what it was asked, and fails our check. S: says solved without \
-        doing what it was asked. G: did not say that it succeeded. A dash: left out as too slow, or not in the plan.";
+    let legend = "intervals. S: solved, by our check. A: did what it was asked, and fails our check. C: claims success without \
+        having done what it was asked. G: did not say that it succeeded. A dash: left out as too slow, or not in the plan.";
     let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
         intervals of the paper's example.";
     let svg = verdict_map::drawn(&title, &format!("{description} {legend}"), legend, columns, rows)?;

@@ -22,7 +22,7 @@ pub(super) fn of(store: &Store) -> Value {
                 let of_route = of_route(&lines, method, solver, grid);
                 let optimum = optimum(&lines, method, grid);
                 let enough = loosest(&of_route, |line| optimum.is_some_and(|optimum| grid_dominates(line, optimum)));
-                format!("{enough} / {}", loosest(&of_route, |line| line.is_certified()))
+                format!("{enough} / {}", loosest(&of_route, |line| line.succeeded()))
             });
             table.push([format!("{method}, {solver}")].into_iter().chain(cells));
         }

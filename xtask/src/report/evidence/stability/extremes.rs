@@ -8,7 +8,7 @@ use crate::report::evidence::verdict_map::{self, Tone};
 
 /// What beam theory is held to, over the load.
 const DIGITS: f64 = 1e-12;
-/// How far two certified answers to one quadratic program may be apart, over the load: what a residual of 10⁻⁹ leaves of nodal
+/// How far two solved answers to one quadratic program may be apart, over the load: what a residual of 10⁻⁹ leaves of nodal
 /// forces, see [`palkki::certificate::CERTIFIED_RESIDUAL`].
 const SAME: f64 = 1e-6;
 /// Grids on flat ground of every depth: the fewest intervals, odd and even ones, one more than the paper's.
@@ -24,7 +24,7 @@ const DEPTHS: &str = "depths";
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Verdict {
     Right,
-    NotCertified,
+    NotSolved,
     Wrong,
 }
 
@@ -32,7 +32,7 @@ enum Verdict {
 #[derive(Debug, Clone, Copy, Default)]
 struct Count {
     right: usize,
-    not_certified: usize,
+    not_solved: usize,
     wrong: usize,
 }
 
@@ -42,7 +42,7 @@ impl Count {
         for verdict in verdicts {
             match verdict {
                 Verdict::Right => count.right += 1,
-                Verdict::NotCertified => count.not_certified += 1,
+                Verdict::NotSolved => count.not_solved += 1,
                 Verdict::Wrong => count.wrong += 1,
             }
         }
@@ -52,13 +52,13 @@ impl Count {
     fn sum<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
         rows.fold(Self::default(), |sum, row| Self {
             right: sum.right + row.count.right,
-            not_certified: sum.not_certified + row.count.not_certified,
+            not_solved: sum.not_solved + row.count.not_solved,
             wrong: sum.wrong + row.count.wrong,
         })
     }
 
     fn runs(self) -> usize {
-        self.right + self.not_certified + self.wrong
+        self.right + self.not_solved + self.wrong
     }
 }
 
@@ -86,10 +86,10 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         }
     }
     let count = Count::sum(rows.iter());
-    let header = ["group", "scene", "reference", "solver", "right", "not_certified", "wrong_and_certified"];
+    let header = ["group", "scene", "reference", "solver", "right", "not_solved", "wrong_and_solved"];
     let data = Table::new(header).rows(rows.iter().map(|row| {
-        let Count { right, not_certified, wrong } = row.count;
-        row![row.group, row.scene, row.authority, row.solver, right, not_certified, wrong]
+        let Count { right, not_solved, wrong } = row.count;
+        row![row.group, row.scene, row.authority, row.solver, right, not_solved, wrong]
     }));
     let values = context! {
         digits => bound(DIGITS),
@@ -135,8 +135,8 @@ fn tried(group: &'static str, extreme: &Extreme, grids: &[usize]) -> Result<Vec<
 fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict, Cause> {
     let run = |solver| -> Result<RawSolution, Cause> { on_grid(&extreme.scene, method, solver, extreme.intervals) };
     let outcome = run(solver)?;
-    if outcome.status != Status::Certified {
-        return Ok(Verdict::NotCertified);
+    if !outcome.solved {
+        return Ok(Verdict::NotSolved);
     }
     let reference = run(Solver::ActiveSet)?;
     let truth = Truth {
@@ -145,7 +145,7 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict,
         energy: None,
     };
     let beside = Extreme { truth, ..extreme.clone() };
-    let same = reference.status != Status::Certified || beside.error(&outcome.state) <= SAME;
+    let same = !reference.solved || beside.error(&outcome.state) <= SAME;
     let near = extreme.error(&outcome.state) <= extreme.allowance();
     Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
 }
@@ -153,8 +153,8 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict,
 /// Beam theory.
 fn exact(extreme: &Extreme) -> Result<Verdict, Cause> {
     let exact = theory::solve(&extreme.scene)?;
-    if exact.status != Status::Certified {
-        return Ok(Verdict::NotCertified);
+    if !exact.solved {
+        return Ok(Verdict::NotSolved);
     }
     let right = extreme.error(&exact.state) <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
     Ok(if right { Verdict::Right } else { Verdict::Wrong })
@@ -167,7 +167,7 @@ fn solvers() -> impl Iterator<Item = &'static str> {
 
 /// Of each solver and each group, how many runs are right.
 fn table(rows: &[Row], groups: &[&str]) -> Table {
-    let header = ["solver"].into_iter().chain(groups.iter().copied()).chain(["wrong and certified"]);
+    let header = ["solver"].into_iter().chain(groups.iter().copied()).chain(["wrong and solved"]);
     Table::new(header).rows(solvers().map(|solver| {
         let of = |group: &str| Count::sum(rows.iter().filter(|row| row.solver == solver && row.group == group));
         let cells = groups.iter().map(|group| format!("{} of {} right", of(group).right, of(group).runs()));
@@ -181,7 +181,7 @@ fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
     let shown = |row: &Row| {
         let (tone, number) = match row.count {
             Count { wrong: wrong @ 1.., .. } => (Tone::Bad, wrong),
-            Count { not_certified: not_certified @ 1.., .. } => (Tone::Fair, not_certified),
+            Count { not_solved: not_solved @ 1.., .. } => (Tone::Fair, not_solved),
             _ => (Tone::Good, 0),
         };
         (tone, number.to_string())
@@ -192,14 +192,14 @@ fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
     let map = POWERS.iter().enumerate().map(|(k, power)| (power_of_ten(*power), cells(k))).collect();
     let [from, to] = [POWERS[0], POWERS[POWERS.len() - 1]].map(power_of_ten);
     let title = match wrong {
-        0 => format!("No certified answer is wrong, for EI u₀/(q l⁴) from {from} to {to}"),
-        _ => format!("{wrong} certified answers are wrong"),
+        0 => format!("No answer called solved is wrong, for EI u₀/(q l⁴) from {from} to {to}"),
+        _ => format!("{wrong} answers called solved are wrong"),
     };
     Ok(verdict_map::drawn(
         &title,
         "A map: columns are solvers, on all methods and grids, and beam theory; rows are powers of ten of EI u₀/(q l⁴). Each cell \
-         has the number of runs that are not right; green cells have none, orange ones such that are not certified.",
-        "runs that are not certified, of up to 15, over EI u₀/(q l⁴)",
+         has the number of runs that are not right; green cells have none, orange ones such that are not solved.",
+        "runs that are not solved, of up to 15, over EI u₀/(q l⁴)",
         solvers().map(str::to_owned).collect(),
         map,
     )?)

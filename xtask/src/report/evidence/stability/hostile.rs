@@ -18,19 +18,18 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     Ok(Evidence::new(values).file("hostile", hostile))
 }
 
-/// How many answers are certified, family by family of random scenes.
+/// How many answers are solved, family by family of random scenes.
 fn of_families(families: &[Family]) -> Table {
-    let header =
-        ["scenes", "runs", "refused", "beam theory certified", "active set certified", "other routes certified"];
-    let share = |certified: usize, not: usize| format!("{} of {}", count(certified), count(certified + not));
+    let header = ["scenes", "runs", "refused", "beam theory solved", "active set solved", "other routes solved"];
+    let share = |solved: usize, not: usize| format!("{} of {}", count(solved), count(solved + not));
     Table::new(header).rows(families.iter().map(|family| {
         row![
             family.family,
             count(family.runs),
             count(family.refused),
-            share(family.theory_certified, family.theory_not_certified),
-            share(family.active_set_certified, family.active_set_not_certified),
-            share(family.route_certified, family.route_not_certified),
+            share(family.theory_solved, family.theory_not_solved),
+            share(family.active_set_solved, family.active_set_not_solved),
+            share(family.route_solved, family.route_not_solved),
         ]
     }))
 }

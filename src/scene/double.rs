@@ -1,0 +1,51 @@
+//! Numbers of about 32 digits, each an unevaluated sum of two of 64 bits.
+//!
+//! What one operation rounds off is itself a 64-bit number, and is carried along (Dekker 1971).
+
+/// `high + low`, with `low` at most half a unit in the last place of `high`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Double {
+    high: f64,
+    low: f64,
+}
+
+impl Double {
+    pub(super) const ZERO: Self = Self { high: 0.0, low: 0.0 };
+
+    /// A number, exactly.
+    pub(super) fn exact(value: f64) -> Self {
+        Self { high: value, low: 0.0 }
+    }
+
+    /// `self · x + other`, off by some units of `10⁻³²` of the two terms.
+    pub(super) fn times_plus(self, x: f64, other: Self) -> Self {
+        let product = self.high * x;
+        let lost = libm::fma(self.high, x, -product);
+        let sum = product + other.high;
+        // Knuth's sum of two numbers in any order: what it rounds off, exactly.
+        let part = sum - product;
+        let rest = (product - (sum - part)) + (other.high - part);
+        let low = rest + (lost + self.low * x + other.low);
+        let high = sum + low;
+        Self { high, low: low - (high - sum) }
+    }
+
+    /// Rounded to 64 bits.
+    pub(super) fn rounded(self) -> f64 {
+        self.high
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `(x − 1)(x + 1) = x² − 1` of a number beside 1: 64 bits would lose half of its digits.
+    #[test]
+    fn what_is_rounded_off_is_kept() {
+        let x = 1.0 + f64::EPSILON;
+        let square = Double::exact(1.0).times_plus(x, Double::ZERO).times_plus(x, Double::exact(-1.0));
+        let expected = f64::EPSILON * (2.0 + f64::EPSILON);
+        assert_eq!(square.rounded().to_bits(), expected.to_bits());
+    }
+}
