@@ -140,3 +140,39 @@ impl<R: Row> Measurements<R> {
         files::replace(&self.path, &text).map_err(|error| format!("{}: {error}", R::PATH).into())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Deserialize, read};
+    use crate::scratch::Scratch;
+
+    #[derive(Debug, PartialEq, Deserialize)]
+    struct Line {
+        route: String,
+        error: Option<f64>,
+    }
+
+    #[test]
+    fn broken_files_are_refused_with_their_name() {
+        let scratch = Scratch::new("broken");
+        let lines = |text: &str| {
+            scratch.put("a.csv", text);
+            read::<Line>(&scratch.0, "a.csv").map(|(_, lines)| lines).map_err(|error| error.to_string())
+        };
+        let line = Line { route: "force".to_owned(), error: None };
+        assert_eq!(lines("# date: x\nroute,error\nforce,\n"), Ok(vec![line]), "no number is none");
+        for (broken, what) in [
+            ("route,error\nforce,small\n", "no number"),
+            ("route,error\nforce\n", "a short line"),
+            ("error\n1e-3\n", "a column is missing"),
+            ("route,error\nforce,1e-3,2\n", "a long line"),
+        ] {
+            let found = lines(broken);
+            assert!(found.as_ref().is_err_and(|error| error.starts_with("a.csv: ")), "{what}: {found:?}");
+        }
+        assert!(
+            read::<Line>(&scratch.0, "b.csv").is_err_and(|error| error.to_string().starts_with("b.csv: ")),
+            "no file"
+        );
+    }
+}
