@@ -14,6 +14,7 @@ mod paper;
 mod problem;
 mod provenance;
 mod scale;
+mod sliders;
 mod solvers;
 mod stability;
 mod teaching;
@@ -54,6 +55,7 @@ const SUBJECTS: &[Subject] = &[
     ("problem", problem::sketch),
     ("methods", problem::methods),
     ("theory", closed::evidence),
+    ("sliders", sliders::evidence),
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
     ("figures", paper::figures::evidence),

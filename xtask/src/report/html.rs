@@ -1,10 +1,13 @@
 //! `index.html`: all documents in one file that loads nothing from outside, to be read in a browser and to be printed.
 //!
-//! Made of the rendered Markdown and drawings alone. Links between documents become links inside the page, drawings
-//! become part of it, and formulas become MathML.
+//! Made of the rendered Markdown, drawings and data alone. Links between documents become links inside the page, drawings
+//! become part of it, formulas become MathML, and the marker of a slider becomes the slider.
 
 mod check;
 mod drawing;
+mod slider;
+
+pub(super) use slider::marker as slider_marker;
 
 use std::fmt::Write as _;
 
@@ -37,6 +40,7 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
             title = document.headings.first().map(|heading| heading.text.clone()).unwrap_or_default();
         }
     }
+    let sliders = slider::data(rendered, &articles)?;
     let top = DOCUMENTS[0];
     let page = format!(
         "<!doctype html>\n{generated}<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -48,13 +52,14 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
          <button id=\"theme\" type=\"button\">Dark</button>\n\
          <button id=\"menu\" type=\"button\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>\n</div>\n\
          <nav id=\"contents\" aria-label=\"Contents\">\n<ol>\n{navigation}</ol>\n</nav>\n</header>\n\
-         <main>\n{articles}</main>\n<script>\n{script}</script>\n</body>\n</html>\n",
+         <main>\n{articles}</main>\n{sliders}<script>\n{script}</script>\n</body>\n</html>\n",
         generated = super::GENERATED,
         title = escaped(&title),
         style = include_str!("html/page.css"),
         figures = drawing::style(rendered),
         theme = include_str!("html/theme.js"),
-        script = concat!(include_str!("html/page.js"), include_str!("html/selftest.js")),
+        script =
+            concat!(include_str!("html/page.js"), include_str!("html/sliders.js"), include_str!("html/selftest.js")),
     );
     check::check(&page)?;
     Ok(page)
@@ -109,7 +114,7 @@ impl Document<'_> {
         Ok(out)
     }
 
-    /// Headings, formulas, tables and figures.
+    /// Headings, formulas, tables, figures and sliders.
     fn blocks<'t>(&mut self, events: Vec<Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
         let mut out = Vec::new();
         let mut events = events.into_iter();
@@ -153,7 +158,9 @@ impl Document<'_> {
                     out.extend(inner);
                     html(&mut out, close.to_owned());
                 }
-                Event::Html(text) | Event::InlineHtml(text) if text.starts_with("<!--") => {}
+                Event::Html(text) | Event::InlineHtml(text) if text.starts_with("<!--") => {
+                    html(&mut out, slider::of_marker(&text).unwrap_or_default());
+                }
                 other => out.push(other),
             }
         }

@@ -1,14 +1,18 @@
 //! The adaptive grid: an error that is demanded, the grid that it takes, and the error that is true, on every scene.
 
 use palkki::adaptive::{Adapted, End, Request, adapt};
+use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
 use palkki::theory::Exact;
 
 use super::prelude::*;
 use crate::measure::plan::EXAMPLE;
 
-/// Powers of ten that are demanded on the paper's example, and on every scene.
+/// Powers of ten that are demanded on the scenes of the figure, and on every scene.
 const STEPS: [i32; 8] = [-1, -2, -3, -4, -5, -6, -7, -8];
 const EVERYWHERE: [i32; 3] = [-2, -4, -6];
+
+/// Scenes of the figure: flat ground and smooth crests, both demanded in the same steps.
+const DRAWN: [&str; 2] = [EXAMPLE, "wave"];
 
 /// At most so many intervals: a second for all scenes.
 const MOST: usize = 20_000;
@@ -63,10 +67,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut steps = Table::new(header);
     let mut data =
         Table::new(["scene", "demanded", "end", "intervals", "certified_error", "true_error", "unknowns_gone_through"]);
-    let mut truthful = 0;
+    let (mut truthful, mut of_figure) = (0, Vec::new());
     for (name, scene) in scenes::all(study.root)? {
         let exact = theory::solve(&scene)?;
-        let demanded = if name == EXAMPLE { &STEPS[..] } else { &EVERYWHERE };
+        let demanded = if DRAWN.contains(&name.as_str()) { &STEPS[..] } else { &EVERYWHERE };
         let runs = demanded.iter().map(|&exponent| Run::of(&scene, &exact, exponent)).collect::<Result<Vec<_>, _>>()?;
         if name == EXAMPLE {
             steps = steps.rows(runs.iter().map(step));
@@ -81,9 +85,12 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             let intervals = run.found.settings.intervals;
             data.push(row![name, format!("1e{}", run.exponent), end, intervals, certified, truth, run.work()]);
         }
+        if DRAWN.contains(&name.as_str()) {
+            of_figure.push((name, runs));
+        }
     }
     let values = context! { steps, everywhere, most => MOST, runs => data.len(), truthful };
-    Ok(Evidence::new(values).data("adaptive", data))
+    Ok(Evidence::new(values).figure("adaptive", drawn(&of_figure)?, data))
 }
 
 /// The grids of one demand.
@@ -91,4 +98,29 @@ fn step(run: &Run) -> [String; 5] {
     let grids: Vec<String> = run.found.trials.iter().map(|tried| tried.intervals.to_string()).collect();
     let [certified, truth] = [run.certified(), run.truth].map(|error| cell(Some(error), 2));
     [power_of_ten(run.exponent), grids.join(", "), certified, truth, count(run.work())]
+}
+
+/// Certified and true errors over what is demanded, a panel for each scene.
+fn drawn(scenes: &[(String, Vec<Run>)]) -> Result<String, PlotError> {
+    let marks = Style::marks(Color::VERMILLION, Marker::Plus);
+    let demanded = [1e-8, 1e-1].map(|error| [error, error]).to_vec();
+    let panels = scenes.iter().map(|(name, runs)| {
+        // From small errors to large ones: names stand at the right.
+        let reached = runs.iter().rev().filter(|run| run.reached());
+        let places = |error: fn(&Run) -> f64| reached.clone().map(|run| [ten_to(run.exponent), error(run)]).collect();
+        let y = Axis::new(format!("{name}: error")).log().including(&[1e-9, 1e-1]);
+        Panel::new(Axis::new("error that is demanded, EPS").log(), y)
+            .tall(620.0)
+            .with(Layer::named(demanded.clone(), Style::theory(), "demanded"))
+            .with(Layer::named(places(Run::certified), Style::of_series(0), "certified"))
+            .with(Layer::named(places(|run| run.truth.max(FLOOR)), marks, "true"))
+    });
+    let figure = Figure::new(
+        "The certified error is at most what was demanded",
+        "Two scenes, one panel each: the certified and the true error over the error that is demanded, both logarithmic, by \
+         the force method with the active set. The certified errors lie below the dashed diagonal, and the true ones are hardly \
+         smaller. The line of the wave ends where the largest grid is too coarse.",
+        panels.collect(),
+    );
+    Figure { columns: 2, ..figure }.svg()
 }

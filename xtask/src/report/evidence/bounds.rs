@@ -1,10 +1,14 @@
 //! Guaranteed bounds for the continuous beam beside the true errors, on every scene of the gallery; and for contact forces
-//! that were computed with the load lumped at the nodes: those of the paper. What `palkki certify` finds about
-//! them, told that the load is nodal and not told.
+//! that were computed with the load lumped at the nodes: those of the paper, and of springs instead of a rigid foundation. What
+//! `palkki certify` finds about them, told that the load is nodal and not told.
 
+use nalgebra::{DMatrix, DVector};
 use palkki::certificate::{
     ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
 };
+use palkki::methods::Discrete;
+use palkki::plot::{Axis, Figure, Layer, Panel, Style};
+use palkki::qp::Dense;
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
 use palkki_evidence::faults::{THEORY, Truth};
@@ -31,15 +35,19 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         }
         table.push(row);
     }
+    let springs = STIFFNESSES.iter().map(|&exponent| spring(exponent)).collect::<Result<Vec<_>, Cause>>()?;
+    let first_stiff = springs.iter().find(|(_, found)| found.accepted[1]).ok_or("some springs are stiff enough")?.0;
     let values = context! {
         table,
         runs => data.len(),
         held, sharp,
         accepted => USABLE,
         sags => sags()?,
-        forces => of_the_paper()?,
+        forces => of_forces(of_the_paper()?.iter().chain(springs.iter().map(|(_, found)| found))),
+        spaced => SPACED,
+        first_stiff => power_of_ten(first_stiff),
     };
-    Ok(Evidence::new(values).data("bounds", data))
+    Ok(Evidence::new(values).data("bounds", data).figures([drawn(&springs, first_stiff)?]))
 }
 
 /// The force method with the active set on one grid: how far its deflection is from beam theory, and how far it can be, over
@@ -56,30 +64,61 @@ fn errors(scene: &Scene, intervals: usize) -> Result<[f64; 2], Cause> {
 /// Violations below this share are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What is found about the paper's own forces: where the load is taken to be distributed, and where it is known to be nodal.
-fn of_the_paper() -> Result<Table, Cause> {
-    let scene = paper::example()?;
-    let contacts = theory::solve(&scene)?.state.contacts;
+/// Intervals between springs.
+const SPACED: usize = 2 * paper::INTERVALS;
+/// Stiffness of a spring over that of the beam, powers of ten.
+const STIFFNESSES: [i32; 7] = [0, 1, 2, 3, 4, 6, 8];
+
+/// What is found about contact forces of the example: where the load is taken to be distributed, and where it is known to be
+/// nodal.
+struct Found {
+    /// Whose they are.
+    who: String,
+    /// Guaranteed errors of the deflection, over the largest deflection; infinite if nothing could be shown.
+    errors: [f64; 2],
+    accepted: [bool; 2],
+    /// What they violate most at the nodes under the nodal loads.
+    worst: Option<Violation>,
+    /// Error of the end reaction, as a share.
+    reaction: f64,
+}
+
+impl Found {
+    fn of(who: &str, forces: &[(f64, f64)]) -> Result<Self, Cause> {
+        let scene = paper::example()?;
+        let (length, contacts) = (scene.beam().length(), theory::solve(&scene)?.state.contacts);
+        let lumped = Lumped::new(&scene, forces.iter().copied())?;
+        let load = ContactLoad::new(length, forces.iter().copied())?;
+        let certificates = [Judged::Forces(&load), Judged::Nodes(&lumped.nodes)];
+        let [not_told, told] = certificates.map(|judged| certify(&scene, judged, &contacts));
+        let certificates = [not_told?, told?];
+        // The example is symmetrical: an end reaction is half of what the forces leave.
+        let carried: f64 = forces.iter().map(|force| force.1).sum();
+        Ok(Self {
+            who: who.to_owned(),
+            errors: certificates.each_ref().map(|c| c.deflection_error / c.deflection),
+            accepted: certificates.map(|c| Verdict::of_forces(&scene, c).status == Status::Certified),
+            worst: violations_at_nodes(&lumped).into_iter().next(),
+            reaction: (0.5 * (scene.load().resultant(length) - carried) / paper::theory().reaction - 1.0).abs(),
+        })
+    }
+}
+
+fn of_the_paper() -> Result<[Found; 2], Cause> {
+    Ok([
+        Found::of("Figure 4, finite differences", &of_nodes(&paper::figure_4()?.nodes))?,
+        Found::of("Figure 7, force method", &of_nodes(&paper::figure_7()?.nodes))?,
+    ])
+}
+
+fn of_forces<'a>(all: impl Iterator<Item = &'a Found>) -> Table {
     let header =
         ["forces", "error if not told", "error with `--load nodal`", "accepted", "worst violation at the nodes"];
-    let mut table = Table::new(header);
-    for (who, nodes) in [
-        ("Figure 4, finite differences", paper::figure_4()?.nodes),
-        ("Figure 7, force method", paper::figure_7()?.nodes),
-    ] {
-        let forces = of_nodes(&nodes);
-        let lumped = Lumped::new(&scene, forces.iter().copied())?;
-        let load = ContactLoad::new(scene.beam().length(), forces)?;
-        let certificates = [
-            certify(&scene, Judged::Forces(&load), &contacts)?,
-            certify(&scene, Judged::Nodes(&lumped.nodes), &contacts)?,
-        ];
-        let [not_told, told] = certificates.each_ref().map(|c| cell(Some(c.deflection_error / c.deflection), 2));
-        let [first, then] = certificates.map(|c| yes_no(Verdict::of_forces(&scene, c).status == Status::Certified));
-        let worst = violations_at_nodes(&lumped).into_iter().next();
-        table.push(row![who, not_told, told, format!("{first}, then {then}"), words(worst)]);
-    }
-    Ok(table)
+    Table::new(header).rows(all.map(|found| {
+        let accepted = format!("{}, then {}", yes_no(found.accepted[0]), yes_no(found.accepted[1]));
+        let [not_told, told] = found.errors.map(|error| cell(Some(error), 2));
+        row![found.who, not_told, told, accepted, words(found.worst)]
+    }))
 }
 
 /// How much deeper the forces of the force method let the beam sag under the distributed load: by the formula, and found.
@@ -87,7 +126,7 @@ fn sags() -> Result<Table, Cause> {
     let scene = paper::example()?;
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
     let mut table = Table::new(["intervals", "q Δ² l²/(96 EI)", "over the largest deflection", "violation found"]);
-    for intervals in [paper::INTERVALS, 2 * paper::INTERVALS] {
+    for intervals in [paper::INTERVALS, SPACED] {
         let state = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?.state;
         let forces = of_nodes(nodes_of(&state)?);
         let worst = violations(&scene, &ContactLoad::new(length, forces)?)?.into_iter().next();
@@ -113,4 +152,69 @@ fn words(violation: Option<Violation>) -> String {
         ViolationKind::Complementarity => "force without touching",
     };
     format!("{what}, {}", cell(Some(violation.relative), 2))
+}
+
+/// What is found about springs of 10ᵏ times the stiffness of the beam, with `k`.
+fn spring(exponent: i32) -> Result<(i32, Found), Cause> {
+    let forces = spring_forces(&paper::example()?, SPACED, ten_to(exponent))?;
+    Ok((exponent, Found::of(&format!("springs, {} × the beam", power_of_ten(exponent)), &forces)?))
+}
+
+/// Contact forces `(x, force)` by penalty: tensionless springs at the nodes instead of a rigid foundation, as programs for
+/// structures do it. `ratio` is the stiffness of one of them over that of the free beam in its middle, `48 EI / l³`.
+///
+/// A spring of stiffness `k` gives way by `f/k`, so that the clearance of the force method, (28), becomes
+///
+/// ```text
+/// f ≥ 0,  (C + I/k) f + u − C q ≥ 0,  fᵀ((C + I/k) f + u − C q) = 0
+/// ```
+///
+/// the same quadratic program (32) with a matrix that is stiffer on its diagonal.
+fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64, f64)>, Cause> {
+    let scaled = scene.scaled()?;
+    let beam = scaled.scene.beam();
+    let spring = ratio * 48.0 * beam.bending_stiffness() / beam.length().powi(3);
+    let discrete = Discrete::new(&scaled.scene, intervals)?;
+    let rigid = Method::Force.qp(&discrete);
+    let (n, flexibility) = (rigid.dimension(), rigid.matrix());
+    let softness = |i: usize, j: usize| if i == j { 1.0 / spring } else { 0.0 };
+    let qp = Dense {
+        matrix: DMatrix::from_fn(n, n, |i, j| flexibility.entry(i, j) + softness(i, j)),
+        linear: DVector::from_vec(rigid.linear()),
+        sizes: rigid.sizes(),
+    };
+    let answer = Solver::ActiveSet.run(&qp, 0.0);
+    if !answer.reports_success {
+        return Err(format!("springs of ratio {ratio}: {}", answer.words).into());
+    }
+    let scale = &scaled.scale;
+    let place = |i: usize| discrete.grid.place(i + 1) * scale.length;
+    Ok(answer.x.iter().enumerate().map(|(i, force)| (place(i), force * scale.force)).collect())
+}
+
+/// The figure of the springs, of which the first that are accepted have the stiffness 10ᵏ.
+fn drawn(springs: &[(i32, Found)], first_stiff: i32) -> Result<Drawn, Cause> {
+    let places = |error: fn(&Found) -> f64| {
+        springs.iter().map(|(exponent, found)| [ten_to(*exponent), error(found)]).collect::<Vec<_>>()
+    };
+    let lines = [
+        ("certified deflection error", places(|found| found.errors[1])),
+        ("worst violation at the nodes", places(|found| found.worst.map_or(0.0, |violation| violation.relative))),
+        ("true end reaction error", places(|found| found.reaction)),
+    ];
+    let x = Axis::new("stiffness of a spring over that of the beam, k l³/48EI").log();
+    let mut panel = Panel::new(x, Axis::new("relative error").log()).tall(700.0);
+    let mut data = Table::new(["quantity", "stiffness_ratio", "relative_error"]);
+    for (k, (label, points)) in lines.into_iter().enumerate() {
+        data = data.rows(points.iter().map(|p| row![label, scientific(p[0], 0), scientific(p[1], 2)]));
+        panel = panel.with(Layer::named(points, Style::of_series(k), label));
+    }
+    let svg = Figure::new(
+        format!("Springs are accepted from {} times the stiffness of the beam on", power_of_ten(first_stiff)),
+        "Relative errors over the stiffness of the springs, both axes logarithmic. The violation at the nodes falls in proportion; \
+         the certified error and the error of the end reaction fall until the error of the grid is left.",
+        vec![panel],
+    )
+    .svg()?;
+    Ok(("springs", svg, data))
 }

@@ -36,6 +36,7 @@ fn milliseconds(line: &Line) -> f64 {
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (file, store) = Store::read(study.root)?;
     let (price, price_figure) = price::of(&store)?;
+    let (stopping, stopping_figure) = stopping::of(&store)?;
     let (runs, runs_figure) = runs::of(&store)?;
     let values = context! {
         commit => store.description("commit"),
@@ -46,12 +47,12 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         limit => LIMIT,
         measured => store.lines.iter().filter(|line| line.median_s.is_some()).count(),
         price,
-        stopping => stopping::of(&store),
+        stopping,
         runs,
         reactions => reactions(&store),
         advice => advice::table(&advice::held(study.root, &store)?, &store),
     };
-    Ok(Evidence::new(values).file("measurements", file).figures([price_figure, runs_figure]))
+    Ok(Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure]))
 }
 
 /// The error of the end reaction by the force method with the active set, scene by scene.

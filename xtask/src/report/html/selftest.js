@@ -44,6 +44,22 @@ if (location.hash === "#selftest") {
     }
     themeButton.click();
     try { localStorage.removeItem("theme"); } catch { /* There was none. */ }
+
+    for (const section of document.querySelectorAll(".slider")) {
+      const [input, stage, list] = ["input", ".stage", "dl"].map((part) => section.querySelector(part));
+      const seen = new Set();
+      for (let i = 0; i <= Number(input.max); i += 1) {
+        input.value = i;
+        input.dispatchEvent(new Event("input"));
+        seen.add(stage.innerHTML + list.innerHTML);
+        expect(!/NaN|undefined|Infinity/.test(stage.innerHTML + list.innerHTML), `${section.id} shows no number at ${i}`);
+        // The layout of the whole page takes its time.
+        if (i % 20 === 0) expect(root.scrollWidth <= innerWidth, `${section.id} is too wide at ${i}`);
+      }
+      expect(seen.size === Number(input.max) + 1 && seen.size > 50, `${section.id} has ${seen.size} pictures`);
+      input.focus();
+      expect(document.activeElement === input, `${section.id} takes the keyboard`);
+    }
   };
   run().catch((error) => failures.push(String(error))).then(() => {
     const said = failures.length ? failures.slice(0, 20).join("; ") : "passed";

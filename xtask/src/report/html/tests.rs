@@ -1,4 +1,4 @@
-//! Links, formulas and drawings on their way into the page.
+//! Links, formulas, drawings and sliders on their way into the page.
 
 use super::*;
 
@@ -11,8 +11,12 @@ const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" heigh
 fn report(name: &str, text: &str) -> Rendered {
     let mut rendered: Rendered =
         DOCUMENTS.iter().map(|document| (path_of(document), format!("# {document}: words\n\n## Part\n"))).collect();
+    let markers = format!("{}\n\n{}\n", slider_marker("depth"), slider_marker("grid"));
+    rendered.insert(path_of("convergence"), format!("# Convergence\n\n{markers}"));
     rendered.insert(path_of(name), text.to_owned());
-    rendered.insert("figures/f.svg".to_owned(), SVG.to_owned());
+    for (path, text) in [("figures/f.svg", SVG), ("data/slider-depth.csv", "x\n"), ("data/slider-grid.csv", "x\n")] {
+        rendered.insert(path.to_owned(), text.to_owned());
+    }
     rendered
 }
 
@@ -86,4 +90,16 @@ fn formulas_become_mathml_or_fail() {
     assert!(html.contains("<pre><code class=\"language-text\">\\frac"), "other code stays: {html}");
     let error = article("theory", "# Theory\n\n```math\na + \\nosuch b\n```").expect_err("no such command");
     assert!(error.starts_with("pages/theory.md: the formula\na + \\nosuch b\n"), "{error}");
+}
+
+#[test]
+fn each_slider_stands_in_one_place() {
+    let mut rendered = report("theory", "# Theory");
+    let page_of = |rendered: &Rendered| page(rendered).map_err(|error| error.to_string());
+    let whole = page_of(&rendered).expect("both are there");
+    assert!(whole.contains("<section class=\"slider\" id=\"slider-depth\"") && !whole.contains("<!-- slider"), "both");
+    assert!(whole.contains("<script type=\"text/csv\" id=\"data-grid\">\nx\n</script>"), "with its data");
+    rendered.insert(path_of("convergence"), "# Convergence".to_owned());
+    let error = page_of(&rendered).expect_err("both are missing");
+    assert_eq!(error, "0 documents have the marker <!-- slider: depth --> and not one");
 }

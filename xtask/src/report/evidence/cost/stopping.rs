@@ -1,5 +1,7 @@
 //! When to stop: the error of the solver beside the error of the grid.
 
+use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, Place, PlotError, Style};
+
 use super::{ASKED, LIBRARIES, METHODS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
@@ -11,8 +13,8 @@ const GRIDS: [usize; 4] = [30, 300, 3000, 30_000];
 /// Errors of the grid below this are rounding of the exact solution: they say nothing.
 const MEANINGLESS: f64 = 1e-13;
 
-/// Tolerances that are enough, and what tighter ones cost.
-pub(super) fn of(store: &Store) -> Value {
+/// Tolerances that are enough, what tighter ones cost, and the figure of the two errors.
+pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let lines = ended(store, EXAMPLE);
     let header = GRIDS.map(|grid| format!("{} intervals", count(grid)));
     let mut table = Table::new(row!["method and solver"].into_iter().chain(header));
@@ -28,7 +30,7 @@ pub(super) fn of(store: &Store) -> Value {
         }
     }
     let [clarabel, osqp] = LIBRARIES.map(|solver| decades(&lines, solver));
-    context! { table, clarabel, osqp }
+    Ok((context! { table, clarabel, osqp }, drawn(&lines)?))
 }
 
 /// The lines of a route on a grid, loose tolerances first.
@@ -71,4 +73,43 @@ fn decades(lines: &[&Line], solver: &str) -> Option<Value> {
         .collect();
     let [least, most] = range(factors.iter().copied())?;
     Some(context! { least, most, pairs => factors.len() })
+}
+
+/// Error of the end reaction over the number of intervals, by the force method: of the grid, and of clarabel for each tolerance.
+fn drawn(lines: &[&Line]) -> Result<Drawn, PlotError> {
+    const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+    let of_grid = |line: &Line| line.is("force", "optimum").then_some(line.reaction_total?);
+    let marks = Style::marks(Color::BLACK, Marker::OpenCircle);
+    let mut series = vec![("of the grid".to_owned(), marks, places(lines, of_grid))];
+    for (k, asked) in TOLERANCES.into_iter().enumerate() {
+        let of_solver =
+            |line: &Line| (line.is("force", "clarabel") && line.asks(asked)).then_some(line.reaction_solver?);
+        series.push((format!("clarabel, {}", tolerance(asked)), Style::of_series(k), places(lines, of_solver)));
+    }
+    let mut data = Table::new(["error", "intervals", "relative_error"]);
+    let y = Axis::new("relative error of the end reaction").log();
+    let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(800.0).room(60.0, 0.0);
+    for (label, style, places) in series {
+        data = data.rows(places.iter().map(|[grid, error]| row![label, grid, scientific(*error, 2)]));
+        // From fine grids to coarse ones: the name of the marks stands at the last, where there is room.
+        panel = panel.with(Layer::named(places.into_iter().rev().collect(), style, label));
+    }
+    let svg = Figure::new(
+        "On most grids a loose tolerance is enough: the error of the grid is the larger one",
+        "Relative error of the end reaction over the number of intervals, both logarithmic: circles are the error of the grid, \
+         lines the error of clarabel asked for four tolerances. Where a line lies below the circles, a tighter tolerance buys nothing.",
+        vec![panel],
+    )
+    .svg()?;
+    Ok(("two-errors", svg, data))
+}
+
+/// Errors over intervals, up to the finest grid of the table, without those that are rounding.
+fn places(lines: &[&Line], error: impl Fn(&Line) -> Option<f64>) -> Vec<Place> {
+    let shown = lines.iter().filter(|line| line.intervals <= GRIDS[GRIDS.len() - 1]);
+    let mut places: Vec<Place> = shown
+        .filter_map(|line| Some([as_number(line.intervals), error(line).filter(|error| f64::EPSILON < *error)?]))
+        .collect();
+    places.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    places
 }

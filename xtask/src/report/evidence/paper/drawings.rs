@@ -46,7 +46,8 @@ pub(super) fn contact(title: &str, theory: &Theory, (label, nodes): Nodal<'_>) -
     /// Intervals that are shown on either side of the lift-off point.
     const BEFORE: f64 = 1.4;
     const BEHIND: f64 = 4.4;
-    let (l, a, step) = (theory.length, theory.lift_off, nodes.x[1] - nodes.x[0]);
+    let [first, second, ..] = nodes.x[..] else { return Err(PlotError::Empty { what: "the list of intervals" }) };
+    let (l, a, step) = (theory.length, theory.lift_off, second - first);
     let whole = forces_panel(theory, (label, nodes), step, None, "contact force at each node").wide();
     let near = [(a - BEFORE * step).max(0.0), (a + BEHIND * step).min(l)];
     let zoom = forces_panel(theory, (label, nodes), step, Some(near), "at the left lift-off point");
@@ -211,6 +212,19 @@ mod tests {
         let lines: Vec<&str> = svg.lines().collect();
         let arrows = lines.windows(2).filter(|pair| pair[0].contains(&shaft));
         arrows.filter_map(|pair| Some(first(pair[0], " d=\"M")? - first(pair[1], "points=\"")?)).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn broken_data_are_refused() {
+        let found = figure_7().expect("the example is solved");
+        let theory = Theory::new(beam().expect("a beam").length(), found.theory);
+        let drawn = |nodes: &Nodes| contact("", &theory, ("", nodes));
+        let mut nodes = found.nodes;
+        nodes.contact_force[3] = f64::NAN;
+        assert!(matches!(drawn(&nodes), Err(PlotError::NotFinite { .. })), "NaN");
+        nodes.x.truncate(1);
+        assert!(matches!(drawn(&nodes), Err(PlotError::Empty { .. })), "one node");
+        assert!(shape("", &theory, &[]).is_ok(), "theory alone is a figure");
     }
 
     #[test]
