@@ -59,7 +59,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     panel = panel.with(Layer::named(dashed, Style::theory(), "cond(A) · 2⁻⁵²"));
     let figure = Figure::new(
         "The active set keeps its digits where the condition number promises none",
-        "Finite differences on the paper's example: the worst error of solved problems in end reaction, contact force, deflection \
+        "Finite differences on the paper's example: the worst error of runs that are solved in end reaction, contact force, deflection \
          and energy, against the proven optimum of the same discrete problem, over the number of intervals, both axes logarithmic; \
          one line for each solver, and dashed the condition number times the rounding of a number, which reaches one.",
         vec![panel],
