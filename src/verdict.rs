@@ -15,7 +15,7 @@
 //! ([`crate::adaptive`]), it counts in what the solver left undone, and the residual may be as large as a tenth of it.
 //! Contact forces from elsewhere have no problem of their own: of them the certificate and the error count ([`Verdict::of_forces`]).
 //!
-//! [`RawSolution::status`] is the first row alone, and [`Exact::status`] that of beam theory: what they solved is their own problem.
+//! [`RawSolution::solved`] is the first row alone, and [`Exact::solved`] that of beam theory: what they solved is their own problem.
 //!
 //! ```
 //! use palkki::Witness;

@@ -8,6 +8,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::Cause;
+use crate::report::files;
 
 /// The lines of a text below its header; lines that begin with `#` are comments.
 pub(crate) fn parse<Line: DeserializeOwned>(text: &str) -> Result<Vec<Line>, csv::Error> {
@@ -74,8 +75,8 @@ pub(crate) trait Row: Serialize + DeserializeOwned {
 
 /// Measurements: comments that say where they come from, and a line for each result; on disk and in memory.
 ///
-/// The file is always whole: each result writes it anew beside itself and then takes its place, which the system does at once
-/// or not at all. Whatever is killed whenever, the next run finds all results but the one that was under way.
+/// The file is always whole, see [`files::replace`]: whatever is killed whenever, the next run finds all results but the one
+/// that was under way.
 #[derive(Debug)]
 pub(crate) struct Measurements<R> {
     path: PathBuf,
@@ -133,11 +134,45 @@ impl<R: Row> Measurements<R> {
         self.write()
     }
 
-    /// Beside the file, and then in its place.
     fn write(&self) -> Result<(), Cause> {
         let described: String = self.described.iter().map(|line| format!("# {line}\n")).collect();
-        let beside = self.path.with_extension("csv.new");
-        let written = fs::write(&beside, described + &text(&self.lines)?);
-        written.and_then(|()| fs::rename(&beside, &self.path)).map_err(|error| format!("{}: {error}", R::PATH).into())
+        let text = described + &text(&self.lines)?;
+        files::replace(&self.path, &text).map_err(|error| format!("{}: {error}", R::PATH).into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Deserialize, read};
+    use crate::scratch::Scratch;
+
+    #[derive(Debug, PartialEq, Deserialize)]
+    struct Line {
+        route: String,
+        error: Option<f64>,
+    }
+
+    #[test]
+    fn broken_files_are_refused_with_their_name() {
+        let scratch = Scratch::new("broken");
+        let lines = |text: &str| {
+            scratch.put("a.csv", text);
+            read::<Line>(&scratch.0, "a.csv").map(|(_, lines)| lines).map_err(|error| error.to_string())
+        };
+        let line = Line { route: "force".to_owned(), error: None };
+        assert_eq!(lines("# date: x\nroute,error\nforce,\n"), Ok(vec![line]), "no number is none");
+        for (broken, what) in [
+            ("route,error\nforce,small\n", "no number"),
+            ("route,error\nforce\n", "a short line"),
+            ("error\n1e-3\n", "a column is missing"),
+            ("route,error\nforce,1e-3,2\n", "a long line"),
+        ] {
+            let found = lines(broken);
+            assert!(found.as_ref().is_err_and(|error| error.starts_with("a.csv: ")), "{what}: {found:?}");
+        }
+        assert!(
+            read::<Line>(&scratch.0, "b.csv").is_err_and(|error| error.to_string().starts_with("b.csv: ")),
+            "no file"
+        );
     }
 }

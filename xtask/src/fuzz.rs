@@ -7,24 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use serde::{Deserialize, Serialize};
-
-use crate::{Cause, data, tell};
-
-/// Where the counts are, below the root.
-pub(crate) const PATH: &str = "report/data/fuzzing.csv";
-
-/// What became of one target.
-#[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Target {
-    target: String,
-    pub(crate) executions: u64,
-    seed: u64,
-    longest_bytes: u64,
-    edges: u64,
-    corpus_files: usize,
-    pub(crate) failures: usize,
-}
+use crate::{Cause, tell};
 
 /// The targets, each with a corpus of its name.
 const TARGETS: [&str; 3] = ["scene", "survey", "forces"];
@@ -43,7 +26,7 @@ const INSTRUMENTATION: &str = "-Cpasses=sancov-module -Cllvm-args=-sanitizer-cov
     -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table \
     -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=4 --cfg=fuzzing";
 
-/// Builds and runs all targets, and writes the counts; an error if one of them finds something.
+/// Builds and runs all targets, and tells the counts; an error if one of them finds something.
 pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
     let triple = host()?;
     let target = root.join("target/fuzz");
@@ -58,7 +41,7 @@ pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
     if !built.success() {
         return Err("the fuzz targets do not build".into());
     }
-    let (mut counts, mut broken) = (Vec::new(), false);
+    let mut broken = false;
     for name in TARGETS {
         tell(&format!("{name}: {runs} executions"));
         let place = target.join("runs").join(name);
@@ -80,17 +63,12 @@ pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
         let count = |place: &Path| fs::read_dir(place).map_or(0, Iterator::count);
         let failures = count(&failed);
         broken |= 0 < failures || !output.status.success();
-        counts.push(Target {
-            target: name.to_owned(),
-            executions: after(&log, "stat::number_of_executed_units:").unwrap_or(0),
-            seed: SEED,
-            longest_bytes: LONGEST,
-            edges: after(&log, " cov: ").unwrap_or(0),
-            corpus_files: count(&corpus),
-            failures,
-        });
+        let executed = after(&log, "stat::number_of_executed_units:").unwrap_or(0);
+        tell(&format!(
+            "{name}: {executed} executions, {} edges, {failures} failures",
+            after(&log, " cov: ").unwrap_or(0)
+        ));
     }
-    data::write(root, PATH, &counts)?;
     if broken {
         return Err(format!("texts that break something are in {}", target.join("runs").display()).into());
     }

@@ -8,6 +8,8 @@ mod hostile;
 mod measure;
 mod report;
 mod scenes;
+#[cfg(test)]
+mod scratch;
 mod table;
 mod text;
 mod workers;
@@ -32,9 +34,6 @@ enum Task {
     },
     Certificates,
     Measure(measure::Wish),
-    /// What `measure` starts to weigh a solve.
-    #[command(hide = true)]
-    Peak(measure::instruments::Weighed),
     /// What `measure --scale` starts for each line of its file.
     #[command(hide = true)]
     Alone(measure::scale::Job),
@@ -59,7 +58,6 @@ impl Task {
             Self::Report { .. } => report::write(root)?,
             Self::Certificates => certificates::run(root)?,
             Self::Measure(wish) => measure::run(root, &wish)?,
-            Self::Peak(solve) => println!("{}", solve.own_peak(root)?),
             Self::Alone(job) => print!("{}", data::text(&[job.measured_here()?])?),
             Self::Fuzz { runs } => fuzz::run(root, runs)?,
             Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),

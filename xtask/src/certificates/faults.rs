@@ -31,14 +31,11 @@ const FOREIGN_SIZES: [f64; 5] = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2];
 /// What the names of faults in exact answers begin with.
 pub(crate) const EXACT: &str = "exact: ";
 
-/// Sizes of a fault; none if it has no size.
-pub(crate) fn sizes(fault: &str) -> Vec<f64> {
-    if fault == DEEPER || fault == HEAVIER {
-        return FOREIGN_SIZES.to_vec();
-    }
+/// Whether a fault is tried in several sizes.
+pub(crate) fn is_sized(fault: &str) -> bool {
     let named = FAULTS.iter().any(|f| f.sized && f.name == fault);
     let exact = fault.strip_prefix(EXACT).is_some_and(|name| CONTACT_FAULTS.iter().any(|f| f.sized && f.name == name));
-    if named || exact { SIZES.to_vec() } else { Vec::new() }
+    named || exact || fault == DEEPER || fault == HEAVIER
 }
 
 /// Answers that were not computed again.

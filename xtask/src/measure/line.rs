@@ -20,7 +20,7 @@ pub(crate) struct Line {
     pub(crate) intervals: usize,
     /// What was asked for; 0 where nothing is.
     pub(crate) tolerance: f64,
-    /// Our check: `certified`, `not-certified`, `not-converged`; `proven` for an optimum; or why there is no result.
+    /// Our check: `solved`, `not solved`, `gave up`; of the adaptive grid its verdict; `proven` for an optimum; or why there is no result.
     pub(crate) status: String,
     /// Whether the solver says that it solved the problem.
     pub(crate) says_solved: Option<bool>,
@@ -47,11 +47,6 @@ pub(crate) struct Line {
     /// Of the adaptive grid: intervals of its last grid, and the certified error of the deflection.
     pub(crate) last_intervals: Option<usize>,
     pub(crate) certified_error: Option<f64>,
-    /// Median seconds of what is measured in turns with the solve.
-    pub(crate) added_s: Option<f64>,
-    pub(crate) tridiagonal_s: Option<f64>,
-    pub(crate) certificate_s: Option<f64>,
-    pub(crate) peak_kb: Option<u64>,
 }
 
 impl Line {

@@ -24,10 +24,6 @@ const DEMANDED: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
 const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
 
-/// From here on the yardstick is laid beside the force method with the active set, and from here on memory counts.
-const RULED: usize = 1000;
-const HEAVY: usize = 100_000;
-
 /// How an answer is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Route {
@@ -39,8 +35,6 @@ pub(crate) enum Route {
     Solver(Method, Solver),
     /// A method with a solver on the grid that the demanded error takes.
     Adaptive(Method, Solver),
-    /// The contact set of a library on the force method, solved by the three-moment equations.
-    Repair(Solver),
 }
 
 /// One thing to measure.
@@ -61,7 +55,6 @@ impl Job {
             Route::Optimum(method) => format!("{method}/optimum"),
             Route::Solver(method, solver) => format!("{method}/{solver}"),
             Route::Adaptive(method, solver) => format!("{method}/{solver}-adaptive"),
-            Route::Repair(solver) => format!("repair/{solver}"),
         }
     }
 
@@ -73,17 +66,6 @@ impl Job {
     /// Whether the other job is the same on another grid.
     pub(crate) fn same_series(&self, other: &Self) -> bool {
         self.route == other.route && self.tolerance.total_cmp(&other.tolerance).is_eq()
-    }
-
-    /// Whether the yardstick is laid beside it.
-    pub(crate) fn is_ruled(&self) -> bool {
-        self.route == Route::Solver(Method::Force, Solver::ActiveSet) && RULED <= self.intervals
-    }
-
-    /// Whether its memory is measured.
-    pub(crate) fn is_weighed(&self) -> bool {
-        let asked = self.tolerance == 0.0 || self.tolerance.total_cmp(&1e-10).is_eq();
-        matches!(self.route, Route::Solver(Method::Force, _)) && HEAVY <= self.intervals && asked
     }
 }
 
@@ -118,11 +100,6 @@ fn jobs(tolerances: &[f64], all: bool) -> Vec<Job> {
             let finest = if all && matches!(tolerance, 1e-8 | 1e-10) { 100_000 } else { 30_000 };
             series(Route::Solver(method, Solver::Clarabel), tolerance, finest);
             series(Route::Solver(method, Solver::Osqp), tolerance, if all { 30_000 } else { 3000 });
-        }
-    }
-    for solver in [Solver::Clarabel, Solver::Osqp] {
-        for tolerance in [1e-4, if all { 1e-8 } else { 1e-7 }] {
-            series(Route::Repair(solver), tolerance, if solver == Solver::Osqp { 3000 } else { 30_000 });
         }
     }
     jobs

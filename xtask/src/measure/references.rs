@@ -71,7 +71,6 @@ impl References {
         let discretisation = match job.route {
             Route::Exact | Route::Adaptive(..) => return None,
             Route::Solver(method, _) | Route::Optimum(method) => method.discretisation(),
-            Route::Repair(_) => Discretisation::BeamElements,
         };
         let key = (job.intervals, discretisation == Discretisation::FiniteDifferences);
         if let Some(known) = self.known.borrow().get(&key) {

@@ -134,7 +134,7 @@ pub(crate) struct Line {
     /// `method/solver`
     pub(crate) route: String,
     pub(crate) intervals: u32,
-    /// Our check: `certified`, `not-certified`, `not-converged`; or `left-out`, `stopped`, `refused`.
+    /// Our check: `solved`, `not solved`, `gave up`; or `left-out`, `stopped`, `refused`.
     pub(crate) status: String,
     /// Why there is no result.
     pub(crate) why: String,

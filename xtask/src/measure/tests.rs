@@ -1,8 +1,7 @@
 //! The file survives whatever happens to the program that writes it.
 
-use std::fs;
 use std::io::{BufRead, BufReader};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use palkki::methods::Method;
@@ -13,24 +12,7 @@ use super::plan::{Job, Route};
 use super::references::Errors;
 use crate::Cause;
 use crate::data::Row;
-
-/// A root of its own.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let place = std::env::temp_dir().join(format!("palkki-store-{}-{name}", std::process::id()));
-        fs::create_dir_all(place.join("report/data")).expect("a scratch directory can be made");
-        Self(place)
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // What stays is in the directory for temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
+use crate::scratch::Scratch;
 
 fn open(root: &Path, fresh: bool, only: &str) -> Result<Store, Cause> {
     Store::open(root, &["machine: a".to_owned()], fresh, |key| key.contains(only))
@@ -74,8 +56,7 @@ fn numbers_are_read_as_they_were_written() {
 #[test]
 fn a_file_with_other_columns_is_not_continued() {
     let scratch = Scratch::new("columns");
-    fs::write(scratch.0.join(Line::PATH), "# machine: a\nscene,route\ns,r\n")
-        .expect("the scratch directory can be written to");
+    scratch.put(Line::PATH, "# machine: a\nscene,route\ns,r\n");
     assert!(open(&scratch.0, false, "").is_err_and(|error| error.to_string().contains("--fresh")), "not mixed");
     assert!(open(&scratch.0, true, "s,r").is_ok_and(|store| store.lines.is_empty()), "but begun again");
 }

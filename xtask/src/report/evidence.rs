@@ -4,24 +4,21 @@
 //! `{{ <name>.field }}`.
 
 mod adaptive;
-mod agreement;
 mod bounds;
-mod claims;
 mod closed;
-mod conditioning;
 mod convergence;
 mod cost;
-mod extremes;
-mod figures;
 mod gallery;
-mod hostile;
 mod judged;
+mod paper;
 mod problem;
 mod provenance;
 mod scale;
 mod sliders;
 mod solvers;
+mod stability;
 mod teaching;
+mod verdict_map;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -42,7 +39,7 @@ mod prelude {
     pub(super) use minijinja::{Value, context};
     pub(super) use palkki::route::{Method, Solver, Status};
     pub(super) use palkki::scene::{Foundation, Scene};
-    pub(super) use palkki::{Settings, solve_raw, theory};
+    pub(super) use palkki::theory;
 
     pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes, worst_difference};
     pub(super) use crate::table::{Table, row};
@@ -61,23 +58,22 @@ const SUBJECTS: &[Subject] = &[
     ("sliders", sliders::evidence),
     ("solvers", solvers::evidence),
     ("teaching", teaching::evidence),
-    ("figures", figures::evidence),
-    ("first_force", figures::first_force),
+    ("figures", paper::figures::evidence),
+    ("first_force", paper::figures::first_force),
     ("regimes", problem::regimes),
-    ("agreement", agreement::evidence),
+    ("agreement", paper::agreement::evidence),
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
-    ("sheet", gallery::sheet),
-    ("claims", claims::evidence),
-    ("recommendation", claims::recommendation),
+    ("claims", paper::claims::evidence),
+    ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),
     ("scale", scale::evidence),
-    ("conditioning", conditioning::evidence),
-    ("extremes", extremes::evidence),
-    ("hostile", hostile::evidence),
+    ("conditioning", stability::conditioning::evidence),
+    ("extremes", stability::extremes::evidence),
+    ("hostile", stability::hostile::evidence),
     ("discrepancies", provenance::discrepancies),
     ("reproduce", provenance::evidence),
 ];

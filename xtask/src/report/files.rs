@@ -38,8 +38,7 @@ const LAST: &str = "README.md";
 
 /// Writes what changed and removes what is left over; returns how many files that were.
 ///
-/// All texts are written beside their files before the first of them takes its place, so that a run that is interrupted while
-/// it writes leaves the old report. What it leaves beside the files is removed by the next one.
+/// All texts are there before the first of them is written, and each takes the place of its file at once.
 pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Cause> {
     let mut changes = put(root, rendered)?;
     for path in left_over(root, rendered)? {
@@ -52,48 +51,26 @@ pub(super) fn write(root: &Path, rendered: &Rendered) -> Result<usize, Cause> {
 
 /// Writes what changed; returns how many files that were.
 pub(super) fn put(root: &Path, rendered: &Rendered) -> Result<usize, Cause> {
-    let mut staged = Staged::default();
+    let mut changes = 0;
     let (last, others): (Vec<_>, Vec<_>) = rendered.iter().partition(|(path, _)| *path == LAST);
     for (path, text) in others.into_iter().chain(last) {
         let path = root.join("report").join(path);
         if read(&path)?.as_ref() != Some(text) {
-            staged.add(&path, text).map_err(|error| at(&path, &error))?;
+            replace(&path, text).map_err(|error| at(&path, &error))?;
+            changes += 1;
         }
     }
-    staged.publish()
+    Ok(changes)
 }
 
-/// Files that are written and have not taken their places yet: `(beside, place)`. Dropped, they are removed.
-#[derive(Debug, Default)]
-struct Staged(Vec<(PathBuf, PathBuf)>);
-
-impl Staged {
-    fn add(&mut self, path: &Path, text: &str) -> io::Result<()> {
-        if let Some(directory) = path.parent() {
-            fs::create_dir_all(directory)?;
-        }
-        let beside = PathBuf::from(format!("{}.{}.new", path.display(), std::process::id()));
-        self.0.push((beside.clone(), path.to_owned()));
-        fs::write(&beside, text)
+/// Writes a file beside its place and renames it, which the system does at once or not at all: who reads it, or stops the
+/// program, finds the old text or the new one and never half of it.
+pub(crate) fn replace(path: &Path, text: &str) -> io::Result<()> {
+    if let Some(directory) = path.parent() {
+        fs::create_dir_all(directory)?;
     }
-
-    /// Renames, so that a reader of any file sees its old text or its new one and never half of it.
-    fn publish(mut self) -> Result<usize, Cause> {
-        let changes = self.0.len();
-        for (beside, path) in self.0.drain(..) {
-            fs::rename(&beside, &path).map_err(|error| at(&path, &error))?;
-        }
-        Ok(changes)
-    }
-}
-
-impl Drop for Staged {
-    fn drop(&mut self) {
-        for (beside, _) in &self.0 {
-            // The reason of the failure is what counts; a half file that cannot be removed shows as left over.
-            let _ = fs::remove_file(beside);
-        }
-    }
+    let beside = PathBuf::from(format!("{}.new", path.display()));
+    fs::write(&beside, text).and_then(|()| fs::rename(&beside, path))
 }
 
 /// What went wrong, and at which file.

@@ -87,14 +87,14 @@ struct Document<'a> {
 impl Document<'_> {
     /// The document as HTML.
     fn html(&mut self, text: &str) -> Result<String, Cause> {
-        let options = Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES;
+        let options = Options::ENABLE_TABLES;
         let inline = self.inline(Parser::new_ext(text, options))?;
         let mut html = String::new();
         push_html(&mut html, self.blocks(inline)?.into_iter());
         Ok(html)
     }
 
-    /// Links, drawings and names of footnotes, everywhere.
+    /// Links and drawings, everywhere.
     fn inline<'t>(&mut self, events: impl Iterator<Item = Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
         let mut out = Vec::new();
         let mut events = events;
@@ -107,12 +107,6 @@ impl Document<'_> {
                     // The drawing has a title and a description of its own.
                     events.by_ref().take_while(|event| *event != Event::End(TagEnd::Image)).for_each(drop);
                     Event::InlineHtml(self.drawing(&dest_url)?.into())
-                }
-                Event::InlineHtml(html) => Event::InlineHtml(self.with_drawings(&html)?.into()),
-                Event::Html(html) => Event::Html(self.with_drawings(&html)?.into()),
-                Event::FootnoteReference(label) => Event::FootnoteReference(format!("{}-{label}", self.name).into()),
-                Event::Start(Tag::FootnoteDefinition(label)) => {
-                    Event::Start(Tag::FootnoteDefinition(format!("{}-{label}", self.name).into()))
                 }
                 other => other,
             });
@@ -175,7 +169,7 @@ impl Document<'_> {
 
     /// Where a link leads: to a place in the page if its target is a document.
     fn target(&self, link: &str) -> String {
-        if link.contains("://") || link.starts_with("mailto:") {
+        if link.contains("://") {
             return link.to_owned();
         }
         let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
@@ -196,20 +190,6 @@ impl Document<'_> {
         let svg = svg.ok_or_else(|| format!("{link} is no drawing of the report and would have to be loaded"))?;
         self.drawings += 1;
         Ok(drawing::inlined(svg, &format!("f{}", self.drawings)))
-    }
-
-    /// Raw HTML, with the drawings of `<img src="…">` in it.
-    fn with_drawings(&mut self, html: &str) -> Result<String, Cause> {
-        let mut out = String::new();
-        let mut rest = html;
-        while let Some((before, tag)) = rest.split_once("<img ") {
-            let (tag, after) = tag.split_once('>').ok_or("an <img> does not end in its line")?;
-            let link = tag.split_once("src=\"").and_then(|(_, link)| link.split_once('"')).map(|(link, _)| link);
-            out += before;
-            out += &self.drawing(link.ok_or("an <img> has no src")?)?;
-            rest = after;
-        }
-        Ok(out + rest)
     }
 
     /// The entry of the document, with its sections.

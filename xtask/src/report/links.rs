@@ -65,15 +65,10 @@ pub(super) fn resolved(document: &str, link: &str) -> String {
     parts.join("/")
 }
 
-/// The targets of `[text](target)` and `![text](target)`, and of `src="target"`, outside code.
+/// The targets of `[text](target)` and `![text](target)` outside code.
 fn targets(markdown: &str) -> impl Iterator<Item = &str> {
     let prose = markdown.split("```").step_by(2);
-    prose.flat_map(|prose| {
-        let of = |opening: &'static str, closing: char| {
-            prose.split(opening).skip(1).filter_map(move |rest| Some(rest.split_once(closing)?.0))
-        };
-        of("](", ')').chain(of("src=\"", '"'))
-    })
+    prose.flat_map(|prose| prose.split("](").skip(1).filter_map(|rest| Some(rest.split_once(')')?.0)))
 }
 
 /// The anchors of all headings of a document; two of the same name are an error.

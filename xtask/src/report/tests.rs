@@ -5,6 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use super::*;
+use crate::scratch::Scratch;
 use crate::table::Table;
 
 fn root() -> PathBuf {
@@ -63,33 +64,10 @@ fn every_column_of_a_table_has_a_name() {
     }
 }
 
-/// A root of its own, with a report that is being changed.
-#[derive(Debug)]
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let place = std::env::temp_dir().join(format!("palkki-{}-{name}", std::process::id()));
-        fs::create_dir_all(place.join("report/figures")).expect("a scratch directory can be made");
-        Self(place)
-    }
-
-    fn put(&self, path: &str, text: &str) {
-        fs::write(self.0.join(path), text).expect("the scratch directory can be written to");
-    }
-
-    /// What a comparison with `rendered` says, a line each.
-    fn stale(&self, rendered: &Rendered) -> Vec<String> {
-        let stale = files::compare(&self.0, rendered).expect("the files can be read");
-        stale.iter().map(|stale| stale.lines().next().unwrap_or_default().to_owned()).collect()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        // What stays is in the directory for temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
+/// What a comparison with `rendered` says, a line each.
+fn stale(root: &Path, rendered: &Rendered) -> Vec<String> {
+    let stale = files::compare(root, rendered).expect("the files can be read");
+    stale.iter().map(|stale| stale.lines().next().unwrap_or_default().to_owned()).collect()
 }
 
 fn rendered(files: &[(&str, &str)]) -> Rendered {
@@ -106,7 +84,7 @@ fn stale_missing_and_left_over_files_are_named_and_repaired() {
     scratch.put("report/figures/old.svg", "<svg/>");
     scratch.put("report/by-hand.md", "not ours");
     assert_eq!(
-        scratch.stale(&wanted),
+        stale(&scratch.0, &wanted),
         [
             "stale:     report/README.md, line 1: `1.14` became `1.18`",
             "missing:   report/data/a.csv",
@@ -116,7 +94,7 @@ fn stale_missing_and_left_over_files_are_named_and_repaired() {
     );
 
     assert_eq!(files::write(&scratch.0, &wanted).expect("it can be written"), 3, "three changes");
-    assert_eq!(scratch.stale(&wanted), [""; 0], "all fresh");
+    assert_eq!(stale(&scratch.0, &wanted), [""; 0], "all fresh");
     assert_eq!(files::write(&scratch.0, &wanted).expect("it can be written"), 0, "nothing to do");
     let left = files::list(&scratch.0, "report").expect("it can be listed");
     let expected = ["README.md", "by-hand.md", "data/a.csv", "figures/a.svg"].map(|path| format!("report/{path}"));
@@ -128,7 +106,7 @@ fn another_processor_may_round_differently() {
     let scratch = Scratch::new("rounding");
     scratch.put("report/README.md", "T = 1.18, n = 29\n");
     scratch.put("report/figures/a.svg", "<svg x=\"5\"/>");
-    let drawn = |readme, svg| scratch.stale(&rendered(&[("README.md", readme), ("figures/a.svg", svg)])).len();
+    let drawn = |readme, svg| stale(&scratch.0, &rendered(&[("README.md", readme), ("figures/a.svg", svg)])).len();
     assert_eq!(drawn("T = 1.19, n = 29\n", "<svg x=\"6\"/>"), 0, "one unit and one pixel");
     assert_eq!(drawn("T = 1.20, n = 29\n", "<svg x=\"7\"/>"), 2, "two units and two pixels");
     assert_eq!(drawn("T = 1.18, n = 30\n", "<svg x=\"5\"/>"), 1, "another integer");
@@ -137,7 +115,6 @@ fn another_processor_may_round_differently() {
 #[test]
 fn a_template_that_no_list_names_is_refused() {
     let scratch = Scratch::new("unknown");
-    fs::create_dir_all(scratch.0.join("report/templates")).expect("the scratch directory can be written to");
     scratch.put("report/templates/stray.md", "# Stray\n");
     let error = render(&scratch.0).expect_err("the template is in no list").to_string();
     assert!(error.starts_with("report/templates/stray.md is no template"), "{error}");

@@ -22,7 +22,7 @@ usage: cargo xtask <task>
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
   measure --scale  time and memory over the points of a survey, into report/data/scale.csv; --up-to N points, --fresh, --only
-  fuzz             look for texts that break the parsers, guided by coverage: counts go to report/data/fuzzing.csv; --runs N
+  fuzz             look for texts that break the parsers, guided by coverage; --runs N
   hostile          random and adversarial scenes through the whole program: counts go to report/data/hostile.csv; --runs N
   doctor           what this machine lacks to build and to test, and what to do about it
 ";

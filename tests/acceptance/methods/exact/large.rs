@@ -135,6 +135,22 @@ fn n_9999_in_integers() {
     integers(&example(), 10_000, AT_9999);
 }
 
+/// Residual times condition number promises four digits at most; the answer has nearly all that a number holds.
+#[test]
+fn the_active_set_has_an_error_of_rounding_where_the_condition_number_promises_nothing() {
+    const INTERVALS: usize = 1000;
+    for method in Method::ALL {
+        let problem = given::problem(&example(), INTERVALS, method.discretisation()).expect("flat");
+        let outcome = run(&example(), method, Solver::ActiveSet, INTERVALS);
+        let errors = Forward::errors(&problem, &proven(&problem, &outcome), &outcome.state).expect("numbers");
+        let promised = outcome.residual * method.condition(INTERVALS);
+        assert!(1e-4 < promised, "{method}: {promised:.1e}");
+        // A contact force near lift-off loses a factor n.
+        assert!(errors.contact_force <= 3e-13, "{method}: {errors:?}");
+        assert!(errors.reaction <= 3e-14 && errors.deflection <= 3e-15, "{method}: {errors:?}");
+    }
+}
+
 /// Point contacts of a wave, and the kinks of a survey.
 #[test]
 fn uneven_foundations_in_integers() {

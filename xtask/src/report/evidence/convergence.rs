@@ -1,6 +1,6 @@
 //! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
 
-use palkki::plot::study::{Named, convergence};
+use palkki::plot::{Axis, Color, Figure, Layer, Panel, Place, PlotError, Style};
 use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
 
 use super::prelude::*;
@@ -13,8 +13,6 @@ const SCENES: [(&str, &str); 3] = [("survey", "kinks"), ("crest", "one zone"), (
 /// The first has a node at each reading of the survey, every fifth interval; each further one has twice as many.
 const COARSEST: usize = 120;
 const HALVINGS: u32 = 5;
-/// The scene with smooth crests goes on by the force method, whose three-moment equations do not mind.
-const FINE_HALVINGS: u32 = 10;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // The force method has the same nodal values as the displacement method.
@@ -29,26 +27,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     for (name, _) in SCENES {
         let scene = scenes::read(study.root, name)?;
         let exact = theory::solve(&scene)?;
-        let of = |method| of_scene(&scene, &exact, method, &grids);
-        found.push((name, [of(Method::Force)?, of(Method::Complementarity)?].concat()));
+        found.push((name, of_scene(&scene, &exact, Method::Force, &grids)?));
     }
-    let crests = scenes::read(study.root, "wave")?;
-    let every: Vec<usize> = (0..=FINE_HALVINGS).map(|k| COARSEST << k).collect();
-    let fine = of_scene(&crests, &theory::solve(&crests)?, Method::Force, &every)?;
-    let fine_rows: Vec<_> = fine
-        .iter()
-        .map(|a| context! { quantity => a.quantity.name(), error => last(&a.errors), order => a.order })
-        .collect();
-
     let values = context! {
         coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1], table => example_table(&differences, &energy),
         differences_energy_is_fast => fast, first_force,
         uneven => context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found) },
-        fine => context! { title => crests.title(), intervals => COARSEST << FINE_HALVINGS, rows => fine_rows },
     };
-    Ok(Evidence::new(values)
-        .figure("convergence", example_figure(&energy)?, example_data(&[&differences, &energy]))
-        .figure("approach", uneven_figure(&found)?, uneven_data(&found)))
+    let data = example_data(&[&differences, &energy]);
+    Ok(Evidence::new(values).figure("convergence", example_figure(&energy)?, data))
 }
 
 #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
@@ -88,14 +75,13 @@ fn example_table(differences: &[Series], energy: &[Series]) -> Table {
 }
 
 fn example_figure(energy: &[Series]) -> Result<String, Cause> {
-    let series: Vec<Named<'_>> =
-        energy.iter().map(|s| Named { label: s.quantity.name(), points: places(&s.errors) }).collect();
+    let series: Vec<(&str, Vec<Place>)> = energy.iter().map(|s| (s.quantity.name(), places(&s.errors))).collect();
     let listed: Vec<String> =
         energy.iter().map(|s| format!("{} with order {:.1}", s.quantity.name(), s.order)).collect();
     let orders = |of: bool| energy.iter().filter(move |s| (s.quantity == Quantity::LiftOff) == of).map(|s| s.order);
     // The least of the others.
     let (lift_off, rest) = (orders(true).fold(0.0, f64::max), orders(false).fold(f64::INFINITY, f64::min));
-    Ok(convergence(
+    Ok(drawn(
         &format!(
             "The paper's example: the lift-off point converges with order {lift_off:.0}, the rest with order {rest:.0}"
         ),
@@ -105,6 +91,31 @@ fn example_figure(energy: &[Series]) -> Result<String, Cause> {
         ),
         &series,
     )?)
+}
+
+/// Errors over the number of intervals, both axes logarithmic, with grey lines of order 1 and 2 to compare with.
+///
+/// An error of exactly zero has no place on the axis: it is left out, and the description says so.
+fn drawn(title: &str, description: &str, series: &[(&str, Vec<Place>)]) -> Result<String, PlotError> {
+    let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("relative error").log()).tall(1000.0);
+    let (mut zeros, mut all) = (0, Vec::new());
+    for (k, (label, points)) in series.iter().enumerate() {
+        let (shown, exact): (Vec<Place>, Vec<Place>) = points.iter().partition(|point| point[1] != 0.0);
+        zeros += exact.len();
+        all.extend_from_slice(&shown);
+        panel = panel.with(Layer::named(shown, Style::of_series(k), *label));
+    }
+    for order in [1_i32, 2] {
+        if let Some(points) = slope(&all, f64::from(order)) {
+            let style = Style { width: 4, ..Style::solid(Color::GRAY) };
+            panel.layers.insert(0, Layer::named(points, style, format!("order {order}")));
+        }
+    }
+    let mut description = format!("{description} Grey lines fall with order 1 and order 2.");
+    if 0 < zeros {
+        description.push_str(&format!(" Errors of exactly zero, not shown: {zeros}."));
+    }
+    Figure::new(title, description, vec![panel]).svg()
 }
 
 fn example_data(methods: &[&[Series]]) -> Table {
@@ -135,26 +146,37 @@ fn uneven_table(found: &[(&str, Vec<Series>)]) -> Table {
     }))
 }
 
-fn uneven_figure(found: &[(&str, Vec<Series>)]) -> Result<String, Cause> {
-    let (mut series, mut orders) = (Vec::new(), Vec::new());
-    for ((_, found), (_, contact)) in found.iter().zip(SCENES) {
-        // The first quantity of the first method is the end reaction of the force method.
-        series.extend(found.first().map(|a| Named { label: contact, points: places(&a.errors) }));
-        orders.extend(found.first().map(|a| format!("order {:.0} with {contact}", a.order)));
+/// A line `error ~ N⁻ᵖ` from above the first errors, over the range of the points; none if they have no range.
+fn slope(points: &[Place], order: f64) -> Option<Vec<Place>> {
+    /// How far above the largest error on the coarsest grid, as a factor.
+    const ABOVE: f64 = 1.6;
+    let range = |k: usize| points.iter().fold([f64::INFINITY, 0.0], |r: [f64; 2], p| [r[0].min(p[k]), r[1].max(p[k])]);
+    let ([from, to], [least, most]) = (range(0), range(1));
+    if !(0.0 < from && from < to && to < f64::INFINITY && 0.0 < least && most < f64::INFINITY) {
+        return None;
     }
-    Ok(convergence(
-        &format!("End reaction on uneven ground: {}", orders.join(", ")),
-        "Relative error of the end reaction by the force method over the number of intervals, both axes logarithmic, for one \
-         scene with kinks, one with a zone and one with smooth crests.",
-        &series,
-    )?)
+    let start = ABOVE * most;
+    // Not below the least error.
+    let end = to.min(from * (start / least).powf(1.0 / order));
+    Some(vec![[from, start], [end, start * (from / end).powf(order)]])
 }
 
-fn uneven_data(found: &[(&str, Vec<Series>)]) -> Table {
-    let rows = found.iter().flat_map(|(name, found)| {
-        found.iter().flat_map(move |a| {
-            a.errors.iter().map(move |(n, error)| row![name, a.method, a.quantity.name(), n, scientific(*error, 2)])
-        })
-    });
-    Table::new(["scene", "method", "quantity", "intervals", "relative_error"]).rows(rows)
+#[cfg(test)]
+mod tests {
+    use super::{PlotError, drawn};
+
+    #[test]
+    fn orders_are_drawn_to_compare_with_and_zeros_are_counted() {
+        let points = vec![[10.0, 1e-2], [20.0, 2.5e-3], [40.0, 0.0], [80.0, 1.5e-4]];
+        let svg = drawn("Errors", "Errors fall.", &[("end reaction", points)]).expect("a figure");
+        for text in [">end reaction<", ">order 1<", ">order 2<", "Errors of exactly zero, not shown: 1."] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+    }
+
+    #[test]
+    fn errors_that_are_all_zero_are_refused() {
+        assert!(matches!(drawn("", "", &[("", vec![[1.0, 0.0]])]), Err(PlotError::Empty { .. })), "nothing left");
+        assert!(drawn("", "", &[("", vec![[1.0, 1.0]])]).is_ok(), "one grid has no slope");
+    }
 }

@@ -1,26 +1,19 @@
-//! The gallery: the exact solution of every scene file as a card, what it required, and which discrete routes are certified.
+//! The gallery: the exact solution of every scene file as a card, and all of them on one sheet.
 
 mod card;
-mod required;
 
-use palkki::plot::{Curves, curves, sheet as drawn_sheet};
+use palkki::plot::{Curves, curves, sheet};
 use palkki::state::Regime;
 use palkki::verdict::{Demand, Verdict};
 
 use super::prelude::*;
 use crate::report::files;
 
-/// The paper's grid, on which every solver has a chance.
-const INTERVALS: usize = palkki_evidence::paper::INTERVALS;
-
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let header = ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "unit of force"];
     let mut overview = Table::new(header);
-    let targets = required::TARGETS.map(bound);
-    let of_targets = ["differences", "energy methods"].map(|name| targets.each_ref().map(|to| format!("{name}, {to}")));
-    let mut grids = Table::new(row!["scene", "beam theory"].into_iter().chain(of_targets.concat()));
-    let (mut cards, mut drawings, mut runs, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let (mut residual, mut certified, mut capped, mut refused) = (0.0_f64, 0, false, false);
+    let (mut cards, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut residual, mut certified) = (0.0_f64, 0);
     for (name, scene) in scenes::all(study.root)? {
         let exact = theory::solve(&scene)?;
         let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
@@ -40,23 +33,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let link = format!("[{}](#{name})", scene.title());
         overview.push(row![link, regime, exact.unknowns, left, right, contact, unit]);
 
-        let searched = required::required(&scene, &exact)?;
-        (capped, refused) = (capped | searched.capped, refused | searched.refused);
-        grids.push(row![scene.title()].into_iter().chain(searched.cells));
-        for (method, solver) in routes() {
-            let outcome = on_grid(&scene, method, solver, INTERVALS)?;
-            let reports = if outcome.solver_reports_success { "success" } else { "failure" };
-            runs.push(row![name, method, solver, outcome.ended(), reports]);
-        }
-
         let story = story(&files::text(study.root, &format!("report/scenes/{name}.toml"))?);
         cards.push(card::card(&name, &scene, &exact, &verdict, story)?);
         let drawn = Curves::exact(&scene, &exact);
-        drawings.push((format!("scene-{name}"), curves(&scene, &drawn, "exact solution")?, table(&drawn)));
+        solved.push((name, scene, drawn));
     }
-    let four_step = |run: &&[String; 5]| run[2] == Solver::FourStep.name();
-    let is_solved = |run: &&[String; 5]| run[3] == "solved";
-    let others = || runs.iter().filter(|run| !four_step(run));
     let values = context! {
         count => cards.len(),
         exact => certified,
@@ -64,41 +45,24 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         most => unknowns.iter().max(),
         residual => bound(residual),
         overview,
-        required => grids,
-        targets,
-        coarsest => required::COARSEST - 1,
-        cap => required::MOST,
-        capped,
-        refused,
-        intervals => INTERVALS,
-        routes => others().count(),
-        certified => others().filter(is_solved).count(),
-        not_certified => others().filter(|run| !is_solved(run)).map(|run| run.join(" ")).collect::<Vec<_>>(),
-        four_step_routes => runs.iter().filter(four_step).count(),
-        four_step_certified => runs.iter().filter(four_step).filter(is_solved).count(),
         cards,
     };
-    let runs = Table::new(["scene", "method", "solver", "ended", "solver_reports"]).rows(runs);
-    let with = Evidence::new(values).data("scene-routes", runs);
-    Ok(drawings.into_iter().fold(with, |with, (name, svg, data)| with.figure(&name, svg, data)))
-}
-
-/// The gallery on one sheet: every scene with its exact solution, small.
-pub(super) fn sheet(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let (mut solved, mut data) = (Vec::new(), Table::new(["scene", "x", "contact_force"]));
-    for (name, scene) in scenes::all(study.root)? {
-        let curves = Curves::exact(&scene, &theory::solve(&scene)?);
-        data = data.rows(curves.point_forces.iter().map(|f| row![name, fixed(f.at, 5), fixed(f.force, 5)]));
-        solved.push((name, scene, curves));
+    let mut evidence = Evidence::new(values);
+    for (name, scene, drawn) in &solved {
+        let svg = curves(scene, drawn, "exact solution")?;
+        evidence = evidence.figure(&format!("scene-{name}"), svg, table(drawn));
     }
-    let svg = drawn_sheet(
+    let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
+    let svg = sheet(
         "The gallery: the exact solution of every scene",
         "Small pictures of all scenes: ground, deflected beam, contact zones as thick lines, concentrated contact forces as \
          arrows, to scale within a picture.",
-        solved.iter().map(|(name, scene, curves)| (name.as_str(), scene, curves)),
+        pictures,
     )?;
-    let values = context! { scenes => solved.len() };
-    Ok(Evidence::new(values).figure("sheet", svg, data))
+    let forces = solved.iter().flat_map(|(name, _, drawn)| {
+        drawn.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
+    });
+    Ok(evidence.figure("sheet", svg, Table::new(["scene", "x", "contact_force"]).rows(forces)))
 }
 
 /// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.

@@ -3,8 +3,10 @@
 use std::fmt::Write as _;
 
 use palkki::methods::Discrete;
-use palkki::plot::study::{Named, regimes as drawn};
-use palkki::plot::{Arrow, Arrows, Axis, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, PlotError, Style};
+use palkki::plot::{
+    Arrow, Arrows, Axis, Color, Curves, Dash, Figure, Layer, LoadSketch, Marker, Panel, Place, PlotError, Reference,
+    Style,
+};
 use palkki::scene::{Beam, Load};
 use palkki::state::Regime;
 use palkki_evidence::paper::{INTERVALS, beam, example, scene_over};
@@ -174,15 +176,7 @@ pub(super) fn regimes(_: &Study<'_>) -> Result<Evidence, Cause> {
     let paper = example()?;
     let paper = [paper.depth(0.0) / unit, theory::solve(&paper)?.state.reactions.left / (load * l)];
     let computed_points = points.len();
-    let svg = drawn(
-        "Three regimes: the end reaction grows until nothing touches",
-        "The end reaction rises with the fourth root of the depth while the beam rests on a zone, then along a straight line \
-         while it touches at mid-span only, and is constant when it touches nothing. Circles lie on the line. A star marks the \
-         example of the paper, at the left end of the curve.",
-        &line,
-        &Named { label: &format!("force method, {INTERVALS} intervals"), points },
-        (paper, "the paper's example"),
-    )?;
+    let svg = regimes_drawn(&line, points, paper)?;
     let found = found.into_iter().map(|(regime, from, to, unknowns)| context! { regime, from, to, unknowns });
     let values = context! {
         // `[EI u₀/(q₀l⁴), reaction/(q₀l)]`
@@ -199,4 +193,53 @@ pub(super) fn regimes(_: &Study<'_>) -> Result<Evidence, Cause> {
         closed => bound(closed.max(f64::EPSILON)),
     };
     Ok(Evidence::new(values).figure("regimes", svg, data))
+}
+
+/// End reaction over `EI u₀ / (q₀ l⁴)` by theory and by the force method, with the three regimes and the paper's example.
+fn regimes_drawn(theory: &[Place], computed: Vec<Place>, paper: Place) -> Result<String, PlotError> {
+    /// One unit of the axis; the borders are at 1 and 5, the mid-span deflection of the free beam.
+    const UNIT: f64 = 1.0 / 384.0;
+    let scaled = |points: &[Place]| -> Vec<Place> { points.iter().map(|p| [p[0] / UNIT, p[1]]).collect() };
+    let theory = scaled(theory);
+    let reach = theory.iter().fold(6.0, |most: f64, p| most.max(p[0]));
+    let x = Axis {
+        padding: 0.0,
+        ..Axis::new("384 EI u₀ / (q₀ l⁴): a stiffer beam or deeper ground to the right").including(&[0.0, reach])
+    };
+    let y = Axis { padding: 0.06, ..Axis::new("end reaction / (q₀ l)").including(&[0.0, 0.5]) };
+    let mut panel = Panel::new(x, y).tall(820.0).room(110.0, 0.0);
+    let borders = [0.0, 1.0, 5.0, reach];
+    for at in &borders[1..3] {
+        panel = panel.with(Layer::Reference { at: Reference::X(*at), text: String::new() });
+    }
+    for (pair, text) in borders.windows(2).zip(["contact zone", "contact at mid-span only", "no contact"]) {
+        panel = panel.with(Layer::Note { at: [0.5 * (pair[0] + pair[1]), 0.55], text: text.to_owned(), dot: false });
+    }
+    let circles = Style::marks(Color::BLUE, Marker::OpenCircle);
+    let star = Style::marks(Color::VERMILLION, Marker::Star);
+    let panel = panel
+        .with(Layer::line(theory, Style::theory()))
+        .with(Layer::named(scaled(&computed), circles, format!("force method, {INTERVALS} intervals")))
+        .with(Layer::named(scaled(&[paper]), star, "the paper's example"));
+    Figure::new(
+        "Three regimes: the end reaction grows until nothing touches",
+        "The end reaction rises with the fourth root of the depth while the beam rests on a zone, then along a straight line \
+         while it touches at mid-span only, and is constant when it touches nothing. Circles lie on the line. A star marks the \
+         example of the paper, at the left end of the curve.",
+        vec![panel],
+    )
+    .svg()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::regimes_drawn;
+
+    #[test]
+    fn the_regimes_and_the_example_are_named() {
+        let svg = regimes_drawn(&[[0.0, 0.0], [0.02, 0.5]], vec![[0.01, 0.2]], [0.001, 0.1]).expect("a figure");
+        for text in ["contact zone", "contact at mid-span only", "no contact", ">the paper&apos;s example<"] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+    }
 }

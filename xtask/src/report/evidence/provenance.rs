@@ -2,8 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde::Deserialize;
-
 use super::prelude::*;
 use crate::report::files;
 
@@ -24,7 +22,7 @@ struct Discrepancy {
 
 /// Where we depart from the paper: collected from the comments that begin with `// Discrepancy: <id>`.
 pub(super) fn discrepancies(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let entries = collect(&files::texts(study.root, &["src", "tests/evidence"], &[".rs"])?)?
+    let entries = collect(&files::texts(study.root, &["src", "tests/evidence", "xtask/src"], &[".rs"])?)?
         .into_iter()
         .map(|d| context! { id => d.id, file => d.file, text => d.text });
     let entries: Vec<Value> = entries.collect();
@@ -106,22 +104,7 @@ fn citations(text: &str) -> Vec<(&str, &str)> {
         .collect()
 }
 
-/// The crates whose versions can change a number or a line of the report.
-const NUMERICAL: [&str; 6] = ["nalgebra", "clarabel", "osqp", "libm", "plotters", "insta"];
-
-/// The part of `Cargo.lock` that is read.
-#[derive(Debug, Deserialize)]
-struct Lock {
-    package: Vec<Package>,
-}
-
-#[derive(Debug, Deserialize)]
-struct Package {
-    name: String,
-    version: String,
-}
-
-/// How to reproduce: what the lock file and the tree say about themselves.
+/// How to reproduce: what the manifest and the tree say about themselves.
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     compare(&files::texts(study.root, &["src", "tests", "report/templates"], &[".rs", ".md"])?)?;
     let manifest: toml::Table = toml::from_str(&files::text(study.root, "Cargo.toml")?)?;
@@ -130,28 +113,14 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let table = outer.iter().try_fold(&manifest, |table, name| table.get(*name)?.as_table())?;
         table.get(*name)?.as_str()
     };
-    let lock: Lock = toml::from_str(&files::text(study.root, "Cargo.lock")?)?;
     let scenes = files::list(study.root, "report/scenes")?;
     let scenes: Vec<String> =
         scenes.iter().filter_map(|path| path.strip_prefix("report/")).map(str::to_owned).collect();
     Ok(Evidence::new(context! {
         version => version(&["package", "version"]),
         rust_version => version(&["workspace", "package", "rust-version"]),
-        versions => Table::new(["crate", "version"]).rows(versions(&lock)?),
         scenes,
     }))
-}
-
-/// The versions of [`NUMERICAL`], in that order.
-fn versions(lock: &Lock) -> Result<Vec<[String; 2]>, String> {
-    let version = |name: &'static str| {
-        let of_name: Vec<&Package> = lock.package.iter().filter(|package| package.name == name).collect();
-        match of_name[..] {
-            [package] => Ok([name.to_owned(), package.version.clone()]),
-            _ => Err(format!("Cargo.lock must have one version of `{name}`, but has {}", of_name.len())),
-        }
-    };
-    NUMERICAL.into_iter().map(version).collect()
 }
 
 #[cfg(test)]
@@ -202,19 +171,5 @@ mod tests {
         assert_eq!(compared(code, list), Ok(()));
         assert!(compared(code, "- Hencky, H., 1920.").is_err_and(|m| m.starts_with("src/a.rs cites Clapeyron 1857")));
         assert!(compared("", list).is_err_and(|m| m.starts_with("nothing cites the reference `Clapeyron")));
-    }
-
-    fn lock(names: &[&str]) -> Lock {
-        let package = |name: &&str| Package { name: (*name).to_owned(), version: "1.0.0".to_owned() };
-        Lock { package: names.iter().map(package).collect() }
-    }
-
-    #[test]
-    fn one_version_of_each_is_listed() {
-        let found = versions(&lock(&[&NUMERICAL[..], &["other"]].concat())).expect("each is there once");
-        assert!(found.iter().map(|[name, _]| name).eq(NUMERICAL.iter()), "in our order");
-        let wrong = |count: usize| Err(format!("Cargo.lock must have one version of `nalgebra`, but has {count}"));
-        assert_eq!(versions(&lock(&[])), wrong(0));
-        assert_eq!(versions(&lock(&["nalgebra"; 2])), wrong(2));
     }
 }

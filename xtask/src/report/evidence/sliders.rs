@@ -49,7 +49,7 @@ fn depths() -> Result<Table, Cause> {
         let depth = share * unit;
         let exact = theory::solve(&scene_over(Foundation::Flat { depth })?)?;
         if !exact.solved {
-            return Err(format!("the exact solution at depth {depth} is not certified").into());
+            return Err(format!("the scene with depth {depth} is not solved").into());
         }
         let contact = exact.state.contacts.first();
         let shape = (0..=SHAPE).map(|i| exact.deflection(0.5 * l * f64::from(i) / f64::from(SHAPE)) / depth);
@@ -75,7 +75,7 @@ fn grids() -> Result<Table, Cause> {
     for intervals in INTERVALS {
         let outcome = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?;
         let nodes = outcome.state.nodes.as_ref().filter(|_| outcome.solved);
-        let nodes = nodes.ok_or_else(|| format!("the answer on {intervals} intervals is not certified"))?;
+        let nodes = nodes.ok_or_else(|| format!("the problem on {intervals} intervals is not solved"))?;
         let forces = &nodes.contact_force;
         let first = forces.iter().position(|force| 0.0 < *force).ok_or("no node touches")?;
         // All contact forces of one half, less the pressure that beam theory has there.

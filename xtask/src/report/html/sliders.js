@@ -106,4 +106,3 @@ slider("grid", (row) => row.intervals === 30, (row) => `${row.intervals} interva
     ["Reaction of a support, against T", against(row.reaction)],
   ] };
 });
-

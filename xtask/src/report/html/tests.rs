@@ -74,8 +74,6 @@ fn drawings_become_part_of_the_page_with_ids_of_their_own() {
     assert!(!html.contains("<style>"), "the theme is the page's: {html}");
     let page = page(&report("theory", "# Theory")).expect("it is made");
     assert!(page.contains(":root[data-theme=dark] svg { [fill=\"#000000\"]{fill:#E6EDF3} }"), "once for all drawings");
-    let tag = article("report", "# R\n\n<p align=\"center\"><img alt=\"f\" src=\"figures/f.svg\" width=\"600\"></p>");
-    assert!(tag.is_ok_and(|html| html.contains("<p align=\"center\"><svg ")), "also as HTML");
     let foreign = article("theory", "# Theory\n![x](https://example.org/x.png)");
     assert!(foreign.is_err_and(|error| error.contains("would have to be loaded")), "nothing is loaded");
 }

@@ -1,7 +1,6 @@
-//! What a digit costs: the quickest certified run for each number of correct digits, solver by solver.
+//! What a digit costs: the quickest solved run for each number of correct digits, solver by solver.
 
-use palkki::plot::PlotError;
-use palkki::plot::study::{self as plots, Named};
+use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
 use super::{SOLVERS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
@@ -50,11 +49,11 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     Ok((context! { flat, uneven }, ("price", svg, data)))
 }
 
-/// The certified runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
+/// The solved runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
 fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
-    let certified = lines.iter().filter(|line| line.solver == solver && line.succeeded());
+    let solved = lines.iter().filter(|line| line.solver == solver && line.succeeded());
     let mut points: Vec<Point<'a>> =
-        certified.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
+        solved.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
     points.sort_by(|a, b| milliseconds(a.line).total_cmp(&milliseconds(b.line)));
     let mut best = f64::NEG_INFINITY;
     points.retain(|point| {
@@ -65,22 +64,22 @@ fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
     points
 }
 
-/// Milliseconds of the quickest certified run with so many digits, and the fewest intervals with which the active set has them.
+/// Milliseconds of the quickest solved run with so many digits, and the fewest intervals with which the active set has them.
 fn table(lines: &[&Line], exact: Option<f64>) -> Table {
-    let certified = |solver: &str, digits: f64| {
+    let solved = |solver: &str, digits: f64| {
         let has = move |line: &&&Line| line.succeeded() && line.digits().is_some_and(|found| digits <= found);
         let solver = solver.to_owned();
         lines.iter().filter(has).filter(move |line| line.solver == solver).copied().collect::<Vec<_>>()
     };
     let header = row!["correct digits"].into_iter().chain(DIGITS.map(|digits| digits.to_string()));
     let intervals = DIGITS.map(|digits| {
-        let fewest = certified("active-set", digits).into_iter().map(|line| line.intervals).min();
+        let fewest = solved("active-set", digits).into_iter().map(|line| line.intervals).min();
         fewest.map_or_else(|| "–".to_owned(), count)
     });
     let mut table = Table::new(header);
     table.push(row!["intervals"].into_iter().chain(intervals));
     for solver in SOLVERS {
-        let quickest = |digits| certified(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
+        let quickest = |digits| solved(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
         table.push([format!("{solver}, ms")].into_iter().chain(DIGITS.map(|digits| cell(quickest(digits), 2))));
     }
     table.push(row!["exact solution, ms"].into_iter().chain(DIGITS.map(|_| cell(exact, 2))));
@@ -112,7 +111,7 @@ fn sentence(store: &Store) -> Option<String> {
 }
 
 /// Slope of the line that is fitted to points by least squares; none through fewer than three.
-pub(super) fn slope(points: &[[f64; 2]]) -> Option<f64> {
+fn slope(points: &[[f64; 2]]) -> Option<f64> {
     if points.len() < 3 {
         return None;
     }
@@ -124,21 +123,30 @@ pub(super) fn slope(points: &[[f64; 2]]) -> Option<f64> {
     Some(covariance / variance).filter(|slope| slope.is_finite())
 }
 
-/// Two panels side by side: time over correct digits, a line for each solver, a star for the exact solution.
+/// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
 fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<String, PlotError> {
+    let place = |point: &Point<'_>| [point.digits, milliseconds(point.line)];
+    let exact = exact.map(|ms| [EXACT, ms.unwrap_or(f64::NAN)]);
+    let all: Vec<Place> = fronts.iter().flatten().flatten().map(place).chain(exact).collect();
+    let [digits, times]: [Vec<f64>; 2] = [0, 1].map(|k| all.iter().map(|p| p[k]).collect());
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
-        let points = |front: &[Point<'_>]| front.iter().map(|p| [p.digits, milliseconds(p.line)]).collect();
-        let lines = fronts.iter().zip(SOLVERS).map(|(front, label)| Named { label, points: points(front) });
-        plots::Price { ground, lines: lines.collect(), exact: [EXACT, exact.unwrap_or(f64::NAN)] }
+        let x = Axis::new("correct digits").including(&digits).including(&[0.0]);
+        let y = Axis::new(format!("{ground}: time")).unit(Some("ms".to_owned()));
+        let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
+        for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
+            let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
+            panel = panel.with(Layer::named(front.iter().map(place).collect(), style, solver));
+        }
+        panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
     });
-    plots::price(
+    let figure = Figure::new(
         "The active set buys a digit for little time; the exact solution needs no grid",
         "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
-         reaction, contact force, deflection and energy. One line for each solver joins its certified runs that nothing quicker \
+         reaction, contact force, deflection and energy. One line for each solver joins its solved runs that nothing quicker \
          beats.",
-        "correct digits",
-        &panels.collect::<Vec<_>>(),
-    )
+        panels.collect(),
+    );
+    Figure { columns: 2, ..figure }.svg()
 }
 
 #[cfg(test)]
@@ -159,5 +167,15 @@ mod tests {
     fn a_slope_is_fitted_by_least_squares() {
         assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0], [2.0, 5.0]]), Some(2.0));
         assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0]]), None, "two points prove nothing");
+    }
+    #[test]
+    fn a_price_has_a_panel_for_each_ground() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let (_, (_, svg, _)) = of(&Store::read(&root).expect("measurements can be read").1).expect("a figure");
+        for text in ["flat ground: time [ms]", "smooth crests: time [ms]"] {
+            assert!(svg.contains(text), "`{text}` is missing");
+        }
+        assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");
+        assert_eq!(svg.matches(">clarabel<").count(), 2, "a line in each panel");
     }
 }

@@ -1,25 +1,24 @@
-//! How every run ended: two questions for a library, a map of routes over grids, and how the time of certified runs grows.
+//! How every run ended: two questions for a library, and a map of routes over grids.
 
 use palkki::plot::PlotError;
-use palkki::plot::table::{Cell, Tone, verdict_map};
 
-use super::price::slope;
-use super::{LIBRARIES, METHODS, SOLVERS, ended, milliseconds, shown};
+use super::{LIBRARIES, METHODS, SOLVERS, shown};
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
 use crate::report::evidence::prelude::*;
+use crate::report::evidence::verdict_map::{self, Tone};
 
 /// Values, and the map.
 pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let (title, svg, data) = map(store)?;
-    let values = context! { questions => questions(store), growth => growth(store), map => title };
+    let values = context! { questions => questions(store), map => title };
     Ok((values, ("runs", svg, data)))
 }
 
 /// Of all runs of the libraries that were measured: did they do what they were asked, and do their answers pass our check.
 fn questions(store: &Store) -> Table {
     let header =
-        ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these certified by our check"];
+        ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these solved by our check"];
     Table::new(header).rows(LIBRARIES.map(|library| {
         let runs = || {
             let of_library =
@@ -41,9 +40,9 @@ fn outcome(line: Option<&Line>) -> (Tone, &'static str) {
     match line {
         None => (Tone::Absent, "–"),
         Some(line) if line.is_left_out() => (Tone::Absent, "–"),
-        Some(line) if line.succeeded() => (Tone::Good, "C"),
+        Some(line) if line.succeeded() => (Tone::Good, "S"),
         Some(line) if line.did_as_asked == Some(true) => (Tone::Fair, "A"),
-        Some(line) if line.says_solved == Some(true) => (Tone::Bad, "S"),
+        Some(line) if line.says_solved == Some(true) => (Tone::Bad, "C"),
         Some(_) => (Tone::Fair, "G"),
     }
 }
@@ -72,83 +71,36 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
     let (mut rows, mut finest) = (Vec::new(), Vec::new());
     let mut data = Table::new(["route", "intervals", "outcome"]);
     for solver in SOLVERS {
-        // The finest grid up to which all methods are certified.
-        let certified = |grid: &usize| {
+        // The finest grid up to which all methods solve their problem.
+        let solved = |grid: &usize| {
             let ends = |method| of_route(method, solver).into_iter().find(|line| line.intervals == *grid);
-            METHODS.into_iter().all(|method| outcome(ends(method)).1 == "C")
+            METHODS.into_iter().all(|method| outcome(ends(method)).1 == "S")
         };
-        finest.push(grids.iter().take_while(|grid| certified(grid)).last().copied());
+        finest.push(grids.iter().take_while(|grid| solved(grid)).last().copied());
         for method in METHODS {
             let found = of_route(method, solver);
             let cells = grids.iter().map(|grid| {
                 let (tone, text) = outcome(found.iter().copied().find(|line| line.intervals == *grid));
                 data.push(row![format!("{method}/{solver}"), grid, text]);
-                Cell { tone, text: text.to_owned() }
+                (tone, text.to_owned())
             });
             rows.push((format!("{solver}, {method}"), cells.collect::<Vec<_>>()));
         }
     }
     let up_to = |k: usize| finest[k].map_or_else(|| "none".to_owned(), short);
     let title = format!(
-        "Certified by all methods: active set up to {} intervals, clarabel {}, osqp {}, four steps {}, NSOR {}",
+        "Solved by all methods: active set up to {} intervals, clarabel {}, osqp {}, four steps {}, NSOR {}",
         up_to(0),
         up_to(3),
         up_to(4),
         up_to(1),
         up_to(2)
     );
-    let columns: Vec<String> = grids.iter().map(|grid| short(*grid)).collect();
-    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
-    let rows: Vec<(&str, Vec<Cell>)> = rows.iter().map(|(name, cells)| (name.as_str(), cells.clone())).collect();
-    let key = |tone, text: &str| Cell { tone, text: text.to_owned() };
-    let legend = [
-        (key(Tone::Good, "C"), "certified by our check"),
-        (key(Tone::Fair, "A"), "did what it was asked, and fails our check"),
-        (key(Tone::Bad, "S"), "says solved without doing what it was asked"),
-        (key(Tone::Fair, "G"), "did not say that it succeeded"),
-        (key(Tone::Absent, "–"), "left out: too slow on a coarser grid, or not in the plan"),
-    ];
+    let columns = grids.iter().map(|grid| short(*grid)).collect();
+    let legend = "intervals. S: solved, by our check. A: did what it was asked, and fails our check. C: claims success without \
+        having done what it was asked. G: did not say that it succeeded. A dash: left out as too slow, or not in the plan.";
     let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
         intervals of the paper's example.";
-    let svg = verdict_map(&title, description, &columns, &rows, &legend)?;
+    let svg = verdict_map::drawn(&title, &format!("{description} {legend}"), legend, columns, rows)?;
     Ok((title, svg, data))
-}
-
-/// How the time grows with the grid: of each solver the method that is certified on the finest grid. Certified runs on 100
-/// intervals and more, asked for [`super::ASKED`].
-fn growth(store: &Store) -> Table {
-    let lines = ended(store, EXAMPLE);
-    let header = ["solver", "method", "finest certified grid", "ms there", "ns per unknown there", "time grows like"];
-    let mut table = Table::new(header);
-    for solver in SOLVERS {
-        let of_method = |method: &'static str| {
-            let mut runs: Vec<&Line> = lines
-                .iter()
-                .filter(|line| line.is(method, solver) && line.succeeded() && shown(line))
-                .copied()
-                .collect();
-            runs.sort_by_key(|line| line.intervals);
-            (method, runs)
-        };
-        // The finest grid, and there the quickest method.
-        let best = METHODS.map(of_method).into_iter().max_by(|(_, a), (_, b)| {
-            let last =
-                |runs: &[&Line]| runs.last().map_or((0, f64::INFINITY), |line| (line.intervals, milliseconds(line)));
-            let (a, b) = (last(a), last(b));
-            a.0.cmp(&b.0).then(b.1.total_cmp(&a.1))
-        });
-        let Some((method, runs)) = best else { continue };
-        let Some(finest) = runs.last() else { continue };
-        let fitted: Vec<[f64; 2]> = runs
-            .iter()
-            .filter(|line| 100 <= line.intervals)
-            .map(|line| [as_number(line.intervals).log10(), milliseconds(line).log10()])
-            .collect();
-        let exponent =
-            slope(&fitted).map_or_else(|| "too few certified runs".to_owned(), |slope| format!("n^{slope:.1}"));
-        let per_unknown = 1e6 * milliseconds(finest) / as_number(finest.intervals);
-        let finest_ms = cell(Some(milliseconds(finest)), 2);
-        table.push(row![solver, method, count(finest.intervals), finest_ms, cell(Some(per_unknown), 2), exponent]);
-    }
-    table
 }

@@ -1,6 +1,6 @@
 //! When to stop: the error of the solver beside the error of the grid.
 
-use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
+use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
 use super::{ASKED, LIBRARIES, METHODS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
@@ -13,7 +13,7 @@ const GRIDS: [usize; 4] = [30, 300, 3000, 30_000];
 /// Errors of the grid below this are rounding of the exact solution: they say nothing.
 const MEANINGLESS: f64 = 1e-13;
 
-/// Values, and the figure.
+/// Tolerances that are enough, what tighter ones cost, and the figure of the two errors.
 pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let lines = ended(store, EXAMPLE);
     let header = GRIDS.map(|grid| format!("{} intervals", count(grid)));
@@ -30,8 +30,7 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
         }
     }
     let [clarabel, osqp] = LIBRARIES.map(|solver| decades(&lines, solver));
-    let (svg, data) = drawn(&lines)?;
-    Ok((context! { table, clarabel, osqp }, ("two-errors", svg, data)))
+    Ok((context! { table, clarabel, osqp }, drawn(&lines)?))
 }
 
 /// The lines of a route on a grid, loose tolerances first.
@@ -63,9 +62,7 @@ fn loosest(lines: &[&Line], holds: impl Fn(&Line) -> bool) -> String {
 /// How many times as long a run takes that is asked for 10⁻¹⁰ and not for 10⁻⁴: the least and the most over methods and grids
 /// of 30 intervals and more, among runs in which the library says that it succeeded.
 fn decades(lines: &[&Line], solver: &str) -> Option<Value> {
-    let tight = lines
-        .iter()
-        .filter(|line| line.solver == solver && line.method != "repair" && line.asks(ASKED) && 30 <= line.intervals);
+    let tight = lines.iter().filter(|line| line.solver == solver && line.asks(ASKED) && 30 <= line.intervals);
     let factors: Vec<f64> = tight
         .filter_map(|tight| {
             let of_route = of_route(lines, &tight.method, solver, tight.intervals);
@@ -78,24 +75,24 @@ fn decades(lines: &[&Line], solver: &str) -> Option<Value> {
     Some(context! { least, most, pairs => factors.len() })
 }
 
-/// Error of the end reaction over the number of intervals, of the force method by clarabel: one line for the grid, one for
-/// each tolerance.
-fn drawn(lines: &[&Line]) -> Result<(String, Table), PlotError> {
+/// Error of the end reaction over the number of intervals, by the force method: of the grid, and of clarabel for each tolerance.
+fn drawn(lines: &[&Line]) -> Result<Drawn, PlotError> {
     const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
     let of_grid = |line: &Line| line.is("force", "optimum").then_some(line.reaction_total?);
-    let style = Style::marks(Color::BLACK, Marker::OpenCircle);
-    let mut series = vec![("of the grid".to_owned(), style, points(lines, &of_grid))];
-    for (i, asked) in TOLERANCES.into_iter().enumerate() {
+    let marks = Style::marks(Color::BLACK, Marker::OpenCircle);
+    let mut series = vec![("of the grid".to_owned(), marks, places(lines, of_grid))];
+    for (k, asked) in TOLERANCES.into_iter().enumerate() {
         let of_solver =
             |line: &Line| (line.is("force", "clarabel") && line.asks(asked)).then_some(line.reaction_solver?);
-        series.push((format!("clarabel, {}", tolerance(asked)), Style::of_series(i), points(lines, &of_solver)));
+        series.push((format!("clarabel, {}", tolerance(asked)), Style::of_series(k), places(lines, of_solver)));
     }
     let mut data = Table::new(["error", "intervals", "relative_error"]);
     let y = Axis::new("relative error of the end reaction").log();
-    let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(800.0);
-    for (label, style, points) in series {
-        data = data.rows(points.iter().map(|[grid, error]| row![label, grid, scientific(*error, 2)]));
-        panel = panel.with(Layer::Series { points, style, label });
+    let mut panel = Panel::new(Axis::new("intervals N").log(), y).tall(800.0).room(60.0, 0.0);
+    for (label, style, places) in series {
+        data = data.rows(places.iter().map(|[grid, error]| row![label, grid, scientific(*error, 2)]));
+        // From fine grids to coarse ones: the name of the marks stands at the last, where there is room.
+        panel = panel.with(Layer::named(places.into_iter().rev().collect(), style, label));
     }
     let svg = Figure::new(
         "On most grids a loose tolerance is enough: the error of the grid is the larger one",
@@ -104,15 +101,15 @@ fn drawn(lines: &[&Line]) -> Result<(String, Table), PlotError> {
         vec![panel],
     )
     .svg()?;
-    Ok((svg, data))
+    Ok(("two-errors", svg, data))
 }
 
 /// Errors over intervals, up to the finest grid of the table, without those that are rounding.
-fn points(lines: &[&Line], of: &dyn Fn(&Line) -> Option<f64>) -> Vec<[f64; 2]> {
-    let looked_at = lines.iter().filter(|line| line.intervals <= GRIDS[GRIDS.len() - 1]);
-    let found =
-        looked_at.filter_map(|line| Some([as_number(line.intervals), of(line).filter(|error| 1e-17 < *error)?]));
-    let mut found: Vec<[f64; 2]> = found.collect();
-    found.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    found
+fn places(lines: &[&Line], error: impl Fn(&Line) -> Option<f64>) -> Vec<Place> {
+    let shown = lines.iter().filter(|line| line.intervals <= GRIDS[GRIDS.len() - 1]);
+    let mut places: Vec<Place> = shown
+        .filter_map(|line| Some([as_number(line.intervals), error(line).filter(|error| f64::EPSILON < *error)?]))
+        .collect();
+    places.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    places
 }

@@ -8,7 +8,7 @@ use palkki::scene::SceneError;
 use palkki::verdict::{Demand, Verdict};
 use palkki_evidence::paper::{INTERVALS, example, theory};
 
-use super::prelude::*;
+use crate::report::evidence::prelude::*;
 use palkki_evidence::authority::rational::{Data, fraction, number};
 
 /// Exact results of one discrete model, as fractions and as the nearest numbers.
@@ -28,7 +28,7 @@ struct Run {
     forces: Vec<f64>,
 }
 
-pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let tolerances = Tolerances::new()?;
     let run = |method, solver, intervals| -> Result<Run, Cause> {
@@ -61,15 +61,6 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         data.push(row![method, solver, verdict.status, error, force, reaction, yes_no(share <= 1.0)]);
     }
 
-    let (mut pairs, mut pairs_agree) = (0, 0);
-    for (i, a) in runs.iter().enumerate() {
-        let same_model = |b: &&Run| (a.method == Method::Complementarity) == (b.method == Method::Complementarity);
-        for b in runs[i + 1..].iter().filter(same_model) {
-            pairs += 1;
-            let allowed = tolerances.of(a.solver) + tolerances.of(b.solver);
-            pairs_agree += usize::from(worst_difference(&a.forces, &b.forces) <= allowed);
-        }
-    }
     let exact = theory();
     let answers = [("finite differences", &differences), ("energy methods", &energy)].map(|(name, authority)| {
         let values = [authority.forces[authority.first], authority.left_reaction].map(|value| fixed(value, 9));
@@ -91,8 +82,6 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         iterative => tolerances.printed(Solver::Nsor),
         norm => tolerances.norm,
         margin => worst <= 0.1,
-        pairs,
-        pairs_agree,
         one_more => context! {
             intervals => INTERVALS + 1,
             force => one_more.forces.iter().copied().find(|p| 0.0 < *p),

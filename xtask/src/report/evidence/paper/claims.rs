@@ -7,11 +7,11 @@ use palkki_evidence::paper::claims::four_step::FINEST;
 use palkki_evidence::paper::claims::nsor::GRIDS;
 use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
 
-use super::prelude::*;
+use crate::report::evidence::prelude::*;
 use crate::report::links::anchor;
 
 /// The ledger: every claim of the paper, the evidence and the verdict.
-pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
     let claims = ledger.claims();
     let count = |verdict| claims.iter().filter(|claim| claim.verdict == verdict).count();
@@ -129,7 +129,7 @@ const FINEST_LOOKED_AT: usize = 200;
 const USABLE: f64 = 0.01;
 
 /// The paper's advice, and what was measured of it.
-pub(super) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
     let [paper, coarse, _] = &ledger.usable.grids;
     let solved = |count: &four_step::Count| count.uneven.iter().sum::<usize>();

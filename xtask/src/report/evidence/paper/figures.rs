@@ -1,39 +1,40 @@
 //! Figures 4, 7 and 8 of the paper, drawn again, and the first nodal contact force, which jumps from grid to grid.
 
 use palkki::methods::Method;
-use palkki::plot::PlotError;
-use palkki::plot::paper::{Nodal, Theory, contact as contact_forces, shape};
-use palkki::plot::study::{Named, first_force as drawn_first_force};
+use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 use palkki::state::{ContactState, Nodes};
 use palkki::theory::FlatSolution;
 use palkki_evidence::paper::convergence::Quantity;
 use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 
-use super::prelude::*;
-
-/// Where the deflection of beam theory is evaluated for its dashed line.
-const SAMPLES: u32 = 400;
+use super::drawings::{self, Theory};
+use crate::report::evidence::prelude::*;
 
 /// Figures 4, 7 and 8.
-pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let exact = theory();
     let printed = &study.ledger()?.printed;
     let length = palkki_evidence::paper::beam()?.length();
-    let lift_off = exact.lift_off.unwrap_or(0.0);
-    let line: Vec<[f64; 2]> =
-        (0..=SAMPLES).map(|i| length * f64::from(i) / f64::from(SAMPLES)).map(|x| [x, exact.deflection(x)]).collect();
-    let drawn = Theory {
-        length,
-        lift_off,
-        pressure: exact.pressure(0.5 * length),
-        end_force: exact.end_force,
-        depth: 1.0,
-        deflection: &line,
-    };
+    let drawn = Theory::new(length, exact);
     let (four, seven, eight) = (figure_4()?, figure_7()?, figure_8()?);
     let nodal_load = drawn.pressure * four.spacing;
     let (at, error) = deviation(&eight.nodes, &exact, length);
-    let [svg_4, svg_7, svg_8] = drawings(&drawn, [&four.nodes, &seven.nodes, &eight.nodes], error)?;
+    let svg_4 = drawings::contact(
+        "Figure 4: finite differences share T between two nodes; the sum of the forces agrees",
+        &drawn,
+        ("finite differences", &four.nodes),
+    )?;
+    let svg_7 = drawings::contact(
+        "Figure 7: nodal forces of the energy methods swing; the sum of the forces agrees",
+        &drawn,
+        ("force method", &seven.nodes),
+    )?;
+    let percent = fixed(100.0 * error, 1);
+    let svg_8 = drawings::shape(
+        &format!("Figure 8: both energy methods are within {percent} % of the depth from beam theory"),
+        &drawn,
+        &[("displacement method", &eight.nodes), ("force method", &seven.nodes)],
+    )?;
     let state = |method| -> Result<ContactState, Cause> {
         Ok(on_grid(&example()?, method, Solver::ActiveSet, INTERVALS)?.state)
     };
@@ -43,7 +44,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         length,
         spacing => four.spacing,
         nodal_load,
-        lift_off,
+        lift_off => drawn.lift_off,
         reaction => printed.reaction_by_theory,
         figure_4 => contact(&four, nodal_load),
         figure_7 => contact(&seven, nodal_load),
@@ -57,34 +58,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         .figure("figure-4", svg_4, data(&four.nodes, &exact, four.spacing))
         .figure("figure-7", svg_7, data(&seven.nodes, &exact, seven.spacing))
         .figure("figure-8", svg_8, data(&eight.nodes, &exact, four.spacing)))
-}
-
-/// Figures 4, 7 and 8; the nodes of both energy methods are off by at most `error` in the last of them.
-fn drawings(drawn: &Theory<'_>, [four, seven, eight]: [&Nodes; 3], error: f64) -> Result<[String; 3], PlotError> {
-    let words = format!("The example of the paper on {INTERVALS} intervals.");
-    Ok([
-        contact_forces(
-            "Figure 4: finite differences share T between two nodes; the sum of the forces agrees",
-            &words,
-            drawn,
-            &nodal("finite differences", four),
-        )?,
-        contact_forces(
-            "Figure 7: nodal forces of the energy methods swing; the sum of the forces agrees",
-            &words,
-            drawn,
-            &nodal("force method", seven),
-        )?,
-        shape(
-            &format!(
-                "Figure 8: both energy methods are within {} % of the depth from beam theory",
-                fixed(100.0 * error, 1)
-            ),
-            &words,
-            drawn,
-            &[nodal("displacement method", eight), nodal("force method", seven)],
-        )?,
-    ])
 }
 
 /// Beam theory, a method, and the difference, to five decimals.
@@ -128,10 +101,6 @@ fn shape_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Tabl
         ("energy J", Quantity::Energy.exact(), Quantity::Energy.of(state)),
     ];
     compared("shape", method, &columns)
-}
-
-fn nodal<'a>(label: &'a str, nodes: &'a Nodes) -> Nodal<'a> {
-    Nodal { label, x: &nodes.x, deflection: &nodes.deflection, contact_force: &nodes.contact_force }
 }
 
 /// The left end of the contact by one method.
@@ -180,7 +149,7 @@ const GRIDS: std::ops::RangeInclusive<u32> = 8..=400;
 const FINE: u32 = 30;
 
 /// The first nodal contact force jumps from grid to grid; the resultant at the lift-off point converges.
-pub(super) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let theory = Quantity::PointForce.exact();
     let (mut first, mut resultant) = (Vec::new(), Vec::new());
@@ -202,13 +171,30 @@ pub(super) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
         coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
         least, most, worst, last => resultant.last().map(|p| (p[1] - 1.0).abs()),
     };
-    let svg = drawn_first_force(
+    let svg = drawn_first_force(first, resultant)?;
+    Ok(Evidence::new(values).figure("first-force", svg, data))
+}
+
+/// The first nodal contact force of each grid beside the resultant at the lift-off point: `[intervals, force / T]`.
+fn drawn_first_force(first: Vec<Place>, resultant: Vec<Place>) -> Result<String, PlotError> {
+    let [from, to] = [GRIDS.start(), GRIDS.end()].map(|n| f64::from(*n));
+    let y = Axis::new("force / T, where T is the point force of beam theory at lift-off").including(&[0.0]);
+    let x = Axis { padding: 0.02, ..Axis::new("intervals N").including(&[0.0]) };
+    // The name of the scattered circles stands beside the frame, off them.
+    let name = Layer::named(vec![[to, 0.5]], Style::solid(Color::VERMILLION), "first nodal force");
+    let circles = Style::marks(Color::VERMILLION, Marker::OpenCircle);
+    let panel = Panel::new(x, y)
+        .tall(900.0)
+        .with(Layer::line(first, circles))
+        .with(name)
+        .with(Layer::named(resultant, Style::solid(Color::BLUE), "resultant"))
+        .with(Layer::line(vec![[from, 1.0], [to, 1.0]], Style::theory()));
+    Figure::new(
         "The first nodal force jumps from grid to grid, the resultant does not",
         "Circles: contact force at the first node in contact over the point force T of beam theory, one for each number of \
          intervals; they scatter and do not settle. Line: the resultant of the contact forces at the lift-off point over T, \
          which tends to the dashed line at one.",
-        &Named { label: "first nodal force", points: first },
-        &Named { label: "resultant", points: resultant },
-    )?;
-    Ok(Evidence::new(values).figure("first-force", svg, data))
+        vec![panel],
+    )
+    .svg()
 }

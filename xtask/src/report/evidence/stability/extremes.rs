@@ -1,0 +1,206 @@
+//! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
+
+use palkki::route::RawSolution;
+use palkki_evidence::extremes::{Extreme, POWERS, Truth, borders, deep, sizes, units};
+
+use crate::report::evidence::prelude::*;
+use crate::report::evidence::verdict_map::{self, Tone};
+
+/// What beam theory is held to, over the load.
+const DIGITS: f64 = 1e-12;
+/// How far two solved answers to one quadratic program may be apart, over the load: what a residual of 10⁻⁹ leaves of nodal
+/// forces, see [`palkki::certificate::CERTIFIED_RESIDUAL`].
+const SAME: f64 = 1e-6;
+/// Grids on flat ground of every depth: the fewest intervals, odd and even ones, one more than the paper's.
+const GRIDS: [usize; 5] = [2, 3, 5, 8, 31];
+/// The finest grid on which NSOR runs: on finer ones most runs use up a budget of seconds, which other pages show.
+const NSOR: usize = 8;
+/// What the row of beam theory is called.
+const THEORY: &str = "beam theory";
+/// The group of the map.
+const DEPTHS: &str = "depths";
+
+/// What a run turned out to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Verdict {
+    Right,
+    NotSolved,
+    Wrong,
+}
+
+/// How many runs ended how.
+#[derive(Debug, Clone, Copy, Default)]
+struct Count {
+    right: usize,
+    not_solved: usize,
+    wrong: usize,
+}
+
+impl Count {
+    fn of(verdicts: impl IntoIterator<Item = Verdict>) -> Self {
+        let mut count = Self::default();
+        for verdict in verdicts {
+            match verdict {
+                Verdict::Right => count.right += 1,
+                Verdict::NotSolved => count.not_solved += 1,
+                Verdict::Wrong => count.wrong += 1,
+            }
+        }
+        count
+    }
+
+    fn sum<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
+        rows.fold(Self::default(), |sum, row| Self {
+            right: sum.right + row.count.right,
+            not_solved: sum.not_solved + row.count.not_solved,
+            wrong: sum.wrong + row.count.wrong,
+        })
+    }
+
+    fn runs(self) -> usize {
+        self.right + self.not_solved + self.wrong
+    }
+}
+
+/// All runs of a solver on one scene.
+struct Row {
+    group: &'static str,
+    scene: String,
+    authority: &'static str,
+    solver: &'static str,
+    count: Count,
+}
+
+pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+    let mut rows = Vec::new();
+    for power in POWERS {
+        rows.extend(tried(DEPTHS, &deep(power)?, &GRIDS)?);
+    }
+    let in_units = units()?.into_iter().map(|(_, extreme)| extreme).collect();
+    let groups = [("sizes", sizes()?), ("borders", borders()?), ("units", in_units)];
+    let scenes: usize = groups.iter().map(|(_, extremes)| extremes.len()).sum();
+    let names = std::iter::once(DEPTHS).chain(groups.each_ref().map(|(group, _)| *group)).collect::<Vec<_>>();
+    for (group, extremes) in groups {
+        for extreme in extremes {
+            rows.extend(tried(group, &extreme, &[extreme.intervals])?);
+        }
+    }
+    let count = Count::sum(rows.iter());
+    let header = ["group", "scene", "reference", "solver", "right", "not_solved", "wrong_and_solved"];
+    let data = Table::new(header).rows(rows.iter().map(|row| {
+        let Count { right, not_solved, wrong } = row.count;
+        row![row.group, row.scene, row.authority, row.solver, right, not_solved, wrong]
+    }));
+    let values = context! {
+        digits => bound(DIGITS),
+        same => bound(SAME),
+        runs => count.runs(),
+        wrong => count.wrong,
+        nsor => NSOR,
+        grids => GRIDS,
+        scenes,
+        decades => POWERS[POWERS.len() - 1] - POWERS[0],
+        table => table(&rows, &names),
+    };
+    Ok(Evidence::new(values).figure("extremes", drawn(&rows, count.wrong)?, data))
+}
+
+/// Runs every solver with every method on some grids of one scene, and beam theory.
+fn tried(group: &'static str, extreme: &Extreme, grids: &[usize]) -> Result<Vec<Row>, Cause> {
+    let row = |solver, verdicts: Vec<Verdict>| Row {
+        group,
+        scene: extreme.name.clone(),
+        authority: extreme.authority,
+        solver,
+        count: Count::of(verdicts),
+    };
+    let mut rows = vec![row(THEORY, vec![exact(extreme)?])];
+    for solver in Solver::ALL {
+        let finest = if solver == Solver::Nsor { NSOR } else { usize::MAX };
+        let mut grids: Vec<usize> = grids.iter().map(|&intervals| intervals.min(finest)).collect();
+        grids.dedup();
+        let mut verdicts = Vec::new();
+        for intervals in grids {
+            let extreme = Extreme { intervals, ..extreme.clone() };
+            for method in Method::ALL {
+                verdicts.push(checked(&extreme, method, solver)?);
+            }
+        }
+        rows.push(row(solver.name(), verdicts));
+    }
+    Ok(rows)
+}
+
+/// A run of a discretised route, and what it is beside the active set on the same quadratic program.
+fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict, Cause> {
+    let run = |solver| -> Result<RawSolution, Cause> { on_grid(&extreme.scene, method, solver, extreme.intervals) };
+    let outcome = run(solver)?;
+    if !outcome.solved {
+        return Ok(Verdict::NotSolved);
+    }
+    let reference = run(Solver::ActiveSet)?;
+    let truth = Truth {
+        reactions: [reference.state.reactions.left, reference.state.reactions.right],
+        contact_force: reference.state.contact_force(),
+        energy: None,
+    };
+    let beside = Extreme { truth, ..extreme.clone() };
+    let same = !reference.solved || beside.error(&outcome.state) <= SAME;
+    let near = extreme.error(&outcome.state) <= extreme.allowance();
+    Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
+}
+
+/// Beam theory.
+fn exact(extreme: &Extreme) -> Result<Verdict, Cause> {
+    let exact = theory::solve(&extreme.scene)?;
+    if !exact.solved {
+        return Ok(Verdict::NotSolved);
+    }
+    let right = extreme.error(&exact.state) <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
+    Ok(if right { Verdict::Right } else { Verdict::Wrong })
+}
+
+/// The names of the rows of map and table.
+fn solvers() -> impl Iterator<Item = &'static str> {
+    Solver::ALL.into_iter().map(Solver::name).chain([THEORY])
+}
+
+/// Of each solver and each group, how many runs are right.
+fn table(rows: &[Row], groups: &[&str]) -> Table {
+    let header = ["solver"].into_iter().chain(groups.iter().copied()).chain(["wrong and solved"]);
+    Table::new(header).rows(solvers().map(|solver| {
+        let of = |group: &str| Count::sum(rows.iter().filter(|row| row.solver == solver && row.group == group));
+        let cells = groups.iter().map(|group| format!("{} of {} right", of(group).right, of(group).runs()));
+        let wrong: usize = groups.iter().map(|group| of(group).wrong).sum();
+        row![solver].into_iter().chain(cells).chain([wrong.to_string()]).collect::<Vec<_>>()
+    }))
+}
+
+/// A cell says how many of its runs are not right; the worst of them gives its colour.
+fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
+    let shown = |row: &Row| {
+        let (tone, number) = match row.count {
+            Count { wrong: wrong @ 1.., .. } => (Tone::Bad, wrong),
+            Count { not_solved: not_solved @ 1.., .. } => (Tone::Fair, not_solved),
+            _ => (Tone::Good, 0),
+        };
+        (tone, number.to_string())
+    };
+    let of =
+        |power: usize, solver| rows.iter().filter(move |row| row.group == DEPTHS && row.solver == solver).nth(power);
+    let cells = |power| solvers().filter_map(|solver| of(power, solver).map(shown)).collect();
+    let map = POWERS.iter().enumerate().map(|(k, power)| (power_of_ten(*power), cells(k))).collect();
+    let [from, to] = [POWERS[0], POWERS[POWERS.len() - 1]].map(power_of_ten);
+    let title = match wrong {
+        0 => format!("No answer called solved is wrong, for EI u₀/(q l⁴) from {from} to {to}"),
+        _ => format!("{wrong} answers called solved are wrong"),
+    };
+    Ok(verdict_map::drawn(
+        &title,
+        "A map: columns are solvers, on all methods and grids, and beam theory; rows are powers of ten of EI u₀/(q l⁴). Each cell \
+         has the number of runs that are not right; green cells have none, orange ones such that are not solved.",
+        "runs that are not solved, of up to 15, over EI u₀/(q l⁴)",
+        solvers().map(str::to_owned).collect(),
+        map,
+    )?)
+}
