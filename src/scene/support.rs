@@ -55,7 +55,8 @@ pub struct Held {
     pub deflection: f64,
     /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
     pub slope: Option<f64>,
-    /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there.
+    /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there,
+    /// and in its direction where the beam is built in.
     pub grounded: [bool; 2],
 }
 
@@ -121,7 +122,11 @@ impl Scene {
                 true => [foundation.depth(at); 2],
                 false => foundation.sides(at).map(|[depth, _]| depth),
             };
-            [!first && left <= level + within, !last && right <= level + within]
+            let along = foundation.sides(at).map(|[_, ground]| {
+                let rounding = pieces::LEVEL * (foundation.slope_size(at) + slope.unwrap_or(0.0).abs());
+                slope.is_none_or(|slope| (ground - slope).abs() <= rounding)
+            });
+            [!first && left <= level + within && along[0], !last && right <= level + within && along[1]]
         });
         Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), grounded }
     }

@@ -26,6 +26,16 @@ pub(super) struct Checked {
     pub(super) worst: f64,
 }
 
+impl Checked {
+    /// What is left where there is no foundation: no penetration is a fault, and the equations still have to hold.
+    pub(super) fn forget_ground(&mut self) {
+        self.faults.retain(|(_, fault)| !matches!(fault, Violation::Penetration { .. }));
+        if self.faults.is_empty() {
+            self.worst = 0.0;
+        }
+    }
+}
+
 /// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
 pub(super) const TOLERANCE: f64 = 1e-12;
 
@@ -74,19 +84,17 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
         judge.pulls(given, zone, &scale);
     }
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
-        let at = node.x;
-        match node.kind {
-            Kind::Support(index, beside) => {
-                if let Some(moment) = pulling_couple(given, index, beside, right - left) {
-                    judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
-                }
-            }
-            // Without a couple, a zone reaches a free end only on ground that is not bent there.
-            Kind::Tip => judge.measure((right - left).abs(), scale.moment, i, Violation::Jump { jump: right - left }),
-            _ if list.unknown(given, i).is_none() && list.nodes.len() == 1 => {
-                judge.measure((right - left).abs(), scale.moment, i, Violation::Jump { jump: right - left });
-            }
-            _ => {}
+        let (at, jump) = (node.x, right - left);
+        if let Kind::Support(index, beside) = node.kind
+            && let Some(moment) = pulling_couple(given, index, beside, jump)
+        {
+            judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
+        }
+        // Without a couple, a zone reaches a free end only on ground that is not bent there, and the beam rests on one hinge only
+        // if its loads are balanced.
+        let alone = list.nodes.len() == 1 && !node.can_move() && node.held_slope(given).is_none();
+        if node.kind == Kind::Tip || alone {
+            judge.measure(jump.abs(), scale.moment, i, Violation::Jump { jump });
         }
     }
     let force = unbalanced(given, list, &forces);

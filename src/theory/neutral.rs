@@ -31,8 +31,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64, grounded: bool) -> Op
     let list = List { nodes: vec![Node { slope, ..node }] };
     let mut checked = check(given, &list);
     if !grounded {
-        checked.faults.clear();
-        checked.worst = 0.0;
+        checked.forget_ground();
     }
     let found = Found { list, checked, steps: 0, lists: 1, converged: true };
     found.solved().then_some((found, slopes))

@@ -60,9 +60,11 @@ impl Found {
 
 /// The beam without contact.
 pub(super) fn free(given: &PiecewiseScene) -> Found {
-    let list = List::free(given);
+    let mut list = List::free(given);
+    // Slopes over inner supports are unknown even so.
+    let run = newton::solve(given, &mut list);
     let checked = check(given, &list);
-    Found { list, checked, steps: 0, lists: 1, converged: true }
+    Found { list, checked, steps: run.steps, lists: 1, converged: run.converged }
 }
 
 /// The exact solution above a foundation.
@@ -81,7 +83,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
         guess = samples.chain(given);
     }
     let mut left = MULTIPLE * samples.count() + MOST_SAMPLES;
-    let mut steps = 0;
+    let mut steps = best.steps;
     let mut lists = 1;
     let guesses = if given.cells.len() <= LONG { GUESSES } else { GUESSES_OF_LONG };
     let mut places = Vec::new();

@@ -94,7 +94,6 @@ fn found(given: &PiecewiseScene, balance: &Balance, grounded: bool) -> (Found, O
         return (search::search(given), None);
     }
     let mut found = search::free(given);
-    found.checked.faults.clear();
-    found.checked.worst = 0.0;
+    found.checked.forget_ground();
     (found, None)
 }

@@ -3,6 +3,7 @@
 mod balance;
 mod borders;
 mod closed;
+mod held;
 mod level;
 mod long;
 mod near;
