@@ -24,7 +24,7 @@ pub struct Standing {
     /// The resultant of its loads.
     pub resultant: Resultant,
     /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry the
-    /// beam, supports included, as a share of the distance of these two. Zero if there is only one.
+    /// beam, supports included, as a share of the distance of these two. Zero if there is only one, not a number if there is none.
     pub margin: f64,
     /// The positions that are left, if there is more than one.
     #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
@@ -266,7 +266,8 @@ impl Standing {
         let [left, right] = places
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
         let nearer = (resultant.at - left).min(right - resultant.at);
-        let margin = if left < right { nearer / (right - left) } else { 0.0 };
+        // Of an answer without numbers no place is known.
+        let margin = if left < right { nearer / (right - left) } else { 0.0 * (right - left) };
         Self { resultant, margin, motion }
     }
 

@@ -53,8 +53,8 @@ fn divides(x: f64, parts: u32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::common_intervals;
-    use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
+    use super::{common_intervals, step_of_supports};
+    use crate::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 
     #[track_caller]
     fn check(length: f64, places: &[f64], load: f64, expected: usize) {
@@ -73,6 +73,27 @@ mod tests {
         check(12.0, &[0.5, 11.5], 6.0, 24);
         check(0.3, &[0.1, 0.2], 0.1, 6);
         check(7.0, &[], 0.0, 2);
+    }
+
+    #[test]
+    fn supports_come_first() {
+        let supported = |places: &[f64]| {
+            let supports = places.iter().map(|at| Support::simple(*at)).collect();
+            let beam = Beam::new(10.0, 1.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+            let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: std::f64::consts::PI, force: 1.0 }]);
+            Scene::new(beam, load.expect("a load"), None).expect("a scene")
+        };
+        // A load at no node of any grid does not matter, a support does.
+        for (places, common, step) in [
+            ([0.0, 4.0, 10.0], 10, 5),
+            ([0.0, 2.5, 6.0], 20, 20),
+            ([0.0, 5.0, 10.0], 2, 2),
+            ([0.0, 3.0, 4.567], 10_000, 10_000),
+        ] {
+            let scene = supported(&places);
+            assert_eq!((common_intervals(&scene), step_of_supports(&scene)), (common, step), "{places:?}");
+        }
+        assert_eq!(step_of_supports(&supported(&[0.0, 10.0])), 1);
     }
 
     #[test]

@@ -161,7 +161,7 @@ fn stands(standing: &Standing, labels: &Labels) -> String {
         rows.push(vec![labels.length("free to turn about"), result(*about)]);
         rows.push(vec!["with slopes there".to_owned(), format!("from {} to {}", end(least), end(most))]);
     }
-    table("Held by the ground alone", &["", ""], &rows)
+    table("How it stands", &["", ""], &rows)
 }
 
 /// A force of the balance; what remains of it is rounding, of which only the size is of interest.

@@ -7,9 +7,9 @@ use std::ops::Range;
 
 use super::contact_set::ContactSet;
 use super::statics;
-use super::supports::{NodeSupport, Supports};
+use super::supports::Supports;
 use crate::qp::{FreeSet, Sizes};
-use crate::scene::{Balance, Foundation, Grid, Held, Scene, SceneError};
+use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Discretisation;
 
 /// Nodal data of a scene on a grid. The scene is dimensionless and has a foundation.
@@ -29,8 +29,8 @@ pub struct Discrete {
     pub depths: Vec<f64>,
     supports: Supports,
     /// The profiles of ground and own shape that the gaps are taken from.
-    profile: Option<Foundation>,
-    shape: Option<Foundation>,
+    pub(super) profile: Option<Foundation>,
+    pub(super) shape: Option<Foundation>,
     /// Whether the beam is the paper's.
     simple: bool,
     sizes: Sizes,
@@ -38,9 +38,6 @@ pub struct Discrete {
 
 /// Intervals of the grid on which sizes are measured, if it is not coarser anyway: a size needs two digits.
 const SIZING: usize = 4096;
-
-/// Slopes, and depths, that differ by less than this share of their size are equal.
-const SAME_SLOPE: f64 = 64.0 * f64::EPSILON;
 
 /// Size of a clearance over ground that leaves no room to deflect, as a share of the free deflection.
 const ON_THE_GROUND: f64 = 1e-6;
@@ -253,27 +250,6 @@ impl Discrete {
         plain < (left.max(middle) / before).max(right.max(middle) / behind)
     }
 
-    /// Slopes of the gap to the left and to the right of a node, between which a beam may lie that touches there; infinite on the
-    /// deeper side of a step, and beyond an end of the beam. Equal but for rounding are equal.
-    pub(super) fn slopes_at(&self, node: usize) -> [f64; 2] {
-        let x = self.grid.place(node);
-        let sides = |profile: &Option<Foundation>| profile.as_ref().map_or([[0.0; 2]; 2], |profile| profile.sides(x));
-        let (ground, own) = (sides(&self.profile), sides(&self.shape));
-        let gap = |side: usize| ground[side][0] - own[side][0];
-        let slope = |side: usize| ground[side][1] - own[side][1];
-        let size = [ground, own].as_flattened().iter().fold(0.0, |size: f64, [_, slope]| size.max(slope.abs()));
-        let slopes = if slope(1) - slope(0) <= SAME_SLOPE * size {
-            [0.5 * (slope(0) + slope(1)); 2]
-        } else {
-            [slope(0), slope(1)]
-        };
-        let falls = |side: usize| self.gap(node) < gap(side) - SAME_SLOPE * self.depth_rounding(node);
-        [
-            if node == 0 || falls(0) { f64::NEG_INFINITY } else { slopes[0] },
-            if node == self.intervals || falls(1) { f64::INFINITY } else { slopes[1] },
-        ]
-    }
-
     /// The same beam under other loads.
     pub(super) fn under(&self, loads: Vec<f64>) -> Self {
         Self { loads, ..self.clone() }
@@ -305,102 +281,11 @@ impl Discrete {
     }
 
     /// The same beam on other supports, of which all are among the nodes that are not held now, or are held now.
-    fn on(&self, supports: Supports) -> Self {
+    pub(super) fn on(&self, supports: Supports) -> Self {
         let (old, new) = (self.nodes(), supports.nodes());
         let depths = self.depths[new.start - old.start..new.end - old.start].to_vec();
         Self { depths, supports, simple: false, ..self.clone() }
     }
-
-    /// The same beam, held at one node alone at a given slope, where it is held or touches the ground now.
-    pub(super) fn turned_about(&self, node: usize, slope: f64) -> Self {
-        let below = self.supports.at(node).map_or(0.0, |support| support.below);
-        let (at, deflection) = (self.grid.place(node), self.level(node));
-        let held = Held { at, deflection, slope: Some(slope), grounded: [false; 2] };
-        self.on(Supports::of(vec![NodeSupport { node, held, below }], self.intervals))
-    }
-
-    /// The node at the one place about which the beam is free to turn, if the loads are in balance there.
-    pub(super) fn pivot(&self, balance: &Balance) -> Option<usize> {
-        match balance {
-            Balance::Neutral { about, .. } => self.grid.node_at(*about),
-            Balance::Held | Balance::Stands(_) => None,
-        }
-    }
-
-    /// The resultant of the nodal loads: the force, and its moment about the left end, with lengths in intervals.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    pub(super) fn resultant(&self) -> [f64; 2] {
-        let force: f64 = self.loads.iter().sum();
-        let moment: f64 = self.loads.iter().enumerate().map(|(node, q)| node as f64 * q).sum();
-        [force, moment]
-    }
-
-    /// The nodes on which the beam would rest besides its supports if it were rigid: none if these hold it, one if it turns about
-    /// its support, and otherwise two, the ends of the edge of the convex hull of the ground that lies below the resultant.
-    ///
-    /// This is step 0° of the paper's algorithm for a beam whose rigid motion is not known: contacts in balance, from where the
-    /// descent can start.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    pub(crate) fn resting(&self) -> Vec<usize> {
-        let [force, moment] = self.resultant();
-        match self.supports.all() {
-            [] => {
-                let hull = lower_hull(self.nodes().map(|node| (node, self.depths[node])));
-                let right = hull.partition_point(|&node| (node as f64) < moment / force).clamp(1, hull.len() - 1);
-                hull[right - 1..=right].to_vec()
-            }
-            [support] if support.held.slope.is_none() => {
-                let to_right = force * support.node as f64 <= moment;
-                let slope =
-                    |node: &usize| (self.level(*node) - support.held.deflection) / node.abs_diff(support.node) as f64;
-                let beside =
-                    self.nodes().filter(|&node| if to_right { support.node < node } else { node < support.node });
-                beside.min_by(|a, b| slope(a).total_cmp(&slope(b))).into_iter().collect()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// Makes contact at these nodes the only one, if the nodes in contact do not hold the beam. The variable of a node in contact is
-    /// free if `in_contact`; `node` is that of a variable.
-    pub(crate) fn hold(&self, free: &mut FreeSet, in_contact: bool, node: impl Fn(usize) -> usize) {
-        let lacking = self.supports.lacking();
-        let touches = |&(i, free): &(usize, bool)| free == in_contact && self.supports.at(node(i)).is_none();
-        if 0 < lacking && free.iter().enumerate().filter(touches).take(lacking).count() < lacking {
-            let resting = self.resting();
-            *free = (0..free.dimension()).map(|i| resting.contains(&node(i)) == in_contact).collect();
-        }
-    }
-
-    /// The deflection of that rigid beam at a node; zero of a beam that its supports hold.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    fn resting_line(&self) -> impl Fn(usize) -> f64 {
-        let mut nodes = self.resting();
-        if !nodes.is_empty() {
-            nodes.extend(self.supports.all().iter().map(|support| support.node));
-        }
-        let points: Vec<[f64; 2]> = nodes.into_iter().map(|node| [node as f64, self.level(node)]).collect();
-        move |node: usize| match points.as_slice() {
-            [[a, from], [b, to], ..] => from + (to - from) * ((node as f64 - a) / (b - a)),
-            _ => 0.0,
-        }
-    }
-}
-
-/// The nodes of the lower convex hull of points from left to right: of gaps, where a rigid beam can rest.
-#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-fn lower_hull(points: impl Iterator<Item = (usize, f64)>) -> Vec<usize> {
-    let mut hull: Vec<(usize, f64)> = Vec::new();
-    let slope = |a: (usize, f64), b: (usize, f64)| (b.1 - a.1) / (b.0 - a.0) as f64;
-    for point in points {
-        while let [.., before, last] = hull.as_slice()
-            && slope(*last, point) <= slope(*before, *last)
-        {
-            hull.pop();
-        }
-        hull.push(point);
-    }
-    hull.into_iter().map(|(node, _)| node).collect()
 }
 
 /// See [`Discrete::sizes`]; of the paper's beam.

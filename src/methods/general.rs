@@ -12,7 +12,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Discrete;
-use super::contact_set::{self, ContactSet};
+use super::contact_set::ContactSet;
+use super::held_beam;
 use crate::qp::Matrix;
 use crate::state::Discretisation;
 
@@ -42,7 +43,7 @@ pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Di
         return unknown();
     }
     let basic = discrete.basic(remaining(discrete, forces));
-    contact_set::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |carried| carried.deflection)
+    held_beam::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |carried| carried.deflection)
 }
 
 /// `q − p` at all nodes, of contact forces at all but supported ends.

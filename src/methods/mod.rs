@@ -12,24 +12,26 @@
 //! any grid.
 
 mod answer;
-mod balanced;
 mod complementarity;
 pub(crate) mod contact_set;
 mod discrete;
 mod displacement;
+mod extremes;
 mod force;
 mod general;
+mod held_beam;
+mod rigid;
 pub(crate) mod span;
 mod sparse;
 mod statics;
 pub(crate) mod supports;
 
 pub use answer::{Nodal, contact_state, free_beam};
-pub use balanced::{balanced, single_contact};
 pub use complementarity::Complementarity;
 pub use discrete::Discrete;
 pub use displacement::Displacement;
 pub use force::{Force, flexibility};
+pub use rigid::{balanced, single_contact};
 
 use std::f64::consts::PI;
 use std::fmt;

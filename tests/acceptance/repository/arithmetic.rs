@@ -70,9 +70,10 @@ fn varying_functions_are_recognised() {
 
 /// Files of the library that name the matrix library, and what they take from it: nothing that
 /// multiplies two matrices larger than five, for which it looks at the processor.
-const MATRICES: [(&str, &str); 4] = [
+const MATRICES: [(&str, &str); 5] = [
     ("src/qp/matrix.rs", "entries and columns"),
     ("src/qp/dense.rs", "the product with a vector and Cholesky's factor, both plain loops"),
+    ("src/methods/general.rs", "columns, and a sum"),
     ("src/methods/force.rs", "entries from a function"),
     ("src/methods/displacement.rs", "columns, and a sum"),
 ];

@@ -1,0 +1,329 @@
+//! A beam on nodes that hold it, with the moments there: what holds it, and where it is between them.
+//!
+//! Contact forces and clearances follow from the moments:
+//!
+//! ```text
+//! p_i = q_i + (M_{i+1} − M_i)/b − (M_i − M_{i−1})/a + what the spans on both sides leave at their ends
+//! h = (u − chord) − sag,    −δ²sag_k = (Δ³/EI) c(M)_k   between two contacts                        (Mohr's analogy)
+//! c(M)_k = M_k   by finite differences,   (M_{k−1} + 4 M_k + M_{k+1})/6   with beam elements
+//! ```
+
+use std::ops::Range;
+
+use super::contact_set::ContactSet;
+use super::span::{Span, links};
+use super::{Discrete, statics};
+use crate::qp::NotPositiveDefinite;
+use crate::state::Discretisation;
+
+/// Rounding of a contact force or a clearance, in units in the last place of the numbers that it is a difference of: a
+/// profile is evaluated, a chord drawn, sums of loads are taken in blocks.
+const UNITS: f64 = 16.0;
+
+/// Negative clearances below this share of their size are looked at twice.
+const NEAR_ZERO: f64 = 1e-12;
+
+/// What an overhang leaves at the node from which it hangs: the sum of its loads, and their moment, negative where they bend it
+/// down.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Overhang {
+    pub(super) span: Span,
+    pub(super) force: f64,
+    pub(super) moment: f64,
+}
+
+impl Overhang {
+    /// From the span between its tip and its node, the side on which the tip is, and the load on the tip.
+    pub(super) fn of(span: Span, side: usize, tip: f64) -> Self {
+        let at_tip = span.shares[side] + tip;
+        Self { span, force: at_tip + span.shares[1 - side], moment: -at_tip * span.steps }
+    }
+}
+
+/// A beam on its contacts and supports, with the moments there \[force · Δ\].
+pub(super) struct Beam<'a, S> {
+    pub(super) discrete: &'a Discrete,
+    pub(super) discretisation: Discretisation,
+    /// The span between two nodes.
+    pub(super) span: S,
+    pub(super) nodes: Vec<usize>,
+    pub(super) moments: Vec<f64>,
+    pub(super) overhangs: [Option<Overhang>; 2],
+}
+
+/// A stretch of the beam between two held nodes, or from one to a tip.
+#[derive(Clone, Copy)]
+struct Stretch {
+    nodes: [usize; 2],
+    /// Moments and deflections at its ends.
+    moments: [f64; 2],
+    levels: [f64; 2],
+    /// How far the tip of an overhang turns with its root.
+    lever: f64,
+}
+
+impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
+    /// The force that holds the beam at each of its nodes: the loads that go there, and the jump of the shear force.
+    pub(super) fn forces(&self, mut visit: impl FnMut(usize, f64)) {
+        let [before, behind] = self.overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
+        let mut left = SpanEnd { share: before, ..SpanEnd::default() };
+        for (pair, moments) in self.nodes.windows(2).zip(self.moments.windows(2)) {
+            if pair[0] == pair[1] {
+                continue;
+            }
+            let span = (self.span)(pair[0], pair[1]);
+            let shear = moments[1] - moments[0];
+            let shear = if pair[0] + 1 == pair[1] { shear } else { shear / span.steps };
+            let right = SpanEnd { share: span.shares[1], shear, moments: [moments[0], moments[1]], steps: span.steps };
+            let load = span.shares[0] + self.discrete.loads[pair[0]];
+            visit(pair[0], left.contact_force(&right, load));
+            left = right;
+        }
+        let last = self.nodes[self.nodes.len() - 1];
+        visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
+    }
+
+    /// The stretch from node `i` of the list to the next one.
+    fn stretch(&self, i: usize) -> Stretch {
+        let nodes = [self.nodes[i], self.nodes[i + 1]];
+        let levels = nodes.map(|node| self.discrete.level(node));
+        Stretch { nodes, moments: [self.moments[i], self.moments[i + 1]], levels, lever: 0.0 }
+    }
+
+    /// The overhang on one side, if there is one.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    fn overhang(&self, side: usize) -> Option<Stretch> {
+        let Discrete { stiffness, spacing, intervals, .. } = self.discrete;
+        let Overhang { span, moment, .. } = self.overhangs[side]?;
+        let end = self.nodes.len() - 1;
+        let ([here, next], next_moment) = match side {
+            0 => ([self.nodes[0], self.nodes[1]], self.moments[1]),
+            _ => ([self.nodes[end], self.nodes[end - 1]], self.moments[end - 1]),
+        };
+        let level = |node: usize| self.discrete.level(node);
+        let unit = 6.0 * stiffness / (spacing * spacing);
+        let turned = |steps: f64| 2.0 * steps + links(self.discretisation, steps);
+        // Slopes count in the direction away from the tip.
+        let slope = if here == next {
+            let slope = self.discrete.supports().at(here).and_then(|support| support.held.slope).unwrap_or(0.0);
+            if side == 0 { slope } else { -slope }
+        } else {
+            let inner = (self.span)(here.min(next), here.max(next));
+            let steps = here.abs_diff(next) as f64;
+            let beside = inner.steps - links(self.discretisation, inner.steps);
+            (level(next) - level(here)) / (spacing * steps)
+                + (turned(inner.steps) * moment + beside * next_moment + inner.rotations[side]) / unit
+        };
+        let chord = slope + (turned(span.steps) * moment + span.rotations[1 - side]) / unit;
+        let drop = chord * spacing * span.steps;
+        let [tip, root] = [level(here) - drop, level(here)];
+        let (nodes, moments, levels) = match side {
+            0 => ([0, here], [0.0, moment], [tip, root]),
+            _ => ([here, *intervals], [moment, 0.0], [root, tip]),
+        };
+        Some(Stretch { nodes, moments, levels, lever: drop.abs() })
+    }
+
+    /// Clearances at the nodes of a range that nothing holds; zero where they are negative by less than the rounding of what they
+    /// are differences of.
+    ///
+    /// That is a local measure. Near a support of the beam, over ground that begins at its depth, all numbers are small, and
+    /// by the measure of the whole beam the beam could hang free, or pass through the ground, over thousands of nodes.
+    pub(super) fn clearances(&self, range: &Range<usize>, clearance: &mut [f64]) {
+        let mut buffer = Vec::new();
+        for (i, pair) in self.nodes.windows(2).enumerate() {
+            // In dense contact there is nothing between.
+            if range.start.max(pair[0] + 1) < range.end.min(pair[1]) {
+                self.clearances_in(&self.stretch(i), range, clearance, &mut buffer);
+            }
+        }
+        for (side, tip) in [(0, 0), (1, self.discrete.intervals)] {
+            let Some(overhang) = self.overhang(side) else { continue };
+            self.clearances_in(&overhang, range, clearance, &mut buffer);
+            if range.contains(&tip) {
+                let bent = self.bent(&overhang);
+                clearance[tip - range.start] = self.open(tip, overhang.levels[side], 0.0, bent);
+            }
+        }
+    }
+
+    /// What the end moments of a stretch bend, `M L²/EI`, and how far an overhang turns with its root.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    fn bent(&self, stretch: &Stretch) -> f64 {
+        let Discrete { spacing, stiffness, .. } = self.discrete;
+        let [first, last] = stretch.nodes;
+        let steps = (last - first) as f64;
+        let unit = spacing * spacing * spacing / stiffness;
+        unit * stretch.moments[0].abs().max(stretch.moments[1].abs()) * (steps * steps) + stretch.lever
+    }
+
+    /// The clearance of a node that hangs by `sag` below the level of its chord.
+    #[inline]
+    fn open(&self, node: usize, chord: f64, sag: f64, bent: f64) -> f64 {
+        let discrete = self.discrete;
+        let open = (discrete.gap(node) - chord) - sag;
+        // Hardly any clearance is negative by so little; for those it is worth to know how far they can be trusted.
+        let small = NEAR_ZERO * discrete.sizes().x;
+        let is_rounding =
+            open < 0.0 && -small < open && -open <= UNITS * f64::EPSILON * (discrete.depth_rounding(node) + bent);
+        if is_rounding { 0.0 } else { open }
+    }
+
+    /// The same strictly between the ends of a stretch.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    fn clearances_in(&self, stretch: &Stretch, range: &Range<usize>, clearance: &mut [f64], curvature: &mut Vec<f64>) {
+        let discrete = self.discrete;
+        let &Stretch { nodes: [first, last], moments: ends, levels: [from, to], .. } = stretch;
+        let inner = range.start.max(first + 1)..range.end.min(last);
+        if inner.is_empty() {
+            return;
+        }
+        let cube = discrete.spacing * discrete.spacing * discrete.spacing;
+        let sixth = cube / (6.0 * discrete.stiffness);
+        // Moments and sags at the ends of the stretch within the range, which are those of the span as a rule.
+        let at = |node: usize| match node {
+            _ if node == first => [ends[0], 0.0],
+            _ if node == last => [ends[1], 0.0],
+            _ => {
+                let parts = [first..node, node..last].map(|part| (self.span)(part.start, part.end));
+                parts[0].between(parts[1], discrete.loads[node], ends, self.discretisation)
+            }
+        };
+        let [[m0, sag0], [m1, sag1]] = [inner.start - 1, inner.end].map(at);
+        curvature.resize(inner.len(), 0.0);
+        statics::funicular(&discrete.loads[inner.clone()], [m0, m1], 1.0, curvature);
+        // Mohr's analogy, in 6 EI / Δ³.
+        statics::curvatures(curvature, [m0, m1], |m| match self.discretisation {
+            Discretisation::FiniteDifferences => 6.0 * m[1],
+            Discretisation::BeamElements => m[0] + 4.0 * m[1] + m[2],
+        });
+        let sags = &mut clearance[inner.start - range.start..inner.end - range.start];
+        statics::funicular(curvature, [sag0, sag1], sixth, sags);
+
+        let (steps, bent) = ((last - first) as f64, self.bent(stretch));
+        // Clearances take the place of the sags.
+        for (node, h) in inner.zip(sags) {
+            let chord = from + (to - from) * ((node - first) as f64 / steps);
+            *h = self.open(node, chord, *h, bent);
+        }
+    }
+
+    /// The moments beside each support, with its force.
+    fn support_forces(&self) -> Vec<HeldNode> {
+        let mut held: Vec<HeldNode> = Vec::new();
+        self.forces(|node, force| held.push(HeldNode { node, force, moments: [0.0; 2] }));
+        let mut i = 0;
+        for held in &mut held {
+            let left = self.moments[i];
+            i += 1;
+            let twice = self.nodes.get(i) == Some(&held.node);
+            held.moments = [left, if twice { self.moments[i] } else { left }];
+            i += usize::from(twice);
+        }
+        held
+    }
+
+    /// Moments at all nodes \[force · Δ\]; beside a built-in support that of the side where it is larger.
+    fn nodal_moments(&self) -> Vec<f64> {
+        let mut moments = vec![0.0; self.discrete.intervals + 1];
+        let stretches = (0..self.nodes.len() - 1).map(|i| self.stretch(i));
+        for Stretch { nodes: [first, last], moments: ends, .. } in
+            stretches.chain([0, 1].into_iter().filter_map(|side| self.overhang(side)))
+        {
+            if first < last {
+                let (loads, inner) = (&self.discrete.loads[first + 1..last], &mut moments[first + 1..last]);
+                statics::funicular(loads, ends, 1.0, inner);
+            }
+        }
+        for (&node, &moment) in self.nodes.iter().zip(&self.moments) {
+            moments[node] = larger(moments[node], moment);
+        }
+        moments
+    }
+}
+
+/// A node that is held: the force that does it, upwards, and the moments beside it \[force · Δ\].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct HeldNode {
+    pub(super) node: usize,
+    pub(super) force: f64,
+    pub(super) moments: [f64; 2],
+}
+
+/// A beam on its supports alone.
+pub(super) struct Carried {
+    /// Its supports.
+    pub(super) supports: Vec<HeldNode>,
+    /// Moments at all nodes \[force · length\].
+    pub(super) moments: Vec<f64>,
+    /// Deflections at all nodes but supported ends.
+    pub(super) deflection: Vec<f64>,
+}
+
+impl Carried {
+    /// What is known where a number is not finite.
+    pub(super) fn unknown(discrete: &Discrete) -> Self {
+        let unknown = |n: usize| vec![f64::NAN; n];
+        let supports = discrete.supports().all().iter();
+        Self {
+            supports: supports
+                .map(|support| HeldNode { node: support.node, force: f64::NAN, moments: [f64::NAN; 2] })
+                .collect(),
+            moments: unknown(discrete.intervals + 1),
+            deflection: unknown(discrete.nodes().len()),
+        }
+    }
+}
+
+/// The beam on its supports alone, above ground at zero.
+pub(super) fn on_supports(discrete: &Discrete, discretisation: Discretisation) -> Result<Carried, NotPositiveDefinite> {
+    let span = |first: usize, last: usize| Span::under(&discrete.loads[first + 1..last]);
+    let beam = ContactSet::at(discrete, std::iter::empty()).beam(discrete, discretisation, span)?;
+    let nodes = discrete.nodes();
+    let mut deflection = vec![0.0; nodes.len()];
+    beam.clearances(&nodes, &mut deflection);
+    deflection.iter_mut().for_each(|value| *value = -*value);
+    for support in discrete.supports().inner() {
+        deflection[support.node - nodes.start] = support.held.deflection;
+    }
+    let supports = beam.support_forces();
+    let in_units = |moment: f64| moment * discrete.spacing;
+    Ok(Carried {
+        supports: supports.into_iter().map(|held| HeldNode { moments: held.moments.map(in_units), ..held }).collect(),
+        moments: beam.nodal_moments().into_iter().map(in_units).collect(),
+        deflection,
+    })
+}
+
+/// The one that is larger in magnitude.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if a.abs() < b.abs() { b } else { a }
+}
+
+/// What a span leaves at one of its ends.
+#[derive(Default)]
+struct SpanEnd {
+    /// A share of its loads, and a shear force.
+    share: f64,
+    shear: f64,
+    /// Moments at its two ends, and its length.
+    moments: [f64; 2],
+    steps: f64,
+}
+
+impl SpanEnd {
+    /// The contact force between this span and the next one, for the load on the node with the share of the next span; zero
+    /// where it is negative by less than the rounding of what it is a difference of.
+    ///
+    /// The jump of the shear force comes first. In dense contact it is a small difference of numbers with the same exponent,
+    /// and exact; a load, or a share of the loads of a span, that is added to a shear force before would be rounded in the same
+    /// way at each of a million nodes.
+    #[inline]
+    fn contact_force(&self, next: &Self, load: f64) -> f64 {
+        let carried = self.share + load;
+        let force = (next.shear - self.shear) + carried;
+        let bent = |span: &Self| (span.moments[0].abs() + span.moments[1].abs()) / span.steps.max(1.0);
+        let is_rounding = force < 0.0 && -force <= UNITS * f64::EPSILON * (carried.abs() + bent(self) + bent(next));
+        if is_rounding { 0.0 } else { force }
+    }
+}
