@@ -11,6 +11,8 @@
 //! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it; its energy is between the bounds |
 //! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
 //!
+//! The deflection of a beam that may turn freely about a place is judged after the best such turn, and the verdict says so.
+//!
 //! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
 //! ([`crate::adaptive`]), it counts in what the solver left undone, and the residual may be as large as a tenth of it.
 //! Contact forces from elsewhere have no problem of their own: of them the certificate and the error count ([`Verdict::of_forces`]).
@@ -44,7 +46,7 @@ use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, certify};
 use crate::route::RawSolution;
 use crate::scene::Scene;
 use crate::state::ContactState;
-use crate::text::share_at_most;
+use crate::text::{result, share_at_most};
 use crate::theory::Exact;
 use crate::witness::Witness;
 
@@ -280,6 +282,9 @@ impl fmt::Display for Verdict {
             Some(refusal) => write!(f, "{refusal}")?,
         }
         let told = matches!(self.refusal, None | Some(Refusal::Error { .. }));
+        if let Some(about) = self.certificate.as_ref().and_then(|c| c.up_to_a_turn).filter(|_| told) {
+            write!(f, " after a turn about x = {}, which nothing prevents", result(about))?;
+        }
         let coarse = self.certificate.as_ref().is_some_and(|c| !c.contacts_proven);
         if told && coarse && 0.0 < self.error {
             f.write_str(" (a coarse bound: no list of contacts was proven to be that of the beam)")?;
@@ -324,7 +329,8 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
     let free = scene.load().magnitude(length) / stiffness * length * length * length / 48.0;
     let most = error.min(0.5 * judged) + ROUNDING * own + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE;
     // Also true where nothing is finite, which is another refusal's business.
-    let apart = most < (judged - own).abs();
+    // Of a beam that may turn another position is as good.
+    let apart = certificate.up_to_a_turn.is_none() && most < (judged - own).abs();
     if apart {
         return Some(Refusal::Deflection { own, judged, error });
     }

@@ -8,8 +8,10 @@
 //! ```
 //!
 //! with the curvature share `c_i = M_i` of finite differences or `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. Both are
-//! the same [`DoubleSum`] with both ends at zero; no method and no solver is asked.
+//! the same [`DoubleSum`] with both ends at zero; no method and no solver is asked. Of other beams than the paper's the same
+//! is asked from support to support (modules `residuals`, `nodal_beam`).
 
+use super::residuals;
 use crate::scene::{Grid, Scene};
 use crate::state::{ContactState, Discretisation, Reactions};
 
@@ -25,7 +27,7 @@ pub const CERTIFIED_RESIDUAL: f64 = 1e-9;
 /// Contact forces are rounded numbers, and half a unit in the last place of each moves the beam by that share of the
 /// deflection `P l³ / 48 EI` that all of them together would cause. Where the foundation lies so close that the beam moves
 /// less than that, a smaller measure would judge the representation of numbers, not the answer.
-const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 
 /// Violations of (4), (5), (8) by a state, all dimensionless.
 ///
@@ -52,6 +54,9 @@ impl Kkt {
     /// Judges the nodal values of `state` in `scene`; `None` if the state has none, or not as many as it should.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
+        if !scene.beam().is_simple() {
+            return residuals::on_supports(scene, state);
+        }
         let nodes = state.nodes.as_ref()?;
         let (x, v, h, p, moment) = (&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment);
         let grid = Grid::uniform(scene, p.len() + 1).ok()?;
@@ -115,7 +120,7 @@ impl Kkt {
 }
 
 /// The largest of some numbers, at least 0; infinite if one of them is NaN.
-fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+pub(super) fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     largest_each([0.0], values.into_iter().map(|value| [value]))[0]
 }
 
@@ -137,7 +142,7 @@ fn largest_each<const COLUMNS: usize>(
 }
 
 /// By how much a clearance is said wrong, beyond the rounding of the depth `u` that it was taken from.
-fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
+pub(super) fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
     // Where there is no foundation both are infinite.
     if u == f64::INFINITY && said == f64::INFINITY {
         return 0.0;
@@ -147,13 +152,13 @@ fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
 
 /// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
 /// Zero where there is no ground.
-fn within_reach(depths: &[f64]) -> f64 {
+pub(super) fn within_reach(depths: &[f64]) -> f64 {
     let highest = depths.iter().copied().fold(f64::INFINITY, f64::min);
     if highest.is_finite() { highest.abs() } else { 0.0 }
 }
 
 /// A divisor: 1 where there is nothing to measure by.
-fn nonzero(size: f64) -> f64 {
+pub(super) fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
 }
 
@@ -210,7 +215,7 @@ impl Equilibrium {
     pub(super) fn walk(&self, mut visit: impl FnMut(usize, &[f64], &[f64])) {
         let mut shot = DoubleSum::default();
         self.curvatures(|_, curvatures| shot.along(curvatures));
-        let mut sums = DoubleSum::rising(shot.aimed(self.moment.len()));
+        let mut sums = DoubleSum::from(0.0, shot.aimed(self.moment.len()));
         let mut moments = [0.0; BATCH];
         self.curvatures(|first, deflections| {
             // (Δ²/EI) c_i/Δ become v_i/Δ.
@@ -253,7 +258,7 @@ impl Equilibrium {
 /// count from its beginning, where they are small, and from block to block both sums keep what rounding takes from them, as
 /// in Kahan's and Neumaier's sums; the slope passes its share on.
 #[derive(Debug, Clone, Copy, Default)]
-struct DoubleSum {
+pub(super) struct DoubleSum {
     height: Sum,
     slope: Sum,
 }
@@ -263,7 +268,7 @@ const BLOCK: usize = 16;
 
 impl DoubleSum {
     /// From `f_1 … f_{N−1}` to `y_1 … y_{N−1}` with `y_0 = y_N = 0`; `s_0`, and the sum of all `f`.
-    fn between_supports(falls: &mut [f64]) -> (f64, f64) {
+    pub(super) fn between_supports(falls: &mut [f64]) -> (f64, f64) {
         let mut shot = Self::default();
         let mut heights = [0.0; BLOCK];
         for block in falls.chunks(BLOCK) {
@@ -271,7 +276,7 @@ impl DoubleSum {
             shot.along(&mut heights[..block.len()]);
         }
         let slope = shot.aimed(falls.len());
-        Self::rising(slope).along(falls);
+        Self::from(0.0, slope).along(falls);
         (slope, -shot.slope.total())
     }
 
@@ -281,13 +286,14 @@ impl DoubleSum {
         -self.next() / (inner + 1) as f64
     }
 
-    /// From the left support with a slope.
-    fn rising(slope: f64) -> Self {
-        Self { slope: Sum { value: slope, lost: 0.0 }, ..Self::default() }
+    /// From a height with a slope.
+    pub(super) fn from(height: f64, slope: f64) -> Self {
+        let sum = |value| Sum { value, lost: 0.0 };
+        Self { height: sum(height), slope: sum(slope) }
     }
 
     /// Over the next nodes: what the slope loses at each of them gives way to the height there.
-    fn along(&mut self, falls: &mut [f64]) {
+    pub(super) fn along(&mut self, falls: &mut [f64]) {
         let (blocks, rest) = falls.as_chunks_mut::<BLOCK>();
         blocks.iter_mut().for_each(|block| self.block(block));
         rest.as_chunks_mut::<1>().0.iter_mut().for_each(|single| self.block(single));

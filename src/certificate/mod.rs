@@ -37,7 +37,9 @@ mod contact_load;
 mod kernel;
 mod kkt;
 mod lumped;
+mod nodal_beam;
 mod quantities;
+mod residuals;
 mod violations;
 mod witness;
 

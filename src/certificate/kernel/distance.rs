@@ -225,8 +225,8 @@ pub(crate) fn of_nodes(pair: &Pair, given: &Nodes, scale: &Scale, enclosed: &Enc
         nodes.push([x, given.deflection[k] / scale.depth, -(given.moment[k] / scale.moment()) / stiffness]);
     }
     nodes.extend(left.map(added));
-    let reaches =
-        nodes.first().is_some_and(|node| node[0].abs() <= 0.0) && nodes.last().is_some_and(|node| length <= node[0]);
+    let reaches = nodes.first().is_some_and(|node| node[0].abs() <= 0.0)
+        && nodes.last().is_some_and(|node| (node[0] - length).abs() <= 0.0);
     if !reaches || !nodes.is_sorted_by(|a, b| a[0] < b[0]) {
         return Error::UNKNOWN;
     }

@@ -30,7 +30,7 @@ use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::{Polynomial, number};
 use super::pressing::{self, TensionCutOff};
-use super::span::Span;
+use super::span::{Span, step};
 
 /// `v̂` on a part of the beam.
 #[derive(Debug, Clone)]
@@ -138,19 +138,37 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             presses.extend(nodes.windows(2).filter(|w| w[0].lies).flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x)));
         }
         presses.extend(enclosed.supports.iter().map(|s| (Place::at(s.x), f64::INFINITY)));
-        holds.push(widest(&mut presses)?);
+        presses = presses.into_iter().filter(|(_, force)| 0.0 < *force).collect();
+        holds.extend(widest(&mut presses));
+    }
+    // Beside a single place the gap is open by this much, and the force is moved there.
+    let mut open = 0.0;
+    if holds.is_empty() {
+        let couple = beam.jump(0).map_or(0.0, |(jump, _)| jump.magnitude());
+        let [(Place { from: x, .. }, _)] = presses[..] else { return None };
+        let force = shears[1][0] - shears[0][1] + enclosed.load.point(x).unwrap_or(Interval::ZERO);
+        let hold =
+            astride(enclosed, &nodes[0], [&spans[0], &spans[1]], couple / force.lo()).filter(|_| lifted <= 0.0)?;
+        open = hold.0.off;
+        cut_off.force(x, -force);
+        // Each takes half of the force and at most a thirtieth for the couple. What is counted below as taken from both is all
+        // of it, and as much as is needed for that is added here: less than is there remains.
+        presses = [hold.0, hold.1].map(|place| (place, (number(6) * force / number(5)).lo())).to_vec();
+        holds.push(hold);
     }
     let [moments, share] = cut_off.carried(&holds, enclosed.stiffness);
     let correction = lifts.sqrt() + moments;
     let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + correction;
     // Without correction the square would only add rounding.
-    let gap = if correction.is_zero() { gap.hi() } else { (root.square() / number(2)).hi() };
+    let gap = if correction.is_zero() { gap } else { root.square() / number(2) };
+    let gap = if 0.0 < open { gap + share * Interval::exact(open) } else { gap }.hi();
     for place in holds.iter_mut().filter(|_| by_contacts).flat_map(|Hold(left, right)| [left, right]) {
         let force = presses.iter().find(|(other, _)| other.from == place.from).map_or(0.0, |(_, force)| *force);
         if force < f64::INFINITY {
             // What is cut off is taken from it.
             let left = (Interval::exact(force) - share).lo();
-            place.off = if 0.0 < left { (Interval::exact(gap) / Interval::exact(left)).hi() } else { return None };
+            place.off =
+                if 0.0 < left { (Interval::exact(gap) / Interval::exact(left)).hi().max(open) } else { return None };
         }
     }
     let corrected = Interval::around_zero(share.hi());
@@ -190,15 +208,42 @@ fn outer_thirds(enclosed: &EnclosedScene<'_>, from: f64, to: f64) -> [(Place, f6
 }
 
 /// Of places with what presses there the two that hold the beam best: strongly, and far apart.
-fn widest(presses: &mut Vec<(Place, f64)>) -> Option<Hold> {
+fn widest(presses: &mut [(Place, f64)]) -> Option<Hold> {
     /// Of the strongest places.
     const MOST: usize = 64;
-    presses.retain(|(_, force)| 0.0 < *force);
     presses.sort_by(|a, b| b.1.total_cmp(&a.1));
     let strongest = &presses[..presses.len().min(MOST)];
     let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| (a, b)));
     let apart = pairs.filter(|(a, b)| a.0.to < b.0.from).map(|(a, b)| ((b.0.from - a.0.to) * a.1.min(b.1), a.0, b.0));
     apart.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, left, right)| Hold(left, right))
+}
+
+/// The two sides of the single place that carries a beam, where it is tangent to the ground, so near to it that the gap is hardly
+/// open there, and so far from it that two halves of the force balance a couple, given as a share of the force.
+fn astride(enclosed: &EnclosedScene<'_>, node: &ContactNode, spans: [&Option<Span>; 2], couple: f64) -> Option<Hold> {
+    /// Of the length of the beam.
+    const NEAR: f64 = 1.0 / 274_877_906_944.0;
+    let [Some(before), Some(after)] = spans else { return None };
+    let far = (NEAR * enclosed.length).max(16.0 * couple);
+    let [left, right] = [node.x - far, node.x + far];
+    let inside = 0.0 <= left && right <= enclosed.length && left < node.x && node.x < right;
+    let smooth = enclosed.gap.is_smooth_between(left, right) && enclosed.is_tangent(node, true);
+    if !inside
+        || !smooth
+        || !enclosed.is_tangent(node, false)
+        || !enclosed.load.breaks(left, right).iter().all(|x| *x == node.x)
+    {
+        return None;
+    }
+    let width = Interval::exact(right) - Interval::exact(left);
+    let beside =
+        enclosed.gap.mirrored_cell(left, node.x).minus(&before.mirrored(left, enclosed.load, enclosed.stiffness));
+    let beyond = step(&after.start, [node.x, right], enclosed.load, enclosed.stiffness).0;
+    let beyond = enclosed.gap.cell(node.x, right).minus(&beyond);
+    let open = [beside, beyond].map(|clear| clear.vanishing(2).range(width).hi().max(0.0));
+    let off = open[0].max(open[1]).max(f64::MIN_POSITIVE);
+    let place = |x: f64| Place { off, ..Place::at(x) };
+    Some(Hold(place(left), place(right)))
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

@@ -112,7 +112,7 @@ fn free(linear: &[[f64; 4]], point: &[(f64, f64)]) -> Certificate {
 fn same(one: &Certificate, other: &Certificate) {
     is("energy", one.energy_lower, other.energy_lower, ROUNDING);
     is("deflection", one.deflection, other.deflection, ROUNDING);
-    for (one, other) in one.reactions.iter().zip(other.reactions) {
+    for (one, other) in one.reactions.iter().zip(&other.reactions) {
         let ([a, b], [c, d]) = (one.expect("no ground"), other.expect("no ground"));
         assert!((a - c).abs().max((b - d).abs()) <= ROUNDING * d.abs(), "{one:?}, not {other:?}");
     }

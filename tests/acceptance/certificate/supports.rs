@@ -282,6 +282,17 @@ fn free_bodies_are_known() {
     }
     let hollow = Foundation::Polynomial { coefficients: vec![1.0, 20.0 * l, -20.0] };
     check(&known("on its tips", &free, Q, Some(hollow), &[at(0.0), at(l)], move |x| 1.0 + simple(l, x)));
+    // A hump that is too sharp to lie on: the beam touches it below the resultant, wherever the crest is.
+    for crest in [3.0, 2.5] {
+        let kappa = 4.0;
+        let slope = kappa * (0.5 * l - crest);
+        let height = 0.5 * kappa * (0.5 * l - crest) * (0.5 * l - crest);
+        let hump = vec![1.0 + 0.5 * kappa * crest * crest, -kappa * crest, 0.5 * kappa];
+        let hump = Some(Foundation::Polynomial { coefficients: hump });
+        check(&known("on a sharp hump", &free, Q, hump, &[at(0.5 * l)], move |x| {
+            1.0 + height + slope * (x - 0.5 * l) + overhang(0.5 * l, (x - 0.5 * l).abs())
+        }));
+    }
     // On ground that slopes everything is turned with it.
     let sloping = Foundation::Polynomial { coefficients: vec![1.0, 0.25] };
     check(&known("flat on a slope", &free, Q, Some(sloping), &[zone(0.0, l)], |x| 1.0 + 0.25 * x));

@@ -49,7 +49,7 @@ fn holds<T: Number>(what: &str, scene: &Scene, given: &Nodes, said: &Certificate
         let off = cubic(scene, given, &x).minus(&(truth.deflection)(&x)).magnitude();
         assert!(off <= error, "{what}: off by {} at {} for {said:?}", off.to_double(), x.to_double());
     }
-    for (bracket, reaction) in said.reactions.into_iter().zip(&truth.reactions) {
+    for (bracket, reaction) in said.reactions.iter().copied().zip(&truth.reactions) {
         let holds = bracket.is_none_or(|[least, most]| T::of(least) <= *reaction && *reaction <= T::of(most));
         assert!(holds, "{what}: a reaction of {} for {said:?}", reaction.to_double());
     }

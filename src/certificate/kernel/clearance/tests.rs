@@ -48,7 +48,7 @@ fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) ->
         for k in 1..PLACES {
             let s = (span.to - span.from) * f64::from(k) / f64::from(PLACES);
             let v = curve[0].1.at(Interval::exact(s)).middle();
-            needed = needed.max((v - foundation.depth(left.x + s)) / phi(s, (span.to - span.from), left, right));
+            needed = needed.max((v - foundation.depth(left.x + s)) / phi(s, span.to - span.from, left, right));
         }
         (lift(enclosed, &span, [Some(&left), Some(&right)]), needed)
     })

@@ -4,8 +4,6 @@
 use super::*;
 
 const LENGTH: f64 = 16.0;
-/// One unit in the last place of 1.
-const UNIT: f64 = f64::EPSILON;
 
 /// `(x − 8)¹²`, with two coefficients more than are kept; all of them are whole numbers below 2⁵³.
 fn long() -> Foundation {
