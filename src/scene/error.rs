@@ -117,6 +117,14 @@ pub enum SceneError {
         /// The number asked for.
         intervals: usize,
     },
+    /// A grid that there is no memory for.
+    #[error("there is no memory for {intervals} intervals, which take {} MB", bytes / 1_000_000)]
+    NoMemory {
+        /// The number asked for.
+        intervals: usize,
+        /// Bytes that they take.
+        bytes: usize,
+    },
 }
 
 impl SceneError {
@@ -133,7 +141,7 @@ impl SceneError {
             | Self::PointsDoNotCover { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
             Self::NoCoefficients | Self::TooFewPoints { .. } | Self::AboveSupport { .. } => Some(Quantity::Foundation),
-            Self::TooFewIntervals { .. } => None,
+            Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
         }
     }
 }
