@@ -130,6 +130,8 @@ pub struct Certificate {
     pub best_deflection_error: f64,
     /// The largest magnitude of the deflection that was judged, rounded up.
     pub deflection: f64,
+    /// The same, rounded down: what is reached somewhere; zero for a deflection at the nodes of a grid.
+    pub deflection_at_least: f64,
     /// What the reactions of the two supports lie between, left and right; [`None`] where nothing could be shown.
     pub reactions: [Option<[f64; 2]>; 2],
     /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open.
@@ -149,6 +151,7 @@ impl Certificate {
         deflection_error_at: 0.0,
         best_deflection_error: f64::INFINITY,
         deflection: f64::INFINITY,
+        deflection_at_least: 0.0,
         reactions: [None, None],
         stiffness: None,
         contacts_proven: false,
@@ -169,6 +172,7 @@ impl Certificate {
             deflection_error_at: error.at * scale.length,
             best_deflection_error: distance::of_gap(gap, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,
+            deflection_at_least: error.least * scale.depth,
             reactions: reactions(enclosed, pair).map(|bracket| bracket.map(force)),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
             contacts_proven: is_sharp(enclosed, pair),

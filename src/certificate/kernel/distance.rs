@@ -53,13 +53,14 @@ pub(crate) struct Error {
     pub(crate) most: f64,
     /// Where it is largest.
     pub(crate) at: f64,
-    /// The largest magnitude of the deflection itself.
+    /// The largest magnitude of the deflection itself: at most, and at least as far as that was looked for.
     pub(crate) size: f64,
+    pub(crate) least: f64,
 }
 
 impl Error {
     /// Nothing is known.
-    pub(crate) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY };
+    pub(crate) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY, least: 0.0 };
 
     /// Takes in a bound on a part, and the largest magnitude of the judged deflection there. No number is no bound.
     fn include(&mut self, bound: f64, size: f64, at: f64) {
@@ -132,7 +133,7 @@ impl Admissible {
 /// The largest value of `√(2 gap x² (l − x)²/(3 EI l)) + |v̂ − v|`, and where it is. The judged deflection is known at samples,
 /// the ends of all pieces among them, and its fourth derivative is at most `fourth`.
 fn compare(pair: &Pair, mut samples: impl Iterator<Item = Sample>, fourth: f64, factor: f64, length: f64) -> Error {
-    let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
+    let mut error = Error { most: 0.0, at: 0.0, size: 0.0, least: 0.0 };
     let mut pieces = pair.pieces.iter().map(Admissible::of);
     let mut current = pieces.next();
     let mut left: Option<(Sample, [f64; 2])> = None;
@@ -191,7 +192,8 @@ pub(crate) fn of_pieces(pair: &Pair, judged: &[([f64; 2], Polynomial)], stiffnes
         start.into_iter().chain(between(&pair.pieces, *cell, length)).chain([cell[1]]).map(sample)
     });
     let error = compare(pair, samples, most, factor(pair.gap.hi(), stiffness, length).hi(), length);
-    Error { size: error.size.min(largest(judged.iter().copied())), ..error }
+    let size = largest(judged.iter().copied());
+    Error { size: error.size.min(size.hi()), least: size.lo(), ..error }
 }
 
 /// The error of the deflection that the places of a witness make, off which `v̂` was lifted.
@@ -199,7 +201,7 @@ pub(crate) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> Error {
     let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
     let [gap, lifted] = [of_gap(pair.gap.hi(), stiffness, length), pair.lifted].map(Interval::exact);
     let most = (gap + lifted).hi();
-    if most.is_finite() { Error { most, at: 0.5 * length, size } } else { Error::UNKNOWN }
+    if most.is_finite() { Error { most, at: 0.5 * length, size: size.hi(), least: size.lo() } } else { Error::UNKNOWN }
 }
 
 /// The error of the cubics between the nodes of a grid, with the given deflections and moments at both ends of each.
