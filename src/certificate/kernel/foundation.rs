@@ -1,7 +1,7 @@
 //! The foundation as an enclosure: Taylor polynomials on cells, every kind of profile alike.
 
 use super::interval::Interval;
-use super::polynomial::{Polynomial, TERMS, expanded, number, shift, shift_first};
+use super::polynomial::{Polynomial, TERMS, expanded, number, shift};
 use crate::scene::Foundation;
 use crate::scene::polynomial::{cuts, long_degree};
 
@@ -178,7 +178,7 @@ fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial
     let exact: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
     let Some(degree) = long_degree(given) else {
         let mut shifted = exact[..given.len().min(TERMS)].to_vec();
-        shift(&mut shifted, Interval::exact(origin));
+        shift(&mut shifted, Interval::exact(origin), TERMS.min(given.len()));
         return Polynomial::new(&shifted);
     };
     let given = &given[..=degree];
@@ -187,12 +187,12 @@ fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial
     if taylor.len() < given.len() {
         // Of terms so high next to nothing is left over a cell.
         let mut anywhere = exact[..given.len()].to_vec();
-        shift_first(&mut anywhere, Interval::between(from, to), taylor.len());
+        shift(&mut anywhere, Interval::between(from, to), taylor.len());
         taylor[last] = anywhere[last];
     }
     if TERMS < taylor.len() {
         let mut anywhere = taylor.clone();
-        shift_first(&mut anywhere, Interval::between(from, to) - Interval::exact(origin), TERMS);
+        shift(&mut anywhere, Interval::between(from, to) - Interval::exact(origin), TERMS);
         taylor[TERMS - 1] = anywhere[TERMS - 1];
     }
     Polynomial::new(&taylor)

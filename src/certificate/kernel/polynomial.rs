@@ -90,7 +90,7 @@ impl Polynomial {
     /// The same polynomial with its origin moved to `s`.
     pub(crate) fn shifted(&self, s: Interval) -> Self {
         let mut shifted = *self;
-        shift(&mut shifted.coefficients[..self.terms], s);
+        shift(&mut shifted.coefficients[..self.terms], s, self.terms);
         shifted
     }
 
@@ -142,13 +142,9 @@ impl Polynomial {
     }
 }
 
-/// Moves the origin of a polynomial with any number of coefficients to `s`.
-pub(crate) fn shift(coefficients: &mut [Interval], s: Interval) {
-    shift_first(coefficients, s, coefficients.len());
-}
-
-/// The same for the first coefficients; those behind them are of no use then.
-pub(crate) fn shift_first(coefficients: &mut [Interval], s: Interval, terms: usize) {
+/// Moves the origin of a polynomial with any number of coefficients to `s`, as far as its first coefficients go; those behind them
+/// are of no use then.
+pub(crate) fn shift(coefficients: &mut [Interval], s: Interval, terms: usize) {
     for start in 0..terms {
         for j in (start..coefficients.len() - 1).rev() {
             coefficients[j] = coefficients[j] + coefficients[j + 1] * s;
