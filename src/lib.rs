@@ -73,6 +73,7 @@
 
 pub mod adaptive;
 pub mod certificate;
+mod memory;
 pub mod methods;
 mod multigrid;
 #[cfg(feature = "plot")]

@@ -320,8 +320,8 @@ fn flaw(certificate: &Certificate) -> Option<Refusal> {
 ///
 /// And its energy lies between the bounds that they prove: a beam that is not held where it should be has too little of it.
 fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
-    let Certificate { deflection: judged, deflection_error: error, energy_lower: lower, energy_upper: upper, .. } =
-        *certificate;
+    let Certificate { deflection: judged, deflection_at_least: least, deflection_error: error, .. } = *certificate;
+    let Certificate { energy_lower: lower, energy_upper: upper, .. } = *certificate;
     let own = largest(state);
     // A bound of more than half the deflection recognises nothing. A beam at rest moves by the rounding of what its loads would
     // do to it, `P l³ / 48 EI`, and of zero outwards.
@@ -330,7 +330,7 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
     let most = error.min(0.5 * judged) + ROUNDING * own + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE;
     // Also true where nothing is finite, which is another refusal's business.
     // Of a beam that may turn another position is as good.
-    let apart = certificate.up_to_a_turn.is_none() && most < (judged - own).abs();
+    let apart = certificate.up_to_a_turn.is_none() && most < (least - own).max(own - judged);
     if apart {
         return Some(Refusal::Deflection { own, judged, error });
     }

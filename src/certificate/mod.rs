@@ -154,6 +154,8 @@ pub struct Certificate {
     pub best_deflection_error: f64,
     /// The largest magnitude of the deflection that was judged, rounded up.
     pub deflection: f64,
+    /// The same, rounded down: what is reached somewhere; zero for a deflection at the nodes of a grid.
+    pub deflection_at_least: f64,
     /// The place about which the beam can turn without a force, if neither supports nor loads say how it stands: the true
     /// deflection is known up to such a turn, and the errors of deflections are those after the best turn.
     pub up_to_a_turn: Option<f64>,
@@ -178,6 +180,7 @@ impl Certificate {
             deflection_error_at: 0.0,
             best_deflection_error: f64::INFINITY,
             deflection: f64::INFINITY,
+            deflection_at_least: 0.0,
             up_to_a_turn: None,
             reactions: vec![None; supports],
             stiffness: None,
@@ -202,6 +205,7 @@ impl Certificate {
             deflection_error_at: error.at * scale.length,
             best_deflection_error: distance::anywhere(pair, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,
+            deflection_at_least: error.least * scale.depth,
             up_to_a_turn: enclosed.balanced_at.filter(|x| pair.turns_about(*x)).map(|x| x * scale.length),
             reactions: reactions(enclosed, pair).into_iter().map(|bracket| bracket.map(force)).collect(),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),

@@ -186,6 +186,14 @@ pub enum SceneError {
         /// The number asked for.
         intervals: usize,
     },
+    /// A grid that there is no memory for.
+    #[error("there is no memory for {intervals} intervals, which take {} MB", bytes / 1_000_000)]
+    NoMemory {
+        /// The number asked for.
+        intervals: usize,
+        /// Bytes that they take.
+        bytes: usize,
+    },
 }
 
 impl SceneError {
@@ -224,7 +232,7 @@ impl SceneError {
             Self::Unheld(_) | Self::OnlySimpleBeam { .. } | Self::SupportBetweenNodes { .. } => {
                 Some(Quantity::Supports)
             }
-            Self::TooFewIntervals { .. } => None,
+            Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Beam;
 use super::error::{SceneError, finite, on_beam};
+use super::pieces;
 use super::quantity::Quantity;
 
 /// A load that varies linearly over a part of the beam (a trapezoid).
@@ -118,22 +119,25 @@ impl Load {
         self.uniform * length + linear + point
     }
 
-    /// The same loads in units of `length` and `force`, both powers of two, so that nothing is rounded.
+    /// The same loads in units of `length` and `force`, both powers of two, so that nothing is rounded but places that are at
+    /// the left support, see [`pieces::place`].
     pub(super) fn scaled(&self, length: f64, force: f64) -> Self {
         let density = |q: f64| q / force * length;
-        Self {
-            uniform: density(self.uniform),
-            linear: self
-                .linear
-                .iter()
-                .map(|q| LinearLoad {
-                    from: q.from / length,
-                    to: q.to / length,
-                    start: density(q.start),
-                    end: density(q.end),
-                })
-                .collect(),
-            point: self.point.iter().map(|p| PointLoad { at: p.at / length, force: p.force / force }).collect(),
+        let place = |x: f64| pieces::place(x / length);
+        let mut point: Vec<PointLoad> =
+            self.point.iter().map(|p| PointLoad { at: place(p.at), force: p.force / force }).collect();
+        let mut linear = Vec::with_capacity(self.linear.len());
+        for q in &self.linear {
+            let part =
+                LinearLoad { from: place(q.from), to: place(q.to), start: density(q.start), end: density(q.end) };
+            if part.from < part.to {
+                linear.push(part);
+            } else {
+                // All of it is at the support.
+                let force = (0.5 * part.start + 0.5 * part.end) * ((q.to - q.from) / length);
+                point.push(PointLoad { at: part.to, force });
+            }
         }
+        Self { uniform: density(self.uniform), linear, point }
     }
 }

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use palkki_evidence::hostile::{Count, Tally};
+use palkki_evidence::hostile::{Count, Tally, seeds};
 use serde::{Deserialize, Serialize};
 
 use crate::{Cause, data, tell, workers};
@@ -64,14 +64,14 @@ impl Family {
     }
 }
 
-/// Runs `0 … runs − 1`, and writes the counts; an error if anything is wrong.
+/// Runs so many seeds, and writes the counts; an error if anything is wrong.
 pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
     // Panics are counted, and their messages are in the way.
     std::panic::set_hook(Box::new(|_| ()));
     let pieces: Vec<u64> = (0..runs.div_ceil(PIECE)).collect();
     let parts = workers::each(&pieces, |piece| {
         let mut tally = Tally::default();
-        (piece * PIECE..runs.min((piece + 1) * PIECE)).for_each(|seed| tally.run(seed));
+        seeds(piece * PIECE..runs.min((piece + 1) * PIECE)).for_each(|seed| tally.run(seed));
         tell(&format!("piece {} of {}", piece + 1, pieces.len()));
         tally
     });

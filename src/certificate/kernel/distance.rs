@@ -59,13 +59,14 @@ pub(crate) struct Error {
     pub(crate) most: f64,
     /// Where it is largest.
     pub(crate) at: f64,
-    /// The largest magnitude of the deflection itself.
+    /// The largest magnitude of the deflection itself: at most, and at least as far as that was looked for.
     pub(crate) size: f64,
+    pub(crate) least: f64,
 }
 
 impl Error {
     /// Nothing is known.
-    pub(crate) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY };
+    pub(crate) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY, least: 0.0 };
 
     /// Takes in a bound on a part, and the largest magnitude of the judged deflection there. No number is no bound.
     fn include(&mut self, bound: f64, size: f64, at: f64) {
@@ -139,7 +140,7 @@ impl Admissible {
 /// samples, the ends of all pieces among them, and its fourth derivative is at most `fourth`.
 fn compare(pair: &Pair, mut samples: impl Iterator<Item = Sample>, fourth: f64, stiffness: f64) -> Error {
     let factor = factor(pair.gap.hi(), stiffness);
-    let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
+    let mut error = Error { most: 0.0, at: 0.0, size: 0.0, least: 0.0 };
     let mut pieces = pair.pieces.iter().map(Admissible::of);
     let mut current = pieces.next();
     let mut left: Option<(Sample, [f64; 2])> = None;
@@ -195,7 +196,8 @@ pub(crate) fn of_pieces(pair: &Pair, judged: &[([f64; 2], Polynomial)], stiffnes
         std::iter::once(from).chain(between(&pair.pieces, *cell, length)).chain([cell[1]]).map(sample)
     });
     let error = compare(pair, samples, most, stiffness);
-    Error { size: error.size.min(largest(judged.iter().copied())), ..error }
+    let size = largest(judged.iter().copied());
+    Error { size: error.size.min(size.hi()), least: size.lo(), ..error }
 }
 
 /// The error of the deflection that the places of a witness make, off which `v̂` was lifted.
@@ -203,7 +205,7 @@ pub(crate) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> Error {
     let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
     let [gap, lifted] = [anywhere(pair, stiffness, length), pair.lifted].map(Interval::exact);
     let most = (gap + lifted).hi();
-    if most.is_finite() { Error { most, at: 0.5 * length, size } } else { Error::UNKNOWN }
+    if most.is_finite() { Error { most, at: 0.5 * length, size: size.hi(), least: size.lo() } } else { Error::UNKNOWN }
 }
 
 /// The error of the cubics between the nodes of a grid, with the given deflections and moments at both ends of each. Supports

@@ -20,6 +20,8 @@ const CELLS_IN_A_WAVE: f64 = 32.0;
 /// `(π/16)^10 / 10! < 3e-14` of the largest depth. Beyond the last limit enclosures are wider.
 const CELLS_PER_DEGREE: usize = 16;
 const MOST_CELLS_OF_A_POLYNOMIAL: usize = 1024;
+/// Coefficients of a long polynomial that are expanded to enclose the remainder of [`TERMS`] of them.
+const EXPANDED: usize = 24;
 
 impl<'a> EnclosedFoundation<'a> {
     pub(crate) fn on(given: &'a Foundation, length: f64) -> Self {
@@ -141,18 +143,27 @@ fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
     Polynomial::new(&[value, slope])
 }
 
-/// Taylor's polynomial about an origin, for a cell; terms beyond those that are kept become the remainder of Lagrange.
+/// Taylor's polynomial about an origin, for a cell. Terms beyond those that are kept become the remainder of Lagrange: the last
+/// coefficient is then that of Taylor's polynomial at any place of the cell.
 fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial {
+    let exact: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
     let Some(degree) = long_degree(given) else {
-        let mut shifted: Vec<Interval> = given.iter().take(TERMS).map(|&c| Interval::exact(c)).collect();
-        shift(&mut shifted, Interval::exact(origin));
+        let mut shifted = exact[..given.len().min(TERMS)].to_vec();
+        shift(&mut shifted, Interval::exact(origin), TERMS.min(given.len()));
         return Polynomial::new(&shifted);
     };
-    let mut taylor = expanded(&given[..=degree], origin);
+    let given = &given[..=degree];
+    let mut taylor = expanded(given, origin, given.len().min(EXPANDED));
+    let last = taylor.len() - 1;
+    if taylor.len() < given.len() {
+        // Of terms so high next to nothing is left over a cell.
+        let mut anywhere = exact[..given.len()].to_vec();
+        shift(&mut anywhere, Interval::between(from, to), taylor.len());
+        taylor[last] = anywhere[last];
+    }
     if TERMS < taylor.len() {
-        // The coefficient of the remainder: that of Taylor's polynomial at any place of the cell.
         let mut anywhere = taylor.clone();
-        shift(&mut anywhere, Interval::between(from, to) - Interval::exact(origin));
+        shift(&mut anywhere, Interval::between(from, to) - Interval::exact(origin), TERMS);
         taylor[TERMS - 1] = anywhere[TERMS - 1];
     }
     Polynomial::new(&taylor)

@@ -90,7 +90,7 @@ impl Polynomial {
     /// The same polynomial with its origin moved to `s`.
     pub(crate) fn shifted(&self, s: Interval) -> Self {
         let mut shifted = *self;
-        shift(&mut shifted.coefficients[..self.terms], s);
+        shift(&mut shifted.coefficients[..self.terms], s, self.terms);
         shifted
     }
 
@@ -142,25 +142,26 @@ impl Polynomial {
     }
 }
 
-/// Moves the origin of a polynomial with any number of coefficients to `s`.
-pub(crate) fn shift(coefficients: &mut [Interval], s: Interval) {
-    for start in 0..coefficients.len() {
+/// Moves the origin of a polynomial with any number of coefficients to `s`, as far as its first coefficients go; those behind them
+/// are of no use then.
+pub(crate) fn shift(coefficients: &mut [Interval], s: Interval, terms: usize) {
+    for start in 0..terms {
         for j in (start..coefficients.len() - 1).rev() {
             coefficients[j] = coefficients[j] + coefficients[j + 1] * s;
         }
     }
 }
 
-/// Taylor coefficients about `x` of the polynomial with these coefficients in powers of the place. Each is carried as a number
-/// and an interval that holds what it is off by, so that what is lost is of the size of the square of a rounding.
-pub(crate) fn expanded(given: &[f64], x: f64) -> Vec<Interval> {
+/// The first Taylor coefficients about `x` of the polynomial with these coefficients in powers of the place. Each is carried as
+/// a number and an interval that holds what it is off by, so that what is lost is of the size of the square of a rounding.
+pub(crate) fn expanded(given: &[f64], x: f64, terms: usize) -> Vec<Interval> {
     let mut taylor: Vec<(f64, Interval)> = given.iter().map(|&c| (c, Interval::ZERO)).collect();
-    for start in 0..taylor.len() {
+    for start in 0..terms {
         for j in (start..taylor.len() - 1).rev() {
             taylor[j] = carried(taylor[j + 1], x, taylor[j]);
         }
     }
-    taylor.into_iter().map(|(c, off)| Interval::exact(c) + off).collect()
+    taylor.into_iter().take(terms).map(|(c, off)| Interval::exact(c) + off).collect()
 }
 
 /// `a x + b`, rounded, and what it is off by.

@@ -71,3 +71,24 @@ fn a_subcommand_that_loses_its_reader_has_no_success() {
         assert!(output.status.code() == Some(2), "{arguments}: {:?} {err}", output.status);
     }
 }
+
+/// The shell limits the memory to less than a fine grid takes: that is said beforehand, and nothing is aborted.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_grid_that_there_is_no_memory_for_is_refused() {
+    let folder = Folder::new("little_memory");
+    let program = env!("CARGO_BIN_EXE_palkki");
+    for (route, intervals, code, message) in [
+        ("--method force", 10_000_000, 2, "there is no memory for 10000000 intervals, which take 1000 MB"),
+        ("--method displacement --solver clarabel", 99_999, 1, "there is no memory for 99998 unknowns, which take"),
+    ] {
+        let script =
+            format!("ulimit -c 0; ulimit -v 200000; exec {program} solve example.toml {route} --intervals {intervals}");
+        let output =
+            Command::new("sh").args(["-c", &script]).current_dir(folder.path("")).output().expect("the program runs");
+        let text = [output.stdout, output.stderr].concat();
+        let text = String::from_utf8_lossy(&text);
+        assert_eq!(output.status.code(), Some(code), "{route}: {text}");
+        assert!(text.contains(message), "{route}: {text}");
+    }
+}

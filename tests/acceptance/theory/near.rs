@@ -68,3 +68,29 @@ fn a_force_beside_a_kink_has_the_energy_of_one_on_it() {
         assert!((energy - -127.265_820_8).abs() < 1e-6, "{energy} for a force at {at}");
     }
 }
+
+/// Beside the left support numbers are as close as `5·10⁻³²⁴`, beside the other one they are not.
+#[test]
+fn a_load_beside_the_left_support_is_at_it() {
+    let beam = Beam::new(LENGTH, 400.0).expect("a beam");
+    for foundation in foundations() {
+        for x in [0.0_f64.next_up(), 1e-300, 1e-40, 1e-17] {
+            let point =
+                |at: f64| Load::new(&beam, 10.0, Vec::new(), vec![PointLoad { at, force: -300.0 }]).expect("a load");
+            let part = |from: f64, to: f64| LinearLoad { from, to, start: 100.0, end: 300.0 };
+            let linear = |part: LinearLoad| Load::new(&beam, 10.0, vec![part], Vec::new()).expect("a load");
+            let none = Load::new(&beam, 10.0, Vec::new(), Vec::new()).expect("a load");
+            let pairs = [
+                [point(x), point(0.0)],
+                [linear(part(x, LENGTH)), linear(part(0.0, LENGTH))],
+                [linear(part(0.0, x)), none],
+            ];
+            for [beside, at] in pairs.map(|pair| pair.map(|load| solved(beam, load, &foundation))) {
+                assert_eq!(beside.status, Status::Certified, "{foundation:?}, {x:e}: {:?}", beside.violations);
+                assert!((beside.state.energy / at.state.energy - 1.0).abs() <= DIGITS, "{foundation:?}, {x:e}");
+                let [left, held] = [&beside, &at].map(|exact| exact.state.reactions.left);
+                assert!((left - held).abs() <= 1e-9 * held.abs(), "{foundation:?}, {x:e}: {left} and {held}");
+            }
+        }
+    }
+}

@@ -3,15 +3,15 @@
 mod corpus;
 mod mutate;
 
-use palkki_evidence::hostile::Tally;
+use palkki_evidence::hostile::{Count, Tally, seeds};
 
 /// Runs of the whole program in the suite; `cargo xtask hostile` makes more, with other seeds.
-const RUNS: u64 = 200;
+const RUNS: u64 = 300;
 
 #[test]
 fn random_scenes_get_right_answers_or_none() {
     let mut tally = Tally::default();
-    for seed in 0..RUNS {
+    for seed in seeds(0..RUNS) {
         let mut one = Tally::default();
         one.run(seed);
         tally.join(one);
@@ -22,7 +22,7 @@ fn random_scenes_get_right_answers_or_none() {
     assert!(RUNS < 2 * certified as u64, "{certified} of {RUNS} scenes have a certified answer: {tally:#?}");
     // A judge that refuses right answers is no judge either.
     let bounded: usize = tally.families.values().map(|count| count.bounded).sum();
-    assert!(97 * certified <= 100 * bounded, "bounds back only {bounded} of {certified}: {tally:#?}");
+    assert!(99 * certified <= 100 * bounded, "bounds back only {bounded} of {certified}: {tally:#?}");
     // One run in eight is asked for the same in other units, and of these most have an answer there.
     let rescaled: u64 = tally.families.values().map(|count| count.rescaled as u64).sum();
     assert!(RUNS < 16 * rescaled, "{rescaled} of {RUNS} answers are compared with those in other units");
@@ -41,4 +41,17 @@ fn what_was_wrong_once_is_right() {
     let mut tally = Tally::default();
     ONCE_WRONG.iter().for_each(|&seed| tally.run(seed));
     assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
+}
+
+/// Right answers that were refused: their largest deflection was compared with an upper bound that is some `10⁻¹²` too large, and
+/// not with what it lies between. Bumps, a polynomial of high degree and waves.
+const ONCE_REFUSED: [u64; 3] = [4_294_969_607, 4_294_967_426, 4_294_968_877];
+
+#[test]
+fn what_was_refused_once_is_certified() {
+    let mut tally = Tally::default();
+    ONCE_REFUSED.iter().for_each(|&seed| tally.run(seed));
+    let [certified, bounded] = [|count: &Count| count.exact[0], |count: &Count| count.bounded]
+        .map(|of| tally.families.values().map(of).sum::<usize>());
+    assert_eq!([certified, bounded], [ONCE_REFUSED.len(); 2], "{tally:#?}");
 }

@@ -4,6 +4,7 @@
 mod draft;
 mod edges;
 mod laws;
+mod near;
 mod scenes;
 mod tally;
 mod trial;
@@ -11,6 +12,14 @@ mod units;
 
 pub use scenes::Family;
 pub use tally::{Count, Tally};
+
+/// The first seed of the second dice, see [`seeds`].
+pub(crate) const SECOND: u64 = 1 << 32;
+
+/// The seeds of so many runs: of every three, two of the first dice and one of the second.
+pub fn seeds(runs: std::ops::Range<u64>) -> impl Iterator<Item = u64> {
+    runs.map(|run| if run % 3 == 2 { SECOND + run / 3 } else { run - run / 3 })
+}
 
 /// The scene file of a run, and what is wrong with it as comments.
 #[must_use]

@@ -4,6 +4,7 @@ use crate::random::Random;
 
 use super::draft::{Draft, Ground};
 use super::edges::{borders, extreme, spiky};
+use super::near::{bumps, coincident, high_degree, waves};
 
 /// What a scene tries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,12 +23,22 @@ pub enum Family {
     Spiky,
     /// Loads that push up, cancel, stand on supports; a foundation that pushes the beam up.
     Lifting,
+    /// Loads beside points of the ground, supports and other loads, from the last bit to a millionth of the beam away.
+    Coincident,
+    /// Bumps of the ground that tie but for a hundred-millionth.
+    Bumps,
+    /// Polynomials of degree 10 to 20.
+    HighDegree,
+    /// From ten to a thousand waves.
+    Waves,
 }
 
 impl Family {
-    /// All of them.
-    pub const ALL: [Self; 7] =
+    /// Those that a seed below [`SECOND`](super::SECOND) chooses from: a longer list would give every seed another scene.
+    pub(super) const FIRST: [Self; 7] =
         [Self::Ordinary, Self::Ties, Self::Rough, Self::Extreme, Self::Borders, Self::Spiky, Self::Lifting];
+    /// Those that the other seeds choose from.
+    pub(super) const SECOND: [Self; 4] = [Self::Coincident, Self::Bumps, Self::HighDegree, Self::Waves];
 
     /// Its name in tables.
     #[must_use]
@@ -40,6 +51,10 @@ impl Family {
             Self::Borders => "borders",
             Self::Spiky => "spiky",
             Self::Lifting => "lifting",
+            Self::Coincident => "coincident",
+            Self::Bumps => "bumps",
+            Self::HighDegree => "high degree",
+            Self::Waves => "waves",
         }
     }
 
@@ -53,6 +68,10 @@ impl Family {
             Self::Borders => borders(random),
             Self::Spiky => spiky(random),
             Self::Lifting => lifting(random),
+            Self::Coincident => coincident(random),
+            Self::Bumps => bumps(random),
+            Self::HighDegree => high_degree(random),
+            Self::Waves => waves(random),
         }
     }
 }
@@ -183,7 +202,7 @@ pub(super) fn ties(random: &mut Random) -> Draft {
     Draft { length, stiffness, uniform, linear, point, ground }
 }
 
-fn rough(random: &mut Random) -> Draft {
+pub(super) fn rough(random: &mut Random) -> Draft {
     let draft = beam_with_loads(random, 12);
     let l = draft.length;
     let depth = sag(&draft) * power(random, -7.0, 0.0);

@@ -1,0 +1,68 @@
+//! Scene files below 64 KB that once took minutes: what they cost is counted, and does not depend on the machine.
+
+use palkki::adaptive::{Request, adapt};
+use palkki::route::{Method, Solver};
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
+use palkki::{Settings, solve_raw, theory};
+use palkki_evidence::random::Random;
+
+const LENGTH: f64 = 100.0;
+
+fn scene(stiffness: f64, uniform: f64, point: Vec<PointLoad>, foundation: Foundation) -> Scene {
+    let beam = Beam::new(LENGTH, stiffness).expect("a beam");
+    let load = Load::new(&beam, uniform, Vec::new(), point).expect("a load");
+    Scene::new(beam, load, Some(foundation)).expect("a scene")
+}
+
+/// Ground by so many equal segments, with this depth at a share of the beam.
+fn survey(segments: u32, mut depth: impl FnMut(f64) -> f64) -> Foundation {
+    let shares = (0..=segments).map(|i| f64::from(i) / f64::from(segments));
+    Foundation::Polyline { points: shares.map(|t| [LENGTH * t, depth(t)]).collect() }
+}
+
+/// One scene of each kind: rough and smooth surveys, a thousand waves, 1750 point loads, 301 coefficients, nothing special.
+fn kinds() -> Vec<(&'static str, Scene)> {
+    let turn = std::f64::consts::TAU;
+    let mut random = Random::new(13);
+    let rough = survey(2000, |_| random.between(0.5, 0.8));
+    let hard = |t: f64| 1.0 - 0.5 * (turn * t).cos() + 0.01 * (30.0 * turn * t).sin();
+    let points = (0..1750).map(|_| PointLoad { at: random.between(0.0, LENGTH), force: random.between(-0.5, 2.0) });
+    let points: Vec<PointLoad> = points.collect();
+    let waves = |amplitude| Foundation::Cosine { mean: 1.0, amplitude, wavelength: LENGTH / 1000.0, phase: 0.0 };
+    let coefficients = (0..=300).map(|j| random.between(0.1, 1.0) / (0.5 * LENGTH).powi(j)).collect();
+    vec![
+        ("plain", scene(13.0, 1.0, Vec::new(), Foundation::Flat { depth: 1.0 })),
+        ("rough survey", scene(1.0, 10.0, Vec::new(), rough)),
+        ("smooth survey", scene(10.0, 1.0, Vec::new(), survey(4000, |t| 1.0 - 0.5 * (turn * t).cos()))),
+        ("smooth survey in contact", scene(1.0, 100.0, Vec::new(), survey(2600, hard))),
+        ("waves", scene(100.0, 1.0, Vec::new(), waves(0.3))),
+        ("waves in contact", scene(1.0, 1000.0, Vec::new(), waves(1e-3))),
+        ("point loads", scene(10.0, 0.0, points, Foundation::Flat { depth: 1.0 })),
+        ("polynomial", scene(10.0, 10.0, Vec::new(), Foundation::Polynomial { coefficients })),
+    ]
+}
+
+/// Twice what was counted at the most: lists of contacts and Newton steps of the exact solution, solves of the whole grid by the
+/// active set (how often its unknowns are gone through), unknowns on all grids of an adaptive run.
+const LISTS: usize = 64;
+const STEPS: usize = 2000;
+const SOLVES: usize = 60;
+const ADAPTED: usize = 12_000_000;
+
+#[test]
+fn small_files_are_little_work() {
+    for (kind, scene) in kinds() {
+        let exact = theory::solve(&scene).expect("an answer");
+        let [lists, steps] = [exact.lists, exact.iterations];
+        assert!(lists <= LISTS && steps <= STEPS, "{kind}: {lists} lists, {steps} steps");
+        for method in Method::ALL {
+            for intervals in [30, 10_000] {
+                let raw = solve_raw(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).expect("an answer");
+                assert!(raw.work <= SOLVES * raw.unknowns, "{kind}, {method}, {intervals} intervals: {}", raw.work);
+            }
+        }
+        let adapted = adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-3)).expect("an answer");
+        let work: usize = adapted.trials.iter().map(|trial| trial.work).sum();
+        assert!(work <= ADAPTED, "{kind}: {work}");
+    }
+}

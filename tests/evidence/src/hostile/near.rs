@@ -1,0 +1,130 @@
+//! Scenes of numbers that are close together, or far larger than what they add up to: places that nearly coincide, bumps that
+//! tie, polynomials of high degree, waves without number.
+
+use crate::random::Random;
+
+use super::draft::{Draft, Ground};
+use super::scenes::{beam_with_loads, ordinary, power, rough, sag, ties};
+
+/// One unit in the last place up or down, or a share of the length.
+fn beside(random: &mut Random, x: f64, length: f64) -> f64 {
+    let share = random.pick(&[1e-12, 1e-9, 1e-6]);
+    let moved = match random.below(4) {
+        0 => x.next_up(),
+        1 => x.next_down(),
+        2 => x + share * length,
+        _ => x - share * length,
+    };
+    moved.clamp(0.0, length)
+}
+
+/// An ordinary scene, a rough one or one of ties, in which loads stand or end beside points of the ground, supports and other
+/// loads.
+pub(super) fn coincident(random: &mut Random) -> Draft {
+    let mut draft = match random.below(3) {
+        0 => ordinary(random),
+        1 => rough(random),
+        _ => ties(random),
+    };
+    let length = draft.length;
+    if draft.point.is_empty() {
+        draft.point.push([random.between(0.0, length), length * random.between(-0.3, 0.7)]);
+    }
+    let mut places = vec![0.0, length];
+    places.extend(draft.point.iter().map(|p| p[0]));
+    places.extend(draft.linear.iter().flat_map(|part| [part[0], part[1]]));
+    if let Ground::Points(points) = &draft.ground {
+        // Mostly these.
+        places.extend(points.iter().chain(points).chain(points).map(|p| p[0]));
+    }
+    let place = |random: &mut Random| {
+        let x = places[random.below(places.len())];
+        beside(random, x, length)
+    };
+    for point in &mut draft.point {
+        point[0] = place(random);
+    }
+    for part in &mut draft.linear {
+        let moved = place(random);
+        let end = random.below(2);
+        part[end] = moved;
+        (part[0], part[1]) = (part[0].min(part[1]), part[0].max(part[1]));
+    }
+    draft
+}
+
+/// Bumps as high as each other but for a hundred-millionth, by points, waves or a polynomial.
+pub(super) fn bumps(random: &mut Random) -> Draft {
+    let draft = beam_with_loads(random, 3);
+    let l = draft.length;
+    let depth = sag(&draft) * power(random, -4.0, 0.0);
+    let tie = 1e-8 * random.pick(&[0.0, 1.0, -1.0]);
+    let count = u32::try_from(2 + random.below(6)).unwrap_or(2);
+    let ground = match random.below(3) {
+        0 => {
+            let place = |k: u32| l * f64::from(k) / f64::from(2 * count);
+            let height = |k: u32| match k % 2 {
+                1 => depth * if k < count { 1.0 + tie } else { 1.0 },
+                _ => 3.0 * depth,
+            };
+            Ground::Points((0..=2 * count).map(|k| [place(k), height(k)]).collect())
+        }
+        1 => Ground::Cosine([2.0 * depth, depth, l / f64::from(count) * (1.0 + tie), 0.0]),
+        _ => {
+            // Two bumps at the roots of (x − a)² (x − b)², one of them lower by a line through the other.
+            let (a, b) = (l * random.between(0.1, 0.4), l * random.between(0.6, 0.9));
+            let [sum, product] = [a + b, a * b];
+            let unit = depth / (l * l * l * l);
+            let square = [product * product, -2.0 * sum * product, sum * sum + 2.0 * product, -2.0 * sum, 1.0];
+            let mut c: Vec<f64> = square.iter().map(|c| 16.0 * c * unit).collect();
+            c[0] += depth;
+            c[1] += tie * depth / l;
+            Ground::Polynomial(c)
+        }
+    };
+    Draft { ground, ..draft }
+}
+
+/// A sum of Chebyshev's polynomials up to a degree from 10 to 20, in powers of the place.
+pub(super) fn high_degree(random: &mut Random) -> Draft {
+    let mut draft = beam_with_loads(random, 3);
+    // Coefficients without rounding, half of the time.
+    if random.once_in(2) {
+        draft.length = random.pick(&[1.0, 8.0, 1024.0]);
+        (draft.linear, draft.point) = (Vec::new(), vec![[random.between(0.0, draft.length), draft.length]]);
+    }
+    let degree = 10 + random.below(11);
+    let depth = sag(&draft) * power(random, -4.0, 1.0);
+    let alone = random.once_in(2);
+    let (mut last, mut this) = (vec![1.0], vec![-1.0, 2.0]);
+    let mut sum = vec![depth * random.between(1.0, 1.5)];
+    sum.resize(degree + 1, 0.0);
+    for k in 1..=degree {
+        let share = if alone { f64::from(u8::from(k == degree)) } else { 0.5 * random.between(-1.0, 1.0) };
+        sum.iter_mut().zip(&this).for_each(|(sum, c)| *sum += depth * share * c);
+        // T_{k+1} = 2 (2x/l − 1) T_k − T_{k−1}.
+        let mut next = vec![0.0; this.len() + 1];
+        for (j, c) in this.iter().enumerate() {
+            next[j] -= 2.0 * c;
+            next[j + 1] += 4.0 * c;
+        }
+        next.iter_mut().zip(&last).for_each(|(next, last)| *next -= last);
+        (last, this) = (this, next);
+    }
+    let mut unit = 1.0;
+    for c in &mut sum {
+        *c /= unit;
+        unit *= draft.length;
+    }
+    Draft { ground: Ground::Polynomial(sum), ..draft }
+}
+
+/// Waves by the dozen, and now and then by the hundred and the thousand, which takes theory seconds.
+pub(super) fn waves(random: &mut Random) -> Draft {
+    let draft = beam_with_loads(random, 3);
+    let depth = sag(&draft) * power(random, -4.0, 0.0);
+    let most = if random.once_in(50) { 3.0 } else { 2.0 };
+    let wavelength = draft.length / power(random, 1.0, most);
+    let amplitude = depth * power(random, -6.0, 0.0);
+    Draft { ground: Ground::Cosine([depth + amplitude, amplitude, wavelength, random.between(0.0, 6.3)]), ..draft }
+}
