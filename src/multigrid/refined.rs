@@ -104,7 +104,7 @@ mod tests {
             // Nothing.
             (flags(&[(39, off)]), flags(&[(79, off)])),
         ] {
-            assert_eq!(refined(&coarse, fine.dimension() + 1), fine);
+            assert_eq!(refined(&coarse, fine.dimension() + 1, [true; 2]), fine);
         }
     }
 
@@ -114,7 +114,7 @@ mod tests {
         for pattern in 0..1_u32 << 9 {
             let contact: FreeSet = (0..9).map(|k| pattern >> k & 1 == 1).collect();
             for intervals in [20, 21, 23, 80, 87] {
-                let fine = refined(&contact, intervals);
+                let fine = refined(&contact, intervals, [true; 2]);
                 assert_eq!(fine.dimension(), intervals - 1);
                 assert_eq!(fine.iter().any(|touches| touches), pattern != 0, "{contact:?} on {intervals} intervals");
             }

@@ -162,6 +162,13 @@ impl Layer {
         Self::named(points, style, "")
     }
 
+    /// Two simple supports at the ends of a beam from 0 to `length`, at level 0.
+    #[must_use]
+    pub fn simple_supports(length: f64) -> Self {
+        let ends = [(0.0, SupportKind::Hinge), (length, SupportKind::Roller)];
+        Self::Supports(ends.map(|(x, kind)| SupportMark { at: [x, 0.0], kind }).to_vec())
+    }
+
     /// A line, markers, or both, with a name.
     pub fn named(points: Vec<Place>, style: Style, label: impl Into<String>) -> Self {
         Self::Series { points, style, label: label.into() }

@@ -8,7 +8,6 @@
 //! contact     h ≥ 0,  forces and pressure ≥ 0,  h = 0 where they act
 //! ```
 
-use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::theory::{Exact, TheoryError, solve};
 use palkki_evidence::random::{Random, held};
@@ -124,7 +123,7 @@ fn random_beams_meet_the_definition() {
     for i in 0..300 {
         let scene = held(i);
         match solve(&scene) {
-            Ok(exact) if exact.status == Status::Certified => {
+            Ok(exact) if exact.solved => {
                 certified += 1;
                 let wrong = wrong(&scene, &exact);
                 assert!(wrong.is_empty(), "{i}: {wrong:#?}\n{scene:#?}\n{:#?}", exact.state);
@@ -151,7 +150,7 @@ fn same(what: &str, found: &[f64], expected: &[f64], scale: f64) {
 }
 
 fn certified(scene: &Scene) -> Option<Exact> {
-    solve(scene).ok().filter(|exact| exact.status == Status::Certified)
+    solve(scene).ok().filter(|exact| exact.solved)
 }
 
 /// Ground + a + bx has the same forces under a free body, and its mirror image the mirrored ones.

@@ -85,8 +85,8 @@ fn a_load_beside_the_left_support_is_at_it() {
                 [linear(part(x, LENGTH)), linear(part(0.0, LENGTH))],
                 [linear(part(0.0, x)), none],
             ];
-            for [beside, at] in pairs.map(|pair| pair.map(|load| solved(beam, load, &foundation))) {
-                assert_eq!(beside.status, Status::Certified, "{foundation:?}, {x:e}: {:?}", beside.violations);
+            for [beside, at] in pairs.map(|pair| pair.map(|load| solved(&beam, load, &foundation))) {
+                assert!(beside.solved, "{foundation:?}, {x:e}: {:?}", beside.violations);
                 assert!((beside.state.energy / at.state.energy - 1.0).abs() <= DIGITS, "{foundation:?}, {x:e}");
                 let [left, held] = [&beside, &at].map(|exact| exact.state.reactions.left);
                 assert!((left - held).abs() <= 1e-9 * held.abs(), "{foundation:?}, {x:e}: {left} and {held}");

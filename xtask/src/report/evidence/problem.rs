@@ -42,8 +42,8 @@ fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     let full = curves.point_forces.iter().fold(0.0_f64, |most, f| most.max(f.force));
     let name = |force: f64| if force < full { "" } else { "contact force " };
     let contact = curves.point_forces.iter().map(|f| arrow(name(f.force), f.force, [f.at, at(f.at)])).collect();
-    let reactions = curves.reactions;
-    let reactions = vec![arrow("reaction ", reactions.left, [0.0, 0.0]), arrow("", reactions.right, [l, 0.0])];
+    let names = std::iter::once("reaction ").chain(std::iter::repeat(""));
+    let reactions = curves.supports.iter().zip(names).map(|(s, name)| arrow(name, s.force, [s.at, 0.0])).collect();
     let arrows = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
     let q = scene.load().uniform();
     let load = LoadSketch {
@@ -70,7 +70,7 @@ fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
             style: Style { width: 3, ..Style::theory() },
             label: String::new(),
         })
-        .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
+        .with(Layer::simple_supports(l))
         .with(Layer::Series { points: deflected.clone(), style: Style::solid(Color::BLUE), label: String::new() })
         .with(Layer::Series {
             points: vec![[lifted, at(lifted)], [lifted, scene.depth(lifted)]],

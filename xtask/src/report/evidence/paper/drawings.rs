@@ -147,7 +147,7 @@ pub(super) fn shape(title: &str, theory: &Theory, methods: &[Nodal<'_>]) -> Resu
         .room(40.0, 60.0)
         .with(Layer::Foundation { points: vec![[0.0, DEPTH], [l, DEPTH]] })
         .with(beam([0.0, l]))
-        .with(Layer::Supports { at: [[0.0, 0.0], [l, 0.0]] })
+        .with(Layer::simple_supports(l))
         .with(Layer::line(line, Style::theory()));
     let mut differences = Panel::new(along([0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
         .tall(460.0)
