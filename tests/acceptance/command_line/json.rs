@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{EXAMPLE, Folder, scene};
 
 /// Keys of the contract in its order, with those that we add.
-pub(super) const KEYS: [&str; 20] = [
+pub(super) const KEYS: [&str; 21] = [
     "scene",
     "method",
     "solver",
@@ -21,6 +21,7 @@ pub(super) const KEYS: [&str; 20] = [
     "iterations",
     "seconds",
     "reactions",
+    "supports",
     "contacts",
     "contact_force",
     "deflection",
@@ -61,6 +62,7 @@ fn json_of_solve_has_the_shape_of_the_contract() {
     );
     assert!(json["seconds"].as_f64().is_some_and(|seconds| 0.0 < seconds), "the solve takes time");
     check_keys(&json["reactions"], &["left", "right"]);
+    check_keys(&json["supports"][0], &["at", "force", "moment"]);
     check_keys(&json["contacts"][0], &["from", "to", "force"]);
     check_keys(&json["deflection"], &["max", "at", "min", "min_at"]);
     check_keys(&json["moment"], &["max", "max_at", "min", "min_at"]);
@@ -116,7 +118,7 @@ fn compare_has_every_method_with_every_solver() {
     let routes = json["routes"].as_array().expect("an array");
     for route in routes {
         let errors = ["solver_error", "model_error"];
-        let keys: Vec<&str> = KEYS[1..19].iter().copied().chain(errors).collect();
+        let keys: Vec<&str> = KEYS[1..20].iter().copied().chain(errors).collect();
         check_keys(route, &keys);
         assert!(route["certificate"]["deflection_error"].is_number(), "every route has its certified error: {route}");
     }
