@@ -1,7 +1,8 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::bernstein::lowest_below;
-use super::list::{Beside, Kind, List, Node, Unknown};
+use super::forces::{forces, moments, pulling_couple, unbalanced};
+use super::list::{Beside, Kind, List, Unknown};
 use super::newton;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
@@ -298,109 +299,5 @@ impl Scale {
     /// where its highest powers have grown.
     fn depth_at(&self, given: &PiecewiseScene, x: f64) -> f64 {
         self.deflection.max(AT_REST * given.magnitude_at(x))
-    }
-}
-
-/// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, with nothing beyond the ends of the beam; at a support without
-/// the load `P` that stands on it.
-fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
-    // The profile has breaks of its depth and slope only: g''' is the same on both sides of a contact, and h''' will do.
-    let last = given.cells.len() - 1;
-    let of_zone = |node: usize, cell: usize| given.derivative(cell, list.nodes[node].x, 3);
-    let mut forces: Vec<f64> = Vec::with_capacity(list.nodes.len());
-    for (i, node) in list.nodes.iter().enumerate() {
-        let in_beam = !node.can_move() && !node.is_edge();
-        let mut force = match node.kind {
-            Kind::Support(..) => 0.0,
-            _ => given.force_at(node.x, node.cell),
-        };
-        if in_beam {
-            // Beside a zone the beam is the profile.
-            if list.in_zone_before(i) {
-                force += of_zone(i, given.cell_to(node.x));
-            }
-            if list.in_zone_before(i + 1) {
-                force -= of_zone(i, given.cell_from(node.x).min(last));
-            }
-        }
-        forces.push(force);
-    }
-    for (i, span) in spans {
-        if let Some(left) = i.checked_sub(1) {
-            let node = &list.nodes[left];
-            forces[left] += match node.can_move() || node.is_edge() && span.a.x > 0.0 {
-                true => span.at_a[3],
-                false => -span.beam_a[3],
-            };
-        }
-        if let (Some(force), Some(node)) = (forces.get_mut(*i), list.nodes.get(*i)) {
-            *force -= match node.can_move() || node.is_edge() && span.b.x < given.length {
-                true => span.at_b[3],
-                false => -span.beam_b[3],
-            };
-        }
-    }
-    forces
-}
-
-/// Moments `−v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
-fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
-    let mut moments = vec![[0.0; 2]; list.nodes.len()];
-    for (i, node) in list.nodes.iter().enumerate() {
-        if list.in_zone_before(i) {
-            moments[i][0] = -given.derivative(given.cell_to(node.x), node.x, 2);
-        }
-        if list.in_zone_before(i + 1) {
-            moments[i][1] = -given.derivative(given.cell_from(node.x), node.x, 2);
-        }
-    }
-    for (i, span) in spans {
-        if let Some(left) = i.checked_sub(1) {
-            moments[left][1] = -span.beam_a[2];
-        }
-        if let Some(moment) = moments.get_mut(*i) {
-            moment[0] = -span.beam_b[2];
-        }
-    }
-    moments
-}
-
-/// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
-pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
-    let (first, last) = (given.cell_from(from), given.cell_to(to));
-    let mut sum = 0.0;
-    for cell in first..=last.max(first) {
-        let c = &given.cells[cell];
-        let (lo, hi) = (c.lo.max(from), c.hi.min(to));
-        if lo < hi {
-            sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
-        }
-    }
-    sum += given.breakpoints_inside(from, to).map(|j| given.breakpoints[j].force).sum::<f64>();
-    sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
-}
-
-/// What is left of the load when reactions and contact forces are taken off.
-fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) -> f64 {
-    let zones = list.zones().into_iter().map(|(from, to)| zone_force(given, from, to));
-    let at_supports: f64 = given.supports.iter().map(|support| given.breakpoints[support.breakpoint].force).sum();
-    let of = |support: bool| move |(node, _): &(&Node, &f64)| node.support().is_some() == support;
-    let pairs = || list.nodes.iter().zip(forces);
-    let carried = pairs().filter(of(true)).fold(given.resultant - at_supports, |rest, (_, force)| rest - force);
-    carried - pairs().filter(of(false)).map(|(_, force)| force).sum::<f64>() - zones.sum::<f64>()
-}
-
-/// By how much the ground and the support `index` would have to pull at each other, if `jump` is the moment to the right of the
-/// support less that to its left. Ground on the right of a support pushes up there and the support down: a negative jump; ground
-/// on the left a positive one. [`None`] where ground holds the slope on neither side, or could on both.
-fn pulling_couple(given: &PiecewiseScene, index: usize, beside: [Beside; 2], jump: f64) -> Option<f64> {
-    let support = &given.supports[index];
-    let pinned = beside.iter().position(|&beside| beside != Beside::Apart)?;
-    let level =
-        support.slope.is_none() && support.grounded == [true; 2] && given.breakpoints[support.breakpoint].kink == 0.0;
-    match (level, pinned) {
-        (true, _) => None,
-        (false, 1) => Some(jump),
-        (false, _) => Some(-jump),
     }
 }

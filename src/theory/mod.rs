@@ -2,13 +2,15 @@
 //!
 //! The exact solution is a short list: points of contact (place, force) and zones of contact (from, to, pressure
 //! `q − EI u''''`, a concentrated force at each end). Between them the beam is a polynomial that its two ends determine.
-//! Unknown are only the places where it lifts off:
+//! It is held by its nodes: supports and contacts, in one list from left to right. Unknown are only the places where it lifts off,
+//! and its slopes at inner supports and edges:
 //!
 //! 1. `piecewise`, `breakpoints`, `shape`, `tension`: profile and load as functions by pieces, and where a zone would pull.
 //! 2. `chain`, `guess`: a first idea of the list, from a chain of links above samples of the profile.
-//! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for its lift-off positions.
-//! 4. `check`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
-//! 5. `repair`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
+//! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for them.
+//! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
+//! 5. `repair`, `normal`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
+//!    `neutral` has the beams that rest on one place and may turn there.
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
@@ -24,6 +26,7 @@ mod check;
 pub mod closed;
 mod cosine;
 mod exact;
+mod forces;
 mod gauss;
 mod guess;
 mod list;

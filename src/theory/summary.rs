@@ -1,7 +1,7 @@
 //! Reactions, contacts, extremes and energy of a list, in the units of the scene.
 
 use super::bernstein::{range, sign_changes};
-use super::check::zone_force;
+use super::forces::zone_force;
 use super::list::{Kind, List};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;

@@ -62,6 +62,7 @@ fn json_of_solve_has_the_shape_of_the_contract() {
     );
     assert!(json["seconds"].as_f64().is_some_and(|seconds| 0.0 < seconds), "the solve takes time");
     check_keys(&json["reactions"], &["left", "right"]);
+    check_keys(&json["supports"][0], &["at", "force", "moment"]);
     check_keys(&json["contacts"][0], &["from", "to", "force"]);
     check_keys(&json["deflection"], &["max", "at", "min", "min_at"]);
     check_keys(&json["moment"], &["max", "max_at", "min", "min_at"]);

@@ -45,7 +45,7 @@ fn wrong(scene: &Scene, exact: &Exact) -> Vec<String> {
     let moment = state.moment.max.abs().max(state.moment.min.abs()).max(1e-3 * scene.load().magnitude(length) * length);
     let force = moment / length;
     let mut check = |what: String, off: f64, scale: f64| {
-        if !(off <= OFF * scale) {
+        if off.is_nan() || OFF * scale < off {
             wrong.push(format!("{what}: {off:e} of {scale:e}"));
         }
     };
