@@ -213,3 +213,17 @@ pub fn single_contact(discrete: &Discrete, balance: &Balance, nodal: &Nodal) -> 
         |node: &usize| (moment - force * *node as f64).abs() <= IN_BALANCE * size * discrete.intervals as f64;
     discrete.pivot(balance).or(only.filter(in_balance))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::lower_hull;
+
+    #[test]
+    fn the_lower_hull_has_what_a_rigid_beam_can_touch() {
+        let hull = |gaps: &[f64]| lower_hull(gaps.iter().copied().enumerate());
+        assert_eq!(hull(&[0.0, 1.0, 0.0]), [0, 2]);
+        assert_eq!(hull(&[1.0, 0.0, 1.0]), [0, 1, 2]);
+        assert_eq!(hull(&[0.0, 0.0, 0.0]), [0, 2], "of a plane the ends");
+        assert_eq!(hull(&[3.0, 1.0, 2.0, 0.0, 4.0, 1.0]), [0, 1, 3, 5]);
+    }
+}

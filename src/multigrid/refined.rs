@@ -120,4 +120,19 @@ mod tests {
             }
         }
     }
+
+    /// Where an end has no support, its node may be in contact, and a zone that reaches it goes on to it.
+    #[test]
+    fn free_ends_may_be_in_contact() {
+        for held in [[false, false], [false, true], [true, false]] {
+            let nodes = |intervals: usize| intervals + 1 - usize::from(held[0]) - usize::from(held[1]);
+            let everywhere = refined(&FreeSet::all(nodes(40)), 80, held);
+            // The node beside a support has none of the coarser grid to its other side.
+            let last = nodes(80) - 1;
+            let touches = |k: usize| (0 < k || !held[0]) && (k < last || !held[1]);
+            assert_eq!(everywhere, (0..=last).map(touches).collect(), "{held:?}");
+            let nowhere = refined(&FreeSet::none(nodes(40)), 80, held);
+            assert_eq!(nowhere, FreeSet::none(nodes(80)), "{held:?}");
+        }
+    }
 }

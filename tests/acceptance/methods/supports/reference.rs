@@ -190,7 +190,7 @@ fn scene(i: u64) -> Option<Scene> {
 fn differences(optimum: &Optimum, found: &RawSolution) -> [f64; 3] {
     let (state, values) = (&found.state, nodes(found));
     let first = usize::from(values.x[0] > 0.0);
-    let mut forces = vec![0.0; INTERVALS + 1];
+    let mut forces = [0.0; INTERVALS + 1];
     values.contact_force.iter().enumerate().for_each(|(k, p)| forces[k + first] = *p);
     for support in &state.supports {
         // On a beam of 8 in 8 intervals places are nodes.
