@@ -3,7 +3,7 @@
 //! With the right contacts the deflection is known to a billionth of its size. With wrong ones what is said stays true: of the
 //! deflection of nodes that are off by a known amount, and of the energy, whose bounds from any two witnesses overlap.
 
-use palkki::certificate::{Certificate, ContactLoad, Judged, certify, violations};
+use palkki::certificate::{Certificate, ContactLoad, Judged, Lumped, certify, violations};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::state::{Contact, Nodes};
 use palkki_evidence::faults::{CONTACT_FAULTS, SIZES};
@@ -321,6 +321,13 @@ fn of_a_beam_that_may_turn_the_bending_is_known() {
     let said = certify(&scene, Judged::Witness, &[at(0.0)]).expect("in balance");
     assert!(said.up_to_a_turn == Some(0.0) && said.deflection_error <= 1e-9, "{said:?}");
     assert!(said.energy_lower <= -10.0 && -10.0 <= said.energy_upper, "−P g: {said:?}");
+    // On ground that rises it stands as little inclined as the ground lets it.
+    let on_its_end = held(l, EI, Vec::new());
+    let point = Load::new(&on_its_end, 0.0, Vec::new(), vec![PointLoad { at: 0.0, force: 5.0 }]).expect("finite");
+    let rising = Foundation::Polynomial { coefficients: vec![2.0, -0.125, -0.01] };
+    let scene = Scene::new(on_its_end, point, Some(rising)).expect("well posed");
+    let said = certify(&scene, Judged::Witness, &[at(0.0)]).expect("in balance");
+    assert!(said.up_to_a_turn == Some(0.0) && said.deflection_error <= 1e-7, "{said:?}");
 }
 
 /// Forces from elsewhere: those of the supports follow, and what does not balance is told.
@@ -358,6 +365,35 @@ fn forces_from_elsewhere_are_bounded_on_any_supports() {
     let lifted = ContactLoad::new(l, [(4.5, 0.5)]).expect("a force");
     let said = certify(&scene, Judged::Forces(&lifted), &[]).expect("in range");
     assert!(1e-3 * said.deflection < said.deflection_error, "{said:?}");
+}
+
+/// Forces at nodes, for a load that is lumped there: the exact ones of a statically determinate beam, on any supports. At the nodes
+/// the beam is off by what the load bends between them, `q Δ² (…)/24 EI` at most some thousandths.
+#[test]
+fn lumped_forces_are_bounded_on_any_supports() {
+    let l = 6.0;
+    let free = held(l, EI, Vec::new());
+    let ground = Foundation::Polyline { points: vec![[0.0, 30.0], [1.0, 1.0], [3.0, 30.0], [5.5, 1.0], [l, 30.0]] };
+    let right = Q * l * (0.5 * l - 1.0) / 4.5;
+    for (supports, contacts) in [
+        (vec![], vec![(1.0, Q * l - right), (5.5, right)]),
+        (vec![Support::simple(1.0).at_level(1.0)], vec![(5.5, right)]),
+        (vec![Support::simple(1.0).at_level(1.0), Support::simple(5.5).at_level(1.0)], vec![]),
+    ] {
+        let beam = free.clone().with_supports(supports).expect("on the beam");
+        let load = Load::uniform_on(&beam, Q).expect("finite");
+        let scene = Scene::new(beam, load, Some(ground.clone())).expect("well posed");
+        let rows = (0..=120_u32).map(|k| (l * f64::from(k) / 120.0, 0.0)).chain(contacts.iter().copied());
+        let lumped = Lumped::new(&scene, rows).expect("nodes of equal intervals");
+        assert_eq!(lumped.intervals(), 120);
+        let witness: Vec<Contact> = contacts.iter().map(|c| at(c.0)).collect();
+        let said = certify(&scene, Judged::Nodes(&lumped.nodes), &witness).expect("in range");
+        let most = lumped.nodes.x.iter().zip(&lumped.nodes.deflection);
+        let most = most.fold(0.0, |most: f64, (x, v)| most.max((v - 1.0 - between(1.0, 5.5, l, *x)).abs()));
+        assert!(most <= said.deflection_error && said.deflection_error <= 5e-3, "{most} for {said:?}");
+        let uneven = Lumped::new(&scene, [(0.0, 1.0), (2.0, 1.0), (4.1, 1.0), (l, 1.0)]);
+        assert!(uneven.is_err(), "{uneven:?}");
+    }
 }
 
 /// Random supports, shapes and grounds with random lists of contacts: any two lists say what can be true at once, of the
