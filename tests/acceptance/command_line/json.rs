@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::{EXAMPLE, Folder, scene};
 
 /// Keys of the contract in its order, with those that we add.
-pub(super) const KEYS: [&str; 20] = [
+pub(super) const KEYS: [&str; 21] = [
     "scene",
     "method",
     "solver",
@@ -21,6 +21,7 @@ pub(super) const KEYS: [&str; 20] = [
     "iterations",
     "seconds",
     "reactions",
+    "supports",
     "contacts",
     "contact_force",
     "deflection",
@@ -116,7 +117,7 @@ fn compare_has_every_method_with_every_solver() {
     let routes = json["routes"].as_array().expect("an array");
     for route in routes {
         let errors = ["solver_error", "model_error"];
-        let keys: Vec<&str> = KEYS[1..19].iter().copied().chain(errors).collect();
+        let keys: Vec<&str> = KEYS[1..20].iter().copied().chain(errors).collect();
         check_keys(route, &keys);
         assert!(route["certificate"]["deflection_error"].is_number(), "every route has its certified error: {route}");
     }
