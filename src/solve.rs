@@ -212,17 +212,11 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
     {
         (nodal, motion) = (nearest, free);
     }
-    // Until the judge knows beams on other supports: signs and complementarity.
-    let signs = qp::residual(discrete.sizes(), &nodal.clearance, &nodal.contact_force);
     let mut state = methods::contact_state(discrete, nodal);
     state.standing =
         scaled.balance.resultant().map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, motion));
 
-    let residual = if scene.beam().is_simple() {
-        Kkt::of(&scaled.scene, &state).map_or(f64::INFINITY, |kkt| kkt.residual())
-    } else {
-        signs
-    };
+    let residual = Kkt::of(&scaled.scene, &state).map_or(f64::INFINITY, |kkt| kkt.residual());
     let state = state.in_units_of(&scaled.scale);
     let solved = residual <= CERTIFIED_RESIDUAL && state.is_finite();
     Ok(RawSolution {

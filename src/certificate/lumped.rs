@@ -11,6 +11,8 @@
 
 use super::contact_load::{ContactLoad, NotAForce};
 use super::kkt::Equilibrium;
+use super::nodal_beam::NodalBeam;
+use super::residuals::{stand, supports};
 use crate::scene::{Grid, Scene, SceneError};
 use crate::state::{Discretisation, Nodes};
 
@@ -20,8 +22,9 @@ use crate::state::{Discretisation, Nodes};
 pub struct Lumped {
     /// The forces, at the places of the nodes.
     pub load: ContactLoad,
-    /// The beam at its inner nodes, in the units of the scene.
+    /// The beam at its nodes but the ends that a support holds, in the units of the scene.
     pub nodes: Nodes,
+    intervals: usize,
 }
 
 /// Why contact forces do not belong to a load that is lumped at the nodes of equal intervals.
@@ -36,6 +39,12 @@ pub enum NotLumped {
     /// No place between the supports.
     #[error("no place between the supports has a force; every inner node of equal intervals needs one, which may be 0")]
     NoNodes,
+    /// Supports that are no nodes, or forces that do not hold the beam.
+    #[error("on {intervals} equal intervals a support of the beam is no node, or the forces do not hold the beam")]
+    NotHeld {
+        /// Number of equal intervals.
+        intervals: usize,
+    },
     /// A place that is no node.
     #[error(
         "with forces at {count} places between the supports, place {index} would be x = {node} on equal intervals, but is x = {x}; \
@@ -57,8 +66,9 @@ pub enum NotLumped {
 const ROUNDED: f64 = 1e-2;
 
 impl Lumped {
-    /// Forces `(x, force)` in any order, one at every inner node, zeros included; forces at one place add up, and those on the
-    /// supports do not bend the beam.
+    /// Forces `(x, force)` in any order, one at every node but the ends that a support holds, zeros included, also at supports
+    /// inside; forces at one place add up, and those on the supports do not bend the beam. A beam that its supports do not hold
+    /// touches the ground where two of the forces are, the strongest and what presses most about it.
     ///
     /// # Errors
     ///
@@ -66,33 +76,40 @@ impl Lumped {
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
-        inner.retain(|f| 0.0 < f.0 && f.0 < length);
-        let count = inner.len();
+        // An end of the beam that a support holds does not bend it.
+        let supported = |end: f64| scene.beam().supports().iter().any(|s| (s.at - end).abs() <= 0.0);
+        let [left, right] = [0.0, length].map(supported);
+        inner.retain(|f| (0.0 < f.0 || !left) && (f.0 < length || !right));
+        let (count, first) = (inner.len(), usize::from(left));
         if count == 0 {
             return Err(NotLumped::NoNodes);
         }
-        let grid = Grid::uniform(scene, count + 1)?;
+        let grid = Grid::uniform(scene, count + first + usize::from(right) - 1)?;
         for (k, force) in inner.iter_mut().enumerate() {
-            let (x, node) = (force.0, grid.place(k + 1));
+            let (x, node) = (force.0, grid.place(k + first));
             if ROUNDED * grid.spacing() < (x - node).abs() {
                 return Err(NotLumped::NotANode { index: k + 1, count, x, node });
             }
             force.0 = node;
         }
-        let nodes = bent(scene, inner.iter().map(|f| f.1.max(0.0)).collect())?;
-        Ok(Self { load: ContactLoad::new(length, inner)?, nodes })
+        let forces = inner.iter().map(|f| f.1.max(0.0)).collect();
+        let nodes = if scene.beam().is_simple() {
+            bent(scene, forces)?
+        } else {
+            bent_on_supports(scene, &grid, first, forces)?
+        };
+        Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals() })
     }
 
     /// Number of equal intervals.
     #[must_use]
     pub fn intervals(&self) -> usize {
-        self.nodes.x.len() + 1
+        self.intervals
     }
 }
 
-/// The beam under nodal loads and contact forces at all inner nodes: statics and integration, in the units of the scene.
+/// The paper's beam under nodal loads and contact forces at all inner nodes: statics and integration, in the units of the scene.
 fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
-    given.only_simple_beam("nodal contact forces")?;
     let scaled = given.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let count = forces.len();
@@ -114,5 +131,37 @@ fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
         deflection,
         contact_force: times(forces, scale.force),
         moment: times(moment, scale.moment()),
+    })
+}
+
+/// The same of any other beam, with the forces at its nodes from the `first` one.
+fn bent_on_supports(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<Nodes, NotLumped> {
+    let scaled = given.scaled()?;
+    let (scene, scale) = (&scaled.scene, &scaled.scale);
+    let intervals = places.intervals();
+    let grid = Grid::uniform(scene, intervals)?;
+    let nodes = first..first + forces.len();
+    let mut contact = vec![0.0; intervals + 1];
+    contact[nodes.clone()].iter_mut().zip(&forces).for_each(|(p, force)| *p = force / scale.force);
+    let gaps: Vec<f64> = (0..=intervals).map(|i| scene.gap(grid.place(i))).collect();
+    let beam = supports(&grid, &scene.held(), scene.beam().length()).and_then(|mut stations| {
+        let mut exerted = vec![0.0; stations.len()];
+        // Supports have any force, and what stands on them is none of theirs.
+        stations.iter().for_each(|station| contact[station.node] = 0.0);
+        stand(&mut stations, &mut exerted, &mut contact, &gaps);
+        let loads = grid.nodal_loads(scene.load());
+        let net: Vec<f64> = loads.iter().zip(&contact).map(|(q, p)| q - p).collect();
+        NodalBeam::of(scene, grid, &net, &stations, Discretisation::BeamElements)
+    });
+    let beam = beam.ok_or(NotLumped::NotHeld { intervals })?;
+    let x: Vec<f64> = nodes.clone().map(|i| places.place(i)).collect();
+    let deflection: Vec<f64> = nodes.clone().map(|i| beam.deflection[i] * scale.depth).collect();
+    Ok(Nodes {
+        discretisation: Discretisation::BeamElements,
+        clearance: x.iter().zip(&deflection).map(|(&x, v)| given.gap(x) - v).collect(),
+        x,
+        deflection,
+        contact_force: forces,
+        moment: nodes.map(|i| beam.moment[i][usize::from(i < intervals)] * scale.moment()).collect(),
     })
 }

@@ -124,7 +124,7 @@ fn imbalance(scaled: &Scaled, forces: &ContactLoad) -> Option<Violation> {
 /// The same for a beam whose load is lumped at nodes: the conditions at the nodes, which are all that such a beam keeps.
 #[must_use]
 pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
-    let Lumped { load, nodes } = lumped;
+    let Lumped { load, nodes, .. } = lumped;
     let all = sum(load);
     let moved = nodes.deflection.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     let deepest = worst(nodes.x.iter().zip(&nodes.clearance).map(|(&x, h)| (x, -h)));

@@ -13,6 +13,7 @@
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
+use super::kernel::interval::Interval;
 use crate::scene::Scale;
 use crate::state::Contact;
 
@@ -87,6 +88,13 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     if !nodes.is_sorted_by(|a, b| a.x < b.x) {
         return;
     }
+    if let [node] = nodes
+        && enclosed.balanced_at == Some(node.x)
+        && let Slope::Free(slope) = &mut node.slope
+    {
+        *slope = turn(enclosed, node.x);
+        return;
+    }
     balance(enclosed, nodes);
     // Each of them may hold, let go because of another, and hold again.
     for _ in 0..3 {
@@ -96,6 +104,30 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         balance(enclosed, nodes);
     }
     at_corners(enclosed, nodes);
+}
+
+/// The slope nearest to zero at which a beam that may turn about a place is clear of the ground, as far as places tell.
+fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
+    /// Of each cell.
+    const PARTS: u32 = 8;
+    let node = ContactNode::free(about);
+    let [mut least, mut most] = [f64::NEG_INFINITY, f64::INFINITY];
+    let spans = [enclosed.span(None, Some(&node)), enclosed.span(Some(&node), None)];
+    for span in spans.into_iter().flatten() {
+        let breaks = enclosed.gap.breaks(span.from, span.to);
+        for ([a, b], v) in span.curve(breaks, enclosed.load, enclosed.stiffness) {
+            let clear = enclosed.gap.cell(a, b).minus(&v);
+            for s in (0..=PARTS).map(|k| (b - a) * (f64::from(k) / f64::from(PARTS))) {
+                let slope = clear.at(Interval::exact(s)).middle() / (a + s - about);
+                if a + s < about {
+                    least = least.max(slope);
+                } else if about < a + s {
+                    most = most.min(slope);
+                }
+            }
+        }
+    }
+    if least <= most { 0.0_f64.max(least).min(most) } else { 0.5 * (least + most) }
 }
 
 /// Finds the slopes for which the moments are balanced.

@@ -10,7 +10,8 @@
 //! use palkki::theory;
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
-//! let scene = Scene::new(beam, Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! let load = Load::uniform_on(&beam, 1.0)?;
+//! let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 }))?;
 //! let exact = theory::solve(&scene)?;
 //! let svg = plot::curves(&scene, &Curves::exact(&scene, &exact), "beam theory")?;
 //! assert!(svg.starts_with("<svg"));

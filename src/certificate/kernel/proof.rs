@@ -62,7 +62,7 @@ pub(crate) struct Pair {
 impl Pair {
     /// Whether a turn about a place is all that is not known.
     pub(crate) fn turns_about(&self, x: f64) -> bool {
-        matches!(self.holds[..], [Hold(left, right)] if left.from == x && right.to == x)
+        matches!(self.holds[..], [Hold(left, right)] if x <= left.from && right.to <= x)
     }
 }
 
@@ -124,7 +124,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             reactions.push(force);
         } else {
             cut_off.force(node.x, force);
-            presses.push((Place::at(node.x), force.lo()));
+            presses.extend((0.0 < force.lo()).then(|| (Place::at(node.x), force.lo())));
         }
         if let Some((jump, made)) = beam.jump(i) {
             cut_off.couple(node.x, jump, made);
@@ -135,17 +135,23 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     if by_contacts {
         // Parts of zones press, too, but nothing can be taken from them.
         if cut_off.is_empty() {
-            presses.extend(nodes.windows(2).filter(|w| w[0].lies).flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x)));
+            presses.extend(
+                nodes
+                    .windows(2)
+                    .filter(|w| w[0].lies)
+                    .flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x))
+                    .filter(|p| 0.0 < p.1),
+            );
         }
         presses.extend(enclosed.supports.iter().map(|s| (Place::at(s.x), f64::INFINITY)));
-        presses = presses.into_iter().filter(|(_, force)| 0.0 < *force).collect();
         holds.extend(widest(&mut presses));
     }
     // Beside a single place the gap is open by this much, and the force is moved there.
     let mut open = 0.0;
     if holds.is_empty() {
         let couple = beam.jump(0).map_or(0.0, |(jump, _)| jump.magnitude());
-        let [(Place { from: x, .. }, _)] = presses[..] else { return None };
+        let ([(Place { from: x, .. }, _)], []) = (&presses[..], enclosed.supports) else { return None };
+        let x = *x;
         let force = shears[1][0] - shears[0][1] + enclosed.load.point(x).unwrap_or(Interval::ZERO);
         let hold =
             astride(enclosed, &nodes[0], [&spans[0], &spans[1]], couple / force.lo()).filter(|_| lifted <= 0.0)?;
@@ -163,7 +169,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let gap = if correction.is_zero() { gap } else { root.square() / number(2) };
     let gap = if 0.0 < open { gap + share * Interval::exact(open) } else { gap }.hi();
     for place in holds.iter_mut().filter(|_| by_contacts).flat_map(|Hold(left, right)| [left, right]) {
-        let force = presses.iter().find(|(other, _)| other.from == place.from).map_or(0.0, |(_, force)| *force);
+        let force =
+            presses.iter().find(|(other, _)| (other.from - place.from).abs() <= 0.0).map_or(0.0, |(_, force)| *force);
         if force < f64::INFINITY {
             // What is cut off is taken from it.
             let left = (Interval::exact(force) - share).lo();
@@ -231,7 +238,7 @@ fn astride(enclosed: &EnclosedScene<'_>, node: &ContactNode, spans: [&Option<Spa
     if !inside
         || !smooth
         || !enclosed.is_tangent(node, false)
-        || !enclosed.load.breaks(left, right).iter().all(|x| *x == node.x)
+        || !enclosed.load.breaks(left, right).iter().all(|x| (x - node.x).abs() <= 0.0)
     {
         return None;
     }

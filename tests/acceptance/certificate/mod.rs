@@ -8,6 +8,7 @@ mod given;
 mod interval;
 mod judge;
 mod lumped;
+mod random_lists;
 mod scale;
 mod sharpness;
 mod supports;
