@@ -3,7 +3,6 @@
 use crate::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use crate::methods::{self, Discrete, Nodal};
 use crate::multigrid;
-use crate::qp;
 use crate::route::{Method, RawSolution, Solver};
 use crate::scene::{Scene, SceneError};
 use crate::solvers::Answer;

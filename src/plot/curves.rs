@@ -74,11 +74,20 @@ impl Curves {
         same_length("the contact forces", &nodes.contact_force, &nodes.x)?;
         same_length("the moments", &nodes.moment, &nodes.x)?;
         let length = scene.beam().length();
-        let closed = |values: &[f64], left: f64, right: f64| -> Vec<f64> {
-            std::iter::once(left).chain(values.iter().copied()).chain(std::iter::once(right)).collect()
+        // A supported end of the beam is no node; a free one is.
+        let held = scene.held();
+        #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
+        let [left, right] = [0.0, length].map(|end| {
+            let (held, force) = held.iter().zip(&state.supports).find(|(held, _)| held.at == end)?;
+            let v = held.deflection;
+            Some([end, v, scene.gap(end) - v, force.moment.unwrap_or(0.0)])
+        });
+        let closed = |values: &[f64], quantity: usize| -> Vec<f64> {
+            let end = |end: Option<[f64; 4]>| end.map(|end| end[quantity]);
+            end(left).into_iter().chain(values.iter().copied()).chain(end(right)).collect()
         };
-        let x = closed(&nodes.x, 0.0, length);
-        let moment = closed(&nodes.moment, 0.0, 0.0);
+        let x = closed(&nodes.x, 0);
+        let moment = closed(&nodes.moment, 3);
         let shear = x
             .windows(2)
             .zip(moment.windows(2))
@@ -87,11 +96,12 @@ impl Curves {
                 [[x[0], v], [x[1], v]]
             })
             .collect();
-        let (pressure, point_forces) = contact_forces(state, nodes, &x);
+        let places: Vec<f64> = std::iter::once(0.0).chain(nodes.x.iter().copied()).chain([length]).collect();
+        let (pressure, point_forces) = contact_forces(state, nodes, &places);
         Ok(Self {
-            deflection: closed(&nodes.deflection, 0.0, 0.0),
+            deflection: closed(&nodes.deflection, 1),
             shape: own_shape(scene, &x),
-            clearance: closed(&nodes.clearance, scene.depth(0.0), scene.depth(length)),
+            clearance: closed(&nodes.clearance, 2),
             moment,
             shear,
             pressure,
@@ -118,7 +128,8 @@ fn own_shape(scene: &Scene, x: &[f64]) -> Vec<f64> {
     scene.beam().shape().map_or(Vec::new(), |shape| x.iter().map(|&x| shape.depth(x)).collect())
 }
 
-/// Pressures and concentrated forces of all contacts; `x` has the supports besides the nodes.
+/// Pressures and concentrated forces of all contacts; `x` has a place more than
+/// the nodes at each end.
 fn contact_forces(state: &ContactState, nodes: &Nodes, x: &[f64]) -> (Vec<Vec<Place>>, Vec<PointForce>) {
     let mut pressure = Vec::new();
     let mut forces = Vec::new();

@@ -70,7 +70,10 @@ impl EnclosedSupport {
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
             let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, length <= x));
-            let grounded = [0.0 < x && held.grounded[0], x < length && held.grounded[1]];
+            // Behind a step that goes down there is no ground at the level of the support.
+            let beside = |from_the_left| gap.jet(x, from_the_left)[0].lo() <= gap.depth(x).hi();
+            let grounded =
+                [0.0 < x && held.grounded[0] && beside(true), x < length && held.grounded[1] && beside(false)];
             let deflection = Interval::exact(given.level) - own[0];
             let slope = given.slope.map(|slope| {
                 let slope = Interval::exact(slope) - own[1];
