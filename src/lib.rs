@@ -83,6 +83,7 @@ pub mod scene;
 mod solve;
 pub mod solvers;
 pub mod state;
+pub mod sweep;
 pub mod text;
 pub mod theory;
 pub mod verdict;

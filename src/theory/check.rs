@@ -295,7 +295,7 @@ impl Scale {
 
 /// Concentrated forces at the nodes, `R = P + v'''(x−) − v'''(x+)`, with nothing beyond the ends of the beam; at a support without
 /// the load `P` that stands on it.
-fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
+pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f64> {
     // The profile has breaks of its depth and slope only: g''' is the same on both sides of a contact, and h''' will do.
     let last = given.cells.len() - 1;
     let of_zone = |node: usize, cell: usize| given.derivative(cell, list.nodes[node].x, 3);
@@ -336,7 +336,7 @@ fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<f
 }
 
 /// Moments `−v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
-fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
+pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
     let mut moments = vec![[0.0; 2]; list.nodes.len()];
     for (i, node) in list.nodes.iter().enumerate() {
         if list.in_zone_before(i) {

@@ -5,6 +5,7 @@ use super::list::{Beside, Kind, List, Node};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
+use super::span::Span;
 use super::summary;
 use super::violation::Violation;
 use crate::scene::{Foundation, Scale, Scene};
@@ -33,10 +34,14 @@ pub struct Exact {
     /// support and holds the slope of the beam there: the limit of a large reaction downwards and a large contact force
     /// upwards beside it. Not positive, mostly zero \[force · length\]. `state.reactions` has the net force.
     pub support_couples: [f64; 2],
-    given: PiecewiseScene,
+    pub(super) given: PiecewiseScene,
+    pub(super) list: List,
+    pub(super) spans: Vec<(usize, Span)>,
+    /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
+    pub(super) forces: Vec<f64>,
     pieces: Vec<Piece>,
-    scale: Scale,
-    stiffness: f64,
+    pub(super) scale: Scale,
+    pub(super) stiffness: f64,
     founded: bool,
 }
 
@@ -68,6 +73,9 @@ impl Exact {
             violations,
             support_couples,
             pieces: checked.pieces,
+            spans: checked.spans,
+            forces: checked.forces,
+            list,
             given,
             scale,
             stiffness,

@@ -10,6 +10,7 @@
 //! 4. `check`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
 //! 5. `repair`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
+//! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
@@ -22,13 +23,16 @@ mod breakpoints;
 mod chain;
 mod check;
 pub mod closed;
+mod continuation;
 mod cosine;
 mod exact;
 mod gauss;
 mod guess;
 mod list;
+mod margin;
 mod newton;
 mod normal;
+mod pattern;
 mod piece;
 mod piecewise;
 mod repair;
@@ -42,5 +46,7 @@ mod violation;
 
 pub use closed::{FlatSolution, flat};
 pub use exact::{Exact, Sample};
+pub use margin::Margin;
+pub use pattern::{Pattern, Touch, ZoneEnd};
 pub use solve::{TheoryError, solve};
 pub use violation::Violation;

@@ -4,7 +4,7 @@ use super::breakpoints::MOST_CELLS;
 use super::exact::Exact;
 use super::piecewise::PiecewiseScene;
 use super::search;
-use crate::scene::{Foundation, Scene, SceneError};
+use crate::scene::{Balance, Foundation, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -57,6 +57,12 @@ const BYTES_PER_POINT: usize = 2000;
 ///
 /// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
+    solve_from(scene, None)
+}
+
+/// The same, with the list of contacts of a scene beside this one to start from; where that leads to no answer soon, it is looked
+/// for as usual.
+pub(super) fn solve_from(scene: &Scene, near: Option<&Exact>) -> Result<Exact, TheoryError> {
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     if let Some(&Foundation::Cosine { wavelength, phase, .. }) = foundation {
@@ -77,8 +83,13 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);
+    // A position that is not certain depends on where it is looked for.
+    let near = near.filter(|_| !matches!(scaled.balance, Balance::Neutral { .. }));
     let found = match foundation {
-        Some(_) => search::search(&given),
+        Some(_) => match near.and_then(|near| near.list_in(&given, &scaled.scale)) {
+            Some(list) => search::search_from(&given, list),
+            None => search::search(&given),
+        },
         None => {
             let mut found = search::free(&given);
             found.checked.faults.clear();
