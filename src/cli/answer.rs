@@ -71,8 +71,12 @@ impl Answer {
             error => Failure::NoTheory(error),
         })?;
         let seconds = start.elapsed().as_secs_f64();
-        let solution = exact.judged(&input.scene, demand);
-        Ok(Self { method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None })
+        Ok(Self::without_grid(exact.judged(&input.scene, demand), seconds))
+    }
+
+    /// An answer of beam theory.
+    pub(super) fn without_grid(solution: Solution, seconds: f64) -> Self {
+        Self { method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None }
     }
 
     /// The answer of a method on a grid, certified from a witness.

@@ -6,7 +6,9 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
+use palkki::scene::Quantity;
 use palkki::state::{Contact, Extremes, Nodes, Reactions, Regime};
+use palkki::sweep::Event;
 use serde::Serialize;
 
 use super::answer::Answer;
@@ -77,6 +79,25 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         certificate: CertificateObject { best_deflection_error, ..(&finding.certificate).into() },
         violations: &finding.violations,
     })
+}
+
+/// What `sweep` found: the number that was varied, its values with their answers, and the events.
+pub(super) fn sweep(input: &Input, vary: Quantity, rows: &[(f64, Answer)], events: &[Event]) -> String {
+    #[derive(Debug, Serialize)]
+    struct SweepObject<'a> {
+        scene: &'a str,
+        vary: String,
+        rows: Vec<RowObject<'a>>,
+        events: &'a [Event],
+    }
+    #[derive(Debug, Serialize)]
+    struct RowObject<'a> {
+        value: f64,
+        #[serde(flatten)]
+        route: RouteObject<'a>,
+    }
+    let rows = rows.iter().map(|(value, answer)| RowObject { value: *value, route: answer.into() }).collect();
+    print(&SweepObject { scene: input.title(), vary: vary.to_string(), rows, events })
 }
 
 fn print(value: &impl Serialize) -> String {

@@ -17,6 +17,7 @@ mod held;
 mod input;
 mod json;
 mod output;
+mod sweep;
 mod table;
 mod text;
 
@@ -26,6 +27,7 @@ use clap::{CommandFactory as _, Parser as _};
 use palkki::adaptive::Request;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
+use palkki::sweep::Sweep;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
@@ -49,6 +51,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Solve(arguments) => solve(arguments),
         Command::Compare(arguments) => compare(arguments),
         Command::Certify(arguments) => certify(arguments),
+        Command::Sweep(arguments) => sweep(arguments),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -142,6 +145,32 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
         },
     )?;
     Ok(if finding.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+}
+
+fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
+    let arguments::Sweep { common: Common { scene, format }, vary, from, to, steps, csv, plot } = arguments;
+    let input = Input::read(scene)?;
+    let varied = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
+    let mut files = Files::default();
+    for path in [csv, plot].into_iter().flatten() {
+        files.reserve(path, &input)?;
+    }
+    let what = format!("sweeping {} for {}", varied.quantity(), scene.display());
+    let swept = busy::telling(what, || sweep::Swept::of(&varied))?;
+    if let Some(path) = csv {
+        files.stage(path, swept.csv())?;
+    }
+    if let Some(path) = plot {
+        files.stage(path, swept.figure(&input)?)?;
+    }
+    let text = match format {
+        Format::Text => swept.text(&input),
+        Format::Json => swept.json(&input),
+    };
+    let stream = files.stream_of_answer();
+    files.publish()?;
+    output::print(stream, &text)?;
+    Ok(if swept.is_certified() { CERTIFIED } else { NOT_CERTIFIED })
 }
 
 impl Solve {

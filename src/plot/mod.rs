@@ -36,6 +36,7 @@ pub mod paper;
 mod sketch;
 mod solution;
 pub mod study;
+mod sweep;
 pub mod table;
 
 pub use crate::text::significant;
@@ -46,6 +47,7 @@ pub use layer::{Arrow, Arrows, Layer, LoadSketch, Place, Reference};
 pub use palette::{Color, Dash, Marker, Style};
 pub use panel::Panel;
 pub use solution::{curves, sheet};
+pub use sweep::sweep;
 
 /// Why a figure was not drawn.
 #[derive(Debug, thiserror::Error)]

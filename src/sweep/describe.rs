@@ -8,9 +8,10 @@ use crate::theory::{Exact, Touch, ZoneEnd};
 pub(super) fn describe(before: &Exact, after: &Exact) -> String {
     let [old, new] = [before, after].map(|exact| exact.pattern());
     let mut sentences = Vec::new();
-    for (left, right) in changes(&old.touches, &new.touches) {
-        let contacts = [&before.state.contacts[left.clone()], &after.state.contacts[right.clone()]];
-        sentences.push(change([&old.touches[left], &new.touches[right]], contacts));
+    for [left, right] in changes(before, after) {
+        let ((old, left), (new, right)): ((Vec<_>, Vec<_>), (Vec<_>, Vec<_>)) =
+            (left.into_iter().unzip(), right.into_iter().unzip());
+        sentences.push(change([&old, &new], [&left, &right]));
     }
     for (i, support) in after.state.supports.iter().enumerate() {
         let place = at(support.at);
@@ -35,47 +36,38 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
     sentences.join("; ")
 }
 
-type Range = std::ops::Range<usize>;
-
-/// The stretches of two lists that differ, between the longest common subsequence of the two.
-fn changes(old: &[Touch], new: &[Touch]) -> Vec<(Range, Range)> {
-    // What is the same at the ends needs no table.
-    let same = |(a, b): &(&Touch, &Touch)| a == b;
-    let first = old.iter().zip(new).take_while(same).count();
-    let last = old[first..].iter().rev().zip(new[first..].iter().rev()).take_while(same).count();
-    let (a, b) = (&old[first..old.len() - last], &new[first..new.len() - last]);
-    let mut longest = vec![vec![0_usize; b.len() + 1]; a.len() + 1];
-    for i in (0..a.len()).rev() {
-        for j in (0..b.len()).rev() {
-            longest[i][j] =
-                if a[i] == b[j] { longest[i + 1][j + 1] + 1 } else { longest[i + 1][j].max(longest[i][j + 1]) };
+/// The contacts of two answers that lie at one place, and whether they are the same on both sides.
+fn changes<'a>(before: &'a Exact, after: &'a Exact) -> Vec<[Vec<(Touch, &'a Contact)>; 2]> {
+    let sides = [before, after].map(|exact| (exact.pattern().touches, &exact.state.contacts));
+    let mut all = Vec::new();
+    for (side, (touches, contacts)) in sides.iter().enumerate() {
+        all.extend(touches.iter().zip(contacts.iter()).map(|(&touch, contact)| (side, touch, contact)));
+    }
+    all.sort_by(|a, b| a.2.from.total_cmp(&b.2.from));
+    let reach = NEAR * all.iter().fold(0.0, |most: f64, (.., contact)| most.max(contact.to));
+    let mut groups: Vec<[Vec<(Touch, &Contact)>; 2]> = Vec::new();
+    let mut end = f64::NEG_INFINITY;
+    for (side, touch, contact) in all {
+        if end + reach < contact.from {
+            groups.push([Vec::new(), Vec::new()]);
+        }
+        end = end.max(contact.to);
+        if let Some(group) = groups.last_mut() {
+            group[side].push((touch, contact));
         }
     }
-    let mut found = Vec::new();
-    let (mut i, mut j, mut from) = (0, 0, (0, 0));
-    loop {
-        let ended = i == a.len() && j == b.len();
-        let common = i < a.len() && j < b.len() && a[i] == b[j];
-        if (ended || common) && from != (i, j) {
-            found.push((first + from.0..first + i, first + from.1..first + j));
-        }
-        if ended {
-            return found;
-        }
-        if common {
-            (i, j) = (i + 1, j + 1);
-            from = (i, j);
-        } else if j == b.len() || i < a.len() && longest[i][j + 1] <= longest[i + 1][j] {
-            i += 1;
-        } else {
-            j += 1;
-        }
-    }
+    let kinds = |side: &[(Touch, &Contact)]| side.iter().map(|(touch, _)| *touch).collect::<Vec<_>>();
+    groups.retain(|[old, new]| kinds(old) != kinds(new));
+    groups
 }
 
+/// Contacts on the two sides of an event that are nearer to each other than this share of the beam are at one place.
+const NEAR: f64 = 1e-5;
+
 /// What happens to one group of contacts.
-fn change([old, new]: [&[Touch]; 2], [before, after]: [&[Contact]; 2]) -> String {
-    let places = |contacts: &[Contact]| contacts.iter().map(place).collect::<Vec<_>>().join(" and ");
+fn change([old, new]: [&[Touch]; 2], [before, after]: [&[&Contact]; 2]) -> String {
+    let places =
+        |contacts: &[&Contact]| contacts.iter().map(|contact| place(contact)).collect::<Vec<_>>().join(" and ");
     match (old, new) {
         ([], [Touch::Zone(_)]) => format!("a zone of contact appears {}", places(after)),
         ([], [_]) => format!("a contact appears {}", places(after)),
@@ -87,7 +79,9 @@ fn change([old, new]: [&[Touch]; 2], [before, after]: [&[Contact]; 2]) -> String
         ([Touch::Zone(_)], [Touch::Edge(_)]) => format!("the zone {} becomes a contact at an edge", places(after)),
         ([Touch::Zone(_)], [_]) => format!("the zone {} becomes a point", places(after)),
         ([_], [Touch::Zone(_)]) => format!("the point {} becomes a zone", places(before)),
-        ([Touch::Edge(_)], [Touch::Edge(_)]) => format!("the contact moves from the edge {} to the edge {}", places(before), places(after)),
+        ([Touch::Edge(_)], [Touch::Edge(_)]) => {
+            format!("the contact moves from the edge {} to the edge {}", places(before), places(after))
+        }
         ([_], [Touch::Edge(_)]) => format!("the contact {} moves onto an edge", places(after)),
         ([Touch::Edge(_)], [_]) => format!("the contact {} moves off its edge", places(before)),
         ([_], [_]) => format!("the contact {} moves over an edge", places(before)),

@@ -26,6 +26,17 @@ const FARTHER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 /// Events between two rows, at most: more are no events but rounding.
 const MOST_EVENTS: usize = 1000;
 
+/// Events nearer to each other than this share of the range are one.
+const ONE: f64 = 1e-13;
+
+/// A root, and the answers just before and just beyond it as the sweep goes on.
+#[derive(Debug)]
+struct Root {
+    value: f64,
+    before: Exact,
+    after: Exact,
+}
+
 /// An answer and its value.
 #[derive(Debug, Clone)]
 struct At {
@@ -51,15 +62,30 @@ impl Sweep<'_> {
             let mut found = Vec::new();
             if left.is_like(&right) {
                 // What appears and goes again.
-                let Some(middle) = self.at(middle, Some(&left)).filter(|middle| !middle.is_like(&left)) else { continue };
+                let Some(middle) = self.at(middle, Some(&left)).filter(|middle| !middle.is_like(&left)) else {
+                    continue;
+                };
                 self.between(left, middle.clone(), &mut found);
                 self.between(middle, right, &mut found);
             } else {
                 self.between(left, right, &mut found);
             }
-            events.append(&mut found);
+            events.extend(self.described(found));
         }
         events
+    }
+
+    /// Roots in words; those at one value are one event.
+    fn described(&self, roots: Vec<Root>) -> Vec<Event> {
+        let [start, end] = self.range;
+        let mut single: Vec<Root> = Vec::new();
+        for root in roots {
+            match single.last_mut() {
+                Some(last) if (root.value - last.value).abs() <= ONE * (end - start).abs() => last.after = root.after,
+                _ => single.push(root),
+            }
+        }
+        single.iter().map(|root| Event { value: root.value, what: describe(&root.before, &root.after) }).collect()
     }
 
     fn at(&self, value: f64, near: Option<&At>) -> Option<At> {
@@ -68,7 +94,7 @@ impl Sweep<'_> {
     }
 
     /// The events between two answers.
-    fn between(&self, mut left: At, mut right: At, events: &mut Vec<Event>) {
+    fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
         let mut beyond = Vec::new();
         while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS {
             if let Some((event, after)) = self.next_event(&left, &right) {
@@ -80,9 +106,10 @@ impl Sweep<'_> {
                 right = before;
             } else {
                 let middle = 0.5 * (left.value + right.value);
-                let narrow = (right.value - left.value).abs() <= 4.0 * f64::EPSILON * left.value.abs().max(right.value.abs());
+                let narrow =
+                    (right.value - left.value).abs() <= 4.0 * f64::EPSILON * left.value.abs().max(right.value.abs());
                 let Some(middle) = (!narrow).then(|| self.at(middle, Some(&left))).flatten() else {
-                    events.push(Event { value: middle, what: describe(&left.exact, &right.exact) });
+                    events.push(Root { value: middle, before: left.exact, after: right.exact });
                     break;
                 };
                 if left.is_like(&middle) {
@@ -98,8 +125,8 @@ impl Sweep<'_> {
         events.extend(beyond.into_iter().rev());
     }
 
-    /// The first event on the way from `from` to `to`, described in the order of the sweep, and an answer just beyond it.
-    fn next_event(&self, from: &At, to: &At) -> Option<(Event, At)> {
+    /// The first event on the way from `from` to `to`, which may be against the sweep, and an answer just beyond it.
+    fn next_event(&self, from: &At, to: &At) -> Option<(Root, At)> {
         let margins = from.exact.failing(&self.scene(to.value).ok()?)?;
         let roots = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin));
         let value = roots.min_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()))?;
@@ -117,8 +144,9 @@ impl Sweep<'_> {
             (!after.is_like(from)).then_some(after)
         })?;
         let ahead = 0.0 < onwards * (end - start);
-        let what = if ahead { describe(&from.exact, &after.exact) } else { describe(&after.exact, &from.exact) };
-        Some((Event { value, what }, after))
+        let (near, far) = (from.exact.clone(), after.exact.clone());
+        let (before, beyond) = if ahead { (near, far) } else { (far, near) };
+        Some((Root { value, before, after: beyond }, after))
     }
 
     /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value

@@ -55,7 +55,7 @@ pub enum SweepError {
         to: f64,
     },
     /// A value for which there is no scene, or no answer of beam theory.
-    #[error("from `{quantity}` = {border} on there is no answer ({value} was asked for): {error}")]
+    #[error("there is no answer for `{quantity}` = {value}{}: {error}", from(*border, *value))]
     Invalid {
         /// The number that is varied.
         quantity: Quantity,
@@ -66,6 +66,10 @@ pub enum SweepError {
         /// Why.
         error: TheoryError,
     },
+}
+
+fn from(border: f64, value: f64) -> String {
+    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {border} on") }
 }
 
 /// A scene, the number of it that is varied, and its values.

@@ -66,7 +66,8 @@ impl Exact {
 
 /// A node in another scene, with the units of places and slopes of the one in those of the other.
 fn carried(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope]: [f64; 2]) -> Option<Node> {
-    let turned = |kind, x, cell| Node { slope: node.slope * slope, rest: node.rest * slope, ..Node::new(kind, x, cell) };
+    let turned =
+        |kind, x, cell| Node { slope: node.slope * slope, rest: node.rest * slope, ..Node::new(kind, x, cell) };
     match node.kind {
         Kind::Support(index, beside) => {
             let support = to.supports.get(index)?;
@@ -85,7 +86,11 @@ fn carried(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope
         }
         Kind::Tip => {
             let at_left = node.x <= 0.0;
-            Some(Node::new(Kind::Tip, if at_left { 0.0 } else { to.length }, if at_left { 0 } else { to.cells.len() - 1 }))
+            Some(Node::new(
+                Kind::Tip,
+                if at_left { 0.0 } else { to.length },
+                if at_left { 0 } else { to.cells.len() - 1 },
+            ))
         }
         Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd => {
             let shape = from.cells[node.cell].shape;

@@ -53,8 +53,10 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
             Violation::Penetration { at, .. } => {
                 let Some((_, span)) = checked.spans.iter().find(|(j, _)| *j == i) else { continue };
                 let near = |x: f64| (at - x).abs() < 0.5 * span.length();
-                let fixed = |node: Option<usize>| node.filter(|&node| list.nodes.get(node).is_some_and(|n| !n.can_move()));
-                let left = fixed(i.checked_sub(1)).filter(|_| near(span.a.x) && span.at_a[1] < 0.0 && span.at_a[0] <= 0.0);
+                let fixed =
+                    |node: Option<usize>| node.filter(|&node| list.nodes.get(node).is_some_and(|n| !n.can_move()));
+                let left =
+                    fixed(i.checked_sub(1)).filter(|_| near(span.a.x) && span.at_a[1] < 0.0 && span.at_a[0] <= 0.0);
                 let right = fixed(Some(i)).filter(|_| near(span.b.x) && 0.0 < span.at_b[1] && span.at_b[0] <= 0.0);
                 match (left, right) {
                     (Some(node), _) => add(Condition::Turns(node, 1)),
@@ -95,8 +97,11 @@ impl Margin {
             Condition::Length(node) => Some(list.nodes.get(node + 1)?.x - list.nodes.get(node)?.x),
             Condition::ZonePresses(node) => {
                 let (from, to) = (list.nodes.get(node.checked_sub(1)?)?.x, list.nodes.get(node)?.x);
-                let pulled = given.tension_between(from, to).map(|&(lo, hi)| hi.min(to) - lo.max(from));
-                pulled.reduce(|sum, length| sum + length).map(|length| -length)
+                // A point load that pulls is a stretch without length, and its force is the margin.
+                let loads =
+                    given.breakpoints_inside(from, to).map(|i| given.breakpoints[i].force).filter(|f| *f != 0.0);
+                let stretches = given.tension_between(from, to).filter(|(lo, hi)| lo < hi);
+                loads.chain(stretches.map(|&(lo, hi)| lo.max(from) - hi.min(to))).reduce(f64::min)
             }
             Condition::Turns(node, 0) => before(node).map(|span| -span.at_b[1]),
             Condition::Turns(node, _) => before(node + 1).map(|span| span.at_a[1]),
