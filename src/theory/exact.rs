@@ -145,6 +145,21 @@ impl Exact {
             .filter(move |&(x, _)| inside(x))
     }
 
+    /// `∫ f(v, v', v'', v''') dx`, dimensionless.
+    pub(super) fn integral(&self, f: impl Fn([f64; 4]) -> f64) -> f64 {
+        let mut taylor = vec![0.0; self.given.terms];
+        let of = |piece: &Piece| {
+            piece.deflection(&self.given, &mut taylor);
+            self.given.energy_rule.integral(piece.lo, piece.hi, |x| f(derivatives(&taylor, x - piece.anchor)))
+        };
+        self.pieces.iter().map(of).sum()
+    }
+
+    /// True if there is a foundation.
+    pub(super) fn is_above_ground(&self) -> bool {
+        self.founded
+    }
+
     /// The piece at `x`, of two the left or the right one, and the distance from its anchor.
     fn piece(&self, x: f64, right: bool) -> (&Piece, f64) {
         let x = x / self.scale.length;

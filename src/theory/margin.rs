@@ -121,7 +121,7 @@ impl Margin {
 }
 
 /// The least clearance inside a span, at its local minima and at edges of the profile, and at a free end of the beam.
-fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
+pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
     /// Nearer to an end of the span than this share of it nothing is inside.
     const BESIDE: f64 = 1e-7;
     let near = BESIDE * span.length();

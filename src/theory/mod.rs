@@ -11,6 +11,7 @@
 //! 5. `repair`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
+//! 8. `sensitivity`, `derivatives`: how the answer changes with the numbers of the scene.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
@@ -25,6 +26,7 @@ mod check;
 pub mod closed;
 mod continuation;
 mod cosine;
+mod derivatives;
 mod exact;
 mod gauss;
 mod guess;
@@ -37,6 +39,7 @@ mod piece;
 mod piecewise;
 mod repair;
 mod search;
+mod sensitivity;
 mod shape;
 mod solve;
 mod span;
@@ -45,6 +48,7 @@ mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
+pub use derivatives::{By, ContactDerivative, Derivative};
 pub use exact::{Exact, Sample};
 pub use margin::Margin;
 pub use pattern::{Pattern, Touch, ZoneEnd};
