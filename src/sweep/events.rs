@@ -29,6 +29,9 @@ const MOST_EVENTS: usize = 1000;
 /// Events nearer to each other than this share of the range are one.
 const ONE: f64 = 1e-13;
 
+/// A value below this share of the range has no digits of its own that count.
+const SMALL: f64 = 1e-3;
+
 /// A root, and the answers just before and just beyond it as the sweep goes on.
 #[derive(Debug)]
 struct Root {
@@ -88,6 +91,12 @@ impl Sweep<'_> {
         single.iter().map(|root| Event { value: root.value, what: describe(&root.before, &root.after) }).collect()
     }
 
+    /// True if nothing is between two values.
+    fn is_narrow(&self, a: f64, b: f64) -> bool {
+        let [start, end] = self.range;
+        (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
+    }
+
     fn at(&self, value: f64, near: Option<&At>) -> Option<At> {
         let (_, exact) = self.answer(value, near.map(|near| &near.exact)).ok()?;
         Some(At { value, exact })
@@ -135,8 +144,9 @@ impl Sweep<'_> {
         // On the near side the contacts are still the same.
         let step = BESIDE * (end - start).abs();
         let before = value - onwards * step;
-        if 0.0 < (before - from.value) * onwards && !self.at(before, Some(from))?.is_like(from) {
-            return None;
+        let mut near = from.clone();
+        if 0.0 < (before - from.value) * onwards {
+            near = self.at(before, Some(from)).filter(|near| near.is_like(from))?;
         }
         let after = FARTHER.into_iter().find_map(|farther| {
             let after = value + onwards * step * farther;
@@ -144,7 +154,7 @@ impl Sweep<'_> {
             (!after.is_like(from)).then_some(after)
         })?;
         let ahead = 0.0 < onwards * (end - start);
-        let (near, far) = (from.exact.clone(), after.exact.clone());
+        let (near, far) = (near.exact, after.exact.clone());
         let (before, beyond) = if ahead { (near, far) } else { (far, near) };
         Some((Root { value, before, after: beyond }, after))
     }
@@ -164,7 +174,7 @@ impl Sweep<'_> {
         let mut stays = 0;
         loop {
             let middle = 0.5 * (good + bad);
-            if (good - bad).abs() <= 2.0 * f64::EPSILON * good.abs().max(bad.abs()) || middle.total_cmp(&good).is_eq() {
+            if self.is_narrow(good, bad) {
                 return Some(middle);
             }
             turn += 1;

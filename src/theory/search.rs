@@ -60,9 +60,10 @@ impl Found {
 
 /// The beam without contact.
 pub(super) fn free(given: &PiecewiseScene) -> Found {
-    let list = List::free(given);
+    let mut list = List::free(given);
+    let run = newton::solve(given, &mut list);
     let checked = check(given, &list);
-    Found { list, checked, steps: 0, lists: 1, converged: true }
+    Found { list, checked, steps: run.steps, lists: 1, converged: run.converged }
 }
 
 /// The exact solution above a foundation, beside one with the contacts of `list`: after a step of a sweep a list is the same, or
