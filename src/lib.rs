@@ -86,6 +86,7 @@ pub mod state;
 pub mod sweep;
 pub mod text;
 pub mod theory;
+pub mod tolerance;
 pub mod verdict;
 mod witness;
 

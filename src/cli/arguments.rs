@@ -128,6 +128,12 @@ pub(super) struct Solve {
     pub(super) tolerance: Option<f64>,
     #[arg(long, help = nodes_help())]
     pub(super) nodes: bool,
+    /// Of beam theory: derivatives of support forces, contacts and energy by depth, stiffness, loads and supports
+    #[arg(long)]
+    pub(super) derivatives: bool,
+    /// Of beam theory: what is known if each depth of the ground may be off by this
+    #[arg(long, value_name = "DELTA", allow_hyphen_values = true, value_parser = depth_tolerance)]
+    pub(super) depth_tolerance: Option<f64>,
     #[command(flatten)]
     pub(super) common: Common,
     /// Write the values along the beam to this file, as CSV: those at the nodes, or samples of the exact solution; `-` is
@@ -221,6 +227,14 @@ pub(super) fn steps(text: &str) -> Result<usize, String> {
         Ok(number) if number <= MOST_STEPS => Ok(number),
         Err(error) if *error.kind() != std::num::IntErrorKind::PosOverflow => not("a whole number, at least 2"),
         _ => not(&format!("at most {MOST_STEPS}")),
+    }
+}
+
+/// `--depth-tolerance`.
+fn depth_tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
+        _ => Err(format!("the tolerance of the depth must be a positive, finite number, but is {text}")),
     }
 }
 

@@ -15,22 +15,25 @@ use super::answer::Answer;
 use super::certify::Finding;
 use super::compare::{Comparison, Difference};
 use super::input::Input;
+use super::local::Local;
 
 /// Grids with more intervals are printed without their nodes, unless these are asked for.
 pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 
 /// The answer of `solve`.
-pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool) -> String {
+pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Local) -> String {
     #[derive(Debug, Serialize)]
     struct SolveObject<'a> {
         scene: &'a str,
         #[serde(flatten)]
         route: RouteObject<'a>,
         nodes: Option<&'a Nodes>,
+        #[serde(flatten)]
+        local: &'a Local,
     }
     let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
     let nodes = answer.nodes().filter(|_| few || all_nodes);
-    print(&SolveObject { scene: input.title(), route: answer.into(), nodes })
+    print(&SolveObject { scene: input.title(), route: answer.into(), nodes, local })
 }
 
 /// What `compare` found.

@@ -16,6 +16,7 @@ mod given;
 mod held;
 mod input;
 mod json;
+mod local;
 mod output;
 mod sweep;
 mod table;
@@ -34,6 +35,7 @@ use self::answer::{Answer, Route};
 use self::arguments::{Arguments, Command, Common, Format, Solve};
 use self::files::Files;
 use self::input::Input;
+use self::local::Local;
 use self::output::{Failure, Stream};
 
 const CERTIFIED: u8 = 0;
@@ -93,9 +95,10 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     if let Some(path) = &arguments.plot {
         files.stage(path, figure(&input, &answer)?)?;
     }
+    let local = Local::of(&input.scene, &answer, arguments);
     let text = match arguments.common.format {
-        Format::Text => text::solve(&input, &answer, arguments.nodes),
-        Format::Json => json::solve(&input, &answer, arguments.nodes),
+        Format::Text => text::solve(&input, &answer, arguments.nodes) + &local.text(&input),
+        Format::Json => json::solve(&input, &answer, arguments.nodes, &local),
     };
     let stream = files.stream_of_answer();
     files.publish()?;
@@ -188,6 +191,11 @@ impl Solve {
                 _ => Ok(Route::Exact(self.tolerance.map_or_else(Demand::default, Demand::of_error))),
             };
         };
+        let of_theory = [("derivatives", self.derivatives), ("depth-tolerance", self.depth_tolerance.is_some())];
+        if let Some((option, _)) = of_theory.into_iter().find(|(_, asked)| *asked) {
+            let message = format!("--{option} belongs to --method exact; a discretised method has no use for it");
+            return Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message });
+        }
         let written = [("nodes", self.nodes), ("csv", self.csv.is_some()), ("plot", self.plot.is_some())];
         if let Some(intervals) = self.intervals.filter(|intervals| arguments::MOST_INTERVALS_WRITTEN < *intervals)
             && let Some((option, _)) = written.into_iter().find(|(_, asked)| *asked)

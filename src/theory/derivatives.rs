@@ -59,6 +59,16 @@ pub struct ContactDerivative {
     pub end_forces: Option<[f64; 2]>,
 }
 
+/// How far forces may be off, by estimate: magnitudes \[force\].
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Spread {
+    /// Of the supports, from left to right.
+    pub supports: Vec<f64>,
+    /// Of the resultants of the contacts.
+    pub contacts: Vec<f64>,
+}
+
 /// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes.
 const AT_A_CHANGE: f64 = 1e-9;
 
@@ -111,6 +121,28 @@ impl Exact {
             add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, one_sided);
         }
         found
+    }
+
+    /// How far forces are off to first order if the depth under each contact by itself may be off by `tolerance`: the sum of the
+    /// magnitudes of all derivatives. Under a zone the ground moves as a whole.
+    #[must_use]
+    pub fn spread(&self, tolerance: f64) -> Option<Spread> {
+        let nodes = &self.list.nodes;
+        let none =
+            Spread { supports: vec![0.0; self.state.supports.len()], contacts: vec![0.0; self.state.contacts.len()] };
+        let stretches = (0..=nodes.len()).filter_map(|i| match nodes.get(i).map(|node| node.kind) {
+            _ if self.list.in_zone_before(i) => Some((i - 1, i)),
+            Some(Kind::Smooth | Kind::Edge(_)) => Some((i, i)),
+            _ => None,
+        });
+        stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
+            let of = Change::GroundUnder(from, to);
+            let derivative = self.derivative(By::Depth, of, self.scale.depth, false)?;
+            let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
+            sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
+            sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));
+            Some(sum)
+        })
     }
 
     fn derivative(&self, by: By, of: Change, unit: f64, one_sided: bool) -> Option<Derivative> {
@@ -167,6 +199,8 @@ impl Exact {
         let (given, scale) = (&self.given, &self.scale);
         let deflection = |at: f64| self.deflection(at * scale.length) / scale.depth;
         match of {
+            // The energy of a part of the ground is not asked for.
+            Change::GroundUnder(..) => 0.0,
             Change::Ground => {
                 let contact = self.state.contact_force() / (self.stiffness * scale.force);
                 -contact

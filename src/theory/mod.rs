@@ -48,7 +48,7 @@ mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
-pub use derivatives::{By, ContactDerivative, Derivative};
+pub use derivatives::{By, ContactDerivative, Derivative, Spread};
 pub use exact::{Exact, Sample};
 pub use margin::Margin;
 pub use pattern::{Pattern, Touch, ZoneEnd};

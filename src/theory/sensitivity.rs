@@ -22,6 +22,8 @@ use super::span::{Overhang, Span, fixed_end_of_load};
 pub(super) enum Change {
     /// The ground under all contacts goes down by one.
     Ground,
+    /// The same under the nodes from one index to another.
+    GroundUnder(usize, usize),
     /// All loads shrink by their own size.
     Unload,
     /// The uniform load grows by this.
@@ -250,7 +252,11 @@ pub(super) fn bend(spans: &[(usize, Span)], i: usize) -> f64 {
 fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64], of: Change, i: usize) -> Ask {
     let node = &list.nodes[i];
     let [_, turned] = of.on_node(node.x, 0.0);
-    let ground = if of == Change::Ground { 1.0 } else { 0.0 };
+    let ground = match of {
+        Change::Ground => 1.0,
+        Change::GroundUnder(from, to) if (from..=to).contains(&i) => 1.0,
+        _ => 0.0,
+    };
     let fixed = |value: f64| Ask { value, slopes: Some([0.0; 2]), jump: [0.0; 2] };
     match node.kind {
         Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => fixed(ground),
