@@ -21,13 +21,16 @@ pub struct Event {
 
 /// Beside an event the answer is looked at so far from it, as a share of the range; farther, by tens, where its kind is not decided.
 const BESIDE: f64 = 1e-10;
-const FARTHER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+const FARTHER: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
 
 /// Events between two rows, at most: more are no events but rounding.
 const MOST_EVENTS: usize = 1000;
 
 /// Events nearer to each other than this share of the range are one.
 const ONE: f64 = 1e-13;
+
+/// So far from an event, as a share of the range, the contacts beyond it are no answer any more.
+const APART: f64 = 1e-4;
 
 /// A value below this share of the range has no digits of its own that count.
 const SMALL: f64 = 1e-3;
@@ -91,6 +94,11 @@ impl Sweep<'_> {
         single.iter().map(|root| Event { value: root.value, what: describe(&root.before, &root.after) }).collect()
     }
 
+    /// True if the contacts of an answer are those at another value as well.
+    fn holds(&self, at: &At, value: f64) -> bool {
+        self.scene(value).is_ok_and(|scene| at.exact.holds(&scene))
+    }
+
     /// True if nothing is between two values.
     fn is_narrow(&self, a: f64, b: f64) -> bool {
         let [start, end] = self.range;
@@ -105,13 +113,13 @@ impl Sweep<'_> {
     /// The events between two answers.
     fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
         let mut beyond = Vec::new();
-        while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS {
+        while !left.is_like(&right) && !self.holds(&left, right.value) && events.len() + beyond.len() < MOST_EVENTS {
             if let Some((event, after)) = self.next_event(&left, &right) {
-                events.push(event);
+                events.extend(self.is_real(&left, &event, &after).then_some(event));
                 left = after;
             } else if let Some((event, before)) = self.next_event(&right, &left) {
                 // From the other side what it becomes is what it was.
-                beyond.push(event);
+                beyond.extend(self.is_real(&right, &event, &before).then_some(event));
                 right = before;
             } else {
                 let middle = 0.5 * (left.value + right.value);
@@ -134,6 +142,14 @@ impl Sweep<'_> {
         events.extend(beyond.into_iter().rev());
     }
 
+    /// False if the contacts beyond an event are an answer before it as well: then one answer has two lists of contacts, some of
+    /// which carry nothing, and it is no event that one of the lists ends.
+    fn is_real(&self, from: &At, event: &Root, after: &At) -> bool {
+        let [start, end] = self.range;
+        let back = (from.value - event.value).clamp(-APART * (end - start).abs(), APART * (end - start).abs());
+        !self.holds(after, event.value + back)
+    }
+
     /// The first event on the way from `from` to `to`, which may be against the sweep, and an answer just beyond it.
     fn next_event(&self, from: &At, to: &At) -> Option<(Root, At)> {
         let margins = from.exact.failing(&self.scene(to.value).ok()?)?;
@@ -146,7 +162,7 @@ impl Sweep<'_> {
         let before = value - onwards * step;
         let mut near = from.clone();
         if 0.0 < (before - from.value) * onwards {
-            near = self.at(before, Some(from)).filter(|near| near.is_like(from))?;
+            near = self.at(before, Some(from)).filter(|near| near.is_like(from) || self.holds(from, before))?;
         }
         let after = FARTHER.into_iter().find_map(|farther| {
             let after = value + onwards * step * farther;

@@ -29,6 +29,16 @@ impl Exact {
         Some(failing(&given, &list, &checked, &self.pattern().pulls))
     }
 
+    /// True if the contacts of this solution, moved but kept as they are, are an answer of `scene` as well, with supports that pull
+    /// and press as they did. Where contacts carry nothing, one answer may have several lists of them.
+    #[must_use]
+    pub fn holds(&self, scene: &Scene) -> bool {
+        self.kept(scene).is_some_and(|(given, list)| {
+            let checked = check(&given, &list);
+            checked.faults.is_empty() && failing(&given, &list, &checked, &self.pattern().pulls).is_empty()
+        })
+    }
+
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
     /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
     #[must_use]

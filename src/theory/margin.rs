@@ -141,6 +141,10 @@ pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
             add(given.depth_at_breakpoint(breakpoint) - deflection);
         }
         piece.clearance(given, &mut taylor);
+        // A minimum may lie just where two pieces meet.
+        if inside(piece.hi) {
+            add(derivatives(&taylor, piece.hi - piece.anchor)[0]);
+        }
         piece.outwards(&mut taylor);
         #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
         let slope: Vec<f64> = taylor.iter().enumerate().skip(1).map(|(j, c)| c * j as f64).collect();
