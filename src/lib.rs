@@ -84,8 +84,10 @@ pub mod scene;
 mod solve;
 pub mod solvers;
 pub mod state;
+pub mod sweep;
 pub mod text;
 pub mod theory;
+pub mod tolerance;
 pub mod verdict;
 mod witness;
 

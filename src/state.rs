@@ -286,7 +286,7 @@ impl ContactState {
     /// Resultant of all contacts, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {
-        self.contacts.iter().map(|c| c.force).sum()
+        self.contacts.iter().fold(0.0, |sum, c| sum + c.force)
     }
 
     /// A dimensionless state in the units of its scene. All factors are powers of two: only exponents change.

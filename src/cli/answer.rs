@@ -73,9 +73,13 @@ impl Answer {
             error => Failure::NoTheory(error),
         })?;
         let seconds = start.elapsed().as_secs_f64();
-        let solution = exact.judged(&input.scene, demand);
         let length = input.scene.beam().length();
-        Ok(Self { length, method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None })
+        Ok(Self::without_grid(length, exact.judged(&input.scene, demand), seconds))
+    }
+
+    /// An answer of beam theory for a beam of this length.
+    pub(super) fn without_grid(length: f64, solution: Solution, seconds: f64) -> Self {
+        Self { length, method: "exact", solver: FREE_BOUNDARY, intervals: None, seconds, solution, grids: None }
     }
 
     /// The answer of a method on a grid, certified from a witness.

@@ -6,6 +6,7 @@ use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use palkki::DEFAULT_TOLERANCE;
 use palkki::route::{Method, Solver};
+use palkki::sweep::MOST_STEPS;
 
 use super::json::MOST_INTERVALS_WITH_NODES;
 
@@ -54,6 +55,15 @@ Examples:
   palkki certify scene.toml forces.csv
   palkki certify scene.toml forces.csv --load nodal --format json";
 
+const SWEEP_EXAMPLES: &str = "\
+PATH is a number as the scene file writes it, for example load.point[0].at, load.uniform,
+foundation.depth, foundation.points[2].depth, beam.bending_stiffness, beam.supports[1].level. A path
+that the scene does not have is answered with those that it has.
+
+Examples:
+  palkki sweep scene.toml --vary foundation.depth --from 0.5 --to 8 --steps 101
+  palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --csv rows.csv --plot sweep.svg";
+
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Solve a scene: one method, one solver, one answer.
@@ -82,6 +92,15 @@ pub(super) enum Command {
     /// The exit code is 0 if that deflection is certain to one hundredth of its largest value.
     #[command(after_help = CERTIFY_EXAMPLE)]
     Certify(Certify),
+    /// Vary one number of a scene: an exact answer for each value, and the values at which something happens.
+    ///
+    /// Each answer is that of beam theory, checked and certified by itself. Between them are the events: the values at which a
+    /// contact appears, goes, becomes a zone or a point, splits, merges or moves over an edge, at which the regime changes, or at
+    /// which a support begins or ceases to pull. They are roots of the condition that decides them, to twelve digits, and not samples.
+    /// Between two values with the same kind of contact the middle is tried; what comes and goes within half a step may be missed.
+    /// The exit code is 0 if every answer is certified.
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(Sweep),
 }
 
 #[derive(Debug, Args)]
@@ -109,6 +128,12 @@ pub(super) struct Solve {
     pub(super) tolerance: Option<f64>,
     #[arg(long, help = nodes_help())]
     pub(super) nodes: bool,
+    /// Of beam theory: derivatives of support forces, contacts and energy by depth, stiffness, loads and supports
+    #[arg(long)]
+    pub(super) derivatives: bool,
+    /// Of beam theory: what is known if each depth of the ground may be off by this
+    #[arg(long, value_name = "DELTA", allow_hyphen_values = true, value_parser = depth_tolerance)]
+    pub(super) depth_tolerance: Option<f64>,
     #[command(flatten)]
     pub(super) common: Common,
     /// Write the values along the beam to this file, as CSV: those at the nodes, or samples of the exact solution; `-` is
@@ -168,6 +193,57 @@ pub(super) struct Certify {
     /// deflection at mid-span is smaller by q Δ² l² / (96 EI). The bounds are those of the beam under the distributed load either way.
     #[arg(long, value_name = "LOAD", value_enum, default_value = "distributed")]
     pub(super) load: LoadArgument,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Sweep {
+    #[command(flatten)]
+    pub(super) common: Common,
+    /// The number that is varied
+    #[arg(long, value_name = "PATH")]
+    pub(super) vary: String,
+    /// Its first value
+    #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = number)]
+    pub(super) from: f64,
+    /// Its last value
+    #[arg(long, value_name = "B", allow_hyphen_values = true, value_parser = number)]
+    pub(super) to: f64,
+    /// How many values, both ends included, at least 2
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
+    pub(super) steps: usize,
+    /// Write a row for each value to this file, as CSV; `-` is standard output, and the answer then goes to standard error
+    #[arg(long, value_name = "FILE")]
+    pub(super) csv: Option<PathBuf>,
+    /// Draw reactions, extremes and contacts over the value, with the events, into this file, or `-` as above
+    #[arg(long, value_name = "FILE.svg")]
+    pub(super) plot: Option<PathBuf>,
+}
+
+/// `--steps`.
+pub(super) fn steps(text: &str) -> Result<usize, String> {
+    let not = |what: &str| Err(format!("the number of steps must be {what}, but is {text}"));
+    match text.parse::<usize>() {
+        Ok(..2) => not("at least 2"),
+        Ok(number) if number <= MOST_STEPS => Ok(number),
+        Err(error) if *error.kind() != std::num::IntErrorKind::PosOverflow => not("a whole number, at least 2"),
+        _ => not(&format!("at most {MOST_STEPS}")),
+    }
+}
+
+/// `--depth-tolerance`.
+fn depth_tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
+        _ => Err(format!("the tolerance of the depth must be a positive, finite number, but is {text}")),
+    }
+}
+
+/// A finite number.
+fn number(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(format!("it must be a finite number, but is {text}")),
+    }
 }
 
 /// More intervals than any computer that this runs on has memory for.

@@ -43,6 +43,6 @@ fn rows<const COLUMNS: usize>(header: &str, rows: impl Iterator<Item = [f64; COL
 }
 
 /// The shortest text that reads back as the same number; nothing for one that is not finite.
-fn field(value: f64) -> String {
+pub(super) fn field(value: f64) -> String {
     if value.is_finite() { format!("{value:?}") } else { String::new() }
 }

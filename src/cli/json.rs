@@ -6,29 +6,34 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
+use palkki::scene::Quantity;
 use palkki::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime, Standing, SupportForce};
+use palkki::sweep::Event;
 use serde::Serialize;
 
 use super::answer::Answer;
 use super::certify::Finding;
 use super::compare::{Comparison, Difference};
 use super::input::Input;
+use super::local::Local;
 
 /// Grids with more intervals are printed without their nodes, unless these are asked for.
 pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
 
 /// The answer of `solve`.
-pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool) -> String {
+pub(super) fn solve(input: &Input, answer: &Answer, all_nodes: bool, local: &Local) -> String {
     #[derive(Debug, Serialize)]
     struct SolveObject<'a> {
         scene: &'a str,
         #[serde(flatten)]
         route: RouteObject<'a>,
         nodes: Option<&'a Nodes>,
+        #[serde(flatten)]
+        local: &'a Local,
     }
     let few = answer.intervals.is_some_and(|intervals| intervals <= MOST_INTERVALS_WITH_NODES);
     let nodes = answer.nodes().filter(|_| few || all_nodes);
-    print(&SolveObject { scene: input.title(), route: answer.into(), nodes })
+    print(&SolveObject { scene: input.title(), route: answer.into(), nodes, local })
 }
 
 /// What `compare` found.
@@ -77,6 +82,25 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         certificate: CertificateObject { best_deflection_error, ..(&finding.certificate).into() },
         violations: &finding.violations,
     })
+}
+
+/// What `sweep` found: the number that was varied, its values with their answers, and the events.
+pub(super) fn sweep(input: &Input, vary: Quantity, rows: &[(f64, Answer)], events: &[Event]) -> String {
+    #[derive(Debug, Serialize)]
+    struct SweepObject<'a> {
+        scene: &'a str,
+        vary: String,
+        rows: Vec<RowObject<'a>>,
+        events: &'a [Event],
+    }
+    #[derive(Debug, Serialize)]
+    struct RowObject<'a> {
+        value: f64,
+        #[serde(flatten)]
+        route: RouteObject<'a>,
+    }
+    let rows = rows.iter().map(|(value, answer)| RowObject { value: *value, route: answer.into() }).collect();
+    print(&SweepObject { scene: input.title(), vary: vary.to_string(), rows, events })
 }
 
 fn print(value: &impl Serialize) -> String {

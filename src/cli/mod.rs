@@ -16,7 +16,9 @@ mod given;
 mod held;
 mod input;
 mod json;
+mod local;
 mod output;
+mod sweep;
 mod table;
 mod text;
 
@@ -26,12 +28,14 @@ use clap::{CommandFactory as _, Parser as _};
 use palkki::adaptive::Request;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
+use palkki::sweep::Sweep;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
 use self::arguments::{Arguments, Command, Common, Format, Solve};
 use self::files::Files;
 use self::input::Input;
+use self::local::Local;
 use self::output::{Failure, Stream};
 
 const CERTIFIED: u8 = 0;
@@ -49,6 +53,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Solve(arguments) => solve(arguments),
         Command::Compare(arguments) => compare(arguments),
         Command::Certify(arguments) => certify(arguments),
+        Command::Sweep(arguments) => sweep(arguments),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -90,9 +95,10 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     if let Some(path) = &arguments.plot {
         files.stage(path, figure(&input, &answer)?)?;
     }
+    let local = Local::of(&input.scene, &answer, arguments);
     let text = match arguments.common.format {
-        Format::Text => text::solve(&input, &answer, arguments.nodes),
-        Format::Json => json::solve(&input, &answer, arguments.nodes),
+        Format::Text => text::solve(&input, &answer, arguments.nodes) + &local.text(&input),
+        Format::Json => json::solve(&input, &answer, arguments.nodes, &local),
     };
     let stream = files.stream_of_answer();
     files.publish()?;
@@ -144,6 +150,32 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     Ok(if finding.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
+fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
+    let arguments::Sweep { common: Common { scene, format }, vary, from, to, steps, csv, plot } = arguments;
+    let input = Input::read(scene)?;
+    let varied = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
+    let mut files = Files::default();
+    for path in [csv, plot].into_iter().flatten() {
+        files.reserve(path, &input)?;
+    }
+    let what = format!("sweeping {} for {}", varied.quantity(), scene.display());
+    let swept = busy::telling(what, || sweep::Swept::of(&varied, input.scene.beam().length()))?;
+    if let Some(path) = csv {
+        files.stage(path, swept.csv())?;
+    }
+    if let Some(path) = plot {
+        files.stage(path, swept.figure(&input)?)?;
+    }
+    let text = match format {
+        Format::Text => swept.text(&input),
+        Format::Json => swept.json(&input),
+    };
+    let stream = files.stream_of_answer();
+    files.publish()?;
+    output::print(stream, &text)?;
+    Ok(if swept.is_certified() { CERTIFIED } else { NOT_CERTIFIED })
+}
+
 impl Solve {
     /// The route that the arguments ask for; an option that would have no effect is refused.
     fn route(&self) -> Result<Route, Failure> {
@@ -159,6 +191,11 @@ impl Solve {
                 _ => Ok(Route::Exact(self.tolerance.map_or_else(Demand::default, Demand::of_error))),
             };
         };
+        let of_theory = [("derivatives", self.derivatives), ("depth-tolerance", self.depth_tolerance.is_some())];
+        if let Some((option, _)) = of_theory.into_iter().find(|(_, asked)| *asked) {
+            let message = format!("--{option} belongs to --method exact; a discretised method has no use for it");
+            return Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message });
+        }
         let written = [("nodes", self.nodes), ("csv", self.csv.is_some()), ("plot", self.plot.is_some())];
         if let Some(intervals) = self.intervals.filter(|intervals| arguments::MOST_INTERVALS_WRITTEN < *intervals)
             && let Some((option, _)) = written.into_iter().find(|(_, asked)| *asked)

@@ -30,6 +30,9 @@ pub(super) enum Failure {
     /// Theory has no solution for this scene.
     #[error("beam theory has no answer for this scene: {0}; choose another --method")]
     NoTheory(#[from] palkki::theory::TheoryError),
+    /// There is no such sweep, or a value of it has no answer.
+    #[error(transparent)]
+    Sweep(#[from] palkki::sweep::SweepError),
     /// The figure could not be drawn.
     #[error("cannot draw this answer: {0}")]
     Plot(#[from] palkki::plot::PlotError),

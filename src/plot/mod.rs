@@ -35,6 +35,7 @@ mod palette;
 mod panel;
 mod sketch;
 mod solution;
+mod sweep;
 
 pub use crate::text::significant;
 pub use axis::Axis;
@@ -44,6 +45,7 @@ pub use layer::{Arrow, Arrows, Cell, Layer, LoadSketch, Place, Reference, Suppor
 pub use palette::{Color, Dash, Marker, Style};
 pub use panel::Panel;
 pub use solution::{curves, sheet};
+pub use sweep::sweep;
 
 /// Why a figure was not drawn.
 #[derive(Debug, thiserror::Error)]

@@ -11,6 +11,8 @@ pub struct Beam {
     length: f64,
     bending_stiffness: f64,
     supports: Vec<Support>,
+    /// Which of the supports as they were given each of them is.
+    given: Vec<usize>,
     shape: Option<Foundation>,
 }
 
@@ -25,7 +27,7 @@ impl Beam {
         let length = positive(Quantity::Length, length)?;
         let bending_stiffness = positive(Quantity::BendingStiffness, bending_stiffness)?;
         let supports = vec![Support::simple(0.0), Support::simple(length)];
-        Ok(Self { length, bending_stiffness, supports, shape: None })
+        Ok(Self { length, bending_stiffness, supports, given: vec![0, 1], shape: None })
     }
 
     /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
@@ -35,8 +37,8 @@ impl Beam {
     /// A number that is not finite, a support that is not on the beam, two at one place, or one that is built in at a corner of
     /// the own shape.
     pub fn with_supports(self, supports: Vec<Support>) -> Result<Self, SceneError> {
-        let supports = sorted(supports, self.length)?;
-        Self { supports, ..self }.with_definite_slopes()
+        let (given, supports) = sorted(supports, self.length)?.into_iter().unzip();
+        Self { supports, given, ..self }.with_definite_slopes()
     }
 
     /// The same beam with an own shape `w0(x)`, the depth of its axis as long as nothing acts on it, positive downwards: any of
@@ -91,6 +93,15 @@ impl Beam {
     #[must_use]
     pub fn supports(&self) -> &[Support] {
         &self.supports
+    }
+
+    /// The same in the order in which they were given, which the indices of a scene file count.
+    #[must_use]
+    pub fn supports_as_given(&self) -> Vec<Support> {
+        let mut supports: Vec<(usize, Support)> =
+            self.given.iter().copied().zip(self.supports.iter().copied()).collect();
+        supports.sort_by_key(|(given, _)| *given);
+        supports.into_iter().map(|(_, support)| support).collect()
     }
 
     /// Its own shape `w0(x)` \[length\]; [`None`] if it is straight.

@@ -60,8 +60,9 @@ pub struct Held {
     pub grounded: [bool; 2],
 }
 
-/// `supports` from left to right, checked for a beam of this length; indices in errors are those of the list as it is given.
-pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<Support>, SceneError> {
+/// `supports` from left to right, each with its index in the list as it is given, which errors have too; checked for a beam of
+/// this length.
+pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, Support)>, SceneError> {
     for (i, support) in supports.iter().enumerate() {
         on_beam(Quantity::SupportAt(i), support.at, length)?;
         finite(Quantity::SupportLevel(i), support.level)?;
@@ -74,7 +75,7 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<Support>
         let quantity = Quantity::SupportAt(pair[0].0.max(pair[1].0));
         return Err(SceneError::TwoSupportsAtOnePlace { quantity, value: pair[0].1.at });
     }
-    Ok(sorted.into_iter().map(|(_, support)| support).collect())
+    Ok(sorted)
 }
 
 impl Foundation {

@@ -5,6 +5,7 @@ use super::list::{Beside, Kind, List, Node};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
+use super::span::Span;
 use super::summary;
 use super::violation::Violation;
 use crate::scene::{Balance, Foundation, Scale, Scene};
@@ -33,10 +34,14 @@ pub struct Exact {
     /// support and holds the slope of the beam there: the limit of a large reaction downwards and a large contact force
     /// upwards beside it. Not positive, mostly zero \[force · length\]. `state.reactions` has the net force.
     pub support_couples: [f64; 2],
-    given: PiecewiseScene,
+    pub(super) given: PiecewiseScene,
+    pub(super) list: List,
+    pub(super) spans: Vec<(usize, Span)>,
+    /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
+    pub(super) forces: Vec<f64>,
     pieces: Vec<Piece>,
-    scale: Scale,
-    stiffness: f64,
+    pub(super) scale: Scale,
+    pub(super) stiffness: f64,
     founded: bool,
 }
 
@@ -68,6 +73,9 @@ impl Exact {
             violations,
             support_couples,
             pieces: checked.pieces,
+            spans: checked.spans,
+            forces: checked.forces,
+            list,
             given,
             scale,
             stiffness,
@@ -150,6 +158,21 @@ impl Exact {
             .filter(|j| j.force != 0.0)
             .map(|j| (j.x * self.scale.length, j.force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))
+    }
+
+    /// `∫ f(v, v', v'', v''') dx`, dimensionless.
+    pub(super) fn integral(&self, f: impl Fn([f64; 4]) -> f64) -> f64 {
+        let mut taylor = vec![0.0; self.given.terms];
+        let of = |piece: &Piece| {
+            piece.deflection(&self.given, &mut taylor);
+            self.given.energy_rule.integral(piece.lo, piece.hi, |x| f(derivatives(&taylor, x - piece.anchor)))
+        };
+        self.pieces.iter().map(of).sum()
+    }
+
+    /// True if there is a foundation.
+    pub(super) fn is_above_ground(&self) -> bool {
+        self.founded
     }
 
     /// The piece at `x`, of two the left or the right one, and the distance from its anchor.

@@ -12,6 +12,8 @@
 //! 5. `repair`, `normal`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
 //!    `neutral` has the beams that rest on one place and may turn there.
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
+//! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
+//! 8. `sensitivity`, `derivatives`: how the answer changes with the numbers of the scene.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
@@ -24,19 +26,24 @@ mod breakpoints;
 mod chain;
 mod check;
 pub mod closed;
+mod continuation;
 mod cosine;
+mod derivatives;
 mod exact;
 mod forces;
 mod gauss;
 mod guess;
 mod list;
+mod margin;
 mod neutral;
 mod newton;
 mod normal;
+mod pattern;
 mod piece;
 mod piecewise;
 mod repair;
 mod search;
+mod sensitivity;
 mod shape;
 mod solve;
 mod span;
@@ -45,6 +52,9 @@ mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
+pub use derivatives::{By, ContactDerivative, Derivative, Spread};
 pub use exact::{Exact, Sample};
+pub use margin::Margin;
+pub use pattern::{Pattern, Touch, ZoneEnd};
 pub use solve::{TheoryError, solve};
 pub use violation::Violation;

@@ -67,6 +67,30 @@ pub(super) fn free(given: &PiecewiseScene) -> Found {
     Found { list, checked, steps: run.steps, lists: 1, converged: run.converged }
 }
 
+/// The exact solution above a foundation, beside one with the contacts of `list`: after a step of a sweep a list is the same, or
+/// a repair or two away. Otherwise everything is looked for.
+pub(super) fn search_from(given: &PiecewiseScene, mut list: List) -> Found {
+    /// Lists that are tried.
+    const ROUNDS: usize = 3;
+    let (mut steps, mut lists) = (0, 0);
+    for _ in 0..ROUNDS {
+        let run = newton::solve(given, &mut list);
+        list = normalised(given, list);
+        let checked = check(given, &list);
+        (steps, lists) = (steps + run.steps, lists + 1);
+        let found = Found { list, checked, steps, lists, converged: run.converged };
+        if found.solved() {
+            return found;
+        }
+        list = repaired(given, &found.list, &found.checked);
+        if list == found.list {
+            break;
+        }
+    }
+    let found = search(given);
+    Found { steps: steps + found.steps, lists: lists + found.lists, ..found }
+}
+
 /// The exact solution above a foundation.
 ///
 /// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each

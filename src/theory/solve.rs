@@ -2,6 +2,7 @@
 
 use super::breakpoints::MOST_CELLS;
 use super::exact::Exact;
+use super::list::List;
 use super::neutral;
 use super::piecewise::PiecewiseScene;
 use super::search::{self, Found};
@@ -58,6 +59,12 @@ const BYTES_PER_POINT: usize = 2000;
 ///
 /// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
+    solve_from(scene, None)
+}
+
+/// The same, with the list of contacts of a scene beside this one to start from; where that leads to no answer soon, it is looked
+/// for as usual.
+pub(super) fn solve_from(scene: &Scene, near: Option<&Exact>) -> Result<Exact, TheoryError> {
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     if let Some(&Foundation::Cosine { wavelength, phase, .. }) = foundation {
@@ -78,20 +85,22 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);
-    let (found, slopes) = found(&given, &scaled.balance, foundation.is_some());
+    let (found, slopes) =
+        found(&given, &scaled.balance, foundation.is_some(), near.and_then(|near| near.list_in(&given, &scaled.scale)));
     let exact = Exact::new(given, found, scaled.scale, stiffness, foundation.is_some());
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
 }
 
-/// The solution of a dimensionless scene, and between which slopes it may turn where its position is not certain.
-fn found(given: &PiecewiseScene, balance: &Balance, grounded: bool) -> (Found, Option<[f64; 2]>) {
+/// The solution of a dimensionless scene, looked for from a list `near` it if there is one, and between which slopes it may turn where its position is not certain.
+fn found(given: &PiecewiseScene, balance: &Balance, grounded: bool, near: Option<List>) -> (Found, Option<[f64; 2]>) {
     if let Balance::Neutral { about, .. } = *balance
         && let Some((found, slopes)) = neutral::balanced(given, about, grounded)
     {
         return (found, Some(slopes));
     }
     if grounded {
-        return (search::search(given), None);
+        let found = near.map_or_else(|| search::search(given), |list| search::search_from(given, list));
+        return (found, None);
     }
     let mut found = search::free(given);
     found.checked.forget_ground();

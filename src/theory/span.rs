@@ -319,6 +319,12 @@ fn solve(l: f64, [a, b]: [Held; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
     [[slope_a, curvature_a, across - fixed.shear[0]], [slope_b, curvature_b, across + fixed.shear[1]]]
 }
 
+/// Fixed-end moments and shear forces of the load over a span.
+pub(super) fn fixed_end_of_load(given: &PiecewiseScene, a: &End, b: &End) -> ([f64; 2], [f64; 2]) {
+    let FixedEnd { moment, shear } = fixed_end(given, a, b, Drive::Load);
+    (moment, shear)
+}
+
 /// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
 fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;

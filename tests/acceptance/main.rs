@@ -10,4 +10,5 @@ mod paper;
 mod repository;
 mod robustness;
 mod solvers;
+mod sweep;
 mod theory;

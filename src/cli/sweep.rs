@@ -1,0 +1,157 @@
+//! `sweep`: one number of the scene varied, as a table, CSV, JSON or a figure.
+
+use std::time::Instant;
+
+use palkki::plot;
+use palkki::route::Status;
+use palkki::scene::Quantity;
+use palkki::state::Contact;
+use palkki::sweep::{Event, Sweep};
+use palkki::text::{result, significant};
+
+use super::answer::Answer;
+use super::csv::field;
+use super::given::given;
+use super::input::Input;
+use super::json;
+use super::output::Failure;
+use super::table::{Labels, Row, list, table};
+use super::text::heading;
+
+/// Rows of a table for a person; of more so many are shown.
+const SHOWN: usize = 41;
+
+/// Digits of the value of an event.
+const DIGITS: usize = 12;
+
+/// What a sweep came to.
+pub(super) struct Swept {
+    quantity: Quantity,
+    rows: Vec<(f64, Answer)>,
+    events: Vec<Event>,
+    /// Time of all answers with their certificates, and of the events.
+    seconds: [f64; 2],
+}
+
+impl Swept {
+    /// All answers of a sweep over a beam of this length.
+    pub(super) fn of(sweep: &Sweep<'_>, length: f64) -> Result<Self, Failure> {
+        let begin = Instant::now();
+        let mut walk = sweep.walk();
+        let (mut rows, mut times) = (Vec::new(), Vec::new());
+        for value in sweep.values() {
+            let start = Instant::now();
+            let step = walk.solve(value)?;
+            times.push(start.elapsed().as_secs_f64());
+            rows.push(walk.row(step));
+        }
+        let solved = begin.elapsed().as_secs_f64();
+        let events = sweep.events(&rows);
+        let seconds = [solved, begin.elapsed().as_secs_f64() - solved];
+        let rows = rows
+            .into_iter()
+            .zip(times)
+            .map(|(row, time)| (row.value, Answer::without_grid(length, row.solution, time)));
+        Ok(Self { quantity: sweep.quantity(), rows: rows.collect(), events, seconds })
+    }
+
+    /// Whether every answer is certified.
+    pub(super) fn is_certified(&self) -> bool {
+        self.rows.iter().all(|(_, answer)| answer.solution.verdict.status == Status::Certified)
+    }
+
+    pub(super) fn json(&self, input: &Input) -> String {
+        json::sweep(input, self.quantity, &self.rows, &self.events)
+    }
+
+    pub(super) fn figure(&self, input: &Input) -> Result<String, Failure> {
+        let rows: Vec<_> = self.rows.iter().map(|(value, answer)| (*value, &answer.solution.state)).collect();
+        Ok(plot::sweep(&input.scene, self.quantity, &rows, &self.events)?)
+    }
+
+    pub(super) fn text(&self, input: &Input) -> String {
+        let labels = Labels::of(input.scene.units());
+        let certified = self.rows.iter().filter(|(_, a)| a.solution.verdict.status == Status::Certified).count();
+        let ends = [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| result(row.0)));
+        let [rows, events] = self.seconds.map(|seconds| palkki::text::magnitude(seconds));
+        let mut text = heading(input) + &list(&given(&input.scene)) + "\n";
+        text += &list(&[
+            ("varied", format!("{}, {} values from {} to {}", self.quantity, self.rows.len(), ends[0], ends[1])),
+            ("status", format!("{certified} of {} answers certified", self.rows.len())),
+            ("seconds", format!("{rows} for the answers with their bounds, {events} for the events")),
+        ]);
+        if self.events.is_empty() {
+            text += "\nEvents: none found\n";
+        } else {
+            text += "\nEvents\n";
+            let lines: Vec<_> =
+                self.events.iter().map(|event| (significant(event.value, DIGITS), event.what.clone())).collect();
+            text += &list(&lines.iter().map(|(value, what)| (value.as_str(), what.clone())).collect::<Vec<_>>());
+        }
+        let header = [
+            self.quantity.to_string(),
+            "status".to_owned(),
+            "regime".to_owned(),
+            "contacts".to_owned(),
+            labels.force("contact"),
+            labels.force("left"),
+            labels.force("right"),
+            labels.length("deflection"),
+            labels.moment("moment"),
+            labels.moment("least moment"),
+        ];
+        let step = self.rows.len().div_ceil(SHOWN).max(1);
+        let last = self.rows.len() - 1;
+        let shown = self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
+        let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer)).collect();
+        let title = match rows.len() {
+            all if all == self.rows.len() => "Answers".to_owned(),
+            some => format!("Answers, {some} of {}; --csv and --format json have all", self.rows.len()),
+        };
+        text + &table(&title, &header.each_ref().map(String::as_str), &rows)
+    }
+
+    /// One row for each value. Supports and contacts are numbered from left to right; contacts that a row does not have are empty.
+    pub(super) fn csv(&self) -> String {
+        let states = || self.rows.iter().map(|(_, answer)| &answer.solution.state);
+        let supports = states().map(|state| state.supports.len()).max().unwrap_or(0);
+        let contacts = states().map(|state| state.contacts.len()).max().unwrap_or(0);
+        let mut header = String::from(
+            "value,status,regime,contact_force,deflection_max,deflection_max_at,moment_max,moment_max_at,moment_min,\
+             moment_min_at,energy,deflection_error",
+        );
+        header.extend((1..=supports).map(|i| format!(",support_{i}_at,support_{i}_force")));
+        header.extend((1..=contacts).map(|i| format!(",contact_{i}_from,contact_{i}_to,contact_{i}_force")));
+        let mut text = header + "\n";
+        for (value, answer) in &self.rows {
+            let (state, verdict) = (&answer.solution.state, &answer.solution.verdict);
+            let error = verdict.certificate.as_ref().map_or(f64::INFINITY, |c| c.deflection_error);
+            let (v, m) = (state.deflection, state.moment);
+            let numbers =
+                [state.contact_force(), v.max, v.max_at, m.max, m.max_at, m.min, m.min_at, state.energy, error];
+            let mut cells = vec![field(*value), verdict.status.to_string(), state.regime.name().to_owned()];
+            cells.extend(numbers.map(field));
+            cells.extend(state.supports.iter().flat_map(|s| [s.at, s.force]).map(field));
+            cells.extend(
+                state.contacts.iter().flat_map(|&Contact { from, to, force, .. }| [from, to, force]).map(field),
+            );
+            cells.resize(12 + 2 * supports + 3 * contacts, String::new());
+            text += &(cells.join(",") + "\n");
+        }
+        text
+    }
+}
+
+fn row(value: f64, answer: &Answer) -> Row {
+    let state = &answer.solution.state;
+    let mut cells = vec![
+        result(value),
+        answer.solution.verdict.status.to_string(),
+        state.regime.name().to_owned(),
+        state.contacts.len().to_string(),
+    ];
+    let reactions = state.reactions;
+    let numbers = [state.contact_force(), reactions.left, reactions.right];
+    cells.extend(numbers.into_iter().chain([state.deflection.max, state.moment.max, state.moment.min]).map(result));
+    cells
+}

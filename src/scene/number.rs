@@ -1,0 +1,294 @@
+//! A number of a scene by its path, as a scene file would write it: what it is, and the same scene with another value.
+
+use super::quantity::{Profile, ProfileKey, Quantity};
+use super::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+
+/// A path that leads to no number of the scene that can be varied.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum PathError {
+    /// There is no such number.
+    #[error("the scene has no number `{path}`; it has {}", in_backticks(known))]
+    Unknown {
+        /// The path.
+        path: String,
+        /// The paths that there are; `[0…3]` stands for each of these indices.
+        known: Vec<String>,
+    },
+    /// The length of the beam.
+    #[error(
+        "`beam.length` cannot be varied: places of loads, supports and ground are measured along the beam, and it is not said \
+         which of them would move with its end"
+    )]
+    Length,
+}
+
+fn in_backticks(paths: &[String]) -> String {
+    paths.iter().map(|path| format!("`{path}`")).collect::<Vec<_>>().join(", ")
+}
+
+impl Scene {
+    /// The number that a path stands for. The place and the depth of a point of a polyline may be written `[0]` and `[1]`, as in
+    /// the file, or `.x` and `.depth`. Supports that are left out in the file are there, at both ends, and so is a load of zero.
+    ///
+    /// # Errors
+    ///
+    /// A [`PathError`] that lists what can be varied.
+    pub fn quantity(&self, path: &str) -> Result<Quantity, PathError> {
+        if path == Quantity::Length.to_string() {
+            return Err(PathError::Length);
+        }
+        let written = match path.rsplit_once('.') {
+            Some((point, "x")) if point.contains(".points[") => format!("{point}[0]"),
+            Some((point, "depth")) if point.contains(".points[") => format!("{point}[1]"),
+            _ => path.to_owned(),
+        };
+        let groups = self.groups();
+        let found = groups.iter().flat_map(|group| group.all()).find(|quantity| quantity.to_string() == written);
+        found.ok_or_else(|| PathError::Unknown {
+            path: path.to_owned(),
+            known: groups.iter().filter_map(Group::path).collect(),
+        })
+    }
+
+    /// The value of a number; [`None`] if the scene does not have it.
+    #[must_use]
+    pub fn number(&self, quantity: Quantity) -> Option<f64> {
+        Numbers::of(self).at(quantity).copied()
+    }
+
+    /// The same scene with another value of a number, checked again. A scene that does not have the number stays as it is.
+    ///
+    /// # Errors
+    ///
+    /// Every [`SceneError`] of its parts.
+    pub fn with_number(&self, quantity: Quantity, value: f64) -> Result<Self, SceneError> {
+        let mut numbers = Numbers::of(self);
+        if let Some(number) = numbers.at(quantity) {
+            *number = value;
+        }
+        let Numbers { stiffness, supports, shape, uniform, linear, point, foundation } = numbers;
+        let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?;
+        let beam = match shape {
+            Some(shape) => beam.with_shape(shape)?,
+            None => beam,
+        };
+        let load = Load::new(&beam, uniform, linear, point)?;
+        Ok(Self::new(beam, load, foundation)?.labelled(self.title.clone(), self.units.clone()))
+    }
+
+    /// The same scene with all of its ground moved downwards \[length\].
+    ///
+    /// # Errors
+    ///
+    /// Every [`SceneError`] of [`Foundation::checked`], above all that it lies above a support.
+    pub fn with_ground_moved(&self, down: f64) -> Result<Self, SceneError> {
+        let mut foundation = self.foundation.clone();
+        match &mut foundation {
+            None => {}
+            Some(Foundation::Flat { depth }) => *depth += down,
+            Some(Foundation::Polynomial { coefficients }) => coefficients.iter_mut().take(1).for_each(|c| *c += down),
+            Some(Foundation::Cosine { mean, .. }) => *mean += down,
+            Some(Foundation::Polyline { points }) => points.iter_mut().for_each(|point| point[1] += down),
+        }
+        let moved = Self::new(self.beam.clone(), self.load.clone(), foundation)?;
+        Ok(moved.labelled(self.title.clone(), self.units.clone()))
+    }
+
+    /// The numbers that can be varied.
+    fn groups(&self) -> Vec<Group> {
+        let mut groups = vec![Group::one(Quantity::BendingStiffness)];
+        let supports = self.beam.supports().len();
+        groups.extend([Quantity::SupportAt, Quantity::SupportLevel].map(|of| Group::each(of, supports)));
+        // In the order of the file.
+        for (i, support) in self.beam.supports_as_given().into_iter().enumerate() {
+            if support.slope.is_some() {
+                groups.push(Group::one(Quantity::SupportSlope(i)));
+            }
+        }
+        groups.extend(self.beam.shape().into_iter().flat_map(|shape| groups_of(Profile::Shape, shape)));
+        groups.push(Group::one(Quantity::Uniform));
+        let linear = self.load.linear().len();
+        let ends = [Quantity::LinearFrom, Quantity::LinearTo, Quantity::LinearStart, Quantity::LinearEnd];
+        groups.extend(ends.map(|of| Group::each(of, linear)));
+        let point = self.load.point().len();
+        groups.extend([Quantity::PointAt, Quantity::PointForce].map(|of| Group::each(of, point)));
+        groups.extend(self.foundation.iter().flat_map(|foundation| groups_of(Profile::Foundation, foundation)));
+        groups
+    }
+}
+
+/// The numbers of a profile.
+fn groups_of(of: Profile, profile: &Foundation) -> Vec<Group> {
+    let one = |key| Group::one(Quantity::Profile(of, key));
+    match profile {
+        Foundation::Flat { .. } => vec![one(ProfileKey::Depth)],
+        Foundation::Polynomial { coefficients } => {
+            let coefficient: fn(Profile, usize) -> Quantity = |of, i| Quantity::Profile(of, ProfileKey::Coefficient(i));
+            vec![Group { of: Make::Profile(of, coefficient), count: coefficients.len() }]
+        }
+        Foundation::Cosine { .. } => {
+            [ProfileKey::Mean, ProfileKey::Amplitude, ProfileKey::Wavelength, ProfileKey::Phase].map(one).into()
+        }
+        Foundation::Polyline { points } => {
+            let axes: [fn(Profile, usize) -> Quantity; 2] = [
+                |of, i| Quantity::Profile(of, ProfileKey::PolylineX(i)),
+                |of, i| Quantity::Profile(of, ProfileKey::PolylineDepth(i)),
+            ];
+            axes.map(|axis| Group { of: Make::Profile(of, axis), count: points.len() }).into()
+        }
+    }
+}
+
+/// Numbers that differ in an index only.
+#[derive(Debug, Clone, Copy)]
+struct Group {
+    of: Make,
+    count: usize,
+}
+
+/// A quantity of an index.
+#[derive(Debug, Clone, Copy)]
+enum Make {
+    One(Quantity),
+    Each(fn(usize) -> Quantity),
+    Profile(Profile, fn(Profile, usize) -> Quantity),
+}
+
+impl Group {
+    fn one(quantity: Quantity) -> Self {
+        Self { of: Make::One(quantity), count: 1 }
+    }
+
+    fn each(of: fn(usize) -> Quantity, count: usize) -> Self {
+        Self { of: Make::Each(of), count }
+    }
+
+    fn all(self) -> impl Iterator<Item = Quantity> {
+        (0..self.count).map(move |i| match self.of {
+            Make::One(quantity) => quantity,
+            Make::Each(of) => of(i),
+            Make::Profile(profile, of) => of(profile, i),
+        })
+    }
+
+    /// What a message calls them; [`None`] if there are none.
+    fn path(&self) -> Option<String> {
+        let first = self.all().next()?.to_string();
+        match self.count {
+            1 => Some(first),
+            count => Some(first.replacen("[0]", &format!("[0…{}]", count - 1), 1)),
+        }
+    }
+}
+
+/// The numbers of a scene, to be changed.
+struct Numbers {
+    stiffness: f64,
+    /// In the order in which they were given, which is what indices count.
+    supports: Vec<Support>,
+    shape: Option<Foundation>,
+    uniform: f64,
+    linear: Vec<LinearLoad>,
+    point: Vec<PointLoad>,
+    foundation: Option<Foundation>,
+}
+
+impl Numbers {
+    fn of(scene: &Scene) -> Self {
+        let (beam, load) = (&scene.beam, &scene.load);
+        Self {
+            stiffness: beam.bending_stiffness(),
+            supports: beam.supports_as_given(),
+            shape: beam.shape().cloned(),
+            uniform: load.uniform(),
+            linear: load.linear().to_vec(),
+            point: load.point().to_vec(),
+            foundation: scene.foundation.clone(),
+        }
+    }
+
+    fn at(&mut self, quantity: Quantity) -> Option<&mut f64> {
+        match quantity {
+            Quantity::Length | Quantity::Supports | Quantity::TotalLoad => None,
+            Quantity::BendingStiffness => Some(&mut self.stiffness),
+            Quantity::Uniform => Some(&mut self.uniform),
+            Quantity::LinearFrom(i) => self.linear.get_mut(i).map(|load| &mut load.from),
+            Quantity::LinearTo(i) => self.linear.get_mut(i).map(|load| &mut load.to),
+            Quantity::LinearStart(i) => self.linear.get_mut(i).map(|load| &mut load.start),
+            Quantity::LinearEnd(i) => self.linear.get_mut(i).map(|load| &mut load.end),
+            Quantity::PointAt(i) => self.point.get_mut(i).map(|load| &mut load.at),
+            Quantity::PointForce(i) => self.point.get_mut(i).map(|load| &mut load.force),
+            Quantity::SupportAt(i) => self.supports.get_mut(i).map(|support| &mut support.at),
+            Quantity::SupportLevel(i) => self.supports.get_mut(i).map(|support| &mut support.level),
+            Quantity::SupportSlope(i) => self.supports.get_mut(i)?.slope.as_mut(),
+            Quantity::Profile(of, key) => {
+                let profile = match of {
+                    Profile::Foundation => self.foundation.as_mut()?,
+                    Profile::Shape => self.shape.as_mut()?,
+                };
+                match (profile, key) {
+                    (Foundation::Flat { depth }, ProfileKey::Depth) => Some(depth),
+                    (Foundation::Polynomial { coefficients }, ProfileKey::Coefficient(i)) => coefficients.get_mut(i),
+                    (Foundation::Cosine { mean, .. }, ProfileKey::Mean) => Some(mean),
+                    (Foundation::Cosine { amplitude, .. }, ProfileKey::Amplitude) => Some(amplitude),
+                    (Foundation::Cosine { wavelength, .. }, ProfileKey::Wavelength) => Some(wavelength),
+                    (Foundation::Cosine { phase, .. }, ProfileKey::Phase) => Some(phase),
+                    (Foundation::Polyline { points }, ProfileKey::PolylineX(i)) => Some(&mut points.get_mut(i)?[0]),
+                    (Foundation::Polyline { points }, ProfileKey::PolylineDepth(i)) => Some(&mut points.get_mut(i)?[1]),
+                    _ => None,
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::file::{ReadProblem, parse};
+    use super::*;
+
+    fn scene() -> Scene {
+        let text = "[beam]\nlength = 10\nbending_stiffness = 2\nsupports = [{ at = 10 }, { at = 0, level = -0.5, built_in = true }]\n\
+                    [load]\nuniform = 1\npoint = [{ at = 3, force = 4 }]\n\
+                    [foundation]\npoints = [[0, 1], [5, 2], [10, 1]]\n";
+        parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a scene")
+    }
+
+    #[test]
+    fn every_number_that_is_listed_can_be_set() {
+        let scene = scene();
+        let all: Vec<Quantity> = scene.groups().iter().flat_map(|group| group.all()).collect();
+        assert_eq!(all.len(), 1 + 2 + 2 + 1 + 1 + 2 + 6, "{all:?}");
+        for quantity in all {
+            let value = scene.number(quantity).expect("it is there");
+            assert_eq!(scene.quantity(&quantity.to_string()), Ok(quantity));
+            assert_eq!(scene.with_number(quantity, value).as_ref(), Ok(&scene), "{quantity}");
+        }
+    }
+
+    /// Indices of supports are those of the file, and stay so when one support moves past another.
+    #[test]
+    fn supports_are_counted_as_in_the_file() {
+        let scene = scene();
+        assert_eq!(scene.number(Quantity::SupportLevel(1)).map(f64::to_bits), Some((-0.5_f64).to_bits()));
+        assert_eq!(scene.number(Quantity::SupportSlope(0)), None);
+        let free = scene.with_number(Quantity::SupportAt(1), 4.0).expect("a scene");
+        let moved = free.with_number(Quantity::SupportAt(0), 2.0).expect("a scene");
+        assert_eq!(moved.number(Quantity::SupportLevel(1)).map(f64::to_bits), Some((-0.5_f64).to_bits()));
+        let places: Vec<f64> = moved.beam().supports().iter().map(|s| s.at).collect();
+        assert_eq!(places.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), [2.0_f64, 4.0].map(f64::to_bits));
+    }
+
+    #[test]
+    fn a_path_that_is_not_there_is_answered_with_those_that_are() {
+        let scene = scene();
+        assert_eq!(scene.quantity("foundation.points[1].depth"), scene.quantity("foundation.points[1][1]"));
+        let error = scene.quantity("foundation.depth").expect_err("no such number");
+        let message = error.to_string();
+        for known in ["`beam.bending_stiffness`", "`foundation.points[0…2][1]`", "`load.point[0].at`"] {
+            assert!(message.contains(known), "{message}");
+        }
+        assert!(!message.contains("linear"), "{message}");
+        assert_eq!(scene.quantity("beam.length"), Err(PathError::Length));
+    }
+}

@@ -1,0 +1,119 @@
+//! What an event is, in words: the contacts on its two sides side by side.
+
+use crate::state::Contact;
+use crate::text::significant;
+use crate::theory::{Exact, Touch, ZoneEnd};
+
+/// What happens from one answer to the next.
+pub(super) fn describe(before: &Exact, after: &Exact) -> String {
+    let [old, new] = [before, after].map(|exact| exact.pattern());
+    let mut sentences = Vec::new();
+    for [left, right] in changes(before, after) {
+        let ((old, left), (new, right)): ((Vec<_>, Vec<_>), (Vec<_>, Vec<_>)) =
+            (left.into_iter().unzip(), right.into_iter().unzip());
+        sentences.push(change([&old, &new], [&left, &right]));
+    }
+    for (i, support) in after.state.supports.iter().enumerate() {
+        let place = at(support.at);
+        let of = |pulls: &[bool]| pulls.get(i).copied();
+        match (of(&old.pulls), of(&new.pulls)) {
+            (Some(false), Some(true)) => sentences.push(format!("the support {place} begins to pull the beam down")),
+            (Some(true), Some(false)) => sentences.push(format!("the support {place} ceases to pull the beam down")),
+            _ => {}
+        }
+        match (old.clamped.get(i), new.clamped.get(i)) {
+            (Some(a), Some(b)) if a != b => {
+                let begins = if b.contains(&true) { "begins" } else { "ceases" };
+                sentences.push(format!("the ground {begins} to hold the slope of the beam at the support {place}"));
+            }
+            _ => {}
+        }
+    }
+    let [from, to] = [before.state.regime, after.state.regime];
+    if from != to {
+        sentences.push(format!("the regime changes from {} to {}", from.name(), to.name()));
+    }
+    sentences.join("; ")
+}
+
+/// The contacts of two answers that lie at one place, and whether they are the same on both sides.
+fn changes<'a>(before: &'a Exact, after: &'a Exact) -> Vec<[Vec<(Touch, &'a Contact)>; 2]> {
+    let sides = [before, after].map(|exact| (exact.pattern().touches, &exact.state.contacts));
+    let mut all = Vec::new();
+    for (side, (touches, contacts)) in sides.iter().enumerate() {
+        all.extend(touches.iter().zip(contacts.iter()).map(|(&touch, contact)| (side, touch, contact)));
+    }
+    all.sort_by(|a, b| a.2.from.total_cmp(&b.2.from));
+    let reach = NEAR * all.iter().fold(0.0, |most: f64, (.., contact)| most.max(contact.to));
+    let mut groups: Vec<[Vec<(Touch, &Contact)>; 2]> = Vec::new();
+    let mut end = f64::NEG_INFINITY;
+    for (side, touch, contact) in all {
+        if end + reach < contact.from {
+            groups.push([Vec::new(), Vec::new()]);
+        }
+        end = end.max(contact.to);
+        if let Some(group) = groups.last_mut() {
+            group[side].push((touch, contact));
+        }
+    }
+    let kinds = |side: &[(Touch, &Contact)]| side.iter().map(|(touch, _)| *touch).collect::<Vec<_>>();
+    groups.retain(|[old, new]| kinds(old) != kinds(new));
+    groups
+}
+
+/// Contacts on the two sides of an event that are nearer to each other than this share of the beam are at one place.
+const NEAR: f64 = 1e-5;
+
+/// What happens to one group of contacts.
+fn change([old, new]: [&[Touch]; 2], [before, after]: [&[&Contact]; 2]) -> String {
+    let places =
+        |contacts: &[&Contact]| contacts.iter().map(|contact| place(contact)).collect::<Vec<_>>().join(" and ");
+    match (old, new) {
+        ([], [Touch::Zone(_)]) => format!("a zone of contact appears {}", places(after)),
+        ([], [_]) => format!("a contact appears {}", places(after)),
+        ([], _) => format!("contacts appear {}", places(after)),
+        ([Touch::Zone(_)], []) => format!("the zone {} goes", places(before)),
+        ([_], []) => format!("the contact {} goes", places(before)),
+        (_, []) => format!("the contacts {} go", places(before)),
+        ([Touch::Zone(from)], [Touch::Zone(to)]) => format!("the zone {} {}", places(before), ends(from, to)),
+        ([Touch::Zone(_)], [Touch::Edge(_)]) => format!("the zone {} becomes a contact at an edge", places(after)),
+        ([Touch::Zone(_)], [_]) => format!("the zone {} becomes a point", places(after)),
+        ([_], [Touch::Zone(_)]) => format!("the point {} becomes a zone", places(before)),
+        ([Touch::Edge(_)], [Touch::Edge(_)]) => {
+            format!("the contact moves from the edge {} to the edge {}", places(before), places(after))
+        }
+        ([_], [Touch::Edge(_)]) => format!("the contact {} moves onto an edge", places(after)),
+        ([Touch::Edge(_)], [_]) => format!("the contact {} moves off its edge", places(before)),
+        ([_], [_]) => format!("the contact {} moves over an edge", places(before)),
+        ([Touch::Zone(_)], _) => format!("the zone {} splits", places(before)),
+        (_, [Touch::Zone(_)]) => format!("the contacts {} merge into a zone", places(before)),
+        ([_], _) => format!("the contact {} splits", places(before)),
+        (_, [_]) => format!("the contacts {} merge", places(before)),
+        _ => format!("the contacts {} become contacts {}", places(before), places(after)),
+    }
+}
+
+/// What happens at the ends of a zone that stays one.
+fn ends(old: &[ZoneEnd; 2], new: &[ZoneEnd; 2]) -> String {
+    let said = |(a, b): (&ZoneEnd, &ZoneEnd)| match (a, b) {
+        (a, b) if a == b => None,
+        (_, ZoneEnd::Support(_)) => Some("reaches a support"),
+        (_, ZoneEnd::FreeEnd) => Some("reaches a free end of the beam"),
+        (ZoneEnd::Support(_), _) => Some("leaves a support"),
+        (ZoneEnd::FreeEnd, _) => Some("leaves a free end of the beam"),
+        _ => Some("moves over an edge"),
+    };
+    old.iter().zip(new).filter_map(said).collect::<Vec<_>>().join(" and ")
+}
+
+fn place(contact: &Contact) -> String {
+    let [from, to] = [contact.from, contact.to].map(|x| significant(x, DIGITS));
+    if from == to { at(contact.from) } else { format!("from x = {from} to x = {to}") }
+}
+
+fn at(x: f64) -> String {
+    format!("at x = {}", significant(x, DIGITS))
+}
+
+/// Digits of a place in words.
+const DIGITS: usize = 6;

@@ -1,0 +1,222 @@
+//! One number of a scene varied: an exact answer for each value, certified, and the values between them at which the answer changes
+//! its kind.
+//!
+//! Each answer starts from the contacts of its neighbour and is checked like any other. An [`Event`] is a value at which a contact
+//! appears or goes, becomes a zone or a point, splits, merges or moves over an edge, or a support begins or ceases to pull. It is a
+//! root of the condition that decides it, with the contacts beside it held fixed, and not a sample (module `events`).
+//!
+//! What is guaranteed: between two rows of different kinds all events are found that are more than `10⁻¹⁰` of the range apart.
+//! Between two rows of one kind the middle is tried; what appears and goes again within half a step may be missed, and more steps
+//! find it.
+//!
+//! ```
+//! use palkki::scene::{Beam, Foundation, Load, Scene};
+//! use palkki::sweep::Sweep;
+//!
+//! // q l⁴/(384 EI) = 20: above ground that is deeper the beam lies on a zone, then on a point, then nowhere.
+//! let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0)?;
+//! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
+//! let sweep = Sweep::new(&scene, "foundation.depth", [1.0, 150.0], 12)?;
+//! let events = sweep.events(&sweep.rows()?);
+//! let values: Vec<f64> = events.iter().map(|event| event.value).collect();
+//! assert!((values[0] - 20.0).abs() < 1e-12 && (values[1] - 100.0).abs() < 1e-11, "{events:?}");
+//! assert_eq!(events[1].what, "the contact at x = 5 goes; the regime changes from points to none");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod describe;
+mod events;
+
+use crate::scene::{PathError, Quantity, Scene, SceneError};
+use crate::solve::Solution;
+use crate::theory::{self, Exact, Pattern, TheoryError};
+use crate::verdict::Demand;
+
+pub use events::Event;
+
+/// The most values of a sweep.
+pub const MOST_STEPS: usize = 1_000_001;
+
+/// Why there is no sweep.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SweepError {
+    /// The number cannot be varied.
+    #[error(transparent)]
+    Path(#[from] PathError),
+    /// Too few or too many values.
+    #[error("the number of steps must be between 2 and {MOST_STEPS}, but is {0}")]
+    Steps(usize),
+    /// A range without a length, or one that is not finite.
+    #[error("the range must have two different, finite ends, but goes from {from} to {to}")]
+    Range {
+        /// Its start.
+        from: f64,
+        /// Its end.
+        to: f64,
+    },
+    /// A value for which there is no scene, or no answer of beam theory.
+    #[error("there is no answer for `{quantity}` = {value}{}: {error}", from(*border, *value))]
+    Invalid {
+        /// The number that is varied.
+        quantity: Quantity,
+        /// The first value of the sweep without an answer.
+        value: f64,
+        /// Between the value before it and this one: where answers end.
+        border: f64,
+        /// Why.
+        error: TheoryError,
+    },
+}
+
+fn from(border: f64, value: f64) -> String {
+    if border.total_cmp(&value).is_eq() { String::new() } else { format!(", and none from {border} on") }
+}
+
+/// A scene, the number of it that is varied, and its values.
+#[derive(Debug, Clone)]
+pub struct Sweep<'a> {
+    scene: &'a Scene,
+    quantity: Quantity,
+    range: [f64; 2],
+    steps: usize,
+}
+
+/// An answer of a sweep.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// The value of the number that is varied.
+    pub value: f64,
+    /// The answer with its verdict, without its functions of `x`.
+    pub solution: Solution,
+    /// Its kind.
+    pub pattern: Pattern,
+}
+
+impl<'a> Sweep<'a> {
+    /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path
+    /// ([`Scene::quantity`]).
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError`], but for values without an answer, which are found on the way.
+    pub fn new(scene: &'a Scene, path: &str, range: [f64; 2], steps: usize) -> Result<Self, SweepError> {
+        let quantity = scene.quantity(path)?;
+        let [from, to] = range;
+        if !(2..=MOST_STEPS).contains(&steps) {
+            return Err(SweepError::Steps(steps));
+        }
+        if !(from.is_finite() && to.is_finite() && (to - from).is_finite() && 0.0 < (to - from).abs()) {
+            return Err(SweepError::Range { from, to });
+        }
+        Ok(Self { scene, quantity, range, steps })
+    }
+
+    /// The number that is varied.
+    #[must_use]
+    pub fn quantity(&self) -> Quantity {
+        self.quantity
+    }
+
+    /// Its values.
+    #[expect(clippy::cast_precision_loss, reason = "at most a million steps")]
+    pub fn values(&self) -> impl Iterator<Item = f64> + use<> {
+        let ([from, to], last) = (self.range, self.steps - 1);
+        (0..=last).map(move |i| if i == last { to } else { from + (to - from) * (i as f64 / last as f64) })
+    }
+
+    /// The scene with a value.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Scene::with_number`].
+    pub fn scene(&self, value: f64) -> Result<Scene, SceneError> {
+        self.scene.with_number(self.quantity, value)
+    }
+
+    /// A walk along the values.
+    #[must_use]
+    pub fn walk(&self) -> Walk<'_> {
+        Walk { sweep: self, last: None }
+    }
+
+    /// All rows.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Invalid`] at the first value without an answer. A row that is not certified is no error.
+    pub fn rows(&self) -> Result<Vec<Row>, SweepError> {
+        let mut walk = self.walk();
+        self.values()
+            .map(|value| {
+                let step = walk.solve(value)?;
+                Ok(walk.row(step))
+            })
+            .collect()
+    }
+
+    /// The answer for a value, searched for from that of a value nearby.
+    fn answer(&self, value: f64, near: Option<&Exact>) -> Result<(Scene, Exact), TheoryError> {
+        let scene = self.scene(value)?;
+        let exact = match near {
+            Some(near) => near.continued(&scene)?,
+            None => theory::solve(&scene)?,
+        };
+        Ok((scene, exact))
+    }
+}
+
+/// A walk from value to value, in their order: each answer is where the search for the next one starts.
+#[derive(Debug)]
+pub struct Walk<'a> {
+    sweep: &'a Sweep<'a>,
+    last: Option<(f64, Exact)>,
+}
+
+/// A value, with its scene and its answer.
+#[derive(Debug)]
+pub struct Step {
+    value: f64,
+    scene: Scene,
+    exact: Exact,
+}
+
+impl Walk<'_> {
+    /// The exact answer for the next value, not judged yet.
+    ///
+    /// # Errors
+    ///
+    /// [`SweepError::Invalid`].
+    pub fn solve(&mut self, value: f64) -> Result<Step, SweepError> {
+        match self.sweep.answer(value, self.last.as_ref().map(|(_, exact)| exact)) {
+            Ok((scene, exact)) => Ok(Step { value, scene, exact }),
+            Err(error) => Err(SweepError::Invalid {
+                quantity: self.sweep.quantity,
+                value,
+                border: self.last.as_ref().map_or(value, |&(last, _)| self.border(last, value)),
+                error,
+            }),
+        }
+    }
+
+    /// The answer with its verdict. The next one starts from it.
+    pub fn row(&mut self, Step { value, scene, exact }: Step) -> Row {
+        let pattern = exact.pattern();
+        let mut solution = exact.judged(&scene, &Demand::default());
+        self.last = solution.exact.take().map(|exact| (value, *exact));
+        Row { value, solution, pattern }
+    }
+
+    /// The last value with a well-posed scene between one that has one and one that has none.
+    fn border(&self, mut with: f64, mut without: f64) -> f64 {
+        loop {
+            let middle = 0.5 * (with + without);
+            if middle.total_cmp(&with).is_eq() || middle.total_cmp(&without).is_eq() {
+                return with;
+            }
+            match self.sweep.scene(middle).and_then(|scene| scene.scaled()) {
+                Ok(_) => with = middle,
+                Err(_) => without = middle,
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! From one scene to a scene beside it: the list of contacts goes with it, and is right there or fails in a way that can be named.
+
+use super::check::check;
+use super::exact::Exact;
+use super::list::{Beside, Kind, List, Node};
+use super::margin::{Margin, failing};
+use super::newton;
+use super::piecewise::PiecewiseScene;
+use super::solve::{TheoryError, solve_from};
+use crate::scene::{Scale, Scene};
+
+impl Exact {
+    /// The exact solution of a scene that differs from that of this solution in numbers only: the same as [`super::solve`] finds,
+    /// and sooner, as the contacts of this solution are where the search starts.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`super::solve`].
+    pub fn continued(&self, scene: &Scene) -> Result<Self, TheoryError> {
+        solve_from(scene, self.solved.then_some(self))
+    }
+
+    /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: a [`Margin`] for each
+    /// condition that can be followed from one scene to the other. [`None`] if there are no such contacts there.
+    #[must_use]
+    pub fn failing(&self, scene: &Scene) -> Option<Vec<Margin>> {
+        let (given, list) = self.kept(scene)?;
+        let checked = check(&given, &list);
+        Some(failing(&given, &list, &checked, &self.pattern().pulls))
+    }
+
+    /// True if the contacts of this solution, moved but kept as they are, are an answer of `scene` as well, with supports that pull
+    /// and press as they did. Where contacts carry nothing, one answer may have several lists of them.
+    #[must_use]
+    pub fn holds(&self, scene: &Scene) -> bool {
+        self.kept(scene).is_some_and(|(given, list)| {
+            let checked = check(&given, &list);
+            checked.faults.is_empty() && failing(&given, &list, &checked, &self.pattern().pulls).is_empty()
+        })
+    }
+
+    /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
+    /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
+    #[must_use]
+    pub fn margin(&self, scene: &Scene, margin: Margin) -> Option<f64> {
+        let (given, list) = self.kept(scene)?;
+        margin.value(&given, &list)
+    }
+
+    /// The list of this solution, with its places as they are in `scene`.
+    fn kept(&self, scene: &Scene) -> Option<(PiecewiseScene, List)> {
+        let scaled = scene.scaled().ok()?;
+        let given = PiecewiseScene::new(&scaled.scene);
+        let mut list = self.list_in(&given, &scaled.scale)?;
+        newton::solve(&given, &mut list).converged.then_some((given, list))
+    }
+
+    /// The list of this solution in a scene beside it, to start from; [`None`] if its nodes are not there.
+    pub(super) fn list_in(&self, to: &PiecewiseScene, scale: &Scale) -> Option<List> {
+        let from = &self.given;
+        if from.shapes.len() != to.shapes.len()
+            || from.supports.len() != to.supports.len()
+            || from.free_ends != to.free_ends
+        {
+            return None;
+        }
+        let unit = self.scale.length / scale.length;
+        // v' is measured in U/L.
+        let slope = self.scale.depth / scale.depth / unit;
+        let nodes = self.list.nodes.iter().map(|node| carried(node, from, to, [unit, slope]));
+        let list = List { nodes: nodes.collect::<Option<_>>()? };
+        let ordered = list.nodes.windows(2).all(|pair| pair[0].x < pair[1].x);
+        ordered.then_some(list)
+    }
+}
+
+/// A node in another scene, with the units of places and slopes of the one in those of the other.
+fn carried(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope]: [f64; 2]) -> Option<Node> {
+    let turned =
+        |kind, x, cell| Node { slope: node.slope * slope, rest: node.rest * slope, ..Node::new(kind, x, cell) };
+    match node.kind {
+        Kind::Support(index, beside) => {
+            let support = to.supports.get(index)?;
+            let grounded = (0..2).all(|side| beside[side] == Beside::Apart || support.grounded[side]);
+            let [_, cell] = to.cells_beside(support.breakpoint);
+            grounded.then(|| turned(node.kind, to.breakpoints[support.breakpoint].x, cell))
+        }
+        Kind::Edge(breakpoint) => {
+            let breakpoint = match breakpoint {
+                0 => 0,
+                last if last == from.cells.len() => to.cells.len(),
+                inner => to.breakpoint_at(*to.ends.get(from.cells[inner].shape.checked_sub(1)?)?)?,
+            };
+            let [_, cell] = to.cells_beside(breakpoint);
+            to.is_edge(breakpoint).then(|| turned(Kind::Edge(breakpoint), to.breakpoints[breakpoint].x, cell))
+        }
+        Kind::Tip => {
+            let at_left = node.x <= 0.0;
+            Some(Node::new(
+                Kind::Tip,
+                if at_left { 0.0 } else { to.length },
+                if at_left { 0 } else { to.cells.len() - 1 },
+            ))
+        }
+        Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd => {
+            let shape = from.cells[node.cell].shape;
+            let first = to.cells.partition_point(|cell| cell.shape < shape);
+            let (lo, hi) = to.reach(first);
+            // A piece of the profile that has moved takes its contacts with it.
+            let was = from.reach(node.cell);
+            let x = node.x * unit;
+            let inside = lo <= x && x <= hi;
+            let x = if inside { x } else { lo + (node.x - was.0) / (was.1 - was.0) * (hi - lo) };
+            let cell = [to.cell_from(x), to.cell_to(x)].into_iter().find(|&cell| to.cells[cell].shape == shape)?;
+            let rest = if inside { node.rest * unit } else { 0.0 };
+            Some(Node { rest, ..Node::new(node.kind, x, cell) })
+        }
+    }
+}

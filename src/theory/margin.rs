@@ -1,0 +1,161 @@
+//! How far a list of contacts is from violating a condition: what changes its sign where the kind of the answer changes.
+
+use super::bernstein::{sign_changes, value};
+use super::check::Checked;
+use super::forces::{forces, moments};
+use super::list::{Beside, Kind, List};
+use super::piece::{derivatives, pieces_of};
+use super::piecewise::PiecewiseScene;
+use super::span::Span;
+use super::violation::Violation;
+
+/// A condition of a list of contacts that can be followed from scene to scene. Indices are those of the nodes of the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Margin(Condition);
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Condition {
+    /// A contact presses.
+    Presses(usize),
+    /// At a smooth point the profile is bent more than the beam, `h'' ≥ 0` on both sides.
+    Bends(usize),
+    /// The zone that starts at this node has a length.
+    Length(usize),
+    /// The zone that ends at this node does not pull.
+    ZonePresses(usize),
+    /// Beside an edge, or a support, the beam is above the ground: the slope of the clearance to its left or to its right.
+    Turns(usize, usize),
+    /// The clearance in the span before this node.
+    Clears(usize),
+    /// Ground and support push at each other.
+    Couple(usize),
+    /// The force of a support has the sign that it had; true if it pulled.
+    Support(usize, bool),
+}
+
+/// The conditions that a list violates, as far as they can be followed; `pulls` says which supports pulled.
+pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pulls: &[bool]) -> Vec<Margin> {
+    let bent = |node: usize| {
+        checked.faults.iter().any(|(i, fault)| *i == node && matches!(fault, Violation::CurvatureGap { .. }))
+    };
+    let mut margins = Vec::new();
+    let mut add = |condition: Condition| {
+        if !margins.contains(&Margin(condition)) {
+            margins.push(Margin(condition));
+        }
+    };
+    for &(i, fault) in &checked.faults {
+        match fault {
+            Violation::Tension { .. } => add(Condition::Presses(i)),
+            Violation::CurvatureGap { .. } => add(Condition::Bends(i)),
+            Violation::Inverted { .. } => add(Condition::Length(i)),
+            Violation::Pull { .. } => add(Condition::ZonePresses(i)),
+            Violation::Couple { .. } => add(Condition::Couple(i)),
+            Violation::Penetration { at, .. } => {
+                let Some((_, span)) = checked.spans.iter().find(|(j, _)| *j == i) else { continue };
+                let near = |x: f64| (at - x).abs() < 0.5 * span.length();
+                let fixed =
+                    |node: Option<usize>| node.filter(|&node| list.nodes.get(node).is_some_and(|n| !n.can_move()));
+                let left =
+                    fixed(i.checked_sub(1)).filter(|_| near(span.a.x) && span.at_a[1] < 0.0 && span.at_a[0] <= 0.0);
+                let right = fixed(Some(i)).filter(|_| near(span.b.x) && 0.0 < span.at_b[1] && span.at_b[0] <= 0.0);
+                match (left, right) {
+                    (Some(node), _) => add(Condition::Turns(node, 1)),
+                    (_, Some(node)) => add(Condition::Turns(node, 0)),
+                    // Beside a point that the beam is bent around too much it is below the ground as well.
+                    _ if bent(i) || i.checked_sub(1).is_some_and(bent) => {}
+                    _ => add(Condition::Clears(i)),
+                }
+            }
+            _ => {}
+        }
+    }
+    for (i, (node, force)) in list.nodes.iter().zip(&checked.forces).enumerate() {
+        if let Some(support) = node.support()
+            && let Some(&pulled) = pulls.get(support)
+        {
+            let force = force + given.breakpoints[given.supports[support].breakpoint].force;
+            if (force < 0.0) != pulled {
+                add(Condition::Support(i, pulled));
+            }
+        }
+    }
+    margins
+}
+
+impl Margin {
+    /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
+    /// place: then it is not violated.
+    pub(super) fn value(self, given: &PiecewiseScene, list: &List) -> Option<f64> {
+        let spans = list.spans(given);
+        let before = |node: usize| spans.iter().find(|(i, _)| *i == node).map(|(_, span)| span);
+        match self.0 {
+            Condition::Presses(node) => forces(given, list, &spans).get(node).copied(),
+            Condition::Bends(node) => {
+                let sides = [before(node).map(|span| span.at_b[2]), before(node + 1).map(|span| span.at_a[2])];
+                sides.into_iter().flatten().reduce(f64::min)
+            }
+            Condition::Length(node) => Some(list.nodes.get(node + 1)?.x - list.nodes.get(node)?.x),
+            Condition::ZonePresses(node) => {
+                let (from, to) = (list.nodes.get(node.checked_sub(1)?)?.x, list.nodes.get(node)?.x);
+                // A point load that pulls is a stretch without length, and its force is the margin.
+                let loads =
+                    given.breakpoints_inside(from, to).map(|i| given.breakpoints[i].force).filter(|f| *f != 0.0);
+                let stretches = given.tension_between(from, to).filter(|(lo, hi)| lo < hi);
+                loads.chain(stretches.map(|&(lo, hi)| lo.max(from) - hi.min(to))).reduce(f64::min)
+            }
+            Condition::Turns(node, 0) => before(node).map(|span| -span.at_b[1]),
+            Condition::Turns(node, _) => before(node + 1).map(|span| span.at_a[1]),
+            Condition::Clears(node) => lowest(given, before(node)?),
+            Condition::Couple(node) => {
+                let [left, right] = *moments(given, list, &spans).get(node)?;
+                let Kind::Support(_, beside) = list.nodes.get(node)?.kind else { return None };
+                Some(if beside[1] == Beside::Apart { right - left } else { left - right })
+            }
+            Condition::Support(node, pulled) => {
+                let support = &given.supports[list.nodes.get(node)?.support()?];
+                let force = forces(given, list, &spans).get(node)? + given.breakpoints[support.breakpoint].force;
+                Some(if pulled { -force } else { force })
+            }
+        }
+    }
+}
+
+/// The least clearance inside a span, at its local minima and at edges of the profile, and at a free end of the beam.
+pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
+    /// Nearer to an end of the span than this share of it nothing is inside.
+    const BESIDE: f64 = 1e-7;
+    let near = BESIDE * span.length();
+    let inside = |x: f64| span.a.x + near < x && x < span.b.x - near;
+    let mut pieces = Vec::new();
+    pieces_of(given, span, &mut pieces);
+    let mut taylor = vec![0.0; given.terms];
+    let mut least: Option<f64> = None;
+    let mut add = |h: f64| least = Some(least.map_or(h, |least: f64| least.min(h)));
+    if span.is_overhang() {
+        add(if span.a.x <= 0.0 { span.at_a[0] } else { span.at_b[0] });
+    }
+    for piece in &pieces {
+        if let Some(breakpoint) = given.breakpoint_at(piece.hi).filter(|&i| given.is_edge(i) && inside(piece.hi)) {
+            piece.deflection(given, &mut taylor);
+            let deflection = derivatives(&taylor, piece.hi - piece.anchor)[0];
+            add(given.depth_at_breakpoint(breakpoint) - deflection);
+        }
+        piece.clearance(given, &mut taylor);
+        // A minimum may lie just where two pieces meet.
+        if inside(piece.hi) {
+            add(derivatives(&taylor, piece.hi - piece.anchor)[0]);
+        }
+        piece.outwards(&mut taylor);
+        #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+        let slope: Vec<f64> = taylor.iter().enumerate().skip(1).map(|(j, c)| c * j as f64).collect();
+        for s in sign_changes(&slope, piece.width()).into_iter().filter(|&s| inside(piece.place(s))) {
+            // Minima only.
+            let [_, _, bend, _] = derivatives(&taylor, s);
+            if 0.0 <= bend {
+                add(value(&taylor, s));
+            }
+        }
+    }
+    least
+}

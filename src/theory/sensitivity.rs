@@ -1,0 +1,313 @@
+//! How an exact answer changes with a number of its scene: the implicit function theorem for the equations of its list.
+//!
+//! The change `w = ∂v/∂λ` is a beam by itself, on the same nodes, `w'''' = ∂q/∂λ`. What the nodes do to it follows from
+//! differentiating their equations along with their places `z(λ)`:
+//!
+//! ```text
+//! smooth point   w = ∂g,  z' = w'/h'',   w''(z+) − w''(z−) = R z'     a spring of stiffness R/h'' against turning
+//! end of a zone  w = ∂g,  w' = 0,        z' = w''/h''' in the span
+//! edge           w = ∂g,  w'' the same on both sides
+//! support        w = ∂d,  w'' the same on both sides, or w' = ∂φ where it is built in
+//! force          R' = w'''(z−) − w'''(z+) + (v''''(z−) − v''''(z+)) z'
+//! ```
+//!
+//! So the slopes `w'` at the nodes solve one tridiagonal system, with Newton's matrix (module `newton`) in other unknowns.
+
+use super::list::{Kind, List};
+use super::piecewise::PiecewiseScene;
+use super::span::{Overhang, Span, fixed_end_of_load};
+
+/// What changes, dimensionless and over `EI`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Change {
+    /// The ground under all contacts goes down by one.
+    Ground,
+    /// The same under the nodes from one index to another.
+    GroundUnder(usize, usize),
+    /// All loads shrink by their own size.
+    Unload,
+    /// The uniform load grows by this.
+    Uniform(f64),
+    /// A point load at a place grows by this.
+    Force(f64, f64),
+    /// A point load of a place and this size moves to the right.
+    Move(f64, f64),
+    /// The support of that index goes down by one.
+    Level(usize),
+    /// The support of that index moves to the right, along an axis whose own slope there is the second number.
+    Support(usize, f64),
+}
+
+/// How a node and its force change.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct NodeChange {
+    /// `z'`.
+    pub(super) place: f64,
+    /// `R'` of the force on the node, at a support with that of a load that stands on it.
+    pub(super) force: f64,
+    /// `w`.
+    pub(super) value: f64,
+    /// `w'` to its left and to its right.
+    pub(super) slopes: [f64; 2],
+}
+
+/// What a change puts on a stretch of the beam.
+#[derive(Debug, Clone, Copy, Default)]
+struct Fixed {
+    moment: [f64; 2],
+    shear: [f64; 2],
+}
+
+impl Change {
+    /// Fixed-end moments and shear forces of the change over a span.
+    fn over(self, given: &PiecewiseScene, span: &Span) -> Fixed {
+        let (l, start) = (span.length(), span.a.x);
+        match self {
+            Self::Uniform(q) => Fixed { moment: [q * l * l / 12.0; 2], shear: [0.5 * q * l; 2] },
+            Self::Unload => {
+                let (moment, shear) = fixed_end_of_load(given, &span.a, &span.b);
+                Fixed { moment: moment.map(|m| -m), shear: shear.map(|f| -f) }
+            }
+            Self::Force(at, p) if span.a.x < at && at < span.b.x => {
+                let (s, r) = ((at - start) / l, (span.b.x - at) / l);
+                Fixed { moment: [p * s * r * r * l, p * s * s * r * l], shear: [p * r, p * s] }
+            }
+            Self::Move(at, p) if span.a.x < at && at < span.b.x => {
+                let (s, r) = ((at - start) / l, (span.b.x - at) / l);
+                Fixed { moment: [p * (r * r - 2.0 * s * r), p * (2.0 * s * r - s * s)], shear: [-p / l, p / l] }
+            }
+            _ => Fixed::default(),
+        }
+    }
+
+    /// What it puts on an overhang beyond `x`: `[∫∂q, ∫∂q r]`.
+    fn beyond(self, given: &PiecewiseScene, x: f64, at_left: bool) -> [f64; 2] {
+        let length = if at_left { x } else { given.length - x };
+        let outside = |at: f64| if at_left { at < x } else { x < at };
+        match self {
+            Self::Uniform(q) => [q * length, 0.5 * q * length * length],
+            Self::Unload => {
+                let Overhang { force, moment, .. } = Overhang::of(given, x, at_left);
+                [-force, -moment]
+            }
+            Self::Force(at, p) if outside(at) => [p, p * (at - x).abs()],
+            Self::Move(at, p) if outside(at) => [0.0, if at_left { -p } else { p }],
+            _ => [0.0; 2],
+        }
+    }
+
+    /// By how much the load on a zone between two places grows.
+    pub(super) fn on_zone(self, given: &PiecewiseScene, from: f64, to: f64) -> f64 {
+        match self {
+            Self::Uniform(q) => q * (to - from),
+            Self::Force(at, p) if from < at && at < to => p,
+            Self::Unload => {
+                let cells = given.cells.iter().enumerate();
+                let spread = cells.map(|(i, c)| {
+                    let (lo, hi) = (c.lo.max(from), c.hi.min(to));
+                    if lo < hi { 0.5 * (given.load(i, lo) + given.load(i, hi)) * (hi - lo) } else { 0.0 }
+                });
+                let points = given.breakpoints_inside(from, to).map(|i| given.breakpoints[i].force);
+                -(spread.sum::<f64>() + points.sum::<f64>())
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// By how much the load that stands on a node grows, and what turns it there.
+    fn on_node(self, x: f64, standing: f64) -> [f64; 2] {
+        let here = |at: f64| at <= x && x <= at;
+        match self {
+            Self::Force(at, p) if here(at) => [p, 0.0],
+            Self::Move(at, p) if here(at) => [0.0, p],
+            Self::Unload => [-standing, 0.0],
+            _ => [0.0; 2],
+        }
+    }
+}
+
+/// What is asked of the change of the beam at a node.
+struct Ask {
+    value: f64,
+    /// The slopes on both sides, where they are given.
+    slopes: Option<[f64; 2]>,
+    /// `w''(+) − w''(−)` for a slope of zero, and its growth with the slope.
+    jump: [f64; 2],
+}
+
+/// A span or an overhang of the change, at its ends.
+#[derive(Debug, Clone, Copy, Default)]
+struct Ends {
+    /// `w''`.
+    bend: [f64; 2],
+    /// `w'''`.
+    third: [f64; 2],
+}
+
+/// How the nodes of a list whose equations hold change. [`None`] if the beam is free to turn, or a node has no force to hold it.
+pub(super) fn change(
+    given: &PiecewiseScene,
+    list: &List,
+    spans: &[(usize, Span)],
+    forces: &[f64],
+    of: Change,
+) -> Option<Vec<NodeChange>> {
+    let n = list.nodes.len();
+    let asks: Vec<Ask> = (0..n).map(|i| ask(given, list, spans, forces, of, i)).collect();
+    let fixed: Vec<Fixed> = spans.iter().map(|(_, span)| of.over(given, span)).collect();
+    // Rows: w''(−) − w''(+) + jump = 0 for each node that may turn.
+    let mut rows = vec![[0.0; 4]; n];
+    for (i, ask) in asks.iter().enumerate() {
+        rows[i] = if ask.slopes.is_some() { [0.0, 1.0, 0.0, 0.0] } else { [0.0, ask.jump[1], 0.0, ask.jump[0]] };
+    }
+    let known = |i: usize, side: usize| asks[i].slopes.map_or(0.0, |slopes| slopes[side]);
+    for ((right, span), fixed) in spans.iter().zip(&fixed) {
+        let (l, right) = (span.length(), *right);
+        if span.is_overhang() {
+            let (node, at_left) = if right == 0 { (0, true) } else { (n - 1, false) };
+            if asks[node].slopes.is_none() {
+                let [_, moment] = of.beyond(given, list.nodes[node].x, at_left);
+                rows[node][3] += if at_left { moment } else { -moment };
+            }
+            continue;
+        }
+        let left = right - 1;
+        let chord = (asks[right].value - asks[left].value) / l;
+        // What is known of the two slopes, counted from the chord.
+        let (a, b) = (known(left, 1) - chord, known(right, 0) - chord);
+        let free = [left, right].map(|i| if asks[i].slopes.is_none() { 1.0 } else { 0.0 });
+        if free[0] > 0.0 {
+            rows[left][1] += 4.0 / l;
+            rows[left][2] += 2.0 / l * free[1];
+            rows[left][3] -= fixed.moment[0] - (4.0 * a + 2.0 * b) / l;
+        }
+        if free[1] > 0.0 {
+            rows[right][1] += 4.0 / l;
+            rows[right][0] += 2.0 / l * free[0];
+            rows[right][3] += fixed.moment[1] + (2.0 * a + 4.0 * b) / l;
+        }
+    }
+    let turns = tridiagonal(rows)?;
+    let slopes: Vec<[f64; 2]> = (0..n).map(|i| asks[i].slopes.unwrap_or([turns[i]; 2])).collect();
+    // Bends and shear forces to the left and to the right of each node.
+    let mut beside = vec![Ends::default(); n];
+    for ((right, span), fixed) in spans.iter().zip(&fixed) {
+        let (l, right) = (span.length(), *right);
+        if span.is_overhang() {
+            let (node, at_left) = if right == 0 { (0, true) } else { (n - 1, false) };
+            let [force, moment] = of.beyond(given, list.nodes[node].x, at_left);
+            let side = usize::from(!at_left);
+            beside[node].bend[side] = moment;
+            beside[node].third[side] = if at_left { force } else { -force };
+            continue;
+        }
+        let left = right - 1;
+        let chord = (asks[right].value - asks[left].value) / l;
+        let (a, b) = (slopes[left][1] - chord, slopes[right][0] - chord);
+        let bends = [fixed.moment[0] - (4.0 * a + 2.0 * b) / l, fixed.moment[1] + (2.0 * a + 4.0 * b) / l];
+        let across = (bends[1] - bends[0]) / l;
+        (beside[left].bend[1], beside[left].third[1]) = (bends[0], across - fixed.shear[0]);
+        (beside[right].bend[0], beside[right].third[0]) = (bends[1], across + fixed.shear[1]);
+    }
+    let changes = (0..n).map(|i| {
+        let node = &list.nodes[i];
+        let [on_left, on_right] = ends(spans, i);
+        let place = match node.kind {
+            Kind::Smooth => slopes[i][0] / bend(spans, i),
+            Kind::ZoneStart => beside[i].bend[0] / on_left.map_or(f64::NAN, |span| span.at_b[3]),
+            Kind::ZoneEnd => beside[i].bend[1] / on_right.map_or(f64::NAN, |span| span.at_a[3]),
+            Kind::Support(index, _) if matches!(of, Change::Support(moved, _) if moved == index) => 1.0,
+            _ => 0.0,
+        };
+        let fourth = |in_zone: bool, cell: usize| match in_zone {
+            true => given.drive(cell, node.x) + given.load(cell, node.x),
+            false => given.load(cell, node.x),
+        };
+        let jump = fourth(list.in_zone_before(i), given.cell_to(node.x))
+            - fourth(list.in_zone_before(i + 1), given.cell_from(node.x));
+        let [standing, _] = of.on_node(node.x, standing(given, list, i));
+        let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
+        let force = beside[i].third[0] - beside[i].third[1] + moved + standing;
+        NodeChange { place, force, value: asks[i].value, slopes: slopes[i] }
+    });
+    Some(changes.collect())
+}
+
+/// The load that stands on a node.
+pub(super) fn standing(given: &PiecewiseScene, list: &List, i: usize) -> f64 {
+    given.breakpoint_at(list.nodes[i].x).map_or(0.0, |breakpoint| given.breakpoints[breakpoint].force)
+}
+
+/// The spans to the left and to the right of a node.
+pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
+    [i, i + 1].map(|right| spans.iter().find(|(j, _)| *j == right).map(|(_, span)| span))
+}
+
+/// `h''` at a smooth point, the same on both sides.
+pub(super) fn bend(spans: &[(usize, Span)], i: usize) -> f64 {
+    let [left, right] = ends(spans, i);
+    right.map(|span| span.at_a[2]).or(left.map(|span| span.at_b[2])).unwrap_or(f64::NAN)
+}
+
+fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64], of: Change, i: usize) -> Ask {
+    let node = &list.nodes[i];
+    let [_, turned] = of.on_node(node.x, 0.0);
+    let ground = match of {
+        Change::Ground => 1.0,
+        Change::GroundUnder(from, to) if (from..=to).contains(&i) => 1.0,
+        _ => 0.0,
+    };
+    let fixed = |value: f64| Ask { value, slopes: Some([0.0; 2]), jump: [0.0; 2] };
+    match node.kind {
+        Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => fixed(ground),
+        Kind::Edge(_) => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
+        Kind::Smooth => {
+            let bend = bend(spans, i);
+            if bend == 0.0 {
+                fixed(ground)
+            } else {
+                Ask { value: ground, slopes: None, jump: [-turned, forces[i] / bend] }
+            }
+        }
+        Kind::Support(index, _) => {
+            let beam = |span: Option<&Span>, left: bool| span.map(|s| if left { s.beam_b } else { s.beam_a });
+            let [on_left, on_right] = ends(spans, i);
+            let sides = [beam(on_left, true), beam(on_right, false)];
+            let (value, moved) = match of {
+                Change::Level(changed) if changed == index => (1.0, false),
+                Change::Support(changed, own) if changed == index => {
+                    (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + own), true)
+                }
+                _ => (0.0, false),
+            };
+            if node.held_slope(given).is_some() {
+                let slopes = sides.map(|beam| if moved { beam.map_or(0.0, |beam| -beam[2]) } else { 0.0 });
+                return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
+            }
+            let force = if moved { forces[i] + standing(given, list, i) } else { 0.0 };
+            Ask { value, slopes: None, jump: [force - turned, 0.0] }
+        }
+    }
+}
+
+/// Solves rows of `[left, middle, right, constant]`, whose sum with the unknowns is zero.
+fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
+    for i in 0..rows.len() {
+        let [_, pivot, upper, constant] = rows[i];
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        if let Some(next) = rows.get_mut(i + 1) {
+            let factor = next[0] / pivot;
+            next[1] -= factor * upper;
+            next[3] -= factor * constant;
+        }
+    }
+    let mut turns = vec![0.0; rows.len()];
+    let mut beyond = 0.0;
+    for (turn, [_, pivot, upper, constant]) in turns.iter_mut().zip(&rows).rev() {
+        *turn = -(constant + upper * beyond) / pivot;
+        beyond = *turn;
+    }
+    Some(turns)
+}

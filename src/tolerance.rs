@@ -1,0 +1,126 @@
+//! What is known of a beam above ground whose depth is known to within `±δ` only, each depth by itself.
+//!
+//! Deeper ground leaves the beam more room, so the least energy falls with every depth: with `J*` of the ground moved as a whole,
+//!
+//! ```text
+//! J*(u + δ) ≤ J* ≤ J*(u − δ)                            guaranteed, from the certificates of two solves
+//! J_free < J*(u + δ)                                    the beam touches, whatever the depths are
+//! the beam above u − δ touches nowhere                  nor does it above any of them
+//! |R − R(u)| ≈ δ Σ |∂R/∂u_i|  over the contacts i        an estimate: the contacts stay those that they are
+//! ```
+
+use crate::scene::Scene;
+use crate::solve::Solution;
+use crate::state::Regime;
+use crate::theory::{self, Exact, Spread};
+use crate::verdict::{Demand, Status};
+
+/// What is known of the answer above ground that may be off by a tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DepthTolerance {
+    /// `δ` \[length\].
+    pub tolerance: f64,
+    /// Guaranteed bounds of the energy; [`None`] where there is none, above all if the ground may lie above a support.
+    pub energy: [Option<f64>; 2],
+    /// Whether it touches the ground.
+    pub contact: Touches,
+    /// Estimates of how far forces may be off, from derivatives; [`None`] where there are none.
+    pub estimates: Option<Spread>,
+}
+
+/// Whether a beam touches the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+pub enum Touches {
+    /// Whatever the depths are.
+    Certainly,
+    /// Not above any of them.
+    Nowhere,
+    /// That depends on them.
+    Perhaps,
+}
+
+impl Touches {
+    /// The word of tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Certainly => "certainly",
+            Self::Nowhere => "nowhere",
+            Self::Perhaps => "perhaps",
+        }
+    }
+}
+
+impl DepthTolerance {
+    /// For the exact solution of a scene, if each depth of its ground may be off by `tolerance`, positive \[length\].
+    #[must_use]
+    pub fn of(scene: &Scene, exact: &Exact, tolerance: f64) -> Self {
+        let moved = |down: f64| scene.with_ground_moved(down).ok().and_then(|scene| judged(&scene));
+        let certificate = |solution: &Option<Solution>| solution.as_ref().and_then(|s| s.verdict.certificate.clone());
+        let (deep, shallow) = (moved(tolerance), moved(-tolerance));
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let lower = certificate(&deep).and_then(|c| finite(c.energy_lower));
+        let upper = certificate(&shallow).and_then(|c| finite(c.energy_upper));
+        let free = Scene::new(scene.beam().clone(), scene.load().clone(), None).ok().and_then(|scene| judged(&scene));
+        let free = certificate(&free).map_or(f64::INFINITY, |c| c.energy_upper);
+        let apart =
+            |solution: &Solution| solution.verdict.status == Status::Certified && solution.state.regime == Regime::None;
+        let contact = match (lower, &shallow) {
+            (Some(lower), _) if free < lower => Touches::Certainly,
+            (_, Some(shallow)) if apart(shallow) => Touches::Nowhere,
+            _ => Touches::Perhaps,
+        };
+        Self { tolerance, energy: [lower, upper], contact, estimates: exact.spread(tolerance) }
+    }
+}
+
+fn judged(scene: &Scene) -> Option<Solution> {
+    Some(theory::solve(scene).ok()?.judged(scene, &Demand::default()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Foundation, Load};
+
+    fn scene(depth: f64) -> Scene {
+        let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("a scene")
+    }
+
+    /// Contact is lost at a depth of 100.
+    #[test]
+    fn contact_is_certain_or_excluded_as_far_as_the_depth_is_known() {
+        let of = |depth: f64, tolerance: f64| {
+            let scene = scene(depth);
+            DepthTolerance::of(&scene, &theory::solve(&scene).expect("an answer"), tolerance)
+        };
+        assert_eq!(of(90.0, 9.0).contact, Touches::Certainly);
+        assert_eq!(of(90.0, 11.0).contact, Touches::Perhaps);
+        assert_eq!(of(110.0, 9.0).contact, Touches::Nowhere);
+        assert_eq!(of(110.0, 11.0).contact, Touches::Perhaps);
+        // Ground above the supports has no energy.
+        assert_eq!(of(1.0, 2.0).energy[1], None);
+    }
+
+    /// Energies of any ground within the tolerance lie between the bounds, and forces are off by what is estimated.
+    #[test]
+    fn answers_within_the_tolerance_are_within_the_bounds() {
+        let scene = scene(50.0);
+        let exact = theory::solve(&scene).expect("an answer");
+        let found = DepthTolerance::of(&scene, &exact, 0.5);
+        let [Some(lower), Some(upper)] = found.energy else { panic!("{found:?}") };
+        for tilt in [-0.08, 0.0, 0.05] {
+            // A polynomial within ± 0.5 of the depth.
+            let ground = Foundation::Polynomial { coefficients: vec![50.1 - 5.0 * tilt, tilt] };
+            let other = Scene::new(scene.beam().clone(), scene.load().clone(), Some(ground)).expect("a scene");
+            let other = theory::solve(&other).expect("an answer");
+            assert!(lower <= other.state.energy && other.state.energy <= upper, "{tilt}");
+            let estimate = found.estimates.as_ref().expect("derivatives").supports[0];
+            let off = (other.state.reactions.left - exact.state.reactions.left).abs();
+            assert!(off <= estimate * (1.0 + 1e-9), "{tilt}: {off} for {estimate}");
+        }
+    }
+}
