@@ -139,7 +139,8 @@ pub(super) fn sketch(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Load
     }
     let points = load.point().iter().map(|p| (p.at, p.force, with_unit(p.force.abs(), &units.force))).collect();
     // Above the highest point of the beam, which may rise above the line of its supports.
-    let level = curves.axis().iter().fold(0.0_f64, |least, p| least.min(p[1]));
+    let drawn = curves.axis().into_iter().map(|p| p[1]).chain(curves.shape.iter().copied());
+    let level = drawn.fold(0.0_f64, f64::min);
     LoadSketch { level, intensity, values, points }
 }
 

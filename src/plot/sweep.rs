@@ -41,7 +41,9 @@ pub fn sweep(
     let supports = rows.first().map_or(0, |(_, state)| state.supports.len());
     for i in 0..supports.min(4) {
         let of = |state: &ContactState| state.supports.get(i).map_or(0.0, |support| support.force);
-        forces = forces.with(Layer::named(series(&of), line(i), format!("support {}", i + 1)));
+        // Vermillion, the second colour, is that of contact.
+        let style = line(if i == 0 { 0 } else { i + 1 });
+        forces = forces.with(Layer::named(series(&of), style, format!("support {}", i + 1)));
     }
     if rows.iter().any(|(_, state)| !state.contacts.is_empty()) {
         let style = Style::solid(Color::VERMILLION);
