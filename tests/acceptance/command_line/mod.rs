@@ -11,6 +11,7 @@ mod json;
 mod output;
 mod scene_file;
 mod streams;
+mod sweep;
 mod tables;
 mod words;
 
