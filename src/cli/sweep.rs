@@ -73,7 +73,7 @@ impl Swept {
         let labels = Labels::of(input.scene.units());
         let certified = self.rows.iter().filter(|(_, a)| a.solution.verdict.status == Status::Certified).count();
         let ends = [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| result(row.0)));
-        let [rows, events] = self.seconds.map(|seconds| palkki::text::magnitude(seconds));
+        let [rows, events] = self.seconds.map(palkki::text::magnitude);
         let mut text = heading(input) + &list(&given(&input.scene)) + "\n";
         text += &list(&[
             ("varied", format!("{}, {} values from {} to {}", self.quantity, self.rows.len(), ends[0], ends[1])),

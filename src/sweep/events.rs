@@ -153,21 +153,27 @@ impl Sweep<'_> {
     /// The first event on the way from `from` to `to`, which may be against the sweep, and an answer just beyond it.
     fn next_event(&self, from: &At, to: &At) -> Option<(Root, At)> {
         let margins = from.exact.failing(&self.scene(to.value).ok()?)?;
-        let roots = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin));
-        let value = roots.min_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()))?;
+        let mut roots: Vec<f64> = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin)).collect();
+        roots.sort_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()));
         let [start, end] = self.range;
         let onwards = (to.value - from.value).signum();
-        // On the near side the contacts are still the same.
         let step = BESIDE * (end - start).abs();
-        let before = value - onwards * step;
-        let mut near = from.clone();
-        if 0.0 < (before - from.value) * onwards {
-            near = self.at(before, Some(from)).filter(|near| near.is_like(from) || self.holds(from, before))?;
-        }
-        let after = FARTHER.into_iter().find_map(|farther| {
-            let after = value + onwards * step * farther;
-            let after = if 0.0 < (to.value - after) * onwards { self.at(after, Some(from))? } else { to.clone() };
-            (!after.is_like(from)).then_some(after)
+        // On the near side the contacts are still the same.
+        let near = |value: f64| {
+            let before = value - onwards * step;
+            if 0.0 < (before - from.value) * onwards {
+                self.at(before, Some(from)).filter(|near| near.is_like(from) || self.holds(from, before))
+            } else {
+                Some(from.clone())
+            }
+        };
+        let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
+        let (value, near, after) = FARTHER.into_iter().find_map(|farther| {
+            sides.iter().find_map(|(value, near)| {
+                let after = value + onwards * step * farther;
+                let after = if 0.0 < (to.value - after) * onwards { self.at(after, Some(from))? } else { to.clone() };
+                (!after.is_like(from)).then(|| (*value, near.clone(), after))
+            })
         })?;
         let ahead = 0.0 < onwards * (end - start);
         let (near, far) = (near.exact, after.exact.clone());

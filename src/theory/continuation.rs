@@ -1,6 +1,6 @@
 //! From one scene to a scene beside it: the list of contacts goes with it, and is right there or fails in a way that can be named.
 
-use super::check::check;
+use super::check::{Checked, check};
 use super::exact::Exact;
 use super::list::{Beside, Kind, List, Node};
 use super::margin::{Margin, failing};
@@ -25,8 +25,7 @@ impl Exact {
     #[must_use]
     pub fn failing(&self, scene: &Scene) -> Option<Vec<Margin>> {
         let (given, list) = self.kept(scene)?;
-        let checked = check(&given, &list);
-        Some(failing(&given, &list, &checked, &self.pattern().pulls))
+        Some(failing(&given, &list, &checked(scene, &given, &list), &self.pattern().pulls))
     }
 
     /// True if the contacts of this solution, moved but kept as they are, are an answer of `scene` as well, with supports that pull
@@ -34,7 +33,7 @@ impl Exact {
     #[must_use]
     pub fn holds(&self, scene: &Scene) -> bool {
         self.kept(scene).is_some_and(|(given, list)| {
-            let checked = check(&given, &list);
+            let checked = checked(scene, &given, &list);
             checked.faults.is_empty() && failing(&given, &list, &checked, &self.pattern().pulls).is_empty()
         })
     }
@@ -72,6 +71,15 @@ impl Exact {
         let ordered = list.nodes.windows(2).all(|pair| pair[0].x < pair[1].x);
         ordered.then_some(list)
     }
+}
+
+/// What a list violates; without a foundation nothing.
+fn checked(scene: &Scene, given: &PiecewiseScene, list: &List) -> Checked {
+    let mut checked = check(given, list);
+    if scene.foundation().is_none() {
+        checked.faults.clear();
+    }
+    checked
 }
 
 /// A node in another scene, with the units of places and slopes of the one in those of the other.

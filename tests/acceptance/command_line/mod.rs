@@ -12,6 +12,7 @@ mod output;
 mod scene_file;
 mod streams;
 mod supports;
+mod sweep;
 mod tables;
 mod words;
 

@@ -24,7 +24,7 @@ fn loaded(supports: Vec<Support>, depth: f64) -> Scene {
 
 /// A random scene with a point load, and ranges of five of its numbers, as `(path, from, to)`.
 fn varied(i: u64) -> (Scene, Vec<(String, f64, f64)>) {
-    let scene = if i % 2 == 0 { random::scene(i) } else { random::held(i) };
+    let scene = if i.is_multiple_of(2) { random::scene(i) } else { random::held(i) };
     let length = scene.beam().length();
     let mut point = scene.load().point().to_vec();
     point.insert(0, PointLoad { at: 0.4 * length, force: 0.3 * scene.load().magnitude(length) });
