@@ -21,7 +21,13 @@ struct Row {
 }
 
 /// The card of a scene.
-pub(in crate::report::evidence) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, story: String) -> Result<Value, Cause> {
+pub(in crate::report::evidence) fn card(
+    name: &str,
+    scene: &Scene,
+    exact: &Exact,
+    verdict: &Verdict,
+    story: String,
+) -> Result<Value, Cause> {
     let reference = closed(scene);
     let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
@@ -39,7 +45,8 @@ pub(in crate::report::evidence) fn card(name: &str, scene: &Scene, exact: &Exact
         let unit = if row.unit.is_empty() { String::new() } else { format!(" [{}]", row.unit) };
         table.push(row![format!("{}{unit}", row.name), values.join(", "), tolerance, source]);
     }
-    let certificate = verdict.certificate.as_ref().map(|c| bound(c.deflection_error / c.deflection));
+    let certificate =
+        verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
     Ok(context! {
         name,
         title => scene.title(),
