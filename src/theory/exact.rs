@@ -222,7 +222,7 @@ pub struct Sample {
 }
 
 impl Exact {
-    /// Samples from support to support of `scene`, which this is the solution of: the ends of equal intervals, and besides
+    /// Samples from end to end of `scene`, which this is the solution of: the ends of equal intervals, and besides
     /// wherever something begins, ends or acts. There, and where shear or pressure jump, a place has two samples, one for
     /// each side.
     #[must_use]
@@ -241,9 +241,10 @@ impl Exact {
                 shear,
             };
             let jumps = self.state.contacts.iter().any(|c| sits_at(c.from, x) || sits_at(c.to, x));
+            let held = self.state.supports.iter().any(|support| sits_at(support.at, x));
             let loaded = scene.load().point().iter().any(|load| sits_at(load.at, x));
             let inside = 0.0 < x && x < length;
-            if 0.0 < x && (!inside || jumps || loaded) {
+            if 0.0 < x && (!inside || jumps || held || loaded) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
                 samples.push(sample(self.pressure(x.next_down()), left));
             }
@@ -259,6 +260,7 @@ impl Exact {
         let even = (0..=intervals).map(|i| length * f64::from(i) / f64::from(intervals));
         let mut places: Vec<f64> = even.collect();
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
+        places.extend(self.state.supports.iter().map(|support| support.at));
         places.extend(scene.load().point().iter().map(|load| load.at));
         places.extend(scene.load().linear().iter().flat_map(|load| [load.from, load.to]));
         if let Some(Foundation::Polyline { points }) = scene.foundation() {

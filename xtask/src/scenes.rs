@@ -12,17 +12,34 @@ use crate::report::files;
 
 /// Where they are.
 const DIRECTORY: &str = "report/scenes";
+/// Where those are that are held otherwise than by two simple supports at the ends.
+const HELD: &str = "report/scenes/held";
 
-/// Names (without `.toml`) and scenes, in the order of their names.
+/// Names (without `.toml`) and scenes of the gallery, in the order of their names.
 pub(crate) fn all(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
-    let paths = files::list(root, DIRECTORY)?;
-    let names = paths.iter().filter_map(|path| path.strip_prefix(DIRECTORY)?.strip_prefix('/')?.strip_suffix(".toml"));
-    names.map(|name| Ok((name.to_owned(), read(root, name)?))).collect()
+    listed(root, DIRECTORY)
 }
 
-/// One scene.
+/// The same for the scenes that are held in other ways.
+pub(crate) fn held(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
+    listed(root, HELD)
+}
+
+/// The scenes of a directory, without those of the directories in it.
+fn listed(root: &Path, directory: &str) -> Result<Vec<(String, Scene)>, Cause> {
+    let paths = files::list(root, directory)?;
+    let names = paths.iter().filter_map(|path| path.strip_prefix(directory)?.strip_prefix('/')?.strip_suffix(".toml"));
+    let names = names.filter(|name| !name.contains('/'));
+    names.map(|name| Ok((name.to_owned(), of(root, directory, name)?))).collect()
+}
+
+/// One scene of the gallery.
 pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
-    let directory = root.join(DIRECTORY);
+    of(root, DIRECTORY, name)
+}
+
+fn of(root: &Path, path: &str, name: &str) -> Result<Scene, Cause> {
+    let directory = root.join(path);
     let text = fs::read_to_string(directory.join(format!("{name}.toml")))?;
     let survey = |file: &str| {
         fs::read_to_string(directory.join(file)).map_err(|error| match error.kind() {
@@ -30,5 +47,5 @@ pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
             kind => ReadProblem::Refused { reason: kind.to_string() },
         })
     };
-    Ok(parse(&format!("{DIRECTORY}/{name}.toml"), &text, survey)?)
+    Ok(parse(&format!("{path}/{name}.toml"), &text, survey)?)
 }

@@ -174,13 +174,22 @@ fn unknown_rigid_motion() {
     let e = ledger().unknown_rigid_motion;
     assert_eq!(e.verdict(), Verdict::Confirmed);
     assert_eq!((e.rigid_motions, e.first_step_works), (2, false), "a translation and a rotation");
+    assert!(e.solved, "from a rigid beam on two places");
 }
 
 #[test]
 fn curved_beam() {
     let e = ledger().curved_beam;
     assert_eq!(e.verdict(), Verdict::Confirmed);
-    assert!(e.difference < CONDITIONED && 0.0 < e.contact_force, "{e:?}");
+    assert!(e.exact < ROUNDING && e.nodal < ROUNDING && 0.0 < e.contact_force, "{e:?}");
+}
+
+#[test]
+fn other_ends() {
+    let e = ledger().other_ends;
+    assert_eq!(e.verdict(), Verdict::Confirmed);
+    assert_eq!((e.scenes, e.solved), (5, 15), "three methods");
+    assert!(e.energy < SECOND_ORDER && e.contact_force < SECOND_ORDER, "{e:?}");
 }
 
 /// What the report's ledger says of each claim; the tests above say why.

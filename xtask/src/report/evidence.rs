@@ -9,6 +9,7 @@ mod closed;
 mod convergence;
 mod cost;
 mod gallery;
+mod holds;
 mod judged;
 mod paper;
 mod problem;
@@ -67,6 +68,7 @@ const SUBJECTS: &[Subject] = &[
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
+    ("holds", holds::evidence),
     ("claims", paper::claims::evidence),
     ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),

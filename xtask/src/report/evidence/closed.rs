@@ -73,7 +73,7 @@ pub(super) fn closed(scene: &Scene) -> Option<Closed> {
             (ENERGY, vec![energy]),
         ]
     };
-    if !scene.load().linear().is_empty() {
+    if !scene.load().linear().is_empty() || !scene.beam().is_simple() {
         return None;
     }
     let (form, formula, values) = match (scene.foundation()?, scene.load().point()) {

@@ -1,6 +1,6 @@
 //! The gallery: the exact solution of every scene file as a card, and all of them on one sheet.
 
-mod card;
+pub(super) mod card;
 
 use palkki::plot::{Curves, curves, sheet};
 use palkki::state::Regime;
@@ -66,7 +66,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 }
 
 /// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.
-fn table(curves: &Curves) -> Table {
+pub(super) fn table(curves: &Curves) -> Table {
     /// Places to which the numbers are printed.
     const PLACES: usize = 5;
     let number = |value: f64| if value.is_finite() { fixed(value, PLACES) } else { String::new() };
@@ -86,7 +86,7 @@ fn value_of(value: f64, scale: f64, digits: usize) -> String {
 }
 
 /// The comment at the head of a scene file.
-fn story(text: &str) -> String {
+pub(super) fn story(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim).collect();
     lines.join(" ")
 }

@@ -5,6 +5,7 @@
 //! method was new, cannot be decided by computing and stays open.
 
 pub mod accuracy;
+pub mod ends;
 pub mod energy_methods;
 pub mod extensions;
 pub mod four_step;
@@ -82,7 +83,9 @@ pub struct Ledger {
     /// No supports.
     pub unknown_rigid_motion: extensions::Unsupported,
     /// A ski.
-    pub curved_beam: extensions::Curved,
+    pub curved_beam: ends::Curved,
+    /// Built-in and free ends.
+    pub other_ends: ends::Ends,
 }
 
 impl Ledger {
@@ -104,7 +107,8 @@ impl Ledger {
             any_body: extensions::any_body(),
             elastic_foundation: extensions::elastic_foundation()?,
             unknown_rigid_motion: extensions::unknown_rigid_motion()?,
-            curved_beam: extensions::curved_beam()?,
+            curved_beam: ends::curved_beam()?,
+            other_ends: ends::other_ends()?,
         })
     }
 
@@ -129,6 +133,7 @@ impl Ledger {
             self.elastic_foundation.claim(),
             self.unknown_rigid_motion.claim(),
             self.curved_beam.claim(),
+            self.other_ends.claim(),
         ]
     }
 }

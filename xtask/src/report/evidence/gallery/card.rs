@@ -1,5 +1,6 @@
 //! A scene as a card that can be copied into another program: data, reference, values, tolerances and their sources.
 
+use palkki::scene::Support;
 use palkki::theory::Exact;
 use palkki::verdict::Verdict;
 
@@ -20,7 +21,13 @@ struct Row {
 }
 
 /// The card of a scene.
-pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, story: String) -> Result<Value, Cause> {
+pub(in crate::report::evidence) fn card(
+    name: &str,
+    scene: &Scene,
+    exact: &Exact,
+    verdict: &Verdict,
+    story: String,
+) -> Result<Value, Cause> {
     let reference = closed(scene);
     let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
@@ -38,7 +45,8 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         let unit = if row.unit.is_empty() { String::new() } else { format!(" [{}]", row.unit) };
         table.push(row![format!("{}{unit}", row.name), values.join(", "), tolerance, source]);
     }
-    let certificate = verdict.certificate.as_ref().map(|c| bound(c.deflection_error / c.deflection));
+    let certificate =
+        verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
     Ok(context! {
         name,
         title => scene.title(),
@@ -48,8 +56,10 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         error => certificate,
         formula => reference.map(|closed| closed.formula),
         beam => beam(scene),
+        shape => scene.beam().shape().map(|shape| profile("w₀", shape)),
+        supports => supports(scene),
         load => loads(scene),
-        ground => scene.foundation().map(ground),
+        ground => scene.foundation().map(|ground| profile("u", ground)),
         table,
     })
 }
@@ -91,7 +101,17 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
         _ => None,
     });
     let width = widths.map(|reactions| reactions.iter().map(|[lo, hi]| hi - lo).fold(0.0, f64::max));
-    row(REACTIONS.to_owned(), &of_force, &[state.reactions.left, state.reactions.right], force, width);
+    if scene.beam().is_simple() {
+        row(REACTIONS.to_owned(), &of_force, &[state.reactions.left, state.reactions.right], force, width);
+    } else {
+        for (i, support) in state.supports.iter().enumerate() {
+            let proven = certificate.and_then(|c| c.reactions.get(i).copied().flatten()).map(|[lo, hi]| hi - lo);
+            row(format!("force of the support at x = {}", support.at), &of_force, &[support.force], force, proven);
+            if let Some(value) = support.moment {
+                row(format!("moment at the support at x = {}", support.at), &of_moment, &[value], moment, None);
+            }
+        }
+    }
     if exact.support_couples.iter().any(|couple| *couple < 0.0) {
         let name = "moments of ground and support, left and right".to_owned();
         row(name, &of_moment, &exact.support_couples, moment, None);
@@ -115,6 +135,10 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     }
     if !state.contacts.is_empty() {
         row(CONTACT.to_owned(), &of_force, &[state.contact_force()], force, None);
+    }
+    if let Some(standing) = state.standing {
+        row("resultant of the loads, at x".to_owned(), &of_length, &[standing.resultant.at], length, None);
+        row("margin against overturning".to_owned(), "", &[standing.margin], 1.0, None);
     }
     let error = certificate.map(|c| c.deflection_error);
     for (what, unit, found, scale, proven) in [
@@ -142,6 +166,25 @@ fn beam(scene: &Scene) -> String {
     format!("l = {length}{}, EI = {stiffness}{}", unit(m.clone()), unit(format!("{kn}·{m}²")))
 }
 
+/// `at x = 0, built in; at x = 4, at level 0.5`, or `none`; nothing of a beam on two simple supports at its ends.
+fn supports(scene: &Scene) -> Option<String> {
+    let beam = scene.beam();
+    if beam.is_simple() {
+        return None;
+    }
+    let one = |support: &Support| {
+        let level = if support.level == 0.0 { String::new() } else { format!(", at level {}", support.level) };
+        let slope = match support.slope {
+            None => String::new(),
+            Some(0.0) => ", built in".to_owned(),
+            Some(slope) => format!(", built in at slope {slope}"),
+        };
+        format!("at x = {}{level}{slope}", support.at)
+    };
+    let all: Vec<String> = beam.supports().iter().map(one).collect();
+    Some(if all.is_empty() { "none".to_owned() } else { all.join("; ").replace('-', "−") })
+}
+
 /// `q = 1; a point load 0.5 at x = 2`
 fn loads(scene: &Scene) -> String {
     let load = scene.load();
@@ -155,22 +198,22 @@ fn loads(scene: &Scene) -> String {
 }
 
 /// `u = 1 − 0.36 x + 0.036 x²`
-fn ground(foundation: &Foundation) -> String {
-    match foundation {
-        Foundation::Flat { depth } => format!("u = {depth}"),
+fn profile(letter: &str, profile: &Foundation) -> String {
+    match profile {
+        Foundation::Flat { depth } => format!("{letter} = {depth}"),
         Foundation::Polynomial { coefficients } => {
             let powers = ["", " x", " x²", " x³", " x⁴"];
             let terms = coefficients.iter().zip(powers).filter(|(c, _)| **c != 0.0);
             let terms: Vec<String> = terms.map(|(c, power)| format!("{c}{power}")).collect();
-            format!("u = {}", terms.join(" + ").replace("+ -", "− ").replace('-', "−"))
+            format!("{letter} = {}", terms.join(" + ").replace("+ -", "− ").replace('-', "−"))
         }
         Foundation::Cosine { mean, amplitude, wavelength, phase } => {
             let phase = if *phase == 0.0 { String::new() } else { format!(" + {phase}") };
-            format!("u = {mean} + {amplitude} cos(2π x/{wavelength}{phase})")
+            format!("{letter} = {mean} + {amplitude} cos(2π x/{wavelength}{phase})")
         }
         Foundation::Polyline { points } => {
             let points: Vec<String> = points.iter().map(|[x, u]| format!("({x}, {u})")).collect();
-            format!("straight lines through (x, u) = {}", points.join(", "))
+            format!("straight lines through (x, {letter}) = {}", points.join(", "))
         }
     }
 }
