@@ -101,10 +101,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
         let (mut strikes, mut fewest) = (0, usize::MAX);
         for _ in 0..ROUNDS {
             let run = newton::solve(given, &mut list);
-            let solved = list.nodes.len();
             list = normalised(given, list);
-            // Without the nodes that made no sense the equations are others.
-            let changed = list.nodes.len() != solved;
             let checked = check(given, &list);
             (steps, lists) = (steps + run.steps, lists + 1);
             let found = Found { list, checked, steps, lists, converged: run.converged };
@@ -119,7 +116,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
                 _ => 0,
             };
             fewest = fewest.min(faults);
-            let ends = next == found.list && !changed || STRIKES <= strikes;
+            let ends = next == found.list || STRIKES <= strikes;
             places.extend(found.checked.faults.iter().filter_map(|(_, fault)| fault.place()));
             best = best.better(found);
             if ends {
