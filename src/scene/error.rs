@@ -151,6 +151,21 @@ pub enum SceneError {
         /// Slope of the axis of the beam there.
         held: f64,
     },
+    /// A simple support in the bottom of a valley: the problem has no solution.
+    #[error(
+        "the foundation must not rise above the beam on both sides of a support, but at the simple support x = {}, where it is \
+         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it; no deflection \
+         satisfies both",
+        shown(*at),
+        shown(slopes[0]),
+        shown(slopes[1])
+    )]
+    ValleyAtSupport {
+        /// Where the support is.
+        at: f64,
+        /// Slopes `g'` of the gap to the left and to the right of it, the left one greater.
+        slopes: [f64; 2],
+    },
     /// What the supports leave free is not held by the loads and the ground either.
     #[error(transparent)]
     Unheld(#[from] Unheld),
@@ -225,7 +240,7 @@ impl SceneError {
             Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {
                 Some(Quantity::Profile(of, ProfileKey::Whole))
             }
-            Self::AboveSupport { .. } | Self::RisesAtBuiltIn { .. } => {
+            Self::AboveSupport { .. } | Self::RisesAtBuiltIn { .. } | Self::ValleyAtSupport { .. } => {
                 Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
             }
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),

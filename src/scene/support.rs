@@ -79,7 +79,8 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, 
 }
 
 impl Foundation {
-    /// No foundation lies above a support of `beam`, nor rises above the beam beside one in which it is built in.
+    /// No foundation lies above a support of `beam`, nor rises above the beam beside one in which it is built in, nor on both
+    /// sides of a simple one.
     pub(super) fn check_at_supports(&self, beam: &Beam) -> Result<(), SceneError> {
         let length = beam.length();
         for &Support { at, level, slope } in beam.supports() {
@@ -91,9 +92,20 @@ impl Foundation {
             if depth < level - within {
                 return Err(SceneError::AboveSupport { at, depth, level });
             }
-            let Some(held) = slope else { continue };
+            let inside = 0.0 < at && at < length;
+            let (sides, own) = (self.sides(at), beam.shape().map_or([[0.0; 2]; 2], |own| own.sides(at)));
+            let Some(held) = slope else {
+                let slopes = [0, 1].map(|side| sides[side][1] - own[side][1]);
+                let own_size = beam.shape().map_or(0.0, |own| own.slope_size(at));
+                let rounding = pieces::LEVEL * (self.slope_size(at) + own_size);
+                if inside && sides.iter().all(|[depth, _]| *depth <= level + within) && slopes[1] < slopes[0] - rounding
+                {
+                    return Err(SceneError::ValleyAtSupport { at, slopes });
+                }
+                continue;
+            };
             for (side, name, inside) in [(0, "left", 0.0 < at), (1, "right", at < length)] {
-                let [depth, slope] = self.sides(at)[side];
+                let [depth, slope] = sides[side];
                 let rise = if side == 0 { slope - held } else { held - slope };
                 let rounding = pieces::LEVEL * (self.slope_size(at) + held.abs());
                 if inside && depth <= level + within && rounding < rise {

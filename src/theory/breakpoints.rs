@@ -54,6 +54,15 @@ impl PiecewiseScene {
             tension: Vec::new(),
         };
         given.tension = tension_intervals(&given);
+        // Level ground on both sides of a support has the beam lie along it there.
+        for i in 0..given.supports.len() {
+            let AtSupport { breakpoint, slope, grounded, .. } = given.supports[i];
+            let Breakpoint { x, kink, .. } = given.breakpoints[breakpoint];
+            if slope.is_none() && grounded == [true; 2] && kink <= 0.0 {
+                let [left, _] = given.cells_beside(breakpoint);
+                given.supports[i].slope = Some(given.derivative(left, x, 1));
+            }
+        }
         given
     }
 }
@@ -71,6 +80,7 @@ fn at_support(
         breakpoint: places.partition_point(|&x| x < held.at),
         level: held.deflection,
         slope: held.slope,
+        built_in: held.slope.is_some(),
         grounded: held.grounded,
         size: size(foundation) + own.map_or(0.0, size),
     }

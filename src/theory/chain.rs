@@ -87,8 +87,9 @@ impl Chain<'_> {
         let mut rows = self.rows();
         let count = as_float(rows.iter().filter(|row| !row.held).count());
         let length = self.x[n - 1] - self.x[0];
-        // The beam that touches nothing; one that then could move lies on a bed of springs.
-        let springs = if self.is_fixed() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
+        // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
+        // that nothing holds, elimination would lose how they bend.
+        let springs = if self.is_held_at_both_ends() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
         factor(&mut rows, |_| springs);
         self.residuals(&mut rows);
         solve(&mut rows, |row| row.rest[1]);
@@ -155,9 +156,9 @@ impl Chain<'_> {
         Guess { touches, force: rows.iter().map(|r| r.p).collect() }
     }
 
-    /// True if supports hold the chain against moving and turning.
-    fn is_fixed(&self) -> bool {
-        self.built_in != [false; 2] || 1 < self.held.iter().flatten().count()
+    /// True if a support holds each end.
+    fn is_held_at_both_ends(&self) -> bool {
+        [self.held.first(), self.held.last()].iter().all(|end| end.is_some_and(Option::is_some))
     }
 
     fn rows(&self) -> Vec<Row> {

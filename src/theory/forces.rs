@@ -99,11 +99,9 @@ pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) ->
 pub(super) fn pulling_couple(given: &PiecewiseScene, index: usize, beside: [Beside; 2], jump: f64) -> Option<f64> {
     let support = &given.supports[index];
     let pinned = beside.iter().position(|&beside| beside != Beside::Apart)?;
-    let level =
-        support.slope.is_none() && support.grounded == [true; 2] && given.breakpoints[support.breakpoint].kink == 0.0;
-    match (level, pinned) {
-        (true, _) => None,
-        (false, 1) => Some(jump),
-        (false, _) => Some(-jump),
+    match pinned {
+        _ if !support.built_in && support.slope.is_some() => None,
+        1 => Some(jump),
+        _ => Some(-jump),
     }
 }

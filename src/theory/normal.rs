@@ -71,7 +71,13 @@ impl Normal<'_> {
         match node.kind {
             Kind::ZoneEnd if self.inside => {
                 self.inside = false;
-                self.nodes.push(node);
+                match self.nodes.last_mut() {
+                    // Of a zone that has shrunk to nothing at a support the slope is left that the ground holds.
+                    Some(Node { kind: Kind::Support(_, [_, beside]), x, .. }) if node.x - *x <= self.least => {
+                        *beside = Beside::Clamped;
+                    }
+                    _ => self.nodes.push(node),
+                }
             }
             Kind::ZoneEnd => {}
             _ if self.inside => {}
@@ -105,14 +111,19 @@ impl Normal<'_> {
     }
 
     fn add_support(&mut self, index: usize, [left, right]: [Beside; 2], node: Node) {
+        let grounded = self.given.supports[index].grounded[0];
+        let mut shrunk = false;
         while self.nodes.last().is_some_and(|n| n.support().is_none() && node.x - n.x <= self.least) {
-            self.inside = self.nodes.pop().is_some_and(|n| n.kind == Kind::ZoneEnd);
+            let kind = self.nodes.pop().map(|n| n.kind);
+            shrunk = grounded && self.inside && kind == Some(Kind::ZoneStart);
+            self.inside = kind == Some(Kind::ZoneEnd);
         }
-        if self.inside && !self.given.supports[index].grounded[0] {
+        if self.inside && !grounded {
             self.give_up();
         }
         let left = match left {
             _ if self.inside => Beside::Zone,
+            _ if shrunk => Beside::Clamped,
             Beside::Zone => Beside::Apart,
             other => other,
         };

@@ -41,8 +41,10 @@ pub(super) struct AtSupport {
     pub(super) breakpoint: usize,
     /// `v` that it holds.
     pub(super) level: f64,
-    /// `v'` that it holds, where the beam is built in.
+    /// `v'` that it holds: where the beam is built in, and where ground that starts at its level on both sides leaves no other.
     pub(super) slope: Option<f64>,
+    /// True if the beam is built in.
+    pub(super) built_in: bool,
     /// True on a side where the ground starts at its level: a point exactly, a formula up to the rounding of its depth.
     pub(super) grounded: [bool; 2],
     /// The numbers that add up to the depth of the ground there: at the left end a polynomial is its first coefficient.
@@ -183,11 +185,21 @@ impl PiecewiseScene {
         [chord - self.derivative(first, a, 1), self.derivative(last, b, 1) - chord]
     }
 
-    /// From where to where the smooth piece of the profile reaches that `cell` belongs to.
+    /// From where to where the smooth piece of the profile reaches that `cell` belongs to, or to the next support if that is nearer:
+    /// no contact passes a support.
     pub(super) fn reach(&self, cell: usize) -> (f64, f64) {
         let shape = self.cells[cell].shape;
         let end = |shape: usize| self.ends.get(shape).copied().unwrap_or(self.length);
-        (shape.checked_sub(1).map_or(0.0, end), end(shape))
+        let next = self.supports.partition_point(|support| support.breakpoint <= cell);
+        let at = |support: &AtSupport| self.breakpoints[support.breakpoint].x;
+        let from = next.checked_sub(1).map_or(0.0, |i| at(&self.supports[i]));
+        let to = self.supports.get(next).map_or(self.length, at);
+        (shape.checked_sub(1).map_or(0.0, end).max(from), end(shape).min(to))
+    }
+
+    /// True if the beam lies on two simple supports at its ends and nothing else, the paper's.
+    pub(super) fn is_simple(&self) -> bool {
+        self.supports.len() == 2 && self.free_ends == [false; 2] && self.supports.iter().all(|s| s.slope.is_none())
     }
 
     /// The size of depths that carries their rounding at `x`: of one polynomial what adds up to it there.

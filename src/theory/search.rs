@@ -127,8 +127,8 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
             let run = newton::solve(given, &mut list);
             let solved = list.nodes.len();
             list = normalised(given, list);
-            // Without the nodes that made no sense the equations are others.
-            let changed = list.nodes.len() != solved;
+            // Without the nodes that made no sense the equations are others. On the paper's supports the next guess has them.
+            let unsolved = !given.is_simple() && list.nodes.len() != solved;
             let checked = check(given, &list);
             (steps, lists) = (steps + run.steps, lists + 1);
             let found = Found { list, checked, steps, lists, converged: run.converged };
@@ -143,7 +143,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
                 _ => 0,
             };
             fewest = fewest.min(faults);
-            let ends = next == found.list && !changed || STRIKES <= strikes;
+            let ends = next == found.list && !unsolved || STRIKES <= strikes;
             places.extend(found.checked.faults.iter().filter_map(|(_, fault)| fault.place()));
             best = best.better(found);
             if ends {

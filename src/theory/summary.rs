@@ -60,7 +60,7 @@ fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64
         Some(SupportForce {
             at: node.x * scale.length,
             force: (force + given.breakpoints[support.breakpoint].force) * stiffness * scale.force,
-            moment: support.slope.map(|_| moment * stiffness * scale.moment()),
+            moment: support.built_in.then_some(moment * stiffness * scale.moment()),
         })
     });
     supports.collect()

@@ -36,6 +36,7 @@ impl Located<'_> {
     fn at_support(&self, error: &SceneError) -> Option<Span> {
         let (SceneError::AboveSupport { at, .. }
         | SceneError::RisesAtBuiltIn { at, .. }
+        | SceneError::ValleyAtSupport { at, .. }
         | SceneError::CornerAtBuiltIn { at }) = error
         else {
             return None;
