@@ -113,8 +113,14 @@ impl Exact {
     /// Bending moment `M(x) = −EI v''` \[force · length\].
     #[must_use]
     pub fn moment(&self, x: f64) -> f64 {
+        let [_, right] = self.moments(x);
+        right
+    }
+
+    /// The same just left and just right of `x`: a support that holds the slope takes a couple.
+    fn moments(&self, x: f64) -> [f64; 2] {
         // Adding zero turns a −0.0 into 0.0.
-        -self.beam(x, true)[2] * self.stiffness * self.scale.moment() + 0.0
+        [false, true].map(|right| -self.beam(x, right)[2] * self.stiffness * self.scale.moment() + 0.0)
     }
 
     /// Shear force `V(x) = M'`, just left and just right of `x` \[force\].
@@ -230,26 +236,27 @@ impl Exact {
         let length = scene.beam().length();
         let mut samples = Vec::new();
         for x in self.places(scene, intervals) {
-            let [left, right] = self.shear(x);
-            let sample = |pressure, shear| Sample {
+            let ([left, right], [bent_left, bent_right]) = (self.shear(x), self.moments(x));
+            let sample = |pressure, moment, shear| Sample {
                 x,
                 deflection: self.deflection(x),
                 slope: self.slope(x),
                 clearance: self.clearance(x),
                 pressure,
-                moment: self.moment(x),
+                moment,
                 shear,
             };
             let jumps = self.state.contacts.iter().any(|c| sits_at(c.from, x) || sits_at(c.to, x));
-            let held = self.state.supports.iter().any(|support| sits_at(support.at, x));
             let loaded = scene.load().point().iter().any(|load| sits_at(load.at, x));
+            let supported = scene.beam().supports().iter().any(|support| sits_at(support.at, x));
             let inside = 0.0 < x && x < length;
-            if 0.0 < x && (!inside || jumps || held || loaded) {
+            if 0.0 < x && (!inside || jumps || loaded || supported) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
-                samples.push(sample(self.pressure(x.next_down()), left));
+                let moment = if supported { bent_left } else { bent_right };
+                samples.push(sample(self.pressure(x.next_down()), moment, left));
             }
             if x < length {
-                samples.push(sample(self.pressure(x), right));
+                samples.push(sample(self.pressure(x), bent_right, right));
             }
         }
         samples
@@ -260,11 +267,13 @@ impl Exact {
         let even = (0..=intervals).map(|i| length * f64::from(i) / f64::from(intervals));
         let mut places: Vec<f64> = even.collect();
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
-        places.extend(self.state.supports.iter().map(|support| support.at));
         places.extend(scene.load().point().iter().map(|load| load.at));
         places.extend(scene.load().linear().iter().flat_map(|load| [load.from, load.to]));
-        if let Some(Foundation::Polyline { points }) = scene.foundation() {
-            places.extend(points.iter().map(|point| point[0]));
+        places.extend(scene.beam().supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
+        for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
+            if let Foundation::Polyline { points } = profile {
+                places.extend(points.iter().map(|point| point[0]));
+            }
         }
         places.retain(|x| (0.0..=length).contains(x));
         // −0.0 is a place on the beam as well.

@@ -6,7 +6,7 @@ use super::list::List;
 use super::neutral;
 use super::piecewise::PiecewiseScene;
 use super::search::{self, Found};
-use crate::scene::{Balance, Foundation, Scene, SceneError};
+use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -15,16 +15,20 @@ pub enum TheoryError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// The profile has so many waves that its pieces cannot be listed.
-    #[error("`foundation.cosine.wavelength` must be at least {least} for an exact solution, but is {wavelength}")]
+    #[error("`{}.cosine.wavelength` must be at least {least} for an exact solution, but is {wavelength}", of.path())]
     TooManyPieces {
+        /// Of which profile.
+        of: Profile,
         /// The wavelength \[length\].
         wavelength: f64,
         /// The least that is possible \[length\].
         least: f64,
     },
     /// The phase of a wave is so large that its rounding moves the wave.
-    #[error("`foundation.cosine.phase` must be at most {most} in magnitude for an exact solution, but is {phase}")]
+    #[error("`{}.cosine.phase` must be at most {most} in magnitude for an exact solution, but is {phase}", of.path())]
     PhaseTooLarge {
+        /// Of which profile.
+        of: Profile,
         /// The phase \[rad\].
         phase: f64,
         /// The most that is possible \[rad\].
@@ -32,10 +36,12 @@ pub enum TheoryError {
     },
     /// The profile has so many points that its pieces cannot be listed.
     #[error(
-        "a foundation given by points must have at most {most} of them for an exact solution, for which {memory} GiB of memory are enough, but has {count}",
+        "{of} given by points must have at most {most} of them for an exact solution, for which {memory} GiB of memory are enough, but has {count}",
         memory = MEMORY >> 30
     )]
     TooManyPoints {
+        /// Which profile.
+        of: Profile,
         /// How many there are.
         count: usize,
         /// The most that are possible.
@@ -67,21 +73,25 @@ pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
 pub(super) fn solve_from(scene: &Scene, near: Option<&Exact>) -> Result<Exact, TheoryError> {
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
-    if let Some(&Foundation::Cosine { wavelength, phase, .. }) = foundation {
-        if MOST_PHASE < phase.abs() {
-            return Err(TheoryError::PhaseTooLarge { phase, most: MOST_PHASE });
+    let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());
+    for (of, profile) in [(Profile::Foundation, foundation), (Profile::Shape, own)] {
+        match profile {
+            Some(&Foundation::Cosine { wavelength, phase, .. }) => {
+                if MOST_PHASE < phase.abs() {
+                    return Err(TheoryError::PhaseTooLarge { of, phase, most: MOST_PHASE });
+                }
+                // One cell is an eighth of a wave or so.
+                let least = 8.0 * scaled.scene.beam().length() / MOST_CELLS;
+                if wavelength < least {
+                    let unit = scaled.scale.length;
+                    return Err(TheoryError::TooManyPieces { of, wavelength: wavelength * unit, least: least * unit });
+                }
+            }
+            Some(Foundation::Polyline { points }) if MOST_POINTS < points.len() => {
+                return Err(TheoryError::TooManyPoints { of, count: points.len(), most: MOST_POINTS });
+            }
+            _ => {}
         }
-        // One cell is an eighth of a wave or so.
-        let least = 8.0 * scaled.scene.beam().length() / MOST_CELLS;
-        if wavelength < least {
-            let unit = scaled.scale.length;
-            return Err(TheoryError::TooManyPieces { wavelength: wavelength * unit, least: least * unit });
-        }
-    }
-    if let Some(Foundation::Polyline { points }) = foundation
-        && MOST_POINTS < points.len()
-    {
-        return Err(TheoryError::TooManyPoints { count: points.len(), most: MOST_POINTS });
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);

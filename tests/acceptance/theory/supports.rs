@@ -6,7 +6,7 @@
 //! built in to zone                            EI d = q a⁴/72,   force at lift-off q a/3,   reaction 2q a/3,   moment −q a²/6
 //! ```
 
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError, Support};
 use palkki::state::Standing;
 use palkki::theory::{Exact, solve};
 
@@ -272,4 +272,14 @@ fn a_beam_that_stands_on_its_end() {
     close("greatest slope", motion.slope[1].expect("the ground is in the way"), 0.0);
     assert_eq!(motion.slope[0], None, "nothing limits how far the other end may rise");
     close("force", exact.state.contacts[0].force, 2.0);
+}
+
+/// Ground at the level of a simple support may fall off on both sides of it and not rise on both: no slope of the beam would do.
+#[test]
+fn a_support_in_a_valley_is_refused() {
+    let ground = |outside: f64| Foundation::Polyline { points: vec![[0.0, outside], [4.0, 3.0], [L, outside]] };
+    let supported = || beam(vec![Support::simple(0.0), Support::simple(4.0).at_level(3.0)]);
+    let scene = |outside| Scene::new(supported(), Load::default(), Some(ground(outside)));
+    assert_eq!(scene(1.0), Err(SceneError::ValleyAtSupport { at: 4.0, slopes: [0.5, -2.0 / 6.0] }));
+    assert!(scene(5.0).is_ok());
 }
