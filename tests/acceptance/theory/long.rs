@@ -7,21 +7,12 @@ use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError};
 use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::authority::{RBig, rational};
+use palkki_evidence::extremes::chebyshev;
 
-/// Coefficients of `m + a T_d(2x/l − 1)`; those of `T_d(2x − 1)` are whole numbers, below `2⁵³` up to degree 20.
-fn chebyshev(degree: i32, mean: f64, amplitude: f64, length: f64) -> Vec<f64> {
-    let (mut last, mut this) = (vec![1.0], vec![-1.0, 2.0]);
-    for _ in 1..degree {
-        // T_{d+1} = 2 (2x − 1) T_d − T_{d−1}.
-        let mut next = vec![0.0; this.len() + 1];
-        for (j, c) in this.iter().enumerate() {
-            next[j] -= 2.0 * c;
-            next[j + 1] += 4.0 * c;
-        }
-        next.iter_mut().zip(&last).for_each(|(next, last)| *next -= last);
-        (last, this) = (this, next);
-    }
-    let mut coefficients: Vec<f64> = (0..).zip(this).map(|(j, c)| amplitude * c / length.powi(j)).collect();
+/// Coefficients of `m + a T_d(2x/l − 1)`.
+fn wave(degree: i32, mean: f64, amplitude: f64, length: f64) -> Vec<f64> {
+    let unit = chebyshev(degree.unsigned_abs() as usize);
+    let mut coefficients: Vec<f64> = (0..).zip(unit).map(|(j, c)| amplitude * c / length.powi(j)).collect();
     coefficients[0] += mean;
     coefficients
 }
@@ -57,7 +48,7 @@ fn long_polynomials_are_solved_exactly() {
     for degree in 10..=20 {
         for (mean, amplitude) in [(1.0, 0.9), (1.0, -0.3), (0.05, 0.04), (10.0, 1e-3)] {
             for length in [1.0, 10.0, 1000.0] {
-                let coefficients = chebyshev(degree, mean, amplitude, length);
+                let coefficients = wave(degree, mean, amplitude, length);
                 for load in LOADS {
                     let exact = solved(coefficients.clone(), length, load).exact;
                     let exact = exact.expect("the exact solution");
@@ -82,7 +73,7 @@ fn the_mirror_image_has_the_same_energy() {
         for (amplitude, load) in [(0.875, 3.0), (0.25, 100.0), (0.5, 1e5)] {
             for length in [1.0, 1024.0] {
                 let [one, other] = [amplitude, -amplitude].map(|amplitude| {
-                    let coefficients = chebyshev(degree, 1.0, amplitude, length);
+                    let coefficients = wave(degree, 1.0, amplitude, length);
                     let beam = Beam::new(length, 5.0 / 384.0 * length.powi(4)).expect("a beam");
                     let load = Load::new(&beam, load, Vec::new(), Vec::new()).expect("a load");
                     let scene = Scene::new(beam, load, Some(Foundation::Polynomial { coefficients }));
@@ -99,7 +90,7 @@ fn the_mirror_image_has_the_same_energy() {
 fn grids_converge_to_the_exact_solution() {
     for degree in [12, 20] {
         for length in [1.0, 10.0] {
-            let coefficients = chebyshev(degree, 1.0, 0.25, length);
+            let coefficients = wave(degree, 1.0, 0.25, length);
             let exact = solved(coefficients.clone(), length, 100.0).state.energy;
             let scene = scene(coefficients, length, 100.0).expect("a scene");
             for method in [Method::Complementarity, Method::Displacement, Method::Force] {
@@ -120,8 +111,8 @@ fn grids_converge_to_the_exact_solution() {
 fn a_long_polynomial_is_level_where_it_is_zero() {
     for degree in 10..=20 {
         for amplitude in [1.0, -1.0] {
-            solved(chebyshev(degree, 1.0, amplitude, 1.0), 1.0, 30.0);
-            let above = scene(chebyshev(degree, 1.0 - 1e-9, amplitude, 1.0), 1.0, 30.0);
+            solved(wave(degree, 1.0, amplitude, 1.0), 1.0, 30.0);
+            let above = scene(wave(degree, 1.0 - 1e-9, amplitude, 1.0), 1.0, 30.0);
             // Of an even degree with `a = 1` the polynomial is zero at no support.
             let touches = amplitude < 0.0 || degree % 2 == 1;
             let refused = matches!(above, Err(SceneError::AboveSupport { depth, .. }) if (depth + 1e-9).abs() < 1e-12);

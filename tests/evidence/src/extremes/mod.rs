@@ -149,3 +149,22 @@ fn extreme(
 ) -> Result<Extreme, SceneError> {
     Ok(Extreme { name: name.into(), authority, scene: parts.scene()?, truth, intervals: THIRTY })
 }
+
+/// Coefficients of Chebyshev's polynomial `T_d(2x − 1)` in powers of `x`: whole numbers, below `2⁵³` up to degree 20.
+pub fn chebyshev(degree: usize) -> Vec<f64> {
+    let (mut last, mut this) = (vec![1.0], vec![-1.0, 2.0]);
+    if degree == 0 {
+        return last;
+    }
+    for _ in 1..degree {
+        // T_{d+1} = 2 (2x − 1) T_d − T_{d−1}.
+        let mut next = vec![0.0; this.len() + 1];
+        for (j, c) in this.iter().enumerate() {
+            next[j] -= 2.0 * c;
+            next[j + 1] += 4.0 * c;
+        }
+        next.iter_mut().zip(&last).for_each(|(next, last)| *next -= last);
+        (last, this) = (this, next);
+    }
+    this
+}

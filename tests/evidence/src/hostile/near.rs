@@ -1,6 +1,7 @@
 //! Scenes of numbers that are close together, or far larger than what they add up to: places that nearly coincide, bumps that
 //! tie, polynomials of high degree, waves without number.
 
+use crate::extremes::chebyshev;
 use crate::random::Random;
 
 use super::draft::{Draft, Ground};
@@ -96,20 +97,11 @@ pub(super) fn high_degree(random: &mut Random) -> Draft {
     let degree = 10 + random.below(11);
     let depth = sag(&draft) * power(random, -4.0, 1.0);
     let alone = random.once_in(2);
-    let (mut last, mut this) = (vec![1.0], vec![-1.0, 2.0]);
     let mut sum = vec![depth * random.between(1.0, 1.5)];
     sum.resize(degree + 1, 0.0);
     for k in 1..=degree {
         let share = if alone { f64::from(u8::from(k == degree)) } else { 0.5 * random.between(-1.0, 1.0) };
-        sum.iter_mut().zip(&this).for_each(|(sum, c)| *sum += depth * share * c);
-        // T_{k+1} = 2 (2x/l − 1) T_k − T_{k−1}.
-        let mut next = vec![0.0; this.len() + 1];
-        for (j, c) in this.iter().enumerate() {
-            next[j] -= 2.0 * c;
-            next[j + 1] += 4.0 * c;
-        }
-        next.iter_mut().zip(&last).for_each(|(next, last)| *next -= last);
-        (last, this) = (this, next);
+        sum.iter_mut().zip(chebyshev(k)).for_each(|(sum, c)| *sum += depth * share * c);
     }
     let mut unit = 1.0;
     for c in &mut sum {
