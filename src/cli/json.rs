@@ -7,7 +7,7 @@ use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
 use palkki::scene::Quantity;
-use palkki::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime, Standing, SupportForce};
+use palkki::state::{Contact, Extremes, Nodes, Regime, Standing, SupportForce};
 use palkki::sweep::Event;
 use serde::Serialize;
 
@@ -123,7 +123,7 @@ struct RouteObject<'a> {
     unknowns: usize,
     iterations: usize,
     seconds: f64,
-    reactions: ReactionsObject,
+    reactions: EndsObject,
     supports: &'a [SupportForce],
     /// Of a beam that its supports do not hold: `resultant`, `margin`, and `motion` where its position is not certain.
     #[serde(flatten)]
@@ -154,7 +154,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             unknowns: solution.unknowns,
             iterations: solution.iterations,
             seconds: answer.seconds,
-            reactions: ReactionsObject::of(answer.length, state),
+            reactions: EndsObject::of(answer.length, &state.supports, |i| state.supports[i].force),
             supports: &state.supports,
             standing: state.standing,
             contacts: state.contacts.iter().map(ContactObject::from).collect(),
@@ -175,37 +175,44 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
     }
 }
 
-/// Forces of the supports at the two ends of the beam; `null` where there is none.
+/// What belongs to the supports at the two ends of the beam; `null` where there is none.
 #[derive(Debug, Serialize)]
-struct ReactionsObject {
+pub(super) struct EndsObject {
     left: Option<f64>,
     right: Option<f64>,
 }
 
-impl ReactionsObject {
-    fn of(length: f64, state: &ContactState) -> Self {
+impl EndsObject {
+    /// Of one number for each support.
+    pub(super) fn of(length: f64, supports: &[SupportForce], number: impl Fn(usize) -> f64) -> Self {
         #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
-        let held = |end: f64| state.supports.iter().any(|support| support.at == end);
-        let Reactions { left, right } = state.reactions;
-        Self { left: held(0.0).then_some(left), right: held(length).then_some(right) }
+        let at = |end: f64| supports.iter().position(|support| support.at == end).map(&number);
+        Self { left: at(0.0), right: at(length) }
     }
 }
 
+/// A contact, or how its numbers change.
 #[derive(Debug, Serialize)]
-struct ContactObject {
+pub(super) struct ContactObject {
     from: f64,
     to: f64,
-    force: f64,
+    pub(super) force: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     force_from: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     force_to: Option<f64>,
 }
 
-impl From<&Contact> for ContactObject {
-    fn from(&Contact { from, to, force, end_forces }: &Contact) -> Self {
+impl ContactObject {
+    pub(super) fn new(from: f64, to: f64, force: f64, end_forces: Option<[f64; 2]>) -> Self {
         let [force_from, force_to] = end_forces.map_or([None, None], |ends| ends.map(Some));
         Self { from, to, force, force_from, force_to }
+    }
+}
+
+impl From<&Contact> for ContactObject {
+    fn from(&Contact { from, to, force, end_forces }: &Contact) -> Self {
+        Self::new(from, to, force, end_forces)
     }
 }
 

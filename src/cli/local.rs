@@ -12,6 +12,7 @@ use serde::Serialize;
 use super::answer::Answer;
 use super::arguments::Solve;
 use super::input::Input;
+use super::json::{ContactObject, EndsObject};
 use super::table::{Labels, Row, list, table};
 
 /// What was asked for.
@@ -31,24 +32,6 @@ struct DerivativeObject {
     supports: Vec<f64>,
     contacts: Vec<ContactObject>,
     energy: f64,
-}
-
-/// Of the supports at the two ends of the beam; `null` where there is none.
-#[derive(Debug, Serialize)]
-struct EndsObject {
-    left: Option<f64>,
-    right: Option<f64>,
-}
-
-#[derive(Debug, Serialize)]
-struct ContactObject {
-    from: f64,
-    to: f64,
-    force: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    force_from: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    force_to: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -126,17 +109,10 @@ impl Local {
 
 fn object(derivative: Derivative, supports: &[SupportForce], length: f64) -> DerivativeObject {
     let Derivative { one_sided, supports: forces, contacts, energy, .. } = derivative;
-    let at = |end: f64| {
-        let i = supports.iter().position(|support| support.at <= end && end <= support.at)?;
-        forces.get(i).copied()
-    };
-    let contact = |contact: ContactDerivative| {
-        let [force_from, force_to] = contact.end_forces.map_or([None, None], |ends| ends.map(Some));
-        ContactObject { from: contact.from, to: contact.to, force: contact.force, force_from, force_to }
-    };
+    let contact = |ContactDerivative { from, to, force, end_forces }| ContactObject::new(from, to, force, end_forces);
     DerivativeObject {
         one_sided,
-        reactions: EndsObject { left: at(0.0), right: at(length) },
+        reactions: EndsObject::of(length, supports, |i| forces[i]),
         contacts: contacts.into_iter().map(contact).collect(),
         supports: forces,
         energy,

@@ -213,8 +213,6 @@ fn any_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
 /// `t = q − p` in place of the loads, and `J(v) = ½ tᵀv − qᵀv`, since `v = C t`. Summed in blocks: one sum over a fine grid
 /// would lose digits that the answer has.
 fn carried(mut loads: Vec<f64>, nodal: &Nodal) -> (Vec<f64>, f64) {
-    /// About as many terms in a block as there are blocks on a fine grid.
-    const BLOCK: usize = 256;
     let mut energy = 0.0;
     let blocks = nodal.contact_force.chunks(BLOCK).zip(nodal.deflection.chunks(BLOCK)).enumerate();
     for (b, (forces, deflection)) in blocks {

@@ -15,6 +15,7 @@
 
 use std::cmp::Ordering;
 
+use super::double::Double;
 use super::error::shown;
 use super::{Load, Scale, Scene};
 
@@ -112,15 +113,18 @@ impl Balance {
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
         let (load, length) = (scene.load(), scene.beam().length());
         let grounded = scene.foundation().is_some();
-        let force = Sum::of_forces(load, length);
+        let force = || Sum::of_forces(load, length);
         let turn = |about: f64| Sum::of_moments(load, length, about);
-        let resultant = || Resultant { force: force.value(), at: turn(0.0).value() / force.value() };
+        let resultant = || {
+            let force = force().value();
+            Resultant { force, at: turn(0.0).value() / force }
+        };
         match scene.beam().supports() {
             [] if !grounded => Err(Unheld::NothingCarries),
             [] => {
                 // Positive where the resultant is on the beam's side of its left and of its right end.
                 let [left, right] = [turn(0.0), turn(length).negated()];
-                let Resultant { force: weight, at } = resultant();
+                let (force, Resultant { force: weight, at }) = (force(), resultant());
                 match (left.sign(), right.sign()) {
                     (Ordering::Equal, Ordering::Equal) => Err(Unheld::NothingPresses),
                     (Ordering::Less, Ordering::Less) => Err(Unheld::PulledUp { force: -weight }),
@@ -199,59 +203,61 @@ fn beside(at: f64, length: f64) -> String {
 }
 
 /// A sum in twice the precision, and how far the rounding of what is given may have moved it.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Sum {
     sum: Double,
     within: f64,
 }
 
 impl Sum {
+    const NOTHING: Self = Self { sum: Double::ZERO, within: 0.0 };
+
     /// Half a unit in the last place, as a share; the sums themselves are exact to its square.
     const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
     /// `W = ∫q`.
     fn of_forces(load: &Load, length: f64) -> Self {
-        let mut sum = Self::default();
-        let (uniform, length) = (Double::from(load.uniform()), Double::from(length));
-        sum.add(uniform * length, 2.0 * (uniform * length).value().abs());
+        let mut sum = Self::NOTHING;
+        let (uniform, length) = (Double::exact(load.uniform()), Double::exact(length));
+        sum.add(uniform * length, 2.0 * (uniform * length).rounded().abs());
         for q in load.linear() {
             let (mean, width) =
-                (Double::from(q.start) + Double::from(q.end), Double::from(q.to) - Double::from(q.from));
+                (Double::exact(q.start) + Double::exact(q.end), Double::exact(q.to) - Double::exact(q.from));
             let size = 0.5 * (q.start.abs() + q.end.abs());
-            sum.add(mean * width * Double::from(0.5), size * (width.value() + q.to + q.from));
+            sum.add(mean * width * Double::exact(0.5), size * (width.rounded() + q.to + q.from));
         }
         for p in load.point() {
-            sum.add(Double::from(p.force), p.force.abs());
+            sum.add(Double::exact(p.force), p.force.abs());
         }
         sum
     }
 
     /// `∫q (x − c)`, six times of which is a sum of products.
     fn of_moments(load: &Load, length: f64, about: f64) -> Self {
-        let mut sum = Self::default();
-        let (uniform, l, c) = (load.uniform(), Double::from(length), Double::from(about));
+        let mut sum = Self::NOTHING;
+        let (uniform, l, c) = (load.uniform(), Double::exact(length), Double::exact(about));
         let lever = l - c - c;
         let size = 3.0 * uniform.abs() * length;
         sum.add(
-            Double::from(3.0) * Double::from(uniform) * l * lever,
-            size * (2.0 * lever.value().abs() + length + about),
+            Double::exact(3.0) * Double::exact(uniform) * l * lever,
+            size * (2.0 * lever.rounded().abs() + length + about),
         );
         for q in load.linear() {
-            let (start, end) = (Double::from(q.start), Double::from(q.end));
-            let (width, lever) = (Double::from(q.to) - Double::from(q.from), Double::from(q.from) - c);
+            let (start, end) = (Double::exact(q.start), Double::exact(q.end));
+            let (width, lever) = (Double::exact(q.to) - Double::exact(q.from), Double::exact(q.from) - c);
             let (places, size) = (q.to + q.from + about, q.start.abs() + q.end.abs());
             sum.add(
-                Double::from(3.0) * (start + end) * width * lever + (start + end + end) * width * width,
-                6.0 * size * width.value() * (places + width.value()),
+                Double::exact(3.0) * (start + end) * width * lever + (start + end + end) * width * width,
+                6.0 * size * width.rounded() * (places + width.rounded()),
             );
         }
         for p in load.point() {
-            let lever = Double::from(p.at) - c;
+            let lever = Double::exact(p.at) - c;
             // A load just above the place has no lever, whatever its last digit.
-            let known = if lever.value() == 0.0 { 0.0 } else { lever.value().abs() + p.at + about };
-            sum.add(Double::from(6.0) * Double::from(p.force) * lever, 6.0 * p.force.abs() * known);
+            let known = if lever.rounded() == 0.0 { 0.0 } else { lever.rounded().abs() + p.at + about };
+            sum.add(Double::exact(6.0) * Double::exact(p.force) * lever, 6.0 * p.force.abs() * known);
         }
-        Self { sum: sum.sum * Double::from(1.0 / 6.0), within: sum.within / 6.0 }
+        Self { sum: sum.sum * Double::exact(1.0 / 6.0), within: sum.within / 6.0 }
     }
 
     /// Adds a term; `size` is that of the numbers of which half a unit in the last place is not known.
@@ -261,11 +267,11 @@ impl Sum {
     }
 
     fn negated(self) -> Self {
-        Self { sum: Double::default() - self.sum, ..self }
+        Self { sum: Double::ZERO - self.sum, ..self }
     }
 
     fn value(self) -> f64 {
-        self.sum.value()
+        self.sum.rounded()
     }
 
     /// The sign, equal to zero where zero cannot be told from it.
@@ -274,71 +280,5 @@ impl Sum {
             value if value.abs() <= self.within => Ordering::Equal,
             value => value.total_cmp(&0.0),
         }
-    }
-}
-
-/// A number as the sum of two, the second below half a unit in the last place of the first (Dekker 1971).
-#[derive(Debug, Clone, Copy, Default)]
-struct Double {
-    high: f64,
-    low: f64,
-}
-
-impl Double {
-    fn value(self) -> f64 {
-        self.high + self.low
-    }
-
-    /// The sum of two numbers, exactly (Knuth).
-    fn sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let b_part = high - a;
-        Self { high, low: (a - (high - b_part)) + (b - b_part) }
-    }
-
-    /// The product of two numbers, exactly (Veltkamp and Dekker).
-    fn product(a: f64, b: f64) -> Self {
-        /// `2²⁷ + 1` parts a number in halves of 26 bits.
-        const SPLIT: f64 = 134_217_729.0;
-        let halves = |x: f64| {
-            let high = SPLIT * x - (SPLIT * x - x);
-            [high, x - high]
-        };
-        let high = a * b;
-        let ([a1, a2], [b1, b2]) = (halves(a), halves(b));
-        Self { high, low: ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 }
-    }
-}
-
-impl From<f64> for Double {
-    fn from(high: f64) -> Self {
-        Self { high, low: 0.0 }
-    }
-}
-
-impl std::ops::Add for Double {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        let (high, low) = (Self::sum(self.high, other.high), Self::sum(self.low, other.low));
-        let first = Self::sum(high.high, high.low + low.high);
-        Self::sum(first.high, first.low + low.low)
-    }
-}
-
-impl std::ops::Sub for Double {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self + Self { high: -other.high, low: -other.low }
-    }
-}
-
-impl std::ops::Mul for Double {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        let product = Self::product(self.high, other.high);
-        Self::sum(product.high, product.low + (self.high * other.low + self.low * other.high))
     }
 }

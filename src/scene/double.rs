@@ -2,6 +2,8 @@
 //!
 //! What one operation rounds off is itself a 64-bit number, and is carried along (Dekker 1971).
 
+use std::ops::{Add, Mul, Sub};
+
 /// `high + low`, with `low` at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Double {
@@ -21,18 +23,50 @@ impl Double {
     pub(super) fn times_plus(self, x: f64, other: Self) -> Self {
         let product = self.high * x;
         let lost = libm::fma(self.high, x, -product);
-        let sum = product + other.high;
-        // Knuth's sum of two numbers in any order: what it rounds off, exactly.
-        let part = sum - product;
-        let rest = (product - (sum - part)) + (other.high - part);
+        let Self { high: sum, low: rest } = Self::sum(product, other.high);
         let low = rest + (lost + self.low * x + other.low);
         let high = sum + low;
         Self { high, low: low - (high - sum) }
     }
 
+    /// The sum of two numbers, exactly (Knuth).
+    fn sum(a: f64, b: f64) -> Self {
+        let high = a + b;
+        let part = high - a;
+        Self { high, low: (a - (high - part)) + (b - part) }
+    }
+
     /// Rounded to 64 bits.
     pub(super) fn rounded(self) -> f64 {
         self.high
+    }
+}
+
+impl Add for Double {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let (high, low) = (Self::sum(self.high, other.high), Self::sum(self.low, other.low));
+        let first = Self::sum(high.high, high.low + low.high);
+        Self::sum(first.high, first.low + low.low)
+    }
+}
+
+impl Sub for Double {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + Self { high: -other.high, low: -other.low }
+    }
+}
+
+impl Mul for Double {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let product = self.high * other.high;
+        let lost = libm::fma(self.high, other.high, -product);
+        Self::sum(product, lost + (self.high * other.low + self.low * other.high))
     }
 }
 

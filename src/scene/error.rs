@@ -169,12 +169,6 @@ pub enum SceneError {
     /// What the supports leave free is not held by the loads and the ground either.
     #[error(transparent)]
     Unheld(#[from] Unheld),
-    /// What can be asked only of a straight beam on two simple supports at its ends, at level 0.
-    #[error("{what} can be used only for a straight beam on two simple supports, at its ends and at level 0")]
-    OnlySimpleBeam {
-        /// What was asked for.
-        what: &'static str,
-    },
     /// Numbers that are finite by themselves and not together.
     #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", shown(*value))]
     Overflow {
@@ -244,9 +238,7 @@ impl SceneError {
                 Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
             }
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
-            Self::Unheld(_) | Self::OnlySimpleBeam { .. } | Self::SupportBetweenNodes { .. } => {
-                Some(Quantity::Supports)
-            }
+            Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
         }
     }

@@ -143,14 +143,4 @@ impl Scene {
         });
         Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), grounded }
     }
-
-    /// Refuses a scene that is not the paper's: a straight beam on two simple supports, at its ends and at level 0. For what
-    /// knows no others; `what` is the subject of the message.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError::OnlySimpleBeam`].
-    pub fn only_simple_beam(&self, what: &'static str) -> Result<(), SceneError> {
-        if self.beam().is_simple() { Ok(()) } else { Err(SceneError::OnlySimpleBeam { what }) }
-    }
 }
