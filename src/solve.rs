@@ -55,6 +55,14 @@ pub struct Solution {
     pub exact: Option<Box<Exact>>,
 }
 
+impl Solution {
+    /// False if the solver gave none, or one that is not all numbers: `state` says nothing then.
+    #[must_use]
+    pub fn has_answer(&self) -> bool {
+        self.residual.is_finite()
+    }
+}
+
 /// Solves `scene` by one route, and judges the answer.
 ///
 /// ```

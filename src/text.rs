@@ -74,10 +74,14 @@ pub fn result(value: f64) -> String {
     plain(value, DIGITS)
 }
 
-/// A residual, an error or a time: two digits and its order of magnitude.
+/// A residual, an error or a time: two digits and its order of magnitude; a dash where there is none, which is infinite or NaN.
 #[must_use]
 pub fn magnitude(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+    match value {
+        0.0 => "0".to_owned(),
+        _ if value.is_finite() => format!("{value:.1e}"),
+        _ => "–".to_owned(),
+    }
 }
 
 /// A lower bound: as [`result`], but never above the number.
@@ -119,7 +123,7 @@ fn bounding(value: f64, text: impl Fn(f64) -> String, slack: f64, bounds: impl F
     /// A unit in the last digit is at most ten steps.
     const STEPS: i32 = 12;
     let mut shown = (0..STEPS).map(|k| text(value + f64::from(k) * slack * value.abs()));
-    shown.find(|shown| shown.parse().is_ok_and(|shown| bounds(shown, value))).unwrap_or_else(|| value.to_string())
+    shown.find(|shown| shown.parse().is_ok_and(|shown| bounds(shown, value))).unwrap_or_else(|| text(value))
 }
 
 /// `value` to `digits` significant digits, without trailing zeros; `2.5e-7` where a row of zeros would have to be counted.
@@ -159,7 +163,7 @@ mod tests {
     fn a_share_is_never_below_its_number() {
         let shown = [0.1, 0.1001, 0.002_41, 0.82, 1.301, 1e-4, 9.9e-5, 3.21e-15, 12.34, 0.0].map(share_at_most);
         assert_eq!(shown, ["10 %", "11 %", "0.25 %", "82 %", "131 %", "0.01 %", "9.9e-5", "3.3e-15", "1.3e1", "0"]);
-        assert_eq!(share_at_most(f64::INFINITY), "inf");
+        assert_eq!(share_at_most(f64::INFINITY), "–");
     }
 
     #[test]

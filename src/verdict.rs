@@ -143,6 +143,9 @@ pub enum Refusal {
         /// What was allowed.
         most: f64,
     },
+    /// The solver gives no answer, or one that is not all numbers.
+    #[error("there is no answer to its discrete problem")]
+    NoAnswer,
     /// It violates conditions of beam theory.
     #[error(
         "it violates a condition of beam theory by {residual:.1e}, relative to the largest deflection, force or moment"
@@ -218,8 +221,11 @@ impl Verdict {
     /// On the answer of a method on a grid.
     #[must_use]
     pub fn of_raw(raw: &RawSolution, witness: &Witness<'_>, demand: &Demand) -> Self {
-        let own = (!within(raw.residual, demand.residual))
-            .then_some(Refusal::Residual { residual: raw.residual, most: demand.residual });
+        let own = match raw.residual {
+            residual if !residual.is_finite() => Some(Refusal::NoAnswer),
+            residual if within(residual, demand.residual) => None,
+            residual => Some(Refusal::Residual { residual, most: demand.residual }),
+        };
         let certificate = certificate(&raw.state, witness);
         let size = largest(&raw.state);
         Self::new(witness.scene(), certificate, size, own, demand.error, raw.solver_reports_success)

@@ -201,7 +201,8 @@ impl Certificate {
             energy_lower: energies[0] * scale.energy(),
             energy_upper: energies[1] * scale.energy(),
             gap: gap * scale.energy(),
-            deflection_error: error.most * scale.depth,
+            // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place.
+            deflection_error: error.most.max(0.5 * f64::EPSILON * error.size) * scale.depth,
             deflection_error_at: error.at * scale.length,
             best_deflection_error: distance::anywhere(pair, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,

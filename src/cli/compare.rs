@@ -1,6 +1,6 @@
 //! `compare`: every method with every solver, set against two references.
 
-use palkki::route::{Method, Solver, Status};
+use palkki::route::{Method, Solver};
 use palkki::state::ContactState;
 use palkki::text::{magnitude, magnitude_at_most, result, share_at_most};
 use palkki::verdict::{Demand, EXACT, USABLE};
@@ -61,9 +61,11 @@ impl Comparison {
         let differences: Vec<_> = answers
             .iter()
             .map(|(method, answer)| {
-                let reference = reference(&answers, *method);
+                // Where there is no answer there is nothing to compare.
+                let exact = exact.as_ref().filter(|_| answer.solution.has_answer());
+                let reference = reference(&answers, *method).filter(|_| answer.solution.has_answer());
                 let solver_error = reference.map(|reference| Difference::between(answer, reference));
-                let model_error = exact.as_ref().map(|reference| Difference::between(answer, reference));
+                let model_error = exact.map(|reference| Difference::between(answer, reference));
                 (solver_error, model_error)
             })
             .collect();
@@ -135,7 +137,7 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
                 answer.solution.iterations.to_string(),
                 magnitude(answer.seconds),
                 first_reaction(answer),
-                certified(answer.solution.verdict.error),
+                magnitude_at_most(answer.solution.verdict.error),
                 error(&compared.solver_error),
                 error(&compared.model_error),
             ]
@@ -181,14 +183,10 @@ fn not_tried(comparison: &Comparison) -> String {
         .routes
         .iter()
         .map(|compared| &compared.answer)
-        .filter(|answer| answer.solution.iterations == 0 && answer.solution.verdict.status == Status::NotConverged)
+        .filter(|answer| !answer.solution.has_answer())
         .map(|answer| (format!("{}/{}", answer.method, answer.solver), answer.solution.solver_status.clone()))
         .collect();
     let lines: Vec<(&str, String)> = lines.iter().map(|(route, why)| (route.as_str(), why.clone())).collect();
     if lines.is_empty() { String::new() } else { format!("\n{}", list(&lines)) }
 }
 
-/// An error that is guaranteed, if there is one.
-fn certified(error: f64) -> String {
-    if error.is_finite() { magnitude_at_most(error) } else { "–".to_owned() }
-}

@@ -54,6 +54,9 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     if let Some(found) = &answer.grids {
         text += &grids(answer, found);
     }
+    if !answer.solution.has_answer() {
+        return text;
+    }
     text += &equilibrium(input, answer, &labels);
     text += &contacts(&answer.solution.state.contacts, &labels);
     text += &extremes(answer, &labels);
@@ -72,7 +75,8 @@ fn how(answer: &Answer) -> String {
         Some(intervals) => format!("{}, {intervals} intervals", answer.method),
         None => answer.method.to_owned(),
     };
-    let residual = format!(" (residual {})", magnitude(solution.residual));
+    let residual =
+        if solution.has_answer() { format!(" (residual {})", magnitude(solution.residual)) } else { String::new() };
     let gave_up = if solution.verdict.status == Status::NotConverged { "the solver gave up; " } else { "" };
     let status = format!("{}: {gave_up}{}{residual}", solution.verdict.status, answer.reason());
     list(&[

@@ -54,10 +54,12 @@ impl PiecewiseScene {
             tension: Vec::new(),
         };
         given.tension = tension_intervals(&given);
-        // Level ground on both sides of a support has the beam lie along it there.
         for i in 0..given.supports.len() {
-            let AtSupport { breakpoint, slope, grounded, .. } = given.supports[i];
+            let AtSupport { breakpoint, level, slope, grounded, .. } = given.supports[i];
             let Breakpoint { x, kink, .. } = given.breakpoints[breakpoint];
+            let clearance = |cell| given.derivative(cell, x, 0) - level;
+            given.supports[i].clearance = given.cells_beside(breakpoint).map(clearance);
+            // Level ground on both sides of a support has the beam lie along it there.
             if slope.is_none() && grounded == [true; 2] && kink <= 0.0 {
                 let [left, _] = given.cells_beside(breakpoint);
                 given.supports[i].slope = Some(given.derivative(left, x, 1));
@@ -81,6 +83,7 @@ fn at_support(
         level: held.deflection,
         slope: held.slope,
         built_in: held.slope.is_some(),
+        clearance: [f64::INFINITY; 2],
         grounded: held.grounded,
         size: size(foundation) + own.map_or(0.0, size),
     }

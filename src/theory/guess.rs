@@ -202,8 +202,7 @@ impl Samples {
         let last = self.x.len() - 1;
         let support = |i: usize| self.support(given, i).map(|support| &given.supports[support]);
         let built_in = |i: usize| support(i).and_then(|support| support.slope);
-        let held = |i: usize| support(i).map(|s| given.derivative(given.cell_from(self.x[i]), self.x[i], 0) - s.level);
-        let held: Vec<Option<f64>> = (0..=last).map(held).collect();
+        let held: Vec<Option<f64>> = (0..=last).map(|i| support(i).map(|support| support.clearance[1])).collect();
         let mut guess = Guess { touches: vec![false; last + 1], force: vec![0.0; last + 1] };
         let mut from = 0;
         for to in (1..=last).filter(|&i| i == last || built_in(i).is_some()) {

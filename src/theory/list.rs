@@ -265,7 +265,7 @@ impl Node {
                 let support = &given.supports[index];
                 let [left, _] = given.cells_beside(support.breakpoint);
                 let side = usize::from(cell != left || self.x <= 0.0);
-                let height = given.derivative(cell, self.x, 0) - support.level;
+                let height = support.clearance[side];
                 match self.held_slope(given) {
                     _ if beside[side] != Beside::Apart => Hold::Resting,
                     Some(slope) => Hold::Edge { height, level: support.level, slope: [slope, 0.0] },

@@ -45,6 +45,8 @@ pub(super) struct AtSupport {
     pub(super) slope: Option<f64>,
     /// True if the beam is built in.
     pub(super) built_in: bool,
+    /// Clearance below it, on its left and on its right.
+    pub(super) clearance: [f64; 2],
     /// True on a side where the ground starts at its level: a point exactly, a formula up to the rounding of its depth.
     pub(super) grounded: [bool; 2],
     /// The numbers that add up to the depth of the ground there: at the left end a polynomial is its first coefficient.

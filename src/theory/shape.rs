@@ -149,13 +149,14 @@ impl Shape {
     /// How far the profile turns between its slope at `x` and the chord to `x + t`, `|(u(x + t) − u(x))/t − u'(x)|` with the
     /// sign of `u''`, to the digits of a small number; `even` leaves out the odd powers of its Taylor series.
     pub(super) fn bow(&self, x: f64, t: f64, even: bool) -> f64 {
-        let mut taylor = [0.0; 22];
+        const TERMS: usize = 22;
         let terms = match self {
             Self::Line { .. } => return 0.0,
-            Self::Polynomial { coefficients, .. } => coefficients.len().min(taylor.len()),
-            Self::Cosine { .. } | Self::Long(_) => taylor.len(),
+            Self::Polynomial { coefficients, .. } => coefficients.len().min(TERMS),
+            Self::Cosine { .. } | Self::Long(_) => TERMS,
             Self::Gap { ground, own } => return ground.bow(x, t, even) - own.bow(x, t, even),
         };
+        let mut taylor = [0.0; TERMS];
         self.taylor(x, &mut taylor[..terms]);
         if even {
             taylor.iter_mut().skip(3).step_by(2).for_each(|c| *c = 0.0);

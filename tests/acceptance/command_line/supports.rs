@@ -117,6 +117,12 @@ fn a_comparison_says_why_a_route_does_not_go() {
     let alone = folder.run("solve lying.toml --method force --solver nsor");
     assert_eq!(alone.code, Some(1), "{}", alone.out);
     assert!(alone.out.contains("nsor, which says: not tried: the supports leave"), "{}", alone.out);
+    // Nothing is told of an answer that there is not.
+    assert!(alone.out.contains("there is no answer to its discrete problem"), "{}", alone.out);
+    assert!(!alone.out.contains("Equilibrium"), "{}", alone.out);
+    for text in [&alone.out, &run.out] {
+        assert!(!text.contains("NaN") && !text.contains(" inf"), "{text}");
+    }
 }
 
 #[test]
