@@ -1,5 +1,7 @@
 //! One way through: scene → method and grid → quadratic program (32) → solver → state → verdict.
 
+use std::mem::take;
+
 use crate::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use crate::methods::{self, Discrete, Nodal};
 use crate::multigrid;
@@ -185,32 +187,23 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
     let discretisation = method.discretisation();
-    let (mut nodal, reports_success, words, own_residual, unknowns, iterations, work) = if scene.foundation().is_none()
-    {
-        (
-            methods::free_beam(&discrete, discretisation),
-            true,
-            "no foundation, nothing to solve".to_owned(),
-            None,
-            0,
-            0,
-            0,
-        )
+    let (mut nodal, answer, unknowns) = if scene.foundation().is_none() {
+        (methods::free_beam(&discrete, discretisation), Answer::nothing_to_solve(), 0)
     } else {
         let program = method.qp(&discrete);
-        let answer = match (left_out, solver) {
+        let mut answer = match (left_out, solver) {
             (Some(why), _) => Answer::refused(program.dimension(), why),
             (None, Solver::ActiveSet) => multigrid::solve(&scaled.scene, method, &discrete)?,
             (None, other) => other.run(program.as_ref(), tolerance),
         };
-        let Answer { x, gradient, reports_success, words, own_residual, iterations, work } = answer;
+        let (x, gradient) = (take(&mut answer.x), take(&mut answer.gradient));
         let nodal = if solver == Solver::ActiveSet {
             // Contact forces and clearances, by all methods.
             Nodal::new(&discrete, discretisation, gradient, x)
         } else {
             method.nodal(&discrete, x, gradient)
         };
-        (nodal, reports_success, words, own_residual, program.dimension(), iterations, work)
+        (nodal, answer, program.dimension())
     };
     // Of a beam in balance on one place that may be one position of many.
     let mut motion = None;
@@ -229,12 +222,12 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
     Ok(RawSolution {
         state,
         solved,
-        solver_status: words,
-        solver_reports_success: reports_success,
-        own_residual,
+        solver_status: answer.message,
+        solver_reports_success: answer.reports_success,
+        own_residual: answer.own_residual,
         residual,
         unknowns,
-        iterations,
-        work,
+        iterations: answer.iterations,
+        work: answer.work,
     })
 }

@@ -189,4 +189,3 @@ fn not_tried(comparison: &Comparison) -> String {
     let lines: Vec<(&str, String)> = lines.iter().map(|(route, why)| (route.as_str(), why.clone())).collect();
     if lines.is_empty() { String::new() } else { format!("\n{}", list(&lines)) }
 }
-

@@ -52,7 +52,7 @@ pub(crate) const PATIENCE: usize = 5;
 const EXHAUSTED: [usize; 2] = [200, 20];
 
 /// What it is set to.
-pub(super) fn words() -> String {
+pub(super) fn settings_text() -> String {
     format!(
         "of each run of neighbours with the wrong sign the worst one changes; a sign counts if it is larger than the rounding of a \
          solve; a budget of {} million unknowns in all solves together",
@@ -88,7 +88,7 @@ pub(crate) fn answer(
             x,
             gradient,
             reports_success: optimal,
-            words: match optimal {
+            message: match optimal {
                 true => "optimal".to_owned(),
                 false if MOST_WORK <= work => format!(
                     "not converged: {iterations} solves went through {work} unknowns, {MOST_WORK} is the limit of this solver"

@@ -44,7 +44,7 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
 }
 
 /// What it is set to.
-pub(super) fn words(tolerance: f64) -> String {
+pub(super) fn settings_text(tolerance: f64) -> String {
     let set = settings(tolerance);
     format!(
         "gap and feasibility {:.0e}, at most {} iterations, one thread, regularisation {REGULARISATION:.0e}, no equilibration: the quadratic program is dimensionless already",
@@ -56,7 +56,7 @@ pub(super) fn words(tolerance: f64) -> String {
 pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     let form = match sparse_form(qp) {
         Ok(form) => form,
-        Err(words) => return Answer::refused(qp.dimension(), words),
+        Err(message) => return Answer::refused(qp.dimension(), message),
     };
     let (n, m, r) = (qp.dimension(), form.linear.len(), form.right.len());
     let (starts, rows, values) = form.constraints(-1.0);
@@ -77,7 +77,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
         x: solution.x[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
         gradient: solution.z[r..].iter().map(|z| z * form.sizes.gradient).collect(),
         reports_success: reports_success(solution.status),
-        words: format!("{:?}", solution.status),
+        message: format!("{:?}", solution.status),
         own_residual: Some(OwnResidual::of_clarabel(&form, [&solution.x, &solution.z, &solution.s], asked)),
         iterations: solution.iterations as usize,
         work: solution.iterations as usize * n,

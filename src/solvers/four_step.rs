@@ -38,7 +38,7 @@ pub(super) fn solve(qp: &dyn Qp) -> Answer {
             x: point.x,
             gradient: point.gradient,
             reports_success: true,
-            words: "x ≥ 0".to_owned(),
+            message: "x ≥ 0".to_owned(),
             own_residual: None,
             iterations: rounds,
             work: rounds * n,

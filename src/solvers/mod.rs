@@ -86,17 +86,17 @@ impl Solver {
         }
     }
 
-    /// What the solver is set to when it is asked for `tolerance`, in words.
+    /// What the solver is set to when it is asked for `tolerance`.
     #[must_use]
     pub fn settings(self, tolerance: f64) -> String {
         match self {
             Self::FourStep => "nothing to set; at most n + 1 rounds".to_owned(),
-            Self::ActiveSet => active_set::words(),
-            Self::Nsor => nsor::words(tolerance),
+            Self::ActiveSet => active_set::settings_text(),
+            Self::Nsor => nsor::settings_text(tolerance),
             #[cfg(feature = "clarabel")]
-            Self::Clarabel => clarabel::words(tolerance),
+            Self::Clarabel => clarabel::settings_text(tolerance),
             #[cfg(feature = "osqp")]
-            Self::Osqp => osqp::words(tolerance),
+            Self::Osqp => osqp::settings_text(tolerance),
         }
     }
 }
@@ -116,8 +116,8 @@ pub struct Answer {
     pub gradient: Vec<f64>,
     /// True if the solver says that it reached the optimum.
     pub reports_success: bool,
-    /// The end of the run in the solver's own words.
-    pub words: String,
+    /// What the solver says of the end of its run.
+    pub message: String,
     /// Of a library that came to an end: what it left of its own problem.
     pub own_residual: Option<OwnResidual>,
     /// Steps, pivots, sweeps or iterations.
@@ -127,13 +127,19 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// Of a beam without a foundation: no unknowns.
+    pub(crate) fn nothing_to_solve() -> Self {
+        let message = "no foundation, nothing to solve".to_owned();
+        Self { reports_success: true, ..Self::refused(0, message) }
+    }
+
     /// An answer of a solver that could not even start.
-    pub(crate) fn refused(n: usize, words: String) -> Self {
+    pub(crate) fn refused(n: usize, message: String) -> Self {
         Self {
             x: vec![f64::NAN; n],
             gradient: vec![f64::NAN; n],
             reports_success: false,
-            words,
+            message,
             own_residual: None,
             iterations: 0,
             work: 0,
@@ -172,8 +178,8 @@ fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     if qp.dimension() == 0 {
         return Err("not tried: the quadratic program has no unknowns".to_owned());
     }
-    if let Some(words) = too_many(qp.dimension()) {
-        return Err(words);
+    if let Some(message) = too_many(qp.dimension()) {
+        return Err(message);
     }
     if !can_be_had(qp.dimension(), BYTES_PER_UNKNOWN) {
         let megabytes = qp.dimension().saturating_mul(BYTES_PER_UNKNOWN) / 1_000_000;
@@ -185,11 +191,11 @@ fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     let form = match qp.sparse() {
         Some(form) => form,
         None => match no_matrix(qp).or_else(|| too_large(qp)) {
-            Some(words) => return Err(words),
+            Some(message) => return Err(message),
             None => SparseForm::of_matrix(qp),
         },
     };
-    let words = if !form.is_finite() {
+    let message = if !form.is_finite() {
         "not tried: the quadratic program has numbers that are not finite"
     } else if !form.is_within(INFINITE) {
         "not tried: the quadratic program has numbers beyond 1e20, which the library takes for infinite"
@@ -198,7 +204,7 @@ fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
     } else {
         return Ok(form);
     };
-    Err(words.to_owned())
+    Err(message.to_owned())
 }
 
 /// Why a library is not tried on so many unknowns, if it is not.
@@ -230,7 +236,7 @@ mod tests {
     #[test]
     fn a_library_is_tried_up_to_its_limit() {
         assert_eq!(too_many(LARGEST_SPARSE), None);
-        let words = too_many(LARGEST_SPARSE + 1).expect("one more is too many");
-        assert_eq!(words, "not tried: 100001 unknowns, 100000 is the limit of this solver");
+        let message = too_many(LARGEST_SPARSE + 1).expect("one more is too many");
+        assert_eq!(message, "not tried: 100001 unknowns, 100000 is the limit of this solver");
     }
 }

@@ -37,7 +37,7 @@ const OVERHEAD: usize = 40;
 const MULTIPLICATIONS: usize = 1 << 30;
 
 /// What it is set to.
-pub(super) fn words(tolerance: f64) -> String {
+pub(super) fn settings_text(tolerance: f64) -> String {
     format!(
         "ω from a race of {} factors from {:.2} to {:.2}; stops at a scaled residual of {tolerance:.0e}, looked at every \
          {SWEEPS_PER_LOOK} sweeps; a budget of {} million multiplications, less where rounding makes the sweeps go in circles",
@@ -50,8 +50,8 @@ pub(super) fn words(tolerance: f64) -> String {
 
 /// Runs NSOR until the scaled residual is at most `tolerance`, or the budget is used up.
 pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
-    if let Some(words) = no_matrix(qp).or_else(|| too_large(qp)) {
-        return Answer::refused(qp.dimension(), words);
+    if let Some(message) = no_matrix(qp).or_else(|| too_large(qp)) {
+        return Answer::refused(qp.dimension(), message);
     }
     let relaxation = Relaxation { qp, matrix: qp.matrix(), linear: qp.linear() };
     let limit = (MULTIPLICATIONS / (relaxation.matrix.entries() + OVERHEAD * qp.dimension()))
@@ -82,7 +82,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     }
     let ahead = (0..race.len()).min_by(|&i, &j| race[i].residual.total_cmp(&race[j].residual));
     let Candidate { factor, x, residual, cycle } = race.swap_remove(winner.or(ahead).unwrap_or(0));
-    let words = if winner.is_some() {
+    let message = if winner.is_some() {
         format!("converged with ω = {factor}")
     } else {
         let end = if cycle.closed { ", which go in circles" } else { "" };
@@ -91,7 +91,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     Answer {
         gradient: qp.gradient(&x),
         reports_success: winner.is_some(),
-        words,
+        message,
         own_residual: None,
         iterations: sweeps,
         work: sweeps * x.len(),

@@ -28,7 +28,7 @@ const REFINEMENTS: u32 = 20;
 const ITERATIONS: [usize; 2] = [1000, 200_000];
 
 /// What it is set to.
-pub(super) fn words(tolerance: f64) -> String {
+pub(super) fn settings_text(tolerance: f64) -> String {
     let [least, most] = ITERATIONS;
     format!(
         "absolute residual {tolerance:.0e}, relative none; ρ adapted every {INTERVAL} iterations, so that no clock decides; polished \
@@ -57,7 +57,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     let form = match sparse_form(qp) {
         Ok(form) => form,
         // The library takes NaN without complaint and calls x = 0 solved.
-        Err(words) => return Answer::refused(qp.dimension(), words),
+        Err(message) => return Answer::refused(qp.dimension(), message),
     };
     let (n, m, r) = (qp.dimension(), form.linear.len(), form.right.len());
     let (starts, rows, values) = form.constraints(1.0);
@@ -77,7 +77,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     };
     let status = problem.solve();
     let iterations = status.iter() as usize;
-    let (words, solution) = match &status {
+    let (message, solution) = match &status {
         Status::Solved(solution) => ("Solved", Some(solution)),
         Status::SolvedInaccurate(solution) => ("SolvedInaccurate", Some(solution)),
         Status::MaxIterationsReached(solution) => ("MaxIterationsReached", Some(solution)),
@@ -90,13 +90,13 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
         _ => ("a status that is not documented", None),
     };
     let Some(solution) = solution else {
-        return Answer { iterations, work: iterations * n, ..Answer::refused(n, words.to_owned()) };
+        return Answer { iterations, work: iterations * n, ..Answer::refused(n, message.to_owned()) };
     };
     Answer {
         x: solution.x()[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
         gradient: solution.y()[r..].iter().map(|y| -y * form.sizes.gradient).collect(),
         reports_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
-        words: words.to_owned(),
+        message: message.to_owned(),
         own_residual: Some(OwnResidual::of_osqp(&form, solution.x(), solution.y(), tolerance)),
         iterations,
         work: iterations * n,

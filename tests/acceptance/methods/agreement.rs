@@ -73,7 +73,7 @@ fn the_energy_methods_agree_to_rounding() {
                 let Matrix::Dense(matrix) = qp.matrix() else { panic!("{method} has a full matrix") };
                 let qp = Dense { matrix, linear: qp.linear().into(), sizes: qp.sizes() };
                 let answer = Solver::ActiveSet.run(&qp, 0.0);
-                assert!(answer.reports_success, "{name}, {method}, {intervals}: {}", answer.words);
+                assert!(answer.reports_success, "{name}, {method}, {intervals}: {}", answer.message);
                 let with = method.nodal(&discrete, answer.x, answer.gradient);
                 let force = apart(&with.contact_force, &without.contact_force) / load;
                 let deflection = apart(&with.deflection, &without.deflection) / largest(&without.deflection);

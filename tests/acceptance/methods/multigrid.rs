@@ -50,7 +50,7 @@ fn every_method_and_solver_comes_to_the_same_answer_without_it() {
                     let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
                     asked += usize::from(solver != Solver::ActiveSet);
                     let allowed = if solver == Solver::ActiveSet {
-                        assert!(answer.reports_success, "{k}, {method}, {intervals}: {}", answer.words);
+                        assert!(answer.reports_success, "{k}, {method}, {intervals}: {}", answer.message);
                         [SAME_POINT; 2]
                     } else if found <= CERTIFIED_RESIDUAL {
                         CERTIFIED

@@ -132,7 +132,7 @@ impl Situation {
                 // Its own multipliers are not believed: the gradient is taken anew.
                 let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
                 let solved = found <= CERTIFIED_RESIDUAL && answer.x.len() == linear.len() && !linear.is_empty();
-                let (word, claims) = (answer.words, answer.reports_success);
+                let (word, claims) = (answer.message, answer.reports_success);
                 Ok(Run { word, claims, solved, iterations: answer.iterations })
             }
         }

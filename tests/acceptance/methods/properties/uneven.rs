@@ -87,7 +87,7 @@ fn four_steps_end_at_stationary_points_of_a_face() {
             let qp = method.qp(&discrete);
             let sizes = qp.sizes();
             let answer = Solver::FourStep.run(qp.as_ref(), 0.0);
-            assert!(answer.reports_success, "{method}: {}", answer.words);
+            assert!(answer.reports_success, "{method}: {}", answer.message);
             // Anew, from x alone.
             let gradient = qp.gradient(&answer.x);
             for (x, g) in answer.x.iter().zip(gradient) {

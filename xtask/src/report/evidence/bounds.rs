@@ -186,7 +186,7 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
     };
     let answer = Solver::ActiveSet.run(&qp, 0.0);
     if !answer.reports_success {
-        return Err(format!("springs of ratio {ratio}: {}", answer.words).into());
+        return Err(format!("springs of ratio {ratio}: {}", answer.message).into());
     }
     let scale = &scaled.scale;
     let place = |i: usize| discrete.grid.place(i + 1) * scale.length;
