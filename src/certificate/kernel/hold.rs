@@ -56,15 +56,19 @@ impl Hold {
         most.max(beyond(b - right.from, b - left.from)).max(beyond(left.to - a, right.to - a)) * OUTWARDS
     }
 
-    /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`.
+    /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite where the two parts are not apart.
     pub(crate) fn shift(&self, part: [f64; 2]) -> f64 {
         let Self(left, right) = self;
         if left.off.max(right.off) <= 0.0 {
             return 0.0;
         }
+        let length = right.from - left.to;
+        if length <= 0.0 {
+            return f64::INFINITY;
+        }
         let far = |x: f64, place: &Place| (x - place.from).abs().max((x - place.to).abs());
         let most = part.map(|x| far(x, right) * left.off + far(x, left) * right.off);
-        most[0].max(most[1]) / (right.from - left.to).max(0.0) * OUTWARDS
+        most[0].max(most[1]) / length * OUTWARDS
     }
 
     /// How far a part reaches beyond the two places.
@@ -83,5 +87,112 @@ impl Hold {
         let length = self.1.from - self.0.to;
         let turned = force * self.beyond(part) + couple;
         (force + if self.0.from < self.1.to { turned / length.max(0.0) } else { 0.0 }) * OUTWARDS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each number is a sum of products without cancellation.
+    const ROUNDING: f64 = 1e-13;
+    /// Places that are tried on a part.
+    const TRIED: u32 = 40;
+
+    fn between([from, to]: [f64; 2]) -> impl Iterator<Item = f64> + Clone {
+        (0..=TRIED).map(move |k| from + (to - from) * f64::from(k) / f64::from(TRIED))
+    }
+
+    /// `3 EI c(x, x)` of a beam that is held at `y₁` and `y₂`.
+    fn flexibility(x: f64, [left, right]: [f64; 2]) -> f64 {
+        let length = right - left;
+        if x < left {
+            (left - x).powi(2) * (length + left - x)
+        } else if right < x {
+            (x - right).powi(2) * (length + x - right)
+        } else if length <= 0.0 {
+            0.0
+        } else {
+            ((x - left) * (right - x)).powi(2) / length
+        }
+    }
+
+    /// `|1 − t| ε₁ + |t| ε₂`.
+    fn shifted(x: f64, [left, right]: [f64; 2], off: [f64; 2]) -> f64 {
+        let t = (x - left) / (right - left);
+        (1.0 - t).abs() * off[0] + t.abs() * off[1]
+    }
+
+    #[track_caller]
+    fn reached(bound: f64, most: f64) {
+        assert!(most <= bound && bound <= most * (1.0 + ROUNDING), "{bound} for {most}");
+    }
+
+    /// Two places at which a deflection is known: between the supports, beyond either, and one place where it is built in.
+    #[test]
+    fn at_a_place_the_bounds_are_reached() {
+        let pairs = [[2.0, 5.0], [0.0, 10.0], [3.0, 3.0], [4.0, 4.5]];
+        for [left, right] in pairs {
+            let hold = Hold(Place::at(left), Place::at(right));
+            let off = [0.25, 0.75];
+            let of = |place: Place, off: f64| Place { off, ..place };
+            let moved = Hold(of(hold.0, off[0]), of(hold.1, off[1]));
+            for x in between([0.0, 10.0]) {
+                reached(hold.lever([x; 2]), flexibility(x, [left, right]).sqrt());
+                assert!(hold.shift([x; 2]) <= 0.0, "known places do not move");
+                if left < right {
+                    reached(moved.shift([x; 2]), shifted(x, [left, right], off));
+                } else {
+                    assert!(moved.shift([x; 2]) == f64::INFINITY, "one place does not say how the beam is turned");
+                }
+            }
+        }
+    }
+
+    /// Over a part, and where a place is somewhere on a part of the beam, the worst of all counts.
+    #[test]
+    fn over_parts_the_worst_counts() {
+        let places = [[1.0, 1.25], [4.0, 4.5]];
+        let off = [0.25, 0.75];
+        let [left, right] = [0, 1].map(|k| Place { from: places[k][0], to: places[k][1], off: off[k] });
+        let hold = Hold(left, right);
+        for part in [[0.0, 0.5], [0.5, 1.5], [1.5, 1.75], [2.5, 2.75], [3.75, 4.25], [4.25, 5.0], [9.0, 10.0]] {
+            let (mut lever, mut shift) = (0.0_f64, 0.0_f64);
+            for a in between(places[0]) {
+                for b in between(places[1]) {
+                    for x in between(part) {
+                        lever = lever.max(flexibility(x, [a, b]));
+                        shift = shift.max(shifted(x, [a, b], off));
+                    }
+                }
+            }
+            let lever = lever.sqrt();
+            let (of_lever, of_shift) = (hold.lever(part), hold.shift(part));
+            assert!(lever <= of_lever && of_lever <= 1.5 * lever, "{part:?}: {of_lever} for {lever}");
+            assert!(shift <= of_shift && of_shift <= 1.4 * shift, "{part:?}: {of_shift} for {shift}");
+        }
+    }
+
+    /// By statics: a couple beyond a support bends the beam up to there and then ever less; supports share a force by its lever.
+    #[test]
+    fn couples_and_forces_beyond_a_support() {
+        let hold = Hold(Place::at(2.0), Place::at(5.0));
+        for (part, beyond) in [([6.5, 7.0], 2.0), ([0.5, 0.75], 1.5)] {
+            // 3 ∫m² of a moment of one over the overhang, and from one to zero between the supports.
+            reached(hold.lever_of_couple(part), (3.0_f64 * beyond + 3.0).sqrt());
+            // The support beside it carries F (L + a)/L + C/L.
+            reached(hold.share(part, 0.5, 0.125), (0.5 * (3.0 + beyond) + 0.125) / 3.0);
+        }
+        // Between them a couple takes (s³ + r³)/L² ≤ L.
+        reached(hold.lever_of_couple([2.0, 5.0]), 3.0_f64.sqrt());
+        reached(hold.share([3.0, 4.0], 0.5, 0.125), 0.5 + 0.125 / 3.0);
+        // Built in, one place carries the force and the couple.
+        let built_in = Hold(Place::at(2.0), Place::at(2.0));
+        reached(built_in.share([3.0, 4.0], 0.5, 0.125), 0.5);
+        reached(built_in.lever_of_couple([3.0, 4.0]), 6.0_f64.sqrt());
+        let wide = Hold(Place { from: 1.0, to: 2.0, off: 0.5 }, Place { from: 5.0, to: 5.5, off: 0.5 });
+        // The worst places: far apart for a couple, close together for a share.
+        reached(wide.lever_of_couple([6.0, 7.0]), (4.5_f64 + 3.0 * 2.0).sqrt());
+        reached(wide.share([6.0, 7.0], 0.5, 0.125), 0.5 + (0.5 * 2.0 + 0.125) / 3.0);
     }
 }
