@@ -76,7 +76,7 @@ pub fn sweep(
     ));
 
     let mut divisions = Divisions { lines: numbered(events), between: regimes(rows, events) };
-    let map = map(scene, quantity, rows, events, panel("where the beam touches, x along it", &length));
+    let map = map(scene, quantity, rows, events, panel("where the beam touches: x along the beam", &length));
     let headroom = divisions.headroom() + HEADROOM;
     let map = map.tall(560.0 + headroom).room(headroom, 0.0);
     let mut panels = vec![map.with(Layer::Divisions(divisions.clone()))];
