@@ -110,30 +110,41 @@ impl Swept {
         }))
     }
 
-    /// Its events, beside closed forms: a formula and its value by the number of the event.
-    fn events(&self, at: &str, closed: &[(usize, &str, f64)]) -> Table {
-        let number_of = |i: usize| (i + 1).to_string();
-        if closed.is_empty() {
-            let rows =
-                self.events.iter().enumerate().map(|(i, e)| row![number_of(i), significant(e.value, DIGITS), e.what]);
-            return Table::new(["event", at, "what happens"]).rows(rows);
-        }
+    /// The number of the event at a value, within [`SAME`] of it.
+    fn event_at(&self, value: f64) -> Result<usize, Cause> {
+        let found = self.events.iter().position(|event| (event.value - value).abs() <= SAME * value.abs());
+        found.map(|i| i + 1).ok_or_else(|| format!("no event at {value}, where the closed form has one").into())
+    }
+
+    /// Its events.
+    fn events(&self, at: &str) -> Table {
+        let events = self.events.iter().enumerate();
+        Table::new(["event", at, "what happens"])
+            .rows(events.map(|(i, event)| row![i + 1, significant(event.value, DIGITS), event.what]))
+    }
+
+    /// Its events beside closed forms: formulas with their values.
+    fn events_beside(&self, at: &str, closed: &[(&str, f64)]) -> Result<Table, Cause> {
+        let numbers = closed.iter().map(|(_, value)| self.event_at(*value)).collect::<Result<Vec<_>, _>>()?;
         let header = ["event", at, "what happens", "closed form", "its value", "difference, relative, below"];
-        Table::new(header).rows(self.events.iter().enumerate().map(|(i, event)| {
-            let [form, value, apart] = match closed.iter().find(|(of, ..)| *of == i + 1) {
-                Some((_, form, value)) => {
+        Ok(Table::new(header).rows(self.events.iter().enumerate().map(|(i, event)| {
+            let [form, value, apart] = match numbers.iter().position(|number| *number == i + 1).map(|k| closed[k]) {
+                Some((form, value)) => {
                     let apart = (event.value - value).abs() / value.abs();
-                    [(*form).to_owned(), significant(*value, DIGITS), bound(apart.max(f64::EPSILON))]
+                    [form.to_owned(), significant(value, DIGITS), bound(apart.max(f64::EPSILON))]
                 }
                 None => ["–"; 3].map(str::to_owned),
             };
-            row![number_of(i), significant(event.value, DIGITS), event.what, form, value, apart]
-        }))
+            row![i + 1, significant(event.value, DIGITS), event.what, form, value, apart]
+        })))
     }
 }
 
 /// Digits of the value of an event.
 const DIGITS: usize = 12;
+
+/// Numbers that are the same but for rounding, relative.
+const SAME: f64 = 1e-9;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (l, ei, q) = (beam()?.length(), beam()?.bending_stiffness(), example()?.load().uniform());
@@ -143,16 +154,20 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let hoist = HOIST.run(study)?;
     let lift = -hoist.scene.load().point()[0].force;
     let closes = lift_off + 0.75 * lift / q;
-    let of_hoist = hoist.events("at", &[(3, "a + 3P/(4q)", closes), (4, "l − a − 3P/(4q)", l - closes)]);
+    let of_hoist = hoist.events_beside("at", &[("a + 3P/(4q)", closes), ("l − a − 3P/(4q)", l - closes)])?;
+    let between = [hoist.event_at(closes)?, hoist.event_at(l - closes)?];
     let count = hoist.events.len();
     let mirrored = (0..count).map(|i| (hoist.events[i].value + hoist.events[count - 1 - i].value - l).abs() / l);
     let mirrored = mirrored.fold(f64::EPSILON, f64::max);
+    if SAME < mirrored {
+        return Err("the events of the hoist are not symmetric".into());
+    }
 
     let survey = SURVEY.run(study)?;
-    let of_survey = survey.events("at [m]", &[]);
+    let of_survey = survey.events("at [m]");
 
     let depth = DEPTH.run(study)?;
-    let of_depth = depth.events("depth", &[(1, "q l⁴/(384 EI)", border), (2, "5 q l⁴/(384 EI)", 5.0 * border)]);
+    let of_depth = depth.events_beside("depth", &[("q l⁴/(384 EI)", border), ("5 q l⁴/(384 EI)", 5.0 * border)])?;
     let closed = depth.rows.iter().map(|row| {
         let reaction = theory::flat(l, ei, row.value, q).reaction;
         (row.solution.state.reactions.left - reaction).abs() / (q * l)
@@ -162,6 +177,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let evidence = Evidence::new(context! {
         hoist => HOIST.values(&hoist, of_hoist),
         mirrored => bound(mirrored),
+        // The events between which the hoist has a zone on either side.
+        between,
         survey => SURVEY.values(&survey, of_survey),
         depth => DEPTH.values(&depth, of_depth),
         // Bound of the difference of the reactions from the closed form, over the load.
@@ -257,9 +274,6 @@ fn one_sided(depth: f64) -> Result<Value, Cause> {
 const TOLERANCES: [f64; 4] = [0.0001, 0.001, 0.003, 0.01];
 /// Surveys with readings that are off by at most that, drawn for each tolerance.
 const DRAWN: u32 = 200;
-
-/// Contacts at edges of the survey stay where they are, but for rounding.
-const SAME: f64 = 1e-9;
 
 /// What is guaranteed and what is estimated on the survey, and what comes of surveys that are drawn within the tolerance.
 fn tolerances(study: &Study<'_>) -> Result<Value, Cause> {
