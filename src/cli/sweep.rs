@@ -66,7 +66,7 @@ impl Swept {
 
     pub(super) fn figure(&self, input: &Input) -> Result<String, Failure> {
         let rows: Vec<_> = self.rows.iter().map(|(value, answer)| (*value, &answer.solution.state)).collect();
-        Ok(plot::sweep(&input.scene, self.quantity, &rows, &self.events)?)
+        Ok(plot::sweep(&input.scene, self.quantity, &rows, &self.events, "")?)
     }
 
     pub(super) fn text(&self, input: &Input) -> String {

@@ -1,11 +1,11 @@
 //! From a layer to lines on the drawing; a load is a block for what is distributed, and arrows for point loads.
 
 use super::axis::Axes;
-use super::canvas::{Align, Canvas, INK, Point, SHAFT, TEXT, Type, sampled};
-use super::label::{Frame, Label, Labels};
-use super::layer::{Arrows, Cell, Layer, LoadSketch, Place, Reference, SupportKind};
+use super::canvas::{Align, Canvas, INK, Point, SHAFT, TEXT, Type, sampled, text_width};
+use super::label::{Frame, Label, Labels, apart};
+use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place, Reference, SupportKind};
 use super::palette::{Color, Dash, Style};
-use super::{PlotError, finite};
+use super::{PlotError, count, finite};
 
 /// Draws `layer`, and asks for the labels that it wants.
 pub(super) fn draw(
@@ -20,6 +20,7 @@ pub(super) fn draw(
         Layer::Area { points, level, color } => {
             area(canvas, &placed(points, axes), axes.y.place(*level), *color, labels)
         }
+        Layer::Band { from, to, color } => band(canvas, &placed(from, axes), &placed(to, axes), *color, labels),
         Layer::Arrows(layer) => arrows(canvas, layer, axes, labels),
         Layer::Foundation { points } => foundation(canvas, &placed(points, axes), frame, labels),
         Layer::Zones { intervals, level } => {
@@ -29,6 +30,7 @@ pub(super) fn draw(
             Ok(())
         }
         Layer::Reference { at, text } => reference(canvas, *at, text, axes, frame, labels),
+        Layer::Divisions(all) => divisions(canvas, all, axes, frame, labels),
         Layer::Note { at, text, dot } => {
             let at = axes.place(*at);
             if *dot {
@@ -122,6 +124,59 @@ fn area(canvas: &mut Canvas, line: &[Point], base: f64, color: Color, labels: &m
     Ok(())
 }
 
+/// Two lines, and a light colour between them.
+fn band(canvas: &mut Canvas, from: &[Point], to: &[Point], color: Color, labels: &mut Labels) -> Result<(), PlotError> {
+    let outline: Vec<Point> = from.iter().chain(to.iter().rev()).copied().collect();
+    canvas.fill(&outline, color, 0.25)?;
+    for line in [from, to] {
+        canvas.line(line, color, 6, Dash::Solid)?;
+        labels.avoid(sampled(line, INK));
+    }
+    Ok(())
+}
+
+/// Dotted lines down the frame. Their labels stand a little apart in rows at the top, each with a stroke to its line.
+fn divisions(
+    canvas: &mut Canvas,
+    all: &Divisions,
+    axes: &Axes,
+    frame: &Frame,
+    labels: &mut Labels,
+) -> Result<(), PlotError> {
+    let rows = all.rows();
+    let labelled = frame.top + LABEL_ROW * count(rows);
+    let top = if rows == 0 { frame.top } else { labelled + 0.6 * TEXT };
+    for (x, _) in &all.lines {
+        let line = [[axes.x.place(*x), top], [axes.x.place(*x), frame.bottom]];
+        canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;
+        labels.avoid(sampled(&line, INK));
+    }
+    let named: Vec<(f64, &str)> =
+        all.lines.iter().map(|(x, text)| (axes.x.place(*x), text.as_str())).filter(|line| !line.1.is_empty()).collect();
+    let widest = named.iter().fold(0.0_f64, |most, line| most.max(text_width(line.1, Type::PLAIN)));
+    let kind = Type { color: Color::GRAY, ..Type::PLAIN };
+    let wanted: Vec<f64> = named.iter().map(|line| line.0).collect();
+    // The labels of a row have the strokes of the others between them.
+    let distance = (widest + 0.5 * TEXT) / count(rows.max(1));
+    let places = apart(&wanted, [frame.left, frame.right], distance);
+    for (i, ((x, text), at)) in named.iter().zip(places).enumerate() {
+        let y = frame.top + LABEL_ROW * (count(i % rows.max(1)) + 0.5);
+        canvas.text(text, [at, y], Align::Center, kind)?;
+        canvas.line(&[[at, y + 0.5 * TEXT], [at, labelled], [*x, top]], Color::GRAY, 2, Dash::Solid)?;
+    }
+    let y = frame.top + all.headroom() - 0.5 * LABEL_ROW;
+    for ([from, to], text) in &all.between {
+        let [from, to] = [*from, *to].map(|x| axes.x.place(x));
+        let half = 0.5 * text_width(text, Type::PLAIN);
+        let middle = 0.5 * (from + to);
+        if 2.0 * half < (to - from).abs() {
+            canvas.rectangle([middle - half, y - 0.5 * TEXT], [middle + half, y + 0.5 * TEXT], Color::WHITE, 0.8)?;
+            canvas.text(text, [middle, y], Align::Center, Type::PLAIN)?;
+        }
+    }
+    Ok(())
+}
+
 /// The outline of what is between a line and the level `base`.
 fn closed(line: &[Point], base: f64) -> Vec<Point> {
     line.iter().copied().chain(line.last().map(|p| [p[0], base])).chain(line.first().map(|p| [p[0], base])).collect()
@@ -162,7 +217,9 @@ fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut L
         while from <= x && x < to {
             let depth = y + (to_y - y) * (x - from) / (to - from);
             if depth + 26.0 < frame.bottom {
-                canvas.line(&[[x, depth], [x - 20.0, depth + 26.0]], Color::GRAY, 3, Dash::Solid)?;
+                let stroke = [[x, depth], [x - 20.0, depth + 26.0]];
+                canvas.line(&stroke, Color::GRAY, 3, Dash::Solid)?;
+                labels.avoid(sampled(&stroke, INK));
             }
             x += 40.0;
         }

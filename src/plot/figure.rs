@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use super::canvas::{Align, Canvas, TEXT, Type, wrapped};
+use super::canvas::{Align, Canvas, Point, TEXT, Type, wrapped};
 use super::palette::dark_rules;
 use super::panel::{Layout, Panel};
 use super::{PlotError, count};
@@ -19,6 +19,8 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// How many of them stand side by side, at least one.
     pub columns: usize,
+    /// Notes below the panels, each on lines of its own.
+    pub notes: Vec<String>,
 }
 
 /// Around the figure, and between the lines of its title \[drawing units\].
@@ -28,7 +30,13 @@ const TITLE_LINE: f64 = 74.0;
 impl Figure {
     /// A figure with its panels one below the other.
     pub fn new(title: impl Into<String>, description: impl Into<String>, panels: Vec<Panel>) -> Self {
-        Self { title: title.into(), description: description.into(), panels, columns: 1 }
+        Self { title: title.into(), description: description.into(), panels, columns: 1, notes: Vec::new() }
+    }
+
+    /// With notes below the panels.
+    #[must_use]
+    pub fn notes(self, notes: Vec<String>) -> Self {
+        Self { notes, ..self }
     }
 
     /// The figure as an SVG document, the same to the byte for the same data.
@@ -57,12 +65,13 @@ impl Figure {
             }
             top += height;
         }
-        document(&self.title, &self.description, whole(top), |canvas| {
+        let notes = Notes::of(&self.notes, top);
+        document(&self.title, &self.description, whole(notes.bottom), |canvas| {
             heading.draw(canvas)?;
             for (layout, corner) in places {
                 layout.draw(canvas, corner)?;
             }
-            Ok(())
+            notes.draw(canvas)
         })
     }
 
@@ -103,6 +112,46 @@ impl Heading {
         Ok(())
     }
 }
+
+/// Notes in one column, or in two where there are many, and where they end.
+struct Notes {
+    /// Lines with their places.
+    lines: Vec<(String, Point)>,
+    bottom: f64,
+}
+
+impl Notes {
+    fn of(notes: &[String], top: f64) -> Self {
+        /// More notes than this stand in two columns.
+        const ONE_COLUMN: usize = 8;
+        const LINE: f64 = 1.3 * NOTE.size;
+        /// Of all lines of a note but the first.
+        const INDENT: f64 = 2.0 * NOTE.size;
+        let columns = if notes.len() <= ONE_COLUMN { 1 } else { 2 };
+        let width = (f64::from(WIDTH) - MARGIN) / count(columns);
+        let (mut lines, mut bottom) = (Vec::new(), top);
+        for (column, notes) in notes.chunks(notes.len().div_ceil(columns).max(1)).enumerate() {
+            let left = MARGIN + width * count(column);
+            let mut y = top;
+            for note in notes {
+                for (i, line) in wrapped(note, width - MARGIN - INDENT, NOTE).into_iter().enumerate() {
+                    let indent = if i == 0 { 0.0 } else { INDENT };
+                    lines.push((line, [left + indent, y + 0.5 * LINE]));
+                    y += LINE;
+                }
+            }
+            bottom = bottom.max(y);
+        }
+        Self { lines, bottom: if notes.is_empty() { top } else { bottom + MARGIN } }
+    }
+
+    fn draw(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
+        self.lines.iter().try_for_each(|(line, at)| canvas.text(line, *at, Align::Left, NOTE))
+    }
+}
+
+/// Words of notes.
+const NOTE: Type = Type { size: 38.0, ..Type::PLAIN };
 
 /// A height in whole drawing units.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what a u32 holds")]

@@ -53,6 +53,13 @@ impl Frame {
     fn holds(&self, [x, y]: Point) -> bool {
         (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
     }
+
+    /// Whether a point lies inside and not along a side: there a line or a marker is left whole.
+    fn covers(&self, [x, y]: Point) -> bool {
+        /// Half the width of a line.
+        const ALONG: f64 = 3.0;
+        self.holds([x - ALONG, y - ALONG]) && self.holds([x + ALONG, y + ALONG])
+    }
 }
 
 /// What the labels of one panel must share.
@@ -95,7 +102,8 @@ impl Labels {
     /// Writes the labels, first come first served, those that must be written before those that may be left out.
     pub(super) fn write(mut self, canvas: &mut Canvas, bounds: &Frame) -> Result<(), PlotError> {
         self.names.sort_by(|a, b| a.at[1].total_cmp(&b.at[1]));
-        let heights = apart(&self.names.iter().map(|name| name.at[1]).collect::<Vec<_>>(), bounds);
+        let heights: Vec<f64> = self.names.iter().map(|name| name.at[1]).collect();
+        let heights = apart(&heights, [bounds.top, bounds.bottom], 1.12 * TEXT);
         for (name, y) in self.names.iter().zip(heights) {
             let [from, to] = [[name.at[0] + 14.0, name.at[1]], [bounds.right + BESIDE - 12.0, y]];
             canvas.line(&[from, to], name.color, 2, Dash::Solid)?;
@@ -115,7 +123,7 @@ impl Labels {
             if FAR < (near[0] - label.at[0]).abs().max((near[1] - label.at[1]).abs()) {
                 canvas.line(&[label.at, near], Color::GRAY, 2, Dash::Solid)?;
             }
-            if self.ink.iter().any(|p| frame.holds(*p)) {
+            if self.ink.iter().any(|p| frame.covers(*p)) {
                 canvas.rectangle([frame.left, frame.top], [frame.right, frame.bottom], Color::WHITE, 0.8)?;
             }
             let middle = [0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom)];
@@ -130,6 +138,8 @@ impl Labels {
         const COVERED_LABEL: f64 = 1e4;
         let kind = Type::PLAIN;
         let (width, height) = (text_width(&label.text, kind) + 14.0, 1.2 * kind.size);
+        /// Between the left side of the frame, which is an axis, and a label.
+        const INSET: f64 = 12.0;
         let near: Vec<Point> = self
             .ink
             .iter()
@@ -153,7 +163,7 @@ impl Labels {
                 (-side, -down * over),
             ];
             for (turn, (dx, dy)) in places.into_iter().enumerate() {
-                let x = clamped(label.at[0] + dx, bounds.left + 0.5 * width, bounds.right - 0.5 * width);
+                let x = clamped(label.at[0] + dx, bounds.left + INSET + 0.5 * width, bounds.right - 0.5 * width);
                 let y = clamped(label.at[1] + dy, bounds.top + 0.5 * height, bounds.bottom - 0.5 * height);
                 let frame = Frame {
                     left: x - 0.5 * width,
@@ -175,29 +185,31 @@ impl Labels {
     }
 }
 
-/// Heights near those wanted, in their order, a line of text apart and, as far as there is room, inside the frame.
-fn apart(wanted: &[f64], bounds: &Frame) -> Vec<f64> {
-    const LINE: f64 = 1.12 * TEXT;
-    let mut heights: Vec<f64> = Vec::new();
+/// Places near those wanted, in their order, at least `distance` apart and, as far as there is room, between two ends.
+pub(super) fn apart(wanted: &[f64], [low, high]: [f64; 2], distance: f64) -> Vec<f64> {
+    let mut places: Vec<f64> = Vec::new();
     // Labels that would meet share the middle of what they want: groups of equal distance, merged until none meet.
     let mut groups: Vec<(f64, usize)> = Vec::new();
-    for &y in wanted {
-        groups.push((y, 1));
-        while let [.., (above, m), (below, n)] = groups[..] {
-            if above + 0.5 * LINE * count(m) <= below - 0.5 * LINE * count(n) {
+    let inside = |middle: f64, n: usize| {
+        let half = 0.5 * distance * count(n);
+        clamped(middle, low + half, high - half)
+    };
+    for &place in wanted {
+        groups.push((place, 1));
+        while let [.., (before, m), (after, n)] = groups[..] {
+            if inside(before, m) + 0.5 * distance * count(m) <= inside(after, n) - 0.5 * distance * count(n) {
                 break;
             }
-            let middle = (above * count(m) + below * count(n)) / count(m + n);
+            let middle = (before * count(m) + after * count(n)) / count(m + n);
             groups.truncate(groups.len() - 2);
             groups.push((middle, m + n));
         }
     }
     for (middle, n) in groups {
-        let half = 0.5 * LINE * count(n);
-        let middle = clamped(middle, bounds.top + half, bounds.bottom - half);
-        heights.extend((0..n).map(|k| middle - half + LINE * (count(k) + 0.5)));
+        let first = inside(middle, n) - 0.5 * distance * count(n);
+        places.extend((0..n).map(|k| first + distance * (count(k) + 0.5)));
     }
-    heights
+    places
 }
 
 /// `value` between `lo` and `hi`; in the middle if there is nothing between them.
@@ -207,12 +219,11 @@ fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Frame, apart};
+    use super::apart;
 
     #[test]
     fn names_of_lines_stand_a_line_apart() {
-        let bounds = Frame { left: 0.0, top: 0.0, right: 100.0, bottom: 1000.0, outer: 100.0 };
-        let heights = apart(&[100.0, 105.0, 600.0, 995.0, 996.0], &bounds);
+        let heights = apart(&[100.0, 105.0, 600.0, 995.0, 996.0], [0.0, 1000.0], 53.0);
         assert!(heights.windows(2).all(|pair| 50.0 < pair[1] - pair[0]), "{heights:?}");
         assert!((heights[2] - 600.0).abs() < 1e-9, "one that has room stays: {heights:?}");
         assert!(heights.iter().all(|y| (0.0..=1000.0).contains(y)), "{heights:?}");

@@ -1,5 +1,7 @@
 //! What a panel shows, in the numbers of its axes.
 
+use super::canvas::TEXT;
+use super::count;
 use super::palette::{Color, Dash, Style};
 
 /// A point in the numbers of the axes, `[x, y]`.
@@ -27,6 +29,15 @@ pub enum Layer {
         /// Colour, drawn light.
         color: Color,
     },
+    /// A stretch that moves: the area between two curves over the same places, and both curves.
+    Band {
+        /// One curve.
+        from: Vec<Place>,
+        /// The other.
+        to: Vec<Place>,
+        /// Colour of the curves; the area is light.
+        color: Color,
+    },
     /// Concentrated forces.
     Arrows(Arrows),
     /// The foundation: a line with hatching, and the ground below it filled.
@@ -48,6 +59,8 @@ pub enum Layer {
         /// Text beside it.
         text: String,
     },
+    /// Dotted lines down the panel, with labels at its top, and what holds between them.
+    Divisions(Divisions),
     /// Words at a point.
     Note {
         /// The point.
@@ -66,6 +79,38 @@ pub enum Layer {
     /// [`Axis::named`]: super::Axis::named
     Cells(Vec<Cell>),
 }
+
+/// Values at which something changes.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Divisions {
+    /// Where each line crosses, from left to right, and its label; empty for none. Labels take [`Self::headroom`].
+    pub lines: Vec<(f64, String)>,
+    /// What holds from one value to another, written between them if there is room.
+    pub between: Vec<([f64; 2], String)>,
+}
+
+impl Divisions {
+    /// Rows of labels: in two rows there is room for more of them.
+    pub(super) fn rows(&self) -> usize {
+        /// More labels than this take two rows.
+        const ONE_ROW: usize = 12;
+        match self.lines.iter().filter(|line| !line.1.is_empty()).count() {
+            0 => 0,
+            labels if labels <= ONE_ROW => 1,
+            _ => 2,
+        }
+    }
+
+    /// Room that a panel needs above its data \[drawing units\].
+    #[must_use]
+    pub fn headroom(&self) -> f64 {
+        let slanted = if self.rows() == 0 { 0.0 } else { TEXT };
+        LABEL_ROW * count(self.rows() + usize::from(!self.between.is_empty())) + slanted
+    }
+}
+
+/// Height of a row of labels.
+pub(super) const LABEL_ROW: f64 = 1.3 * TEXT;
 
 /// One cell of a map.
 #[derive(Debug, Clone, PartialEq)]
@@ -183,6 +228,11 @@ impl Layer {
                 let [xs, mut ys] = of(points);
                 ys.push(*level);
                 [xs, ys]
+            }
+            Self::Band { from, to, .. } => of(&[from.as_slice(), to].concat()),
+            Self::Divisions(divisions) => {
+                let ends = divisions.between.iter().flat_map(|(ends, _)| ends);
+                [divisions.lines.iter().map(|line| &line.0).chain(ends).copied().collect(), Vec::new()]
             }
             Self::Arrows(arrows) => of(&arrows.arrows.iter().map(|a| a.at).collect::<Vec<_>>()),
             Self::Zones { intervals, level } => [intervals.iter().flatten().copied().collect(), vec![*level]],

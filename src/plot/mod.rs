@@ -41,7 +41,7 @@ pub use crate::text::significant;
 pub use axis::Axis;
 pub use curves::{Curves, PointForce};
 pub use figure::Figure;
-pub use layer::{Arrow, Arrows, Cell, Layer, LoadSketch, Place, Reference, SupportKind, SupportMark};
+pub use layer::{Arrow, Arrows, Cell, Divisions, Layer, LoadSketch, Place, Reference, SupportKind, SupportMark};
 pub use palette::{Color, Dash, Marker, Style};
 pub use panel::Panel;
 pub use solution::{curves, sheet};

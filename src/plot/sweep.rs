@@ -1,23 +1,36 @@
-//! A sweep as a figure: forces, extremes and places of contact over the number that is varied, with the events.
+//! A sweep as a figure: places of contact, forces and extremes over the number that is varied, with the events.
 
 use super::PlotError;
 use super::axis::Axis;
 use super::figure::Figure;
-use super::layer::{Layer, Place, Reference};
+use super::layer::{Divisions, Layer, Place};
 use super::palette::{Color, Dash, Style};
 use super::panel::Panel;
-use crate::scene::{Quantity, Scene};
-use crate::state::{Contact, ContactState};
+use super::sketch::UnitLabels;
+use crate::scene::{ProfileKey, Quantity, Scene};
+use crate::state::{Contact, ContactState, Regime};
 use crate::sweep::Event;
 use crate::text::significant;
 
-/// Digits of a value in the description.
-const DIGITS: usize = 6;
-/// Of more events only the lines are drawn, without numbers.
-const MOST_NUMBERED: usize = 20;
+/// Digits of a value in words.
+const DIGITS: usize = 5;
+/// Up to so many events have their values beside their numbers, with fewer digits.
+const FEW: usize = 6;
+const FEW_DIGITS: usize = 3;
+/// Of more events only the lines are drawn, without numbers and words.
+const MOST_NAMED: usize = 40;
+/// Contacts of neighbouring rows that are nearer to each other than this share of the beam are one that moves.
+const NEAR: f64 = 0.02;
 
-/// Reactions, extremes, and where the beam touches, over the value of the number that is varied; events are dotted lines with
-/// numbers, which the description names.
+/// Room above the data of a panel \[drawing units\].
+const HEADROOM: f64 = 30.0;
+
+/// The value of the number that is varied, with its answer.
+type Row<'a> = (f64, &'a ContactState);
+
+/// Where the beam touches, forces, largest deflection and moments over the value of the number that is varied. An event is a dotted
+/// line with a number; below the panels stands what happens there. An empty `title` is that of the scene with the number that is
+/// varied.
 ///
 /// # Errors
 ///
@@ -27,98 +40,199 @@ pub fn sweep(
     quantity: Quantity,
     rows: &[(f64, &ContactState)],
     events: &[Event],
+    title: &str,
 ) -> Result<String, PlotError> {
-    let units = scene.units();
-    let (length, force) = (units.length.clone(), units.force.clone());
-    let moment = length.as_ref().zip(force.as_ref()).map(|(length, force)| format!("{force}·{length}"));
+    let UnitLabels { length, force, moment, .. } = UnitLabels::of(scene.units());
     let series =
         |of: &dyn Fn(&ContactState) -> f64| rows.iter().map(|(x, state)| [*x, of(state)]).collect::<Vec<Place>>();
-    let panel = |label: &str, unit: Option<String>| {
-        Panel::new(Axis { padding: 0.0, ..Axis::new("") }, Axis::new(label).unit(unit)).room(60.0, 0.0)
+    let panel = |label: &str, unit: &Option<String>| {
+        Panel::new(value_axis(), Axis::new(label).unit(unit.clone())).tall(360.0).room(HEADROOM, 0.0)
     };
 
-    let mut forces = panel("forces, upwards on the beam", force);
+    let mut forces = panel("forces, upwards on the beam", &force).tall(480.0);
     let supports = rows.first().map_or(0, |(_, state)| state.supports.len());
     for i in 0..supports.min(4) {
+        let place = scene.beam().supports_as_given().get(i).map(|support| support.at);
         let of = |state: &ContactState| state.supports.get(i).map_or(0.0, |support| support.force);
         // Vermillion, the second colour, is that of contact.
         let style = line(if i == 0 { 0 } else { i + 1 });
-        forces = forces.with(Layer::named(series(&of), style, format!("support {}", i + 1)));
+        let name = format!("support {}", i + 1);
+        let name = place.map_or(name, |x| format!("support at {}", significant(x, FEW_DIGITS)));
+        forces = forces.with(Layer::named(series(&of), style, name));
     }
     if rows.iter().any(|(_, state)| !state.contacts.is_empty()) {
         let style = Style::solid(Color::VERMILLION);
         forces = forces.with(Layer::named(series(&ContactState::contact_force), style, "contact"));
     }
-    let deflection = panel("largest deflection", length.clone())
-        .tall(400.0)
-        .with(Layer::line(series(&|state| state.deflection.max), line(0)));
-    let moments = panel("bending moment", moment)
-        .tall(460.0)
-        .with(Layer::named(series(&|state| state.moment.max), line(0), "largest"))
-        .with(Layer::named(series(&|state| state.moment.min), line(1), "least"));
-    let map = map(scene, quantity, rows, panel("places of contact along the beam", length).tall(760.0));
+    let mut deflection = panel("largest deflection, downwards", &length);
+    deflection.y = deflection.y.down();
+    let deflection = deflection.with(Layer::line(series(&|state| state.deflection.max), line(0)));
+    let mut moments = panel("largest and least bending moment, on the side in tension", &moment).tall(400.0);
+    moments.y = moments.y.down();
+    let moments = moments.with(Layer::named(series(&|state| state.moment.max), line(0), "largest")).with(Layer::named(
+        series(&|state| state.moment.min),
+        line(2),
+        "least",
+    ));
 
-    let mut panels = vec![forces, deflection, moments, map];
-    for (i, event) in events.iter().enumerate() {
-        for (k, panel) in panels.iter_mut().enumerate() {
-            let text = if k == 0 && events.len() <= MOST_NUMBERED { (i + 1).to_string() } else { String::new() };
-            panel.layers.push(Layer::Reference { at: Reference::X(event.value), text });
-        }
-    }
+    let mut divisions = Divisions { lines: numbered(events), between: regimes(rows, events) };
+    let map = map(scene, quantity, rows, events, panel("where the beam touches: x along the beam", &length));
+    let headroom = divisions.headroom() + HEADROOM;
+    let map = map.tall(560.0 + headroom).room(headroom, 0.0);
+    let mut panels = vec![map.with(Layer::Divisions(divisions.clone()))];
+    divisions.between.clear();
+    divisions.lines.iter_mut().for_each(|line| line.1.clear());
+    panels.extend([forces, deflection, moments].map(|panel| panel.with(Layer::Divisions(divisions.clone()))));
     if let Some(last) = panels.last_mut() {
-        last.x.label = quantity.to_string();
+        let (words, unit) = name(quantity, scene);
+        last.x.label = if words.is_empty() { quantity.to_string() } else { format!("{words}, {quantity}") };
+        last.x.unit = unit;
     }
-    let title = if scene.title().is_empty() { quantity.to_string() } else { scene.title().to_owned() };
-    Figure::new(title, description(quantity, rows, events), panels).svg()
+    let named = if events.len() <= MOST_NAMED { events } else { &[] };
+    let notes = named
+        .iter()
+        .enumerate()
+        .map(|(i, event)| format!("{} at {}: {}", i + 1, significant(event.value, DIGITS), event.what));
+    let title = match (title, scene.title()) {
+        ("", "") => quantity.to_string(),
+        ("", of_scene) => format!("{of_scene}: {quantity} varied"),
+        (title, _) => title.to_owned(),
+    };
+    Figure::new(title, description(quantity, rows, events), panels).notes(notes.collect()).svg()
+}
+
+fn value_axis() -> Axis {
+    Axis { padding: 0.0, ..Axis::new("") }
 }
 
 fn line(i: usize) -> Style {
     Style { dash: Some(Dash::Solid), marker: None, ..Style::of_series(i) }
 }
 
-/// Where the beam touches: lines for points, and hatched stretches for zones; with the place of a load or support that moves.
-fn map(scene: &Scene, quantity: Quantity, rows: &[(f64, &ContactState)], panel: Panel) -> Panel {
+/// What a number is, in words, and its unit; empty where its path says it.
+fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
+    let UnitLabels { length, force, pressure, moment } = UnitLabels::of(scene.units());
+    let stiffness = moment.zip(length.as_ref()).map(|(moment, length)| format!("{moment}·{length}"));
+    match quantity {
+        Quantity::Length => ("length of the beam", length),
+        Quantity::BendingStiffness => ("bending stiffness", stiffness),
+        Quantity::Uniform => ("uniform load", pressure),
+        Quantity::LinearFrom(_) | Quantity::LinearTo(_) => ("end of the distributed load", length),
+        Quantity::LinearStart(_) | Quantity::LinearEnd(_) => ("distributed load at its end", pressure),
+        Quantity::PointAt(_) => ("place of the point load", length),
+        Quantity::PointForce(_) => ("point load", force),
+        Quantity::SupportAt(_) => ("place of the support", length),
+        Quantity::SupportLevel(_) => ("level of the support", length),
+        Quantity::SupportSlope(_) => ("slope at the support", None),
+        Quantity::Profile(_, ProfileKey::Depth) => ("depth of the ground", length),
+        Quantity::Profile(..) | Quantity::Supports | Quantity::TotalLoad => ("", None),
+    }
+}
+
+/// A line for each event, with its number.
+fn numbered(events: &[Event]) -> Vec<(f64, String)> {
+    let (few, many) = (events.len() <= FEW, MOST_NAMED < events.len());
+    let text = |i: usize, value: f64| match (i + 1).to_string() {
+        _ if many => String::new(),
+        number if few => format!("{number} at {}", significant(value, FEW_DIGITS)),
+        number => number,
+    };
+    let mut lines: Vec<_> = events.iter().enumerate().map(|(i, e)| (e.value, text(i, e.value))).collect();
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    lines
+}
+
+/// Where each regime holds, if there are several.
+fn regimes(rows: &[Row<'_>], events: &[Event]) -> Vec<([f64; 2], String)> {
+    let mut found: Vec<([f64; 2], Regime)> = Vec::new();
+    for row in rows.iter() {
+        match found.last_mut() {
+            Some((ends, regime)) if *regime == row.1.regime => ends[1] = row.0,
+            Some((ends, _)) => {
+                let border = events_between(events, ends[1], row.0).last().unwrap_or(row.0);
+                ends[1] = border;
+                found.push(([border, row.0], row.1.regime));
+            }
+            None => found.push(([row.0; 2], row.1.regime)),
+        }
+    }
+    let words = |regime| match regime {
+        Regime::None => "nowhere",
+        Regime::Points => "points",
+        Regime::Zone => "zone",
+    };
+    let several = 1 < found.len();
+    let sorted = |[a, b]: [f64; 2]| [a.min(b), a.max(b)];
+    found.into_iter().filter(|_| several).map(|(ends, regime)| (sorted(ends), words(regime).to_owned())).collect()
+}
+
+/// Values of events between two rows, in the order of the sweep.
+fn events_between(events: &[Event], a: f64, b: f64) -> impl Iterator<Item = f64> {
+    events.iter().map(|event| event.value).filter(move |value| (a.min(b)..=a.max(b)).contains(value))
+}
+
+/// Where the beam touches: lines for points, and bands for zones; with the place of a load or support that moves.
+fn map(scene: &Scene, quantity: Quantity, rows: &[Row<'_>], events: &[Event], panel: Panel) -> Panel {
     let mut panel = Panel { y: panel.y.including(&[0.0, scene.beam().length()]), ..panel };
     let ends = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |row| row.0));
     if matches!(quantity, Quantity::PointAt(_) | Quantity::SupportAt(_)) {
-        let style = Style { dash: Some(Dash::Dashed), ..Style::solid(Color::GRAY) };
+        let style = Style { dash: Some(Dash::LongDashed), ..Style::solid(Color::BLACK) };
         let name = if matches!(quantity, Quantity::PointAt(_)) { "load" } else { "support" };
         panel = panel.with(Layer::named(ends.map(|x| [x, x]).into(), style, name));
     } else {
         // So that the panel has something to show where nothing touches.
         panel = panel.with(Layer::line(ends.map(|x| [x, 0.0]).into(), Style::solid(Color::GRID)));
     }
-    for stretch in stretches(rows) {
-        let contacts = stretch[0].1.contacts.len();
-        for k in 0..contacts {
-            let of = |row: &(f64, &ContactState)| (row.0, row.1.contacts[k]);
-            let side =
-                |end: &dyn Fn(Contact) -> f64| stretch.iter().map(of).map(|(x, c)| [x, end(c)]).collect::<Vec<Place>>();
-            let (from, to) = (side(&|c| c.from), side(&|c| c.to));
-            if from != to {
-                let up_and_down = from.iter().zip(&to).enumerate();
-                let hatch = up_and_down.flat_map(|(i, (&a, &b))| if i % 2 == 0 { [a, b] } else { [b, a] }).collect();
-                panel = panel.with(Layer::line(hatch, Style { width: 3, ..Style::solid(Color::ORANGE) }));
-                panel = panel.with(Layer::line(to, Style::solid(Color::VERMILLION)));
-            }
-            panel = panel.with(Layer::line(from, Style::solid(Color::VERMILLION)));
+    for stretch in rows.chunk_by(|a, b| are_alike(a.1, b.1)) {
+        for k in 0..stretch[0].1.contacts.len() {
+            let side = |end: fn(&Contact) -> f64| stretch.iter().map(|row| [row.0, end(&row.1.contacts[k])]).collect();
+            panel.layers.push(moving(side(|contact| contact.from), side(|contact| contact.to)));
         }
+    }
+    for pair in rows.windows(2).filter(|pair| !are_alike(pair[0].1, pair[1].1)) {
+        panel.layers.extend(joined(pair[0], pair[1], events, NEAR * scene.beam().length()));
     }
     panel
 }
 
-/// Neighbouring rows with the same kinds of contacts, in which each contact is followed.
-fn stretches<'a>(rows: &'a [(f64, &'a ContactState)]) -> impl Iterator<Item = &'a [(f64, &'a ContactState)]> {
-    let zone = |contact: &Contact| contact.from < contact.to;
-    rows.chunk_by(move |(_, a), (_, b)| {
-        a.contacts.len() == b.contacts.len() && a.contacts.iter().zip(&b.contacts).all(|(a, b)| zone(a) == zone(b))
-    })
+/// Whether two answers have the same number of contacts of the same kinds, so that each can be followed.
+fn are_alike(a: &ContactState, b: &ContactState) -> bool {
+    let is_zone = |contact: &Contact| contact.from < contact.to;
+    a.contacts.len() == b.contacts.len() && a.contacts.iter().zip(&b.contacts).all(|(a, b)| is_zone(a) == is_zone(b))
 }
 
-fn description(quantity: Quantity, rows: &[(f64, &ContactState)], events: &[Event]) -> String {
+/// A contact that moves: its two ends over the value.
+fn moving(from: Vec<Place>, to: Vec<Place>) -> Layer {
+    let color = Color::VERMILLION;
+    if from == to { Layer::line(from, Style::solid(color)) } else { Layer::Band { from, to, color } }
+}
+
+/// Between neighbouring rows whose contacts differ: a contact leads to those near it in the other row. One that has none there
+/// ends, or begins, at the event between the rows.
+fn joined(a: Row<'_>, b: Row<'_>, events: &[Event], near: f64) -> Vec<Layer> {
+    let are_near = |c: &Contact, d: &Contact| c.from <= d.to + near && d.from <= c.to + near;
+    let between = |(x, c): (f64, &Contact), (y, d): (f64, &Contact)| {
+        moving(vec![[x, c.from], [y, d.from]], vec![[x, c.to], [y, d.to]])
+    };
+    let middle = 0.5 * (a.0 + b.0);
+    let goes = events_between(events, a.0, b.0).next().unwrap_or(middle);
+    let appears = events_between(events, a.0, b.0).last().unwrap_or(middle);
+    let mut layers = Vec::new();
+    for c in &a.1.contacts {
+        layers.extend(b.1.contacts.iter().filter(|d| are_near(c, d)).map(|d| between((a.0, c), (b.0, d))));
+        if !b.1.contacts.iter().any(|d| are_near(c, d)) {
+            layers.push(between((a.0, c), (goes, c)));
+        }
+    }
+    let new = b.1.contacts.iter().filter(|d| !a.1.contacts.iter().any(|c| are_near(c, d)));
+    layers.extend(new.map(|d| between((appears, d), (b.0, d))));
+    layers
+}
+
+fn description(quantity: Quantity, rows: &[Row<'_>], events: &[Event]) -> String {
     let ends = [rows.first(), rows.last()].map(|row| row.map_or_else(String::new, |row| significant(row.0, DIGITS)));
     let mut text = format!(
-        "Forces of supports and ground, largest deflection, bending moments and places of contact for {} values of {quantity} \
+        "Places of contact, forces of supports and ground, largest deflection and bending moments for {} values of {quantity} \
          from {} to {}.",
         rows.len(),
         ends[0],
@@ -128,4 +242,29 @@ fn description(quantity: Quantity, rows: &[(f64, &ContactState)], events: &[Even
         text += &format!(" Event {} at {}: {}.", i + 1, significant(event.value, DIGITS), event.what);
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::plot;
+    use crate::scene::{Beam, Foundation, Load, Scene};
+    use crate::sweep::Sweep;
+
+    /// The paper's example: a zone to a depth of 20, a point to 100.
+    #[test]
+    fn regimes_and_events_are_named_in_the_figure() {
+        let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
+        let sweep = Sweep::new(&scene, "foundation.depth", [1.0, 180.0], 60).expect("a sweep");
+        let rows = sweep.rows().expect("answers");
+        let events = sweep.events(&rows);
+        let rows: Vec<_> = rows.iter().map(|row| (row.value, &row.solution.state)).collect();
+        let svg = plot::sweep(&scene, sweep.quantity(), &rows, &events, "").expect("a figure");
+        let texts = [">points<", ">nowhere<", "1 at 20: the zone", "2 at 100: the contact at x = 5 goes"];
+        for text in texts {
+            assert!(svg.replace("\n", "").contains(text), "`{text}` is missing");
+        }
+        assert!(plot::sweep(&scene, sweep.quantity(), &[], &[], "").is_err(), "nothing to draw");
+    }
 }

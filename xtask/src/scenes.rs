@@ -38,7 +38,8 @@ pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
     of(root, DIRECTORY, name)
 }
 
-fn of(root: &Path, path: &str, name: &str) -> Result<Scene, Cause> {
+/// A scene of one of the directories.
+pub(crate) fn of(root: &Path, path: &str, name: &str) -> Result<Scene, Cause> {
     let directory = root.join(path);
     let text = fs::read_to_string(directory.join(format!("{name}.toml")))?;
     let survey = |file: &str| {

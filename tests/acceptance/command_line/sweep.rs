@@ -1,5 +1,10 @@
 //! `sweep`, `--derivatives` and `--depth-tolerance` as they are run.
 
+use std::fs;
+use std::path::Path;
+
+use palkki_evidence::numdiff::numdiff;
+
 use super::Folder;
 
 const VARY: &str = "sweep example.toml --vary foundation.depth --from 0.5 --to 8 --steps 7";
@@ -80,4 +85,33 @@ fn derivatives_and_tolerances_are_printed() {
         assert!(folder.refused(&format!("solve example.toml --method force {option}")).contains("--method exact"));
     }
     folder.refused("solve example.toml --depth-tolerance -1");
+}
+
+/// What a figure shows, in words.
+fn description(svg: &str) -> &str {
+    svg.split("<desc id=\"desc\">").nth(1).and_then(|rest| rest.split("</desc>").next()).unwrap_or_default()
+}
+
+/// The commands above the figures of the page draw these figures, with the same events.
+#[test]
+fn the_commands_of_the_page_of_sweeps_make_its_figures() {
+    let folder = Folder::new("sweep_page");
+    let report = Path::new(env!("CARGO_MANIFEST_DIR")).join("report");
+    let page = fs::read_to_string(report.join("pages/sweeps.md")).expect("the page can be read");
+    let scenes = format!("{}/", report.join("scenes").display());
+    let (mut figures, mut others) = (0, 0);
+    for command in page.lines().filter_map(|line| line.strip_prefix("$ cargo run --release -- ")) {
+        let run = folder.run(&command.replace("report/scenes/", &scenes));
+        assert_eq!(run.code, Some(0), "`{command}`: {}", run.err);
+        let Some((_, name)) = command.rsplit_once("--plot ") else {
+            others += 1;
+            continue;
+        };
+        let shown = fs::read_to_string(report.join("figures").join(name)).expect("the figure can be read");
+        let drawn = folder.read(name);
+        let difference = numdiff(description(&shown), description(&drawn));
+        assert!(difference.is_ok() && description(&drawn).contains("Event 1 at"), "`{command}`: {difference:?}");
+        figures += 1;
+    }
+    assert_eq!((figures, others), (3, 2), "commands of the page");
 }

@@ -18,6 +18,7 @@ mod scale;
 mod sliders;
 mod solvers;
 mod stability;
+mod sweeps;
 mod teaching;
 mod verdict_map;
 
@@ -61,7 +62,6 @@ const SUBJECTS: &[Subject] = &[
     ("teaching", teaching::evidence),
     ("figures", paper::figures::evidence),
     ("first_force", paper::figures::first_force),
-    ("regimes", problem::regimes),
     ("agreement", paper::agreement::evidence),
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
@@ -69,6 +69,7 @@ const SUBJECTS: &[Subject] = &[
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
     ("holds", holds::evidence),
+    ("sweeps", sweeps::evidence),
     ("claims", paper::claims::evidence),
     ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),

@@ -1,0 +1,334 @@
+//! One number of a scene varied: a load that moves, a depth that grows, how an answer changes with what is given, and what is
+//! known of it if the ground is not known exactly.
+
+use palkki::plot::sweep;
+use palkki::scene::{Load, PointLoad, Quantity};
+use palkki::sweep::{Event, Row, Sweep};
+use palkki::theory::{By, Derivative, Exact};
+use palkki::tolerance::{DepthTolerance, Touches};
+use palkki_evidence::paper::{beam, example, scene_over};
+use palkki_evidence::random::Random;
+
+use super::prelude::*;
+
+/// A sweep as its command says it.
+struct Case {
+    /// Name of the figure and of its data.
+    name: &'static str,
+    /// Directory and name of the scene file.
+    scene: [&'static str; 2],
+    vary: &'static str,
+    range: [f64; 2],
+    steps: usize,
+    title: &'static str,
+}
+
+const EXAMPLE: [&str; 2] = ["report/scenes", "heinisuo-1984"];
+
+const HOIST: Case = Case {
+    name: "sweep-hoist",
+    scene: ["report/scenes/swept", "hoist"],
+    vary: "load.point[0].at",
+    range: [0.0, 10.0],
+    steps: 401,
+    title: "A hoist that moves along the example parts the zone of contact and lets it close again",
+};
+const SURVEY: Case = Case {
+    name: "sweep-survey",
+    scene: ["report/scenes", "survey"],
+    vary: "load.point[0].at",
+    range: [0.0, 12.0],
+    steps: 601,
+    title: "A load of 25 kN that moves over worn ground: the beam lies on other places every few decimetres",
+};
+/// The steps meet neither border.
+const DEPTH: Case = Case {
+    name: "sweep-depth",
+    scene: EXAMPLE,
+    vary: "foundation.depth",
+    range: [1.0, 121.0],
+    steps: 240,
+    title: "Three regimes: as the ground gets deeper, the zone of contact shrinks to a point, and the point goes",
+};
+
+/// A sweep with its answers and events.
+struct Swept {
+    scene: Scene,
+    rows: Vec<Row>,
+    events: Vec<Event>,
+    figure: String,
+}
+
+impl Case {
+    fn run(&self, study: &Study<'_>) -> Result<Swept, Cause> {
+        let [directory, name] = self.scene;
+        let scene = scenes::of(study.root, directory, name)?;
+        let sweep = Sweep::new(&scene, self.vary, self.range, self.steps)?;
+        let rows = sweep.rows()?;
+        let events = sweep.events(&rows);
+        let states: Vec<_> = rows.iter().map(|row| (row.value, &row.solution.state)).collect();
+        let figure = self::sweep(&scene, sweep.quantity(), &states, &events, self.title)?;
+        Ok(Swept { scene, rows, events, figure })
+    }
+
+    /// What the templates see; `table` has the events.
+    fn values(&self, swept: &Swept, table: Table) -> Value {
+        let [directory, name] = self.scene;
+        let [from, to] = self.range;
+        let certified = swept.rows.iter().filter(|row| row.solution.verdict.status == Status::Certified).count();
+        context! {
+            command => format!(
+                "cargo run --release -- sweep {directory}/{name}.toml --vary {} --from {from} --to {to} --steps {} --plot {}.svg",
+                self.vary, self.steps, self.name,
+            ),
+            steps => self.steps,
+            certified,
+            count => swept.events.len(),
+            events => table,
+        }
+    }
+}
+
+impl Swept {
+    /// The numbers that the figure draws.
+    fn data(&self, vary: &str) -> Table {
+        let supports = self.scene.beam().supports().len();
+        let header = [vary, "regime", "contact_force", "deflection_max", "moment_max", "moment_min", "contacts"];
+        let header = header.into_iter().map(str::to_owned);
+        let header = header.chain((1..=supports).map(|i| format!("support_{i}")));
+        Table::new(header).rows(self.rows.iter().map(|Row { value, solution, .. }| {
+            let state = &solution.state;
+            let place =
+                |from: f64, to: f64| if from < to { [fixed(from, 4), fixed(to, 4)].join("-") } else { fixed(from, 4) };
+            let contacts: Vec<String> = state.contacts.iter().map(|c| place(c.from, c.to)).collect();
+            let numbers = [state.contact_force(), state.deflection.max, state.moment.max, state.moment.min];
+            let mut cells = vec![fixed(*value, 5), state.regime.name().to_owned()];
+            cells.extend(numbers.map(|number| fixed(number, 5)));
+            cells.push(contacts.join(" "));
+            cells.extend(state.supports.iter().map(|support| fixed(support.force, 5)));
+            cells
+        }))
+    }
+
+    /// The number of the event at a value, within [`SAME`] of it.
+    fn event_at(&self, value: f64) -> Result<usize, Cause> {
+        let found = self.events.iter().position(|event| (event.value - value).abs() <= SAME * value.abs());
+        found.map(|i| i + 1).ok_or_else(|| format!("no event at {value}, where the closed form has one").into())
+    }
+
+    /// Its events.
+    fn events(&self, at: &str) -> Table {
+        let events = self.events.iter().enumerate();
+        Table::new(["event", at, "what happens"])
+            .rows(events.map(|(i, event)| row![i + 1, significant(event.value, DIGITS), event.what]))
+    }
+
+    /// Its events beside closed forms: formulas with their values.
+    fn events_beside(&self, at: &str, closed: &[(&str, f64)]) -> Result<Table, Cause> {
+        let numbers = closed.iter().map(|(_, value)| self.event_at(*value)).collect::<Result<Vec<_>, _>>()?;
+        let header = ["event", at, "what happens", "closed form", "its value", "difference, relative, below"];
+        Ok(Table::new(header).rows(self.events.iter().enumerate().map(|(i, event)| {
+            let [form, value, apart] = match numbers.iter().position(|number| *number == i + 1).map(|k| closed[k]) {
+                Some((form, value)) => {
+                    let apart = (event.value - value).abs() / value.abs();
+                    [form.to_owned(), significant(value, DIGITS), bound(apart.max(f64::EPSILON))]
+                }
+                None => ["–"; 3].map(str::to_owned),
+            };
+            row![i + 1, significant(event.value, DIGITS), event.what, form, value, apart]
+        })))
+    }
+}
+
+/// Digits of the value of an event.
+const DIGITS: usize = 12;
+
+/// Numbers that are the same but for rounding, relative.
+const SAME: f64 = 1e-9;
+
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let (l, ei, q) = (beam()?.length(), beam()?.bending_stiffness(), example()?.load().uniform());
+    let border = q * l * l * l * l / (384.0 * ei);
+    let lift_off = palkki_evidence::paper::theory().lift_off.ok_or("the example has a zone")?;
+
+    let hoist = HOIST.run(study)?;
+    let lift = -hoist.scene.load().point()[0].force;
+    let closes = lift_off + 0.75 * lift / q;
+    let of_hoist = hoist.events_beside("at", &[("a + 3P/(4q)", closes), ("l − a − 3P/(4q)", l - closes)])?;
+    let between = [hoist.event_at(closes)?, hoist.event_at(l - closes)?];
+    let count = hoist.events.len();
+    let mirrored = (0..count).map(|i| (hoist.events[i].value + hoist.events[count - 1 - i].value - l).abs() / l);
+    let mirrored = mirrored.fold(f64::EPSILON, f64::max);
+    if SAME < mirrored {
+        return Err("the events of the hoist are not symmetric".into());
+    }
+
+    let survey = SURVEY.run(study)?;
+    let of_survey = survey.events("at [m]");
+
+    let depth = DEPTH.run(study)?;
+    let of_depth = depth.events_beside("depth", &[("q l⁴/(384 EI)", border), ("5 q l⁴/(384 EI)", 5.0 * border)])?;
+    let closed = depth.rows.iter().map(|row| {
+        let reaction = theory::flat(l, ei, row.value, q).reaction;
+        (row.solution.state.reactions.left - reaction).abs() / (q * l)
+    });
+    let closed = closed.fold(f64::EPSILON, f64::max);
+
+    let evidence = Evidence::new(context! {
+        hoist => HOIST.values(&hoist, of_hoist),
+        mirrored => bound(mirrored),
+        // The events between which the hoist has a zone on either side.
+        between,
+        survey => SURVEY.values(&survey, of_survey),
+        depth => DEPTH.values(&depth, of_depth),
+        // Bound of the difference of the reactions from the closed form, over the load.
+        closed => bound(closed),
+        // Largest ratio of the reaction to the load in the example, and where the example lies.
+        example => context! { share => theory::solve(&example()?)?.state.reactions.left / (q * l), depth => 1.0 / border },
+        superposition => superposition()?,
+        derivatives => derivatives()?,
+        border => one_sided(5.0 * border)?,
+        tolerance => tolerances(study)?,
+    });
+    let figures = [(HOIST, hoist), (SURVEY, survey), (DEPTH, depth)];
+    let figures = figures.map(|(case, swept)| (case.name, swept.figure.clone(), swept.data(case.vary)));
+    Ok(evidence.figures(figures))
+}
+
+/// The left reaction of the example under two loads, together and one by one.
+fn superposition() -> Result<Value, Cause> {
+    const FORCE: f64 = 5.0;
+    const PLACES: [f64; 2] = [0.5, 1.0];
+    let reaction = |loads: &[(f64, f64)]| -> Result<f64, Cause> {
+        let (beam, example) = (beam()?, example()?);
+        let points = loads.iter().map(|&(at, force)| PointLoad { at, force }).collect();
+        let load = Load::new(&beam, example.load().uniform(), vec![], points)?;
+        let scene = Scene::new(beam, load, example.foundation().cloned())?;
+        Ok(theory::solve(&scene)?.state.reactions.left)
+    };
+    let [first, second] = PLACES;
+    let alone = reaction(&[])?;
+    let [one, other] = [reaction(&[(first, FORCE)])? - alone, reaction(&[(second, FORCE)])? - alone];
+    let both = reaction(&[(first, FORCE), (second, FORCE)])? - alone;
+    let triple = reaction(&[(second, 3.0 * FORCE)])? - alone;
+    Ok(context! {
+        force => FORCE,
+        first,
+        second,
+        alone,
+        one,
+        other,
+        sum => one + other,
+        both,
+        over => (one + other) / both - 1.0,
+        triple,
+        ratio => triple / other,
+    })
+}
+
+/// The derivative by a number, or by the depth of the ground.
+fn by(all: &[Derivative], number: By) -> Result<&Derivative, Cause> {
+    all.iter().find(|derivative| derivative.by == number).ok_or_else(|| format!("no derivative by {number}").into())
+}
+
+/// Derivatives of the example beside their closed forms, which follow from `T = ½ q a` and `a⁴ = 24 EI u₀/q`.
+fn derivatives() -> Result<Table, Cause> {
+    let scene = example()?;
+    let (l, ei, q, u) = (beam()?.length(), beam()?.bending_stiffness(), scene.load().uniform(), scene.depth(0.0));
+    let all = theory::solve(&scene)?.derivatives(&scene);
+    let [depth, uniform, stiffness] =
+        [By::Depth, By::Number(Quantity::Uniform), By::Number(Quantity::BendingStiffness)]
+            .map(|number| by(&all, number));
+    let (depth, uniform, stiffness) = (depth?, uniform?, stiffness?);
+    let t = palkki_evidence::paper::theory().reaction;
+    let rows = [
+        ("dT/du₀", depth.supports[0], "T/(4u₀)", t / (4.0 * u)),
+        ("dT/dq", uniform.supports[0], "3T/(4q)", 0.75 * t / q),
+        ("dT/dEI", stiffness.supports[0], "T/(4EI)", t / (4.0 * ei)),
+        ("dJ/du₀", depth.energy, "−(q l − 2T)", -(q * l - 2.0 * t)),
+    ];
+    let table = Table::new(["derivative", "found", "closed form", "its value", "difference, relative, below"]);
+    Ok(table.rows(rows.map(|(name, found, form, value)| {
+        let apart = ((found - value).abs() / value.abs()).max(f64::EPSILON);
+        row![name, significant(found, DIGITS), form, significant(value, DIGITS), bound(apart)]
+    })))
+}
+
+/// The derivative of the end reaction by the depth on the two sides of the depth at which contact is lost, and what is given on
+/// it.
+fn one_sided(depth: f64) -> Result<Value, Cause> {
+    let at = |depth: f64| -> Result<(f64, bool), Cause> {
+        let scene = scene_over(Foundation::Flat { depth })?;
+        let all = theory::solve(&scene)?.derivatives(&scene);
+        let derivative = by(&all, By::Depth)?;
+        Ok((derivative.supports[0], derivative.one_sided))
+    };
+    let ((before, _), (on, one_sided), (after, _)) = (at(0.999 * depth)?, at(depth)?, at(1.001 * depth)?);
+    if !one_sided {
+        return Err("the derivative at the border of two regimes is one-sided".into());
+    }
+    Ok(context! { depth, before, on, after })
+}
+
+/// Depths of the survey that may be off, by how much \[m\].
+const TOLERANCES: [f64; 4] = [0.0001, 0.001, 0.003, 0.01];
+/// Surveys with readings that are off by at most that, drawn for each tolerance.
+const DRAWN: u32 = 200;
+
+/// What is guaranteed and what is estimated on the survey, and what comes of surveys that are drawn within the tolerance.
+fn tolerances(study: &Study<'_>) -> Result<Value, Cause> {
+    let scene = scenes::read(study.root, "survey")?;
+    let Some(Foundation::Polyline { points }) = scene.foundation() else { return Err("a survey is a polyline".into()) };
+    let exact = theory::solve(&scene)?;
+    let reaction = exact.state.reactions.left;
+    let places = |exact: &Exact| exact.state.contacts.iter().flat_map(|c| [c.from, c.to]).collect::<Vec<f64>>();
+    let mut table = Table::new([
+        "tolerance [mm]",
+        "guaranteed: J from, to [kN m]",
+        "estimate: left reaction off by [kN]",
+        "drawn with the same contacts",
+        "farthest of these [kN]",
+        "farthest of all drawn [kN]",
+    ]);
+    let mut random = Random::new(15);
+    let mut certain = true;
+    for tolerance in TOLERANCES {
+        let known = DepthTolerance::of(&scene, &exact, tolerance);
+        let estimate = known.estimates.as_ref().and_then(|estimates| estimates.supports.first().copied());
+        // With the same contacts, and of all.
+        let (mut same, mut farthest, mut kept) = (0.0_f64, 0.0_f64, 0);
+        for _ in 0..DRAWN {
+            // At its tolerance each reading is off the most, one way or the other.
+            let off = points.iter().map(|&[x, u]| [x, u + random.pick(&[-1.0, 1.0]) * tolerance]).collect();
+            let drawn =
+                Scene::new(scene.beam().clone(), scene.load().clone(), Some(Foundation::Polyline { points: off }))?;
+            let found = theory::solve(&drawn)?;
+            let bounds = known.energy.map(|bound| bound.ok_or("an energy has no bound"));
+            let (lower, upper) = (bounds[0]?, bounds[1]?);
+            if !(lower..=upper).contains(&found.state.energy) {
+                return Err(format!("an energy outside of its bounds for the tolerance {tolerance}").into());
+            }
+            let off = (found.state.reactions.left - reaction).abs();
+            farthest = farthest.max(off);
+            if worst_difference(&places(&found), &places(&exact)) <= SAME {
+                (same, kept) = (same.max(off), kept + 1);
+            }
+        }
+        if estimate.is_some_and(|estimate| estimate * (1.0 + SAME) < same) {
+            return Err(
+                format!("a force beyond its estimate with the same contacts, for the tolerance {tolerance}").into()
+            );
+        }
+        certain &= known.contact == Touches::Certainly;
+        let energy = known.energy.map(|energy| cell(energy, 5));
+        table.push(row![
+            fixed(1000.0 * tolerance, 1),
+            energy.join(", "),
+            cell(estimate, 3),
+            kept,
+            if 0 < kept { significant(same, 3) } else { "–".to_owned() },
+            significant(farthest, 3),
+        ]);
+    }
+    Ok(context! { table, drawn => DRAWN, certain, reaction, energy => exact.state.energy })
+}
