@@ -12,6 +12,7 @@ use super::list::{Beside, Kind};
 use super::margin::lowest;
 use super::sensitivity::{Change, NodeChange, bend, change, standing};
 use crate::scene::{Foundation, Quantity, Scene};
+use crate::state::Contact;
 
 /// By what an answer is differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -111,7 +112,7 @@ impl Exact {
             let (own, kinked) = scene.beam().shape().map_or(([0.0; 2], false), |shape| {
                 let [[_, left], [_, right]] = shape.sides(support.at);
                 let slope = if support.at < scene.beam().length() { right } else { left };
-                ([slope * unit, curvature(shape, support.at) * unit * scale.length], left != right)
+                ([slope * unit, curvature(shape, support.at) * unit * scale.length], left.total_cmp(&right).is_ne())
             });
             let at_end = support.at <= 0.0 || scene.beam().length() <= support.at;
             let loaded = self.given.breakpoints[here.breakpoint].force != 0.0;
@@ -243,11 +244,10 @@ impl Exact {
         let short = self.list.zones().into_iter().any(|(from, to)| small(to - from, given.length));
         // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
         let carried = self.touches();
-        let unloaded = carried.len() != self.state.contacts.len()
-            || carried
-                .iter()
-                .zip(&self.state.contacts)
-                .any(|((_, carried), all)| carried.from != all.from || carried.to != all.to);
+        let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
+        let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
+        let contacts = &self.state.contacts;
+        let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
         let touches = |span| self.is_above_ground() && lowest(given, span).is_some_and(|least| small(least, size));
         at_node || short || unloaded || self.spans.iter().any(|(_, span)| touches(span))
     }
