@@ -97,8 +97,8 @@ pub(super) enum Command {
     /// Each answer is that of beam theory, checked and certified by itself. Between them are the events: the values at which a
     /// contact appears, goes, becomes a zone or a point, splits, merges or moves over an edge, at which the regime changes, or at
     /// which a support begins or ceases to pull. They are roots of the condition that decides them, to twelve digits, and not samples.
-    /// Between two values with the same kind of contact the middle is tried; what comes and goes within half a step may be missed.
-    /// The exit code is 0 if every answer is certified.
+    /// Where there are fewer than 128 values, so many places are looked at between them; what comes and goes within a step may be
+    /// missed. The exit code is 0 if every answer is certified.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
 }

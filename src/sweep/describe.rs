@@ -1,6 +1,6 @@
 //! What an event is, in words: the contacts on its two sides side by side.
 
-use crate::state::Contact;
+use crate::state::{Contact, Regime};
 use crate::text::significant;
 use crate::theory::{Exact, Touch, ZoneEnd};
 
@@ -29,7 +29,9 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
             _ => {}
         }
     }
-    let [from, to] = [before.state.regime, after.state.regime];
+    let regime =
+        |exact: &Exact| Regime::of(&exact.touches().into_iter().map(|(_, contact)| contact).collect::<Vec<_>>());
+    let [from, to] = [before, after].map(regime);
     if from != to {
         sentences.push(format!("the regime changes from {} to {}", from.name(), to.name()));
     }
@@ -37,15 +39,14 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
 }
 
 /// The contacts of two answers that lie at one place, and whether they are the same on both sides.
-fn changes<'a>(before: &'a Exact, after: &'a Exact) -> Vec<[Vec<(Touch, &'a Contact)>; 2]> {
-    let sides = [before, after].map(|exact| (exact.pattern().touches, &exact.state.contacts));
+fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(Touch, Contact)>; 2]> {
     let mut all = Vec::new();
-    for (side, (touches, contacts)) in sides.iter().enumerate() {
-        all.extend(touches.iter().zip(contacts.iter()).map(|(&touch, contact)| (side, touch, contact)));
+    for (side, exact) in [before, after].into_iter().enumerate() {
+        all.extend(exact.touches().into_iter().map(|(touch, contact)| (side, touch, contact)));
     }
     all.sort_by(|a, b| a.2.from.total_cmp(&b.2.from));
     let reach = NEAR * all.iter().fold(0.0, |most: f64, (.., contact)| most.max(contact.to));
-    let mut groups: Vec<[Vec<(Touch, &Contact)>; 2]> = Vec::new();
+    let mut groups: Vec<[Vec<(Touch, Contact)>; 2]> = Vec::new();
     let mut end = f64::NEG_INFINITY;
     for (side, touch, contact) in all {
         if end + reach < contact.from {
@@ -56,7 +57,7 @@ fn changes<'a>(before: &'a Exact, after: &'a Exact) -> Vec<[Vec<(Touch, &'a Cont
             group[side].push((touch, contact));
         }
     }
-    let kinds = |side: &[(Touch, &Contact)]| side.iter().map(|(touch, _)| *touch).collect::<Vec<_>>();
+    let kinds = |side: &[(Touch, Contact)]| side.iter().map(|(touch, _)| *touch).collect::<Vec<_>>();
     groups.retain(|[old, new]| kinds(old) != kinds(new));
     groups
 }
@@ -65,9 +66,8 @@ fn changes<'a>(before: &'a Exact, after: &'a Exact) -> Vec<[Vec<(Touch, &'a Cont
 const NEAR: f64 = 1e-5;
 
 /// What happens to one group of contacts.
-fn change([old, new]: [&[Touch]; 2], [before, after]: [&[&Contact]; 2]) -> String {
-    let places =
-        |contacts: &[&Contact]| contacts.iter().map(|contact| place(contact)).collect::<Vec<_>>().join(" and ");
+fn change([old, new]: [&[Touch]; 2], [before, after]: [&[Contact]; 2]) -> String {
+    let places = |contacts: &[Contact]| contacts.iter().map(place).collect::<Vec<_>>().join(" and ");
     match (old, new) {
         ([], [Touch::Zone(_)]) => format!("a zone of contact appears {}", places(after)),
         ([], [_]) => format!("a contact appears {}", places(after)),

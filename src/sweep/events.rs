@@ -26,11 +26,11 @@ const FARTHER: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
 /// Events between two rows, at most: more are no events but rounding.
 const MOST_EVENTS: usize = 1000;
 
-/// Events nearer to each other than this share of the range are one.
-const ONE: f64 = 1e-13;
+/// A sweep of fewer values is looked at between them as well, so that it is looked at at so many values.
+const LOOKED_AT: f64 = 128.0;
 
-/// So far from an event, as a share of the range, the contacts beyond it are no answer any more.
-const APART: f64 = 1e-4;
+/// Events nearer to each other than this share of the range are one.
+const ONE: f64 = 2.0 * BESIDE;
 
 /// A value below this share of the range has no digits of its own that count.
 const SMALL: f64 = 1e-3;
@@ -39,8 +39,8 @@ const SMALL: f64 = 1e-3;
 #[derive(Debug)]
 struct Root {
     value: f64,
-    before: Exact,
-    after: Exact,
+    before: At,
+    after: At,
 }
 
 /// An answer and its value.
@@ -60,43 +60,50 @@ impl Sweep<'_> {
     /// The events between rows of this sweep, in their order.
     #[must_use]
     pub fn events(&self, rows: &[Row]) -> Vec<Event> {
-        let mut events = Vec::new();
+        let mut roots = Vec::new();
+        // The last answer before this row; where a row has none, the next one with an answer follows on it.
+        let mut last: Option<At> = None;
         for pair in rows.windows(2) {
-            let middle = 0.5 * (pair[0].value + pair[1].value);
-            let Some(left) = self.at(pair[0].value, None) else { continue };
-            let Some(right) = self.at(pair[1].value, Some(&left)) else { continue };
-            let mut found = Vec::new();
-            if left.is_like(&right) {
-                // What appears and goes again.
-                let Some(middle) = self.at(middle, Some(&left)).filter(|middle| !middle.is_like(&left)) else {
-                    continue;
-                };
-                self.between(left, middle.clone(), &mut found);
-                self.between(middle, right, &mut found);
-            } else {
-                self.between(left, right, &mut found);
+            let [from, to] = [pair[0].value, pair[1].value];
+            let same = pair[0].pattern.is_same(&pair[1].pattern) && self.places_inside(from, to) == 0;
+            if same && last.as_ref().is_none_or(|last| last.value.total_cmp(&from).is_eq()) {
+                last = None;
+                continue;
             }
-            events.extend(self.described(found));
+            let Some(left) = last.take().or_else(|| self.at(from, None)) else { continue };
+            let right = self.at(to, Some(&left));
+            if let Some(right) = &right {
+                self.all_between(&left, right, &mut roots);
+            }
+            last = right.or(Some(left));
         }
-        events
+        self.described(roots)
     }
 
-    /// Roots in words; those at one value are one event.
+    /// Roots in words. Those at one value are one event, and so are those between which an answer has several lists of contacts
+    /// that all meet their conditions: of these the list counts that holds the longest.
     fn described(&self, roots: Vec<Root>) -> Vec<Event> {
         let [start, end] = self.range;
         let mut single: Vec<Root> = Vec::new();
         for root in roots {
-            match single.last_mut() {
-                Some(last) if (root.value - last.value).abs() <= ONE * (end - start).abs() => last.after = root.after,
-                _ => single.push(root),
+            let Some(last) = single.last_mut() else {
+                single.push(root);
+                continue;
+            };
+            let close = (root.value - last.value).abs() <= ONE * (end - start).abs();
+            let middle = 0.5 * (last.value + root.value);
+            let lasts = |at: &At, to: f64| [middle, to].into_iter().all(|value| self.kept(at, value).is_some());
+            if lasts(&last.before, root.before.value) {
+                (last.value, last.after) = (root.value, root.after);
+            } else if close || lasts(&root.after, last.after.value) {
+                last.after = root.after;
+            } else {
+                single.push(root);
             }
         }
-        single.iter().map(|root| Event { value: root.value, what: describe(&root.before, &root.after) }).collect()
-    }
-
-    /// True if the contacts of an answer are those at another value as well.
-    fn holds(&self, at: &At, value: f64) -> bool {
-        self.scene(value).is_ok_and(|scene| at.exact.holds(&scene))
+        let happens = |root: &&Root| !root.before.is_like(&root.after);
+        let event = |root: &Root| Event { value: root.value, what: describe(&root.before.exact, &root.after.exact) };
+        single.iter().filter(happens).map(event).collect()
     }
 
     /// True if nothing is between two values.
@@ -105,80 +112,119 @@ impl Sweep<'_> {
         (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
     }
 
+    /// The answer at a value, if there is one.
     fn at(&self, value: f64, near: Option<&At>) -> Option<At> {
         let (_, exact) = self.answer(value, near.map(|near| &near.exact)).ok()?;
-        Some(At { value, exact })
+        exact.solved.then_some(At { value, exact })
     }
 
-    /// The events between two answers.
+    /// The events between two answers, and between these what appears and goes again.
+    fn all_between(&self, left: &At, right: &At, events: &mut Vec<Root>) {
+        let mut found = Vec::new();
+        if !left.is_like(right) {
+            self.between(left.clone(), right.clone(), &mut found);
+        }
+        let mut start = left.clone();
+        for root in found {
+            self.unlike_inside(&start, &root.before, events);
+            start = root.after.clone();
+            events.push(root);
+        }
+        self.unlike_inside(&start, right, events);
+    }
+
+    /// How many places between two values are looked at besides.
+    fn places_inside(&self, from: f64, to: f64) -> u32 {
+        let [start, end] = self.range;
+        let share = (to - from).abs() / (end - start).abs();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small number")]
+        let places = (share * LOOKED_AT).ceil() as u32;
+        places.saturating_sub(1)
+    }
+
+    /// What appears and goes again between two answers of one kind.
+    fn unlike_inside(&self, left: &At, right: &At, events: &mut Vec<Root>) {
+        if MOST_EVENTS < events.len() {
+            return;
+        }
+        let count = self.places_inside(left.value, right.value);
+        let place = |i: u32| left.value + (right.value - left.value) * (f64::from(i) / f64::from(count + 1));
+        let answers = (1..=count).filter_map(|i| self.at(place(i), Some(left)));
+        let unlike = answers.chain([right.clone()]).find(|middle| !middle.is_like(left));
+        if let Some(middle) = unlike {
+            self.all_between(left, &middle, events);
+            self.unlike_inside(&middle, right, events);
+        }
+    }
+
+    /// The events on the way from one answer to another of another kind.
     fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
+        /// Where an interval is divided; where there is no answer, elsewhere.
+        const SHARES: [f64; 3] = [0.5, 0.382, 0.618];
         let mut beyond = Vec::new();
-        while !left.is_like(&right) && !self.holds(&left, right.value) && events.len() + beyond.len() < MOST_EVENTS {
-            if let Some((event, after)) = self.next_event(&left, &right) {
-                events.extend(self.is_real(&left, &event, &after).then_some(event));
-                left = after;
-            } else if let Some((event, before)) = self.next_event(&right, &left) {
+        while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS {
+            if let Some(event) = self.next_event(&left, &right) {
+                left = event.after.clone();
+                events.push(event);
+                continue;
+            }
+            if let Some(Root { value, before, after }) = self.next_event(&right, &left) {
                 // From the other side what it becomes is what it was.
-                beyond.extend(self.is_real(&right, &event, &before).then_some(event));
-                right = before;
+                right = after.clone();
+                beyond.push(Root { value, before: after, after: before });
+                continue;
+            }
+            let inside = |share: f64| left.value + share * (right.value - left.value);
+            let narrow = self.is_narrow(left.value, right.value);
+            let middle = SHARES.into_iter().filter(|_| !narrow).find_map(|share| self.at(inside(share), Some(&left)));
+            let Some(middle) = middle else {
+                events.push(Root { value: inside(0.5), before: left, after: right });
+                break;
+            };
+            if left.is_like(&middle) {
+                left = middle;
+            } else if right.is_like(&middle) {
+                right = middle;
             } else {
-                let middle = 0.5 * (left.value + right.value);
-                let narrow =
-                    (right.value - left.value).abs() <= 4.0 * f64::EPSILON * left.value.abs().max(right.value.abs());
-                let Some(middle) = (!narrow).then(|| self.at(middle, Some(&left))).flatten() else {
-                    events.push(Root { value: middle, before: left.exact, after: right.exact });
-                    break;
-                };
-                if left.is_like(&middle) {
-                    left = middle;
-                } else if right.is_like(&middle) {
-                    right = middle;
-                } else {
-                    self.between(left, middle.clone(), events);
-                    left = middle;
-                }
+                self.between(left, middle.clone(), events);
+                left = middle;
             }
         }
         events.extend(beyond.into_iter().rev());
     }
 
-    /// False if the contacts beyond an event are an answer before it as well: then one answer has two lists of contacts, some of
-    /// which carry nothing, and it is no event that one of the lists ends.
-    fn is_real(&self, from: &At, event: &Root, after: &At) -> bool {
-        let [start, end] = self.range;
-        let back = (from.value - event.value).clamp(-APART * (end - start).abs(), APART * (end - start).abs());
-        !self.holds(after, event.value + back)
-    }
-
-    /// The first event on the way from `from` to `to`, which may be against the sweep, and an answer just beyond it.
-    fn next_event(&self, from: &At, to: &At) -> Option<(Root, At)> {
+    /// The first event on the way from `from` to `to`, which may be against the sweep, with an answer just beyond it as `after`.
+    fn next_event(&self, from: &At, to: &At) -> Option<Root> {
         let margins = from.exact.failing(&self.scene(to.value).ok()?)?;
         let mut roots: Vec<f64> = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin)).collect();
         roots.sort_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()));
         let [start, end] = self.range;
-        let onwards = (to.value - from.value).signum();
-        let step = BESIDE * (end - start).abs();
+        let step = BESIDE * (end - start).abs() * (to.value - from.value).signum();
         // On the near side the contacts are still the same.
         let near = |value: f64| {
-            let before = value - onwards * step;
-            if 0.0 < (before - from.value) * onwards {
-                self.at(before, Some(from)).filter(|near| near.is_like(from) || self.holds(from, before))
-            } else {
-                Some(from.clone())
-            }
+            let before = value - step;
+            if 0.0 < (before - from.value) * step { self.kept(from, before) } else { Some(from.clone()) }
         };
         let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
-        let (value, near, after) = FARTHER.into_iter().find_map(|farther| {
+        // Beyond it they are others, and as near to it as may be those of `to`.
+        let beyond = |value: f64, towards: &At| {
+            let inside = 0.0 < (to.value - value) * step;
+            let after = if inside { self.at(value, Some(towards))? } else { to.clone() };
+            (!after.is_like(from)).then_some(after)
+        };
+        FARTHER.into_iter().find_map(|farther| {
             sides.iter().find_map(|(value, near)| {
-                let after = value + onwards * step * farther;
-                let after = if 0.0 < (to.value - after) * onwards { self.at(after, Some(from))? } else { to.clone() };
-                (!after.is_like(from)).then(|| (*value, near.clone(), after))
+                let after = value + step * farther;
+                let after = beyond(after, from).or_else(|| beyond(after, to))?;
+                Some(Root { value: *value, before: near.clone(), after })
             })
-        })?;
-        let ahead = 0.0 < onwards * (end - start);
-        let (near, far) = (near.exact, after.exact.clone());
-        let (before, beyond) = if ahead { (near, far) } else { (far, near) };
-        Some((Root { value, before, after: beyond }, after))
+        })
+    }
+
+    /// The answer at a value that has the contacts of another one, if there is one.
+    fn kept(&self, from: &At, value: f64) -> Option<At> {
+        let exact = from.exact.moved(&self.scene(value).ok()?)?;
+        Some(At { value, exact }).filter(|near| near.is_like(from))
     }
 
     /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value

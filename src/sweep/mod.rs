@@ -5,9 +5,10 @@
 //! appears or goes, becomes a zone or a point, splits, merges or moves over an edge, or a support begins or ceases to pull. It is a
 //! root of the condition that decides it, with the contacts beside it held fixed, and not a sample (module `events`).
 //!
-//! What is guaranteed: between two rows of different kinds all events are found that are more than `10⁻¹⁰` of the range apart.
-//! Between two rows of one kind the middle is tried; what appears and goes again within half a step may be missed, and more steps
-//! find it.
+//! What is guaranteed: the kinds of two rows, and of 128 values in all where there are fewer rows, lead from one to the other by the
+//! events between them. Events nearer to each other than `2·10⁻¹⁰` of the range are told as one, and so are those between which one
+//! answer has several lists of contacts that all meet their conditions to 12 digits. What appears and goes again within a step may
+//! be missed, and more steps find it.
 //!
 //! ```
 //! use palkki::scene::{Beam, Foundation, Load, Scene};

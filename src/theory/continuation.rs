@@ -6,6 +6,7 @@ use super::list::{Beside, Kind, List, Node};
 use super::margin::{Margin, failing};
 use super::newton;
 use super::piecewise::PiecewiseScene;
+use super::search::Found;
 use super::solve::{TheoryError, solve_from};
 use crate::scene::{Scale, Scene};
 
@@ -28,14 +29,20 @@ impl Exact {
         Some(failing(&given, &list, &checked(scene, &given, &list), &self.pattern().pulls))
     }
 
-    /// True if the contacts of this solution, moved but kept as they are, are an answer of `scene` as well, with supports that pull
-    /// and press as they did. Where contacts carry nothing, one answer may have several lists of them.
+    /// This solution with its contacts moved to where they are in `scene` and kept as they are, if that is an answer there, with
+    /// supports that pull and press as they did. Where contacts carry nothing, or too little to count, one answer has several lists
+    /// of them, and this one may be another than [`Exact::continued`] finds.
     #[must_use]
-    pub fn holds(&self, scene: &Scene) -> bool {
-        self.kept(scene).is_some_and(|(given, list)| {
-            let checked = checked(scene, &given, &list);
-            checked.faults.is_empty() && failing(&given, &list, &checked, &self.pattern().pulls).is_empty()
-        })
+    pub fn moved(&self, scene: &Scene) -> Option<Self> {
+        let scaled = scene.scaled().ok()?;
+        let (given, list) = self.kept(scene)?;
+        let checked = checked(scene, &given, &list);
+        if !checked.faults.is_empty() || !failing(&given, &list, &checked, &self.pattern().pulls).is_empty() {
+            return None;
+        }
+        let found = Found { list, checked, steps: 0, lists: 1, converged: true };
+        let stiffness = scaled.scene.beam().bending_stiffness();
+        Some(Self::new(given, found, scaled.scale, stiffness, scene.foundation().is_some()))
     }
 
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of

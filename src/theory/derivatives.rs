@@ -11,7 +11,8 @@ use super::exact::Exact;
 use super::list::{Beside, Kind};
 use super::margin::lowest;
 use super::sensitivity::{Change, NodeChange, bend, change, standing};
-use crate::scene::{Quantity, Scene};
+use crate::scene::{Foundation, Quantity, Scene};
+use crate::state::Contact;
 
 /// By what an answer is differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,7 +76,7 @@ const AT_A_CHANGE: f64 = 1e-9;
 impl Exact {
     /// The derivatives of this solution of `scene` by the depth of all of the ground, the bending stiffness, the uniform load, force
     /// and place of each point load, level and place of each support. Left out is what has none: all of a beam whose position is
-    /// not certain, and the place of a support in which a beam with an own shape is built in.
+    /// not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
         let scale = &self.scale;
@@ -107,17 +108,15 @@ impl Exact {
             let here = &self.given.supports[i];
             let pressed = here.grounded != [false; 2];
             add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, pressed);
-            let shape = scene.beam().shape();
-            if support.slope.is_some() && shape.is_some() {
-                continue;
-            }
-            let own = shape.map_or(0.0, |shape| {
+            let unit = scale.length / scale.depth;
+            let (own, kinked) = scene.beam().shape().map_or(([0.0; 2], false), |shape| {
                 let [[_, left], [_, right]] = shape.sides(support.at);
-                0.5 * (left + right) * scale.length / scale.depth
+                let slope = if support.at < scene.beam().length() { right } else { left };
+                ([slope * unit, curvature(shape, support.at) * unit * scale.length], left.total_cmp(&right).is_ne())
             });
             let at_end = support.at <= 0.0 || scene.beam().length() <= support.at;
             let loaded = self.given.breakpoints[here.breakpoint].force != 0.0;
-            let one_sided = pressed || at_end || loaded;
+            let one_sided = pressed || at_end || loaded || kinked;
             add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, one_sided);
         }
         found
@@ -243,15 +242,37 @@ impl Exact {
             Kind::Tip => false,
         });
         let short = self.list.zones().into_iter().any(|(from, to)| small(to - from, given.length));
+        // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
+        let carried = self.touches();
+        let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
+        let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
+        let contacts = &self.state.contacts;
+        let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
         let touches = |span| self.is_above_ground() && lowest(given, span).is_some_and(|least| small(least, size));
-        at_node || short || self.spans.iter().any(|(_, span)| touches(span))
+        at_node || short || unloaded || self.spans.iter().any(|(_, span)| touches(span))
+    }
+}
+
+/// The second derivative of a profile, which is smooth there.
+fn curvature(profile: &Foundation, x: f64) -> f64 {
+    match profile {
+        Foundation::Flat { .. } | Foundation::Polyline { .. } => 0.0,
+        Foundation::Polynomial { coefficients } => {
+            #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+            let terms = coefficients.iter().enumerate().skip(2).rev().map(|(j, c)| (j * (j - 1)) as f64 * c);
+            terms.fold(0.0, |sum, c| sum * x + c)
+        }
+        Foundation::Cosine { amplitude, wavelength, phase, .. } => {
+            let rate = 2.0 * std::f64::consts::PI / wavelength;
+            -amplitude * rate * rate * libm::cos(rate * x + phase)
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Beam, Foundation, Load};
+    use crate::scene::{Beam, Load};
     use crate::theory::solve;
 
     /// The paper's example: T = q a/2 with a⁴ = (8/3) EI u₀/q, so that ∂T/∂u₀ = T/4u₀, ∂T/∂q = 3T/4q, ∂T/∂EI = T/4EI.

@@ -25,6 +25,8 @@ enum Condition {
     ZonePresses(usize),
     /// Beside an edge, or a support, the beam is above the ground: the slope of the clearance to its left or to its right.
     Turns(usize, usize),
+    /// The same beside a support at which the slope of the beam is that of the ground: the bend of the clearance.
+    BendsBeside(usize, usize),
     /// The clearance in the span before this node.
     Clears(usize),
     /// Ground and support push at each other.
@@ -56,10 +58,16 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
                 let near = |x: f64| (at - x).abs() < 0.5 * span.length();
                 let fixed =
                     |node: Option<usize>| node.filter(|&node| list.nodes.get(node).is_some_and(|n| !n.can_move()));
-                let left =
-                    fixed(i.checked_sub(1)).filter(|_| near(span.a.x) && span.at_a[1] < 0.0 && span.at_a[0] <= 0.0);
-                let right = fixed(Some(i)).filter(|_| near(span.b.x) && 0.0 < span.at_b[1] && span.at_b[0] <= 0.0);
-                match (left, right) {
+                let held = |node: Option<usize>| node.filter(|&node| rests(given, list, node));
+                let left = fixed(i.checked_sub(1)).filter(|_| near(span.a.x) && span.at_a[0] <= 0.0);
+                let right = fixed(Some(i)).filter(|_| near(span.b.x) && span.at_b[0] <= 0.0);
+                match (held(left).filter(|_| span.at_a[2] < 0.0), held(right).filter(|_| span.at_b[2] < 0.0)) {
+                    (Some(node), _) => add(Condition::BendsBeside(node, 1)),
+                    (_, Some(node)) => add(Condition::BendsBeside(node, 0)),
+                    _ => {}
+                }
+                let turned = |end: Option<usize>, turn: f64| end.filter(|_| turn < 0.0 && held(end).is_none());
+                match (turned(left, span.at_a[1]), turned(right, -span.at_b[1])) {
                     (Some(node), _) => add(Condition::Turns(node, 1)),
                     (_, Some(node)) => add(Condition::Turns(node, 0)),
                     // Beside a point that the beam is bent around too much it is below the ground as well.
@@ -81,6 +89,17 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
         }
     }
     margins
+}
+
+/// True if the node is a support at which the ground has the slope that the beam is held with.
+fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
+    list.nodes.get(node).is_some_and(|node| match node.kind {
+        Kind::Support(index, beside) => {
+            let support = &given.supports[index];
+            beside != [Beside::Apart; 2] || (support.slope.is_some() && !support.built_in)
+        }
+        _ => false,
+    })
 }
 
 impl Margin {
@@ -106,6 +125,8 @@ impl Margin {
             }
             Condition::Turns(node, 0) => before(node).map(|span| -span.at_b[1]),
             Condition::Turns(node, _) => before(node + 1).map(|span| span.at_a[1]),
+            Condition::BendsBeside(node, 0) => before(node).map(|span| span.at_b[2]),
+            Condition::BendsBeside(node, _) => before(node + 1).map(|span| span.at_a[2]),
             Condition::Clears(node) => lowest(given, before(node)?),
             Condition::Couple(node) => {
                 let [left, right] = *moments(given, list, &spans).get(node)?;

@@ -34,8 +34,9 @@ pub(super) enum Change {
     Move(f64, f64),
     /// The support of that index goes down by one.
     Level(usize),
-    /// The support of that index moves to the right, along an axis whose own slope there is the second number.
-    Support(usize, f64),
+    /// The support of that index moves to the right, along an axis whose own slope and curvature there, `w0'` and `w0''`, are the
+    /// numbers that follow: with the level `d` and the slope `φ` that it has, `v = d − w0` and where it is built in `v' = φ − w0'`.
+    Support(usize, [f64; 2]),
 }
 
 /// How a node and its force change.
@@ -274,17 +275,18 @@ fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f
             let [on_left, on_right] = ends(spans, i);
             let sides = [beam(on_left, true), beam(on_right, false)];
             let (value, moved) = match of {
-                Change::Level(changed) if changed == index => (1.0, false),
-                Change::Support(changed, own) if changed == index => {
-                    (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + own), true)
+                Change::Level(changed) if changed == index => (1.0, None),
+                Change::Support(changed, [own, bent]) if changed == index => {
+                    (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + own), Some(bent))
                 }
-                _ => (0.0, false),
+                _ => (0.0, None),
             };
             if node.held_slope(given).is_some() {
-                let slopes = sides.map(|beam| if moved { beam.map_or(0.0, |beam| -beam[2]) } else { 0.0 });
+                // w' = −(v'' + w0'') on either side.
+                let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
                 return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
             }
-            let force = if moved { forces[i] + standing(given, list, i) } else { 0.0 };
+            let force = if moved.is_some() { forces[i] + standing(given, list, i) } else { 0.0 };
             Ask { value, slopes: None, jump: [force - turned, 0.0] }
         }
     }

@@ -1,6 +1,6 @@
 //! Derivatives of exact answers beside differences of answers.
 
-use palkki::scene::{Quantity, Scene};
+use palkki::scene::{Beam, Foundation, Load, Quantity, Scene, Support};
 use palkki::theory::{self, By, Derivative, Exact};
 use palkki_evidence::random;
 
@@ -65,7 +65,7 @@ fn difference(scene: &Scene, exact: &Exact, derivative: &Derivative) -> Option<f
 #[test]
 fn derivatives_are_the_limits_of_differences() {
     let (mut compared, mut close) = (0, 0);
-    for i in 0..40 {
+    for i in (0..40).chain([44, 191, 282]) {
         for scene in [random::scene(i), random::held(i)] {
             let Ok(exact) = theory::solve(&scene) else { continue };
             for derivative in exact.derivatives(&scene).iter().filter(|d| exact.solved && !d.one_sided) {
@@ -101,4 +101,37 @@ fn the_force_of_a_point_is_linear_in_the_depth() {
     assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{found} for {expected}");
     assert!((by_depth.supports[0] + 0.5 * expected).abs() <= 1e-12 * expected.abs());
     assert!((by_depth.energy + exact.state.contact_force()).abs() <= 1e-12 * exact.state.contact_force());
+}
+
+/// On ground that carries nothing a beam lies until a load comes: more load presses it down, less lifts it off.
+#[test]
+fn by_a_load_on_an_unloaded_zone_derivatives_are_one_sided() {
+    let scene = random::held(44);
+    let exact = theory::solve(&scene).expect("an answer");
+    assert_eq!(exact.state.contacts[0].end_forces.map(|ends| ends[0].abs() < 1e-12), Some(true));
+    assert!(exact.derivatives(&scene).iter().all(|derivative| derivative.one_sided));
+}
+
+/// A support that holds the slope of a beam with an own shape: `v = d − w0` and `v' = φ − w0'` change with its place.
+#[test]
+fn a_built_in_support_of_a_curved_beam_moves() {
+    let held = Support { at: 2.0, level: 0.3, slope: Some(0.1) };
+    let supports = vec![held, Support::simple(10.0)];
+    let shapes = [
+        Foundation::Polynomial { coefficients: vec![0.1, -0.2, 0.03, 0.001] },
+        Foundation::Cosine { mean: 0.1, amplitude: 0.2, wavelength: 7.0, phase: 0.4 },
+        Foundation::Polyline { points: vec![[0.0, 0.1], [3.0, 0.4], [10.0, 0.0]] },
+    ];
+    for (shape, depth) in shapes.into_iter().flat_map(|shape| [(shape.clone(), 50.0), (shape, 2.0)]) {
+        let beam = Beam::new(10.0, 20.0).and_then(|beam| beam.with_supports(supports.clone()));
+        let beam = beam.and_then(|beam| beam.with_shape(shape)).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("a scene");
+        let exact = theory::solve(&scene).expect("an answer");
+        let by = By::Number(Quantity::SupportAt(0));
+        let derivative = exact.derivatives(&scene).into_iter().find(|d| d.by == by).expect("by its place");
+        assert!(exact.solved && !derivative.one_sided, "{scene:?}");
+        let difference = difference(&scene, &exact, &derivative).expect("of one kind");
+        assert!(difference < 1e-6, "{scene:?}: {difference:e}");
+    }
 }
