@@ -29,6 +29,9 @@ const MOST_EVENTS: usize = 1000;
 /// A sweep of fewer values is looked at between them as well, so that it is looked at at so many values.
 const LOOKED_AT: f64 = 128.0;
 
+/// Places beside the rows lie at this share of an interval, so that they are no round numbers.
+const PAST: f64 = 0.382;
+
 /// Events nearer to each other than this share of the range are one.
 const ONE: f64 = 2.0 * BESIDE;
 
@@ -63,20 +66,34 @@ impl Sweep<'_> {
         let mut roots = Vec::new();
         // The last answer before this row; where a row has none, the next one with an answer follows on it.
         let mut last: Option<At> = None;
-        for pair in rows.windows(2) {
+        for (i, pair) in rows.windows(2).enumerate() {
             let [from, to] = [pair[0].value, pair[1].value];
+            // A row itself may be an event, as round numbers are: that is seen from beyond it only.
+            let past = PAST * (to - from) / f64::from(1 + self.places_inside(from, to));
+            let (is_first, is_last) = (i == 0, i + 2 == rows.len());
             let same = pair[0].pattern.is_same(&pair[1].pattern) && self.places_inside(from, to) == 0;
-            if same && last.as_ref().is_none_or(|last| last.value.total_cmp(&from).is_eq()) {
+            if same && !is_first && !is_last && last.as_ref().is_none_or(|last| last.value.total_cmp(&from).is_eq()) {
                 last = None;
                 continue;
             }
-            let Some(left) = last.take().or_else(|| self.at(from, None)) else { continue };
-            let right = self.at(to, Some(&left));
+            let before = || if is_first { self.at(from - past, None) } else { None };
+            let Some(left) = last.take().or_else(before).or_else(|| self.at(from, None)) else { continue };
+            let mut right = self.at(to, Some(&left));
+            if is_last || right.as_ref().is_some_and(|right| !right.is_like(&left)) {
+                right = self.at(to + past, Some(&left)).or(right);
+            }
             if let Some(right) = &right {
                 self.all_between(&left, right, &mut roots);
             }
             last = right.or(Some(left));
         }
+        let [start, end] = self.range;
+        roots.retain_mut(|root| {
+            let inside = root.value.max(start.min(end)).min(start.max(end));
+            let is_inside = self.is_narrow(root.value, inside);
+            root.value = inside;
+            is_inside
+        });
         self.described(roots)
     }
 
@@ -148,7 +165,7 @@ impl Sweep<'_> {
             return;
         }
         let count = self.places_inside(left.value, right.value);
-        let place = |i: u32| left.value + (right.value - left.value) * (f64::from(i) / f64::from(count + 1));
+        let place = |i: u32| left.value + (right.value - left.value) * ((f64::from(i) - PAST) / f64::from(count + 1));
         let answers = (1..=count).filter_map(|i| self.at(place(i), Some(left)));
         let unlike = answers.chain([right.clone()]).find(|middle| !middle.is_like(left));
         if let Some(middle) = unlike {
@@ -160,7 +177,7 @@ impl Sweep<'_> {
     /// The events on the way from one answer to another of another kind.
     fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
         /// Where an interval is divided; where there is no answer, elsewhere.
-        const SHARES: [f64; 3] = [0.5, 0.382, 0.618];
+        const SHARES: [f64; 3] = [1.0 - PAST, PAST, 0.5];
         let mut beyond = Vec::new();
         while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS {
             if let Some(event) = self.next_event(&left, &right) {

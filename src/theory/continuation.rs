@@ -49,7 +49,7 @@ impl Exact {
     /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
     #[must_use]
     pub fn margin(&self, scene: &Scene, margin: Margin) -> Option<f64> {
-        let (given, list) = self.kept(scene)?;
+        let Some((given, list)) = self.kept(scene) else { return margin.without_list() };
         margin.value(&given, &list)
     }
 

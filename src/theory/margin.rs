@@ -103,6 +103,12 @@ fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
 }
 
 impl Margin {
+    /// The same where the list is none of any beam: a zone that has been entered by a load that pulls, as Newton's method finds no
+    /// start of it there. Of other conditions nothing is known.
+    pub(super) fn without_list(self) -> Option<f64> {
+        matches!(self.0, Condition::ZonePresses(_)).then_some(f64::NEG_INFINITY)
+    }
+
     /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
     /// place: then it is not violated.
     pub(super) fn value(self, given: &PiecewiseScene, list: &List) -> Option<f64> {
@@ -117,11 +123,12 @@ impl Margin {
             Condition::Length(node) => Some(list.nodes.get(node + 1)?.x - list.nodes.get(node)?.x),
             Condition::ZonePresses(node) => {
                 let (from, to) = (list.nodes.get(node.checked_sub(1)?)?.x, list.nodes.get(node)?.x);
-                // A point load that pulls is a stretch without length, and its force is the margin.
-                let loads =
-                    given.breakpoints_inside(from, to).map(|i| given.breakpoints[i].force).filter(|f| *f != 0.0);
-                let stretches = given.tension_between(from, to).filter(|(lo, hi)| lo < hi);
-                loads.chain(stretches.map(|&(lo, hi)| lo.max(from) - hi.min(to))).reduce(f64::min)
+                // How far the zone is from the nearest stretch, or how much of one is in it; a point load that pulls is a stretch
+                // without length, and counts by how far it is from the nearer end of the zone.
+                let outside = |&(lo, hi): &(f64, f64)| {
+                    if lo < hi { from.max(lo) - to.min(hi) } else { (from - lo).max(hi - to) }
+                };
+                given.tension.iter().map(outside).reduce(f64::min)
             }
             Condition::Turns(node, 0) => before(node).map(|span| -span.at_b[1]),
             Condition::Turns(node, _) => before(node + 1).map(|span| span.at_a[1]),

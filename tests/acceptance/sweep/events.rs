@@ -24,10 +24,15 @@ fn the_borders_of_the_three_regimes_are_events() {
             "the point at x = 5 becomes a zone; the regime changes from points to zone",
         ],
     ];
-    for steps in [2, 3, 12, 101] {
-        for (range, borders, names) in
-            [([1.0, 150.0], [20.0, 100.0], names[0]), ([150.0, 1.0], [100.0, 20.0], names[1])]
-        {
+    for steps in [2, 3, 12, 13, 101, 241] {
+        let ranges = [
+            ([1.0, 150.0], [20.0, 100.0], names[0]),
+            ([150.0, 1.0], [100.0, 20.0], names[1]),
+            // Of 241 rows two are just at the borders, and here the first and the last one.
+            ([1.0, 121.0], [20.0, 100.0], names[0]),
+            ([20.0, 100.0], [20.0, 100.0], names[0]),
+        ];
+        for (range, borders, names) in ranges {
             let found = events(&regimes(1.0), "foundation.depth", range, steps);
             assert_eq!(found.iter().map(|e| e.what.as_str()).collect::<Vec<_>>(), names, "{range:?} {steps}");
             for (event, border) in found.iter().zip(borders) {
@@ -75,6 +80,26 @@ fn a_load_history_splits_a_zone_where_the_load_begins_to_pull() {
     assert!(split.value.abs() < 1e-12, "{found:?}");
 }
 
+/// A load that pulls and comes into a zone splits it: a uniform load lifts the beam off over `a = (24 EI u₀/q)^¼`, wherever on the
+/// zone the load begins to pull. And it leaves it at the mirror image.
+#[test]
+fn a_load_that_pulls_splits_the_zone_that_it_enters() {
+    for (uniform, force) in [(1.0_f64, -1.0), (0.3, -0.1)] {
+        let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
+        let point = vec![PointLoad { at: 0.0, force }];
+        let load = Load::new(&beam, uniform, Vec::new(), point).expect("a load");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
+        let lift_off = (24.0 * 500.0 / 384.0 / uniform).powf(0.25);
+        for steps in [2, 41, 401] {
+            let found = events(&scene, "load.point[0].at", [0.0, 10.0], steps);
+            let [first, .., last] = found.as_slice() else { panic!("{found:?}") };
+            assert!((first.value - lift_off).abs() <= 1e-12 * 10.0, "{first:?} for {lift_off}");
+            assert!((last.value - (10.0 - lift_off)).abs() <= 1e-12 * 10.0, "{last:?} for {lift_off}");
+            assert!(first.what.contains("splits") && last.what.contains("merge into a zone"), "{found:?}");
+        }
+    }
+}
+
 fn alone(sweep: &Sweep<'_>, value: f64) -> Option<Exact> {
     theory::solve(&sweep.scene(value).ok()?).ok().filter(|exact| exact.solved)
 }
@@ -93,7 +118,7 @@ fn lasts(sweep: &Sweep<'_>, exact: &Exact, value: f64) -> bool {
 struct Seen {
     /// Events with another kind on either side.
     confirmed: usize,
-    /// Events at an end of the range, with another kind inside.
+    /// Events at an end of the range, with another kind inside than at the end or beyond it.
     at_end: usize,
     /// Events beside which both kinds are the same answer to 12 digits.
     ties: Vec<String>,
@@ -123,8 +148,10 @@ fn confirm(name: &str, sweep: &Sweep<'_>, [from, to]: [f64; 2], seen: &mut Seen)
         if let Some((end, inwards)) =
             [(from, 1.0), (to, -1.0)].into_iter().find(|(end, _)| (value - end).abs() < AT_END * range)
         {
-            let sides = [end, end + inwards * BESIDE * range].map(|value| alone(sweep, value).expect("an answer"));
-            assert!(!is_like(&sides[0], &sides[1]), "nothing happens at the end: {name}");
+            let beside = inwards * BESIDE * range;
+            let inside = alone(sweep, end + beside).expect("an answer");
+            let other = [end - beside, end].into_iter().filter_map(|value| alone(sweep, value));
+            assert!(other.into_iter().any(|other| !is_like(&other, &inside)), "nothing happens at the end: {name}");
             seen.at_end += 1;
             continue;
         }
@@ -190,7 +217,7 @@ fn events_are_confirmed_from_both_sides() {
     assert_eq!([even.unsolved, odd.unsolved].concat(), split);
     let confirmed = even.confirmed + odd.confirmed;
     let at_end = even.at_end + odd.at_end;
-    assert!(800 < confirmed && at_end < 40, "{confirmed} {at_end}");
+    assert!(800 < confirmed && at_end < 50, "{confirmed} {at_end}");
     assert!(1300 < even.quiet + odd.quiet, "{} {}", even.quiet, odd.quiet);
 }
 
