@@ -60,11 +60,11 @@ impl Grid {
         self.length / self.intervals as f64
     }
 
-    /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it.
+    /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it; the last one is the end of the beam.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn place(&self, i: usize) -> f64 {
-        self.length * i as f64 / self.intervals as f64
+        if i == self.intervals { self.length } else { self.length * i as f64 / self.intervals as f64 }
     }
 
     /// The node at a place, if there is one but for rounding.
@@ -101,6 +101,9 @@ impl Grid {
             for (x, i) in batch.iter_mut().zip(0_i32..) {
                 *x = self.length * (begin + f64::from(i)) / self.intervals as f64;
             }
+        }
+        if let Some(last) = self.intervals.checked_sub(first).and_then(|last| places.get_mut(last)) {
+            *last = self.length;
         }
     }
 

@@ -55,8 +55,9 @@ pub struct Held {
     pub deflection: f64,
     /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
     pub slope: Option<f64>,
-    /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there,
-    /// and in its direction where the beam is built in.
+    /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there.
+    pub meets: [bool; 2],
+    /// The same of ground that starts in its direction besides where the beam is built in, so that the beam can follow it.
     pub grounded: [bool; 2],
 }
 
@@ -127,7 +128,7 @@ impl Scene {
     fn held_by(&self, &Support { at, level, slope }: &Support) -> Held {
         let [own, turn] =
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
-        let grounded = self.foundation().map_or([false; 2], |foundation| {
+        let [meets, grounded] = self.foundation().map_or([[false; 2]; 2], |foundation| {
             let within = foundation.level_within(at, self.beam().length());
             // At an end of the beam with a step the smaller depth governs, and there is ground on one side only.
             let [first, last] = [at <= 0.0, self.beam().length() <= at];
@@ -139,8 +140,9 @@ impl Scene {
                 let rounding = pieces::LEVEL * (foundation.slope_size(at) + slope.unwrap_or(0.0).abs());
                 slope.is_none_or(|slope| (ground - slope).abs() <= rounding)
             });
-            [!first && left <= level + within && along[0], !last && right <= level + within && along[1]]
+            let meets = [!first && left <= level + within, !last && right <= level + within];
+            [meets, [meets[0] && along[0], meets[1] && along[1]]]
         });
-        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), grounded }
+        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), meets, grounded }
     }
 }

@@ -116,7 +116,7 @@ pub(crate) fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
 /// may fall away from the beam with another slope, or in a step.
 fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) -> usize {
     let support = enclosed.support(node.x);
-    let meets = support.is_none_or(|s| s.grounded[usize::from(!from_the_left)]);
+    let meets = support.is_none_or(|s| s.meets[usize::from(!from_the_left)]);
     let touches = meets && enclosed.gap.ground.is_upper(node.x, from_the_left);
     // The slope is that of the gap, on this side.
     let tangent = support.and_then(|s| s.slope).map_or_else(

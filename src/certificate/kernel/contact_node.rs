@@ -46,6 +46,8 @@ pub(crate) struct EnclosedSupport {
     /// `φ`, where the beam is built in; where the ground has the same slope, as far as is known, that of the gap.
     pub(crate) slope: Option<Interval>,
     /// Whether the ground on its left and on its right side starts at its level.
+    pub(crate) meets: [bool; 2],
+    /// And in its direction, where the beam is built in.
     pub(crate) grounded: [bool; 2],
 }
 
@@ -72,8 +74,8 @@ impl EnclosedSupport {
             let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, length <= x));
             // Behind a step that goes down there is no ground at the level of the support.
             let beside = |from_the_left| gap.jet(x, from_the_left)[0].lo() <= gap.depth(x).hi();
-            let grounded =
-                [0.0 < x && held.grounded[0] && beside(true), x < length && held.grounded[1] && beside(false)];
+            let [meets, grounded] = [held.meets, held.grounded]
+                .map(|[left, right]| [0.0 < x && left && beside(true), x < length && right && beside(false)]);
             let deflection = Interval::exact(given.level) - own[0];
             let slope = given.slope.map(|slope| {
                 let slope = Interval::exact(slope) - own[1];
@@ -82,8 +84,8 @@ impl EnclosedSupport {
                 let same = |side: &usize| grounded[*side] && met[*side].lo() <= met[*side].hi();
                 [0, 1].into_iter().find(same).map_or(slope, |side| of_gap[side])
             });
-            let level = grounded[0] || grounded[1];
-            Self { x, deflection: if level { gap.depth(x) } else { deflection }, slope, grounded }
+            let deflection = if meets[0] || meets[1] { gap.depth(x) } else { deflection };
+            Self { x, deflection, slope, meets, grounded }
         });
         enclosed.collect()
     }

@@ -36,11 +36,6 @@ impl TensionCutOff {
         }
     }
 
-    /// Whether nothing was cut off.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.pulls.is_empty()
-    }
-
     /// What is cut off is carried by one of the holds each: at least `√(∫ m²/EI dx)` of the moments `m` that this takes, and at
     /// least the force at any place of a hold.
     ///

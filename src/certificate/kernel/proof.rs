@@ -133,28 +133,29 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let mut holds = held(enclosed, nodes);
     let by_contacts = holds.is_empty();
     if by_contacts {
-        // Parts of zones press, too, but nothing can be taken from them.
-        if cut_off.is_empty() {
-            presses.extend(
-                nodes
-                    .windows(2)
-                    .filter(|w| w[0].lies)
-                    .flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x))
-                    .filter(|p| 0.0 < p.1),
-            );
-        }
+        // Parts of zones press, too. What is taken from one is taken in proportion to what presses there: the mean of what single
+        // places would give, of which the worst is counted.
+        let zones = nodes.windows(2).filter(|w| w[0].lies);
+        presses.extend(zones.clone().flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x)).filter(|p| 0.0 < p.1));
         presses.extend(enclosed.supports.iter().map(|s| (Place::at(s.x), f64::INFINITY)));
         holds.extend(widest(&mut presses));
+        if holds.is_empty() {
+            // A load in a zone is carried where it stands.
+            let stands = |x: f64| Some((Place::at(x), enclosed.load.point(x)?.lo())).filter(|p| 0.0 < p.1);
+            presses.extend(zones.flat_map(|w| enclosed.load.breaks(w[0].x, w[1].x)).filter_map(stands));
+            holds.extend(widest(&mut presses));
+        }
     }
     // Beside a single place the gap is open by this much, and the force is moved there.
     let mut open = 0.0;
     if holds.is_empty() {
         let couple = beam.jump(0).map_or(0.0, |(jump, _)| jump.magnitude());
-        let ([(Place { from: x, .. }, _)], []) = (&presses[..], enclosed.supports) else { return None };
-        let x = *x;
-        let force = shears[1][0] - shears[0][1] + enclosed.load.point(x).unwrap_or(Interval::ZERO);
-        let hold =
-            astride(enclosed, &nodes[0], [&spans[0], &spans[1]], couple / force.lo()).filter(|_| lifted <= 0.0)?;
+        let ([(Place { from: x, .. }, force)], []) = (&presses[..], enclosed.supports) else { return None };
+        let (x, force) = (*x, Interval::exact(*force));
+        let hold = match nodes {
+            [node] => astride(enclosed, node, [&spans[0], &spans[1]], couple / force.lo()).filter(|_| lifted <= 0.0),
+            _ => nodes.windows(2).find(|w| w[0].lies && w[0].x < x && x < w[1].x).map(|w| inside(w[0].x, x, w[1].x)),
+        }?;
         open = hold.0.off;
         cut_off.force(x, -force);
         // Each takes half of the force and at most a thirtieth for the couple. What is counted below as taken from both is all
@@ -251,6 +252,14 @@ fn astride(enclosed: &EnclosedScene<'_>, node: &ContactNode, spans: [&Option<Spa
     let off = open[0].max(open[1]).max(f64::MIN_POSITIVE);
     let place = |x: f64| Place { off, ..Place::at(x) };
     Some(Hold(place(left), place(right)))
+}
+
+/// The two sides of a load that is carried where it stands in a zone, where the gap is closed.
+fn inside(from: f64, x: f64, to: f64) -> Hold {
+    // Nearer than the nearer end of the zone by thirty powers of two.
+    let far = (x - from).min(to - x) / 1_073_741_824.0;
+    let place = |x: f64| Place { off: f64::MIN_POSITIVE, ..Place::at(x) };
+    Hold(place(x - far), place(x + far))
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

@@ -3,10 +3,10 @@
 mod corpus;
 mod mutate;
 
-use palkki_evidence::hostile::{Count, Tally, seeds};
+use palkki_evidence::hostile::{Count, Family, Tally, seeds};
 
 /// Runs of the whole program in the suite; `cargo xtask hostile` makes more, with other seeds.
-const RUNS: u64 = 300;
+const RUNS: u64 = 400;
 
 #[test]
 fn random_scenes_get_right_answers_or_none() {
@@ -20,8 +20,13 @@ fn random_scenes_get_right_answers_or_none() {
     // Without answers there would be nothing to be right about.
     let certified: usize = tally.families.values().map(|count| count.exact[0]).sum();
     assert!(RUNS < 2 * certified as u64, "{certified} of {RUNS} scenes have a certified answer: {tally:#?}");
-    // A judge that refuses right answers is no judge either.
-    let bounded: usize = tally.families.values().map(|count| count.bounded).sum();
+    // A judge that refuses right answers is no judge either. Of supports within the last bits of each other, and of bodies that all
+    // but turn over, there may be no bound.
+    let sharp = |family: &Family| !matches!(family, Family::Crowded | Family::Margins);
+    let sum = |of: fn(&Count) -> usize| {
+        tally.families.iter().filter(|(family, _)| sharp(family)).map(|(_, count)| of(count)).sum::<usize>()
+    };
+    let [certified, bounded] = [sum(|count| count.exact[0]), sum(|count| count.bounded)];
     assert!(99 * certified <= 100 * bounded, "bounds back only {bounded} of {certified}: {tally:#?}");
     // One run in eight is asked for the same in other units, and of these most have an answer there.
     let rescaled: u64 = tally.families.values().map(|count| count.rescaled as u64).sum();
@@ -43,9 +48,11 @@ fn what_was_wrong_once_is_right() {
     assert!(tally.wrong.is_empty(), "{:#?}", tally.wrong);
 }
 
-/// Right answers that were refused: their largest deflection was compared with an upper bound that is some `10⁻¹²` too large, and
-/// not with what it lies between. Bumps, a polynomial of high degree and waves.
-const ONCE_REFUSED: [u64; 3] = [4_294_969_607, 4_294_967_426, 4_294_968_877];
+/// Right answers that were refused. The first three: their largest deflection was compared with an upper bound that is some `10⁻¹²`
+/// too large, and not with what it lies between. Bumps, a polynomial of high degree and waves. The others had no bound at all: a free
+/// body whose pressure vanishes at one place of its zone, and beams that are built in level with ground that falls away from there.
+const ONCE_REFUSED: [u64; 6] =
+    [4_294_969_607, 4_294_967_426, 4_294_968_877, 8_589_934_638, 8_589_934_888, 8_589_935_033];
 
 #[test]
 fn what_was_refused_once_is_certified() {

@@ -78,7 +78,7 @@ pub(super) fn borders(random: &mut Random) -> Draft {
         ]),
         _ => Ground::Points(vec![[0.0, depth], [half, depth], [length, depth]]),
     };
-    Draft { length, stiffness, uniform, linear: Vec::new(), point: Vec::new(), ground }
+    Draft { length, stiffness, uniform, linear: Vec::new(), point: Vec::new(), ground, ..Draft::default() }
 }
 
 /// A wavelength, as a share of the beam: a tenth to a hundredth, and now and then a thousandth, which takes theory seconds.

@@ -3,8 +3,10 @@
 
 mod draft;
 mod edges;
+mod held;
 mod laws;
 mod near;
+mod refusals;
 mod scenes;
 mod tally;
 mod trial;
@@ -13,12 +15,17 @@ mod units;
 pub use scenes::Family;
 pub use tally::{Count, Tally};
 
-/// The first seed of the second dice, see [`seeds`].
+/// The first seeds of the second and of the third dice, see [`seeds`].
 pub(crate) const SECOND: u64 = 1 << 32;
+pub(crate) const THIRD: u64 = 1 << 33;
 
-/// The seeds of so many runs: of every three, two of the first dice and one of the second.
+/// The seeds of so many runs: of every four, two of the first dice and one of each of the others.
 pub fn seeds(runs: std::ops::Range<u64>) -> impl Iterator<Item = u64> {
-    runs.map(|run| if run % 3 == 2 { SECOND + run / 3 } else { run - run / 3 })
+    runs.map(|run| match run % 4 {
+        2 => SECOND + run / 4,
+        3 => THIRD + run / 4,
+        first => 2 * (run / 4) + first,
+    })
 }
 
 /// The scene file of a run, and what is wrong with it as comments.

@@ -8,7 +8,7 @@ use super::draft::{Draft, Ground};
 use super::scenes::{beam_with_loads, ordinary, power, rough, sag, ties};
 
 /// One unit in the last place up or down, or a share of the length.
-fn beside(random: &mut Random, x: f64, length: f64) -> f64 {
+pub(super) fn beside(random: &mut Random, x: f64, length: f64) -> f64 {
     let share = random.pick(&[1e-12, 1e-9, 1e-6]);
     let moved = match random.below(4) {
         0 => x.next_up(),

@@ -4,6 +4,7 @@ use crate::random::Random;
 
 use super::draft::{Draft, Ground};
 use super::edges::{borders, extreme, spiky};
+use super::held::{crowded, lying, margins, shaped, supported};
 use super::near::{bumps, coincident, high_degree, waves};
 
 /// What a scene tries.
@@ -31,14 +32,26 @@ pub enum Family {
     HighDegree,
     /// From ten to a thousand waves.
     Waves,
+    /// One to five supports, simple or built in, anywhere, at any level.
+    Supported,
+    /// Own shapes of every kind, on any supports.
+    Shaped,
+    /// Bodies that merely lie on the ground, or on it and one support.
+    Lying,
+    /// The same with the resultant at the outermost place that can carry it, or beside that.
+    Margins,
+    /// Supports beside each other, beside loads and points of the ground, and beyond the ends.
+    Crowded,
 }
 
 impl Family {
     /// Those that a seed below [`SECOND`](super::SECOND) chooses from: a longer list would give every seed another scene.
     pub(super) const FIRST: [Self; 7] =
         [Self::Ordinary, Self::Ties, Self::Rough, Self::Extreme, Self::Borders, Self::Spiky, Self::Lifting];
-    /// Those that the other seeds choose from.
+    /// Those that the seeds from there choose from.
     pub(super) const SECOND: [Self; 4] = [Self::Coincident, Self::Bumps, Self::HighDegree, Self::Waves];
+    /// Those that the seeds from [`THIRD`](super::THIRD) choose from.
+    pub(super) const THIRD: [Self; 5] = [Self::Supported, Self::Shaped, Self::Lying, Self::Margins, Self::Crowded];
 
     /// Its name in tables.
     #[must_use]
@@ -55,6 +68,11 @@ impl Family {
             Self::Bumps => "bumps",
             Self::HighDegree => "high degree",
             Self::Waves => "waves",
+            Self::Supported => "on any supports",
+            Self::Shaped => "own shapes",
+            Self::Lying => "free bodies",
+            Self::Margins => "about to turn over",
+            Self::Crowded => "crowded supports",
         }
     }
 
@@ -72,6 +90,11 @@ impl Family {
             Self::Bumps => bumps(random),
             Self::HighDegree => high_degree(random),
             Self::Waves => waves(random),
+            Self::Supported => supported(random),
+            Self::Shaped => shaped(random),
+            Self::Lying => lying(random),
+            Self::Margins => margins(random),
+            Self::Crowded => crowded(random),
         }
     }
 }
@@ -100,7 +123,7 @@ pub(super) fn beam_with_loads(random: &mut Random, parts: usize) -> Draft {
     let point =
         (0..random.below(parts)).map(|_| [random.between(0.0, length), length * random.between(-0.3, 0.7)]).collect();
     let uniform = random.pick(&[0.0, 1.0, 1.0, 1.0, -0.5]);
-    Draft { length, stiffness, uniform, linear, point, ground: Ground::None }
+    Draft { length, stiffness, uniform, linear, point, ..Draft::default() }
 }
 
 /// Coefficients of the size of `depth` over the beam, up to `spread` times, and the depth at the higher end.
@@ -118,7 +141,7 @@ fn polynomial(random: &mut Random, l: f64, depth: f64, count: usize, spread: f64
 }
 
 /// A foundation of depths around `depth`, not above the supports.
-fn ground(random: &mut Random, l: f64, depth: f64) -> Ground {
+pub(super) fn ground(random: &mut Random, l: f64, depth: f64) -> Ground {
     match random.below(5) {
         0 => Ground::Flat(depth),
         1 => {
@@ -199,7 +222,7 @@ pub(super) fn ties(random: &mut Random) -> Draft {
             Ground::Points(points)
         }
     };
-    Draft { length, stiffness, uniform, linear, point, ground }
+    Draft { length, stiffness, uniform, linear, point, ground, ..Draft::default() }
 }
 
 pub(super) fn rough(random: &mut Random) -> Draft {

@@ -1,19 +1,21 @@
 //! One run of the whole program: text → scene → beam theory and one discretised route → certificates, all of them held to
 //! their laws.
 
+use crate::definition::violated;
 use crate::random::Random;
 use palkki::route::{Method, Solver};
-use palkki::scene::Scene;
-use palkki::scene::file::{ReadProblem, parse};
+use palkki::scene::file::{FileError, ReadProblem, parse};
+use palkki::scene::{Grid, Scene, SceneError};
 use palkki::theory;
 use palkki::verdict::{Demand, Refusal, Verdict};
 use palkki::{Settings, solve_raw};
 
-use super::SECOND;
 use super::draft::Draft;
-use super::laws::{balanced, judge, overlap, same, within};
+use super::laws::{THEORY, balanced, judge, lies_on_ground, name, overlap, same, turns_above_ground, within};
+use super::refusals::{accepted, refused};
 use super::scenes::Family;
 use super::units::in_other_units;
+use super::{SECOND, THIRD};
 
 /// Intervals of the finest grid.
 const MOST_INTERVALS: usize = 60;
@@ -46,21 +48,32 @@ pub(crate) fn draft(seed: u64) -> (Family, Draft, Random) {
     /// Seeds beside each other are spread over all 64 bits.
     const SPREAD: u64 = 0x2545_f491_4f6c_dd1d;
     let mut random = Random::new(seed.wrapping_mul(SPREAD));
-    let family = if seed < SECOND { random.pick(&Family::FIRST) } else { random.pick(&Family::SECOND) };
+    let family = match seed {
+        seed if seed < SECOND => random.pick(&Family::FIRST),
+        seed if seed < THIRD => random.pick(&Family::SECOND),
+        _ => random.pick(&Family::THIRD),
+    };
     let draft = family.draft(&mut random);
     (family, draft, random)
 }
 
-pub(super) fn read(text: &str) -> Option<Scene> {
-    parse("scene.toml", text, |_| Err(ReadProblem::Missing)).ok()
+pub(super) fn read(text: &str) -> Result<Scene, Box<FileError>> {
+    parse("scene.toml", text, |_| Err(ReadProblem::Missing))
 }
 
 /// Run number `seed`.
 pub(crate) fn run(seed: u64) -> (Family, Trial) {
     let (family, draft, mut random) = draft(seed);
     let mut trial = Trial::default();
-    let Some(scene) = read(&draft.text()) else { return (family, trial) };
+    let scene = match read(&draft.text()) {
+        Ok(scene) => scene,
+        Err(error) => {
+            refused(&mut trial, &draft, &error);
+            return (family, trial);
+        }
+    };
     trial.accepted = true;
+    accepted(&mut trial, &draft, &scene);
 
     let exact = theory::solve(&scene).ok();
     let bounds = exact.as_ref().and_then(|exact| {
@@ -73,15 +86,31 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
     });
     if let Some(exact) = exact.as_ref().filter(|exact| exact.solved) {
         balanced(&mut trial, "theory", &scene, &exact.state);
+        turns_above_ground(&mut trial, "theory", &scene, exact);
+        if Family::THIRD.contains(&family) && trial.bounded {
+            let violated =
+                violated(&scene, exact, THEORY).into_iter().map(|what| format!("theory: certified, but {what}"));
+            trial.wrong.extend(violated);
+        }
         if let Some(bounds) = &bounds {
             within(&mut trial, "theory", exact, bounds, &scene);
         }
     }
 
-    let settings = settings(&mut random);
+    let settings = on_fitting_grid(&scene, settings(&mut random));
     let reference = Settings { solver: Solver::ActiveSet, method: same_optimum(settings.method), ..settings };
     let judged = |trial: &mut Trial, settings: &Settings| {
-        let outcome = solve_raw(&scene, settings).ok()?;
+        let outcome = match solve_raw(&scene, settings) {
+            Ok(outcome) => outcome,
+            Err(SceneError::SupportBetweenNodes { .. } | SceneError::Overflow { .. }) => return None,
+            Err(error) => {
+                trial.wrong.push(format!("{}: {error}", name(settings)));
+                return None;
+            }
+        };
+        if outcome.solved {
+            lies_on_ground(trial, &name(settings), &draft, &scene, &outcome.state);
+        }
         let certificate = judge(trial, &scene, settings, &outcome, exact.as_ref());
         if let (Some(a), Some(b)) = (&bounds, &certificate) {
             overlap(trial, settings, a, b);
@@ -104,6 +133,17 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         in_other_units(&mut trial, &draft, &scene, exact.as_ref(), &reference, &mut random);
     }
     (family, trial)
+}
+
+/// The same on the least grid that has a node at every support, if the one that is asked for has none and that one is not too fine.
+fn on_fitting_grid(scene: &Scene, settings: Settings) -> Settings {
+    let supports = scene.beam().supports();
+    let fits = Grid::uniform(scene, settings.intervals)
+        .is_ok_and(|grid| supports.iter().all(|support| grid.node_at(support.at).is_some()));
+    match Grid::least_fitting(scene).filter(|least| !fits && *least <= MOST_INTERVALS) {
+        Some(intervals) => Settings { intervals, ..settings },
+        None => settings,
+    }
 }
 
 /// The method that has the same optimum as this one, and the best conditioned quadratic program.

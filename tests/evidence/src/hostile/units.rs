@@ -27,18 +27,19 @@ pub(super) fn in_other_units(
     if back.text() != draft.text() {
         return;
     }
-    let Some(other) = read(&there.text()) else { return };
+    let Ok(other) = read(&there.text()) else { return };
     let exactly_scaled = scene.scaled().ok().zip(other.scaled().ok()).is_some_and(|(a, b)| a.scene == b.scene);
     if !exactly_scaled {
         return;
     }
+    let forces = |state: &ContactState| state.supports.iter().map(|s| s.force).collect::<Vec<f64>>();
     let bits = |state: &ContactState, unit: f64| {
-        [state.reactions.left, state.reactions.right, state.contact_force()].map(|f| (f * unit).to_bits())
+        forces(state).into_iter().chain([state.contact_force()]).map(|f| (f * unit).to_bits()).collect::<Vec<u64>>()
     };
     let mut compare = |who: &str, a: (&ContactState, bool), b: (&ContactState, bool)| {
         let subnormal = |state: &ContactState| {
             let c = state.contacts.iter().map(|c| c.force);
-            [state.reactions.left, state.reactions.right].into_iter().chain(c).any(f64::is_subnormal)
+            forces(state).into_iter().chain(c).any(f64::is_subnormal)
         };
         if subnormal(a.0) || subnormal(b.0) {
             return;

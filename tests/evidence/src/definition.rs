@@ -1,0 +1,180 @@
+//! The definition of the problem, asked of an answer of beam theory at some hundred places. The problem is convex, so that an answer
+//! that meets all of its conditions is the answer. Nothing here is taken from the search or from its check.
+//!
+//! ```text
+//! statics     V' = p − q, M' = V between places, V jumps by the forces there, M not but at a held slope; zero beyond both ends
+//! beam        v(b) = v(a) + v'(a)(b − a) − ∫ M/EI (b − x) dx
+//! supports    v = d_s, and v' = φ_s where built in
+//! contact     h ≥ 0,  forces and pressure ≥ 0,  h = 0 where they act
+//! ```
+
+use palkki::scene::{Foundation, Scene};
+use palkki::theory::Exact;
+
+/// Parts into which a beam is cut at the most.
+const MOST_PARTS: u32 = 10_000;
+
+/// Places and weights of five-point Gauss quadrature on `[−1, 1]`: of a load, a pressure, a moment, over a two-hundredth of the beam.
+const FIVE: [[f64; 2]; 5] = [
+    [0.0, 0.568_888_888_888_888_9],
+    [0.538_469_310_105_683_1, 0.478_628_670_499_366_5],
+    [-0.538_469_310_105_683_1, 0.478_628_670_499_366_5],
+    [0.906_179_845_938_664, 0.236_926_885_056_189_1],
+    [-0.906_179_845_938_664, 0.236_926_885_056_189_1],
+];
+
+/// What loads and pressure between `a` and `b` do, `∫ (q − p) dx` and `∫ (q − p) (b − x) dx`, without concentrated forces.
+fn carried(scene: &Scene, exact: &Exact, [a, b]: [f64; 2]) -> [f64; 2] {
+    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+    FIVE.iter().fold([0.0; 2], |[force, moment], [place, weight]| {
+        let x = middle + half * place;
+        let part = half * weight * (intensity(scene, x) - exact.pressure(x));
+        [force + part, moment + part * (b - x)]
+    })
+}
+
+/// The distributed load at a place where no part of it begins or ends.
+fn intensity(scene: &Scene, x: f64) -> f64 {
+    let here = scene.load().linear().iter().filter(|q| q.from < x && x < q.to);
+    here.fold(scene.load().uniform(), |sum, q| sum + q.start + (q.end - q.start) * ((x - q.from) / (q.to - q.from)))
+}
+
+/// The concentrated force from `from` to `to`, one place up to rounding, upwards: of supports and contacts, less the point loads. A
+/// load inside a zone is carried there.
+fn concentrated(scene: &Scene, exact: &Exact, [from, to]: [f64; 2]) -> f64 {
+    let here = |at: f64| from <= at && at <= to;
+    let state = &exact.state;
+    let zoned = !state.supports.iter().any(|s| here(s.at)) && state.contacts.iter().any(|c| c.from < from && to < c.to);
+    let loads: f64 = scene.load().point().iter().filter(|p| !zoned && here(p.at)).map(|p| p.force).sum();
+    let supports: f64 = state.supports.iter().filter(|s| here(s.at)).map(|s| s.force).sum();
+    let ends = state.contacts.iter().flat_map(|c| {
+        let [first, last] = c.end_forces.unwrap_or([c.force, 0.0]);
+        [(c.from, first), (c.to, last)]
+    });
+    supports - loads + ends.filter(|(at, _)| here(*at)).map(|(_, force)| force).sum::<f64>()
+}
+
+/// Whether the moment may jump at a place, down and up: only at a support that holds the slope, built in, or by ground that pushes
+/// beside it while the support pulls, which on its left makes the moment jump up and on its right down.
+fn couples(scene: &Scene, [from, to]: [f64; 2]) -> [bool; 2] {
+    let held = scene.held().into_iter().find(|held| from <= held.at && held.at <= to);
+    held.map_or([false; 2], |held| [1, 0].map(|side| held.slope.is_some() || held.grounded[side]))
+}
+
+/// The conditions that an answer fails by more than the share `most` of the largest deflection, moment or force, with by how much.
+#[must_use]
+pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
+    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
+    let mut wrong = Vec::new();
+    let state = &exact.state;
+    let deflection = state.deflection.max.abs().max(state.deflection.min.abs()).max(1e-3 * size(scene));
+    let moment = state.moment.max.abs().max(state.moment.min.abs()).max(1e-3 * scene.load().magnitude(length) * length);
+    let force = moment / length;
+    let mut check = |what: String, off: f64, scale: f64| {
+        if off.is_nan() || most * scale < off {
+            wrong.push(format!("{what}: {off:e} of {scale:e}"));
+        }
+    };
+    for held in scene.held() {
+        check(format!("level at {}", held.at), (exact.deflection(held.at) - held.deflection).abs(), deflection);
+        if let Some(slope) = held.slope {
+            check(format!("slope at {}", held.at), (exact.slope(held.at) - slope).abs() * length, deflection);
+        }
+    }
+    for contact in &state.contacts {
+        let [first, last] = contact.end_forces.unwrap_or([contact.force; 2]);
+        check(format!("pull at {}", contact.from), -first.min(last), force);
+        for x in [contact.from, 0.5 * (contact.from + contact.to), contact.to] {
+            check(format!("gap in contact at {x}"), exact.clearance(x).abs(), deflection);
+            check(format!("pressure at {x}"), -exact.pressure(x), force / length);
+        }
+    }
+    // Places where something begins, and points between: so many that a wave has twenty.
+    let mut parts = 200;
+    for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
+        if let Foundation::Cosine { wavelength, .. } = profile {
+            let enough = (parts..MOST_PARTS).find(|parts| 20.0 * length <= f64::from(*parts) * wavelength);
+            parts = enough.unwrap_or(MOST_PARTS);
+        }
+    }
+    let mut places: Vec<f64> = (0..=parts).map(|k| length * f64::from(k) / f64::from(parts)).collect();
+    places.extend(state.contacts.iter().flat_map(|c| [c.from, c.to]));
+    places.extend(scene.load().point().iter().map(|p| p.at));
+    places.extend(scene.load().linear().iter().flat_map(|q| [q.from, q.to]));
+    places.extend(scene.held().iter().map(|held| held.at));
+    for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
+        if let Foundation::Polyline { points } = profile {
+            places.extend(points.iter().map(|p| p[0]));
+        }
+    }
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    let zoned = |x: f64| state.contacts.iter().any(|c| c.from < x && x < c.to);
+    for pair in places.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        check(format!("penetration at {a}"), -exact.clearance(a), deflection);
+        // M is continuous but for the couples of built-in supports and of ground beside a support.
+        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+        let turned = FIVE.iter().map(|[place, weight]| {
+            let x = middle + half * place;
+            half * weight * exact.moment(x) / stiffness * (x - a)
+        });
+        let bent = exact.deflection(a) + exact.slope(b) * (b - a) + turned.sum::<f64>();
+        if !zoned(middle) {
+            check(format!("bending from {a} to {b}"), (exact.deflection(b) - bent).abs(), deflection);
+        }
+    }
+    // Every part of the beam is in equilibrium, and every place, with nothing beyond the ends.
+    let shear = |x: f64| {
+        let [left, right] = exact.shear(x);
+        [if x <= 0.0 { 0.0 } else { left }, if length <= x { 0.0 } else { right }]
+    };
+    let shears = places.iter().flat_map(|&x| shear(x)).fold(force, |most, v| most.max(v.abs()));
+    // A unit in the last place of a place moves the moment by so much of the shear force.
+    let moment = moment.max(f64::EPSILON * length * shears / most);
+    // Places that differ by rounding are one.
+    let same = |a: &f64, b: &f64| b - a <= 4.0 * f64::EPSILON * length;
+    let places: Vec<[f64; 2]> = places.chunk_by(same).map(|group| [group[0], group[group.len() - 1]]).collect();
+    for pair in places.windows(2) {
+        let (a, b) = (pair[0][1], pair[1][0]);
+        let [turned, sheared] = [moment_before(exact, b) - exact.moment(a), shear(b)[0] - shear(a)[1]];
+        let [load, lever] = carried(scene, exact, [a, b]);
+        let size = moment.max(shears * (b - a));
+        check(format!("shear from {a} to {b}"), (sheared + load).abs(), shears);
+        check(format!("moment from {a} to {b}"), (turned - shear(a)[1] * (b - a) + lever).abs(), size);
+    }
+    for &[from, to] in &places {
+        let force = shear(to)[1] - shear(from)[0] - concentrated(scene, exact, [from, to]);
+        check(format!("force at {from}"), force.abs(), shears);
+        if 0.0 < from && to < length {
+            let jump = exact.moment(to) - moment_before(exact, from);
+            let [down, up] = couples(scene, [from, to]);
+            check(format!("moment that jumps up at {from}"), if up { 0.0 } else { jump }, moment);
+            check(format!("moment that jumps down at {from}"), if down { 0.0 } else { -jump }, moment);
+        }
+    }
+    check("moment at the left end".to_owned(), couple_free(scene, 0.0) * exact.moment(0.0).abs(), moment);
+    check("moment at the right end".to_owned(), couple_free(scene, length) * exact.moment(length).abs(), moment);
+    let carried: f64 = state.supports.iter().map(|s| s.force).sum::<f64>() + state.contact_force();
+    let forces: f64 = state.supports.iter().map(|s| s.force.abs()).sum();
+    check("balance".to_owned(), (scene.load().resultant(length) - carried).abs(), 100.0 * force.max(forces));
+    wrong
+}
+
+/// The size of what is given across the beam.
+fn size(scene: &Scene) -> f64 {
+    let length = scene.beam().length();
+    let profiles = scene.foundation().into_iter().chain(scene.beam().shape());
+    profiles.map(|profile| profile.magnitude(length)).fold(0.0, f64::max)
+}
+
+/// 1 at an end of the beam where nothing can hold its slope, and 0 elsewhere.
+fn couple_free(scene: &Scene, end: f64) -> f64 {
+    let held = scene.held().into_iter().find(|held| held.at <= end && end <= held.at);
+    f64::from(held.is_none_or(|held| held.slope.is_none() && held.grounded == [false; 2]))
+}
+
+/// The moment just to the left of `x`.
+fn moment_before(exact: &Exact, x: f64) -> f64 {
+    exact.moment(x.next_down())
+}
