@@ -188,7 +188,7 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
     let discretisation = method.discretisation();
     let (mut nodal, answer, unknowns) = if scene.foundation().is_none() {
-        (methods::free_beam(&discrete, discretisation), Answer::nothing_to_solve(), 0)
+        (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
         let program = method.qp(&discrete);
         let mut answer = match (left_out, solver) {

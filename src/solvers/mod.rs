@@ -127,9 +127,8 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Of a beam without a foundation: no unknowns.
-    pub(crate) fn nothing_to_solve() -> Self {
-        let message = "no foundation, nothing to solve".to_owned();
+    /// Without unknowns there is nothing to solve.
+    pub(crate) fn empty(message: String) -> Self {
         Self { reports_success: true, ..Self::refused(0, message) }
     }
 

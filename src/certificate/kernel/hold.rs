@@ -62,13 +62,9 @@ impl Hold {
         if left.off.max(right.off) <= 0.0 {
             return 0.0;
         }
-        let length = right.from - left.to;
-        if length <= 0.0 {
-            return f64::INFINITY;
-        }
         let far = |x: f64, place: &Place| (x - place.from).abs().max((x - place.to).abs());
         let most = part.map(|x| far(x, right) * left.off + far(x, left) * right.off);
-        most[0].max(most[1]) / length * OUTWARDS
+        if left.to < right.from { most[0].max(most[1]) / (right.from - left.to) * OUTWARDS } else { f64::INFINITY }
     }
 
     /// How far a part reaches beyond the two places.
@@ -107,13 +103,14 @@ mod tests {
     fn flexibility(x: f64, [left, right]: [f64; 2]) -> f64 {
         let length = right - left;
         if x < left {
-            (left - x).powi(2) * (length + left - x)
+            (left - x) * (left - x) * (length + left - x)
         } else if right < x {
-            (x - right).powi(2) * (length + x - right)
+            (x - right) * (x - right) * (length + x - right)
         } else if length <= 0.0 {
             0.0
         } else {
-            ((x - left) * (right - x)).powi(2) / length
+            let product = (x - left) * (right - x);
+            product * product / length
         }
     }
 
