@@ -78,7 +78,8 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
             let end = |i: usize| (place(i), if nodes[i].support().is_some() { 0.0 } else { forces[i] });
             let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
             let force = force_from + force_to + zone_force(given, from, to);
-            contacts.push(Contact { from, to, force, end_forces: Some([force_from, force_to]) });
+            // At the border of two regimes a zone has no length: it is a point.
+            contacts.push(Contact { from, to, force, end_forces: (from < to).then_some([force_from, force_to]) });
         }
         if let Some(node) = nodes.get(i)
             && matches!(node.kind, Kind::Smooth | Kind::Edge(_))
