@@ -57,3 +57,37 @@ impl EnclosedGap<'_> {
         self.ground.is_smooth_between(from, to) && self.shape.is_none_or(|shape| shape.is_smooth_between(from, to))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Foundation;
+
+    /// Ground `1 + x/2`, own shape `x/4 + x²/8`, by each way of asking.
+    #[test]
+    fn the_own_shape_is_taken_off_the_depth() {
+        const LENGTH: f64 = 4.0;
+        let ground = Foundation::Polynomial { coefficients: vec![1.0, 0.5] };
+        let shape = Foundation::Polynomial { coefficients: vec![0.0, 0.25, 0.125] };
+        let [ground, shape] = [&ground, &shape].map(|profile| EnclosedFoundation::on(profile, LENGTH));
+        let gap = EnclosedGap { ground, shape: Some(shape) };
+        let close = |found: Interval, expected: f64| {
+            assert!(found.lo() <= expected && expected <= found.hi(), "{found:?} for {expected}");
+            assert!(found.hi() - found.lo() <= 1e-13, "{found:?}");
+        };
+        for x in [0.5, 1.0, 3.0] {
+            let expected = 1.0 + 0.25 * x - 0.125 * x * x;
+            close(gap.depth(x), expected);
+            close(gap.cell(0.5, 3.5).at(Interval::exact(x - 0.5)), expected);
+            close(gap.mirrored_cell(0.5, 3.5).at(Interval::exact(3.5 - x)), expected);
+            for from_the_left in [false, true] {
+                let [value, slope, bend, third] = gap.jet(x, from_the_left);
+                close(value, expected);
+                close(slope, 0.25 - 0.25 * x);
+                close(bend, -0.25);
+                close(third, 0.0);
+            }
+        }
+        close(EnclosedGap { ground, shape: None }.depth(2.0), 2.0);
+    }
+}
