@@ -34,8 +34,8 @@ impl Beam {
     ///
     /// # Errors
     ///
-    /// A number that is not finite, a support that is not on the beam, two at one place, or one that is built in at a corner of
-    /// the own shape.
+    /// A number that is not finite, a support that is not on the beam, two (nearly) at one place, or one that is built in at a
+    /// corner of the own shape.
     pub fn with_supports(self, supports: Vec<Support>) -> Result<Self, SceneError> {
         let (given, supports) = sorted(supports, self.length)?.into_iter().unzip();
         Self { supports, given, ..self }.with_definite_slopes()

@@ -92,13 +92,21 @@ pub enum SceneError {
         /// Length of the beam.
         length: f64,
     },
-    /// Two supports at the same place.
-    #[error("`{quantity}` is the second support at x = {}: a place has at most one", shown(*value))]
-    TwoSupportsAtOnePlace {
-        /// The second of them.
+    /// Two supports at the same place, or so close together that the last digits of their places decide how they turn the beam.
+    #[error(
+        "`{quantity}` is {}, and another support is at x = {}: two supports must be more than {least:.1e} apart",
+        shown(*value),
+        shown(*other)
+    )]
+    SupportsTooClose {
+        /// The one of them that is given later.
         quantity: Quantity,
-        /// Where.
+        /// Where it is.
         value: f64,
+        /// Where the other one is.
+        other: f64,
+        /// The distance that is too small still.
+        least: f64,
     },
     /// A step in the own shape: an axis has none.
     #[error("`{quantity}` is the second point at x = {}: the axis of a beam has no step", shown(*value))]
@@ -228,7 +236,7 @@ impl SceneError {
             | Self::PointsRunBack { quantity, .. }
             | Self::ThreePointsAtOnePlace { quantity, .. }
             | Self::PointsDoNotCover { quantity, .. }
-            | Self::TwoSupportsAtOnePlace { quantity, .. }
+            | Self::SupportsTooClose { quantity, .. }
             | Self::StepInShape { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
             Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {

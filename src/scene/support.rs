@@ -61,6 +61,11 @@ pub struct Held {
     pub grounded: [bool; 2],
 }
 
+/// Two supports are farther apart than this share of the beam. Their places are known to half a unit in the last place, so that the
+/// slope to which they hold the beam, the difference of their levels over their distance, is known to six digits at least: as many
+/// as a certified deflection has unless more are asked for.
+const LEAST_DISTANCE: f64 = f64::EPSILON / 1e-6;
+
 /// `supports` from left to right, each with its index in the list as it is given, which errors have too; checked for a beam of
 /// this length.
 pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, Support)>, SceneError> {
@@ -71,10 +76,14 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, 
     }
     let mut sorted: Vec<(usize, Support)> = supports.into_iter().enumerate().collect();
     sorted.sort_by(|(_, a), (_, b)| a.at.total_cmp(&b.at));
-    #[expect(clippy::float_cmp, reason = "one place is exactly one place")]
-    if let Some(pair) = sorted.windows(2).find(|pair| pair[0].1.at == pair[1].1.at) {
-        let quantity = Quantity::SupportAt(pair[0].0.max(pair[1].0));
-        return Err(SceneError::TwoSupportsAtOnePlace { quantity, value: pair[0].1.at });
+    let least = LEAST_DISTANCE * length;
+    if let Some(pair) = sorted.windows(2).find(|pair| pair[1].1.at - pair[0].1.at <= least) {
+        let [(first, first_at), (second, second_at)] = [pair[0], pair[1]].map(|(i, support)| (i, support.at));
+        let (i, value, other) = match first < second {
+            true => (second, second_at, first_at),
+            false => (first, first_at, second_at),
+        };
+        return Err(SceneError::SupportsTooClose { quantity: Quantity::SupportAt(i), value, other, least });
     }
     Ok(sorted)
 }

@@ -16,11 +16,13 @@
 //! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger
 //!    face, leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
 //!
-//! *It ends.* A face shrinks in 1, so that 1 ends. The objective falls strictly from one round to the next: in 2 by
-//! comparison, and in 3 because the point before is the minimum on its own face, from which a released variable with a
-//! negative gradient leads down, and the last one that is left of them cannot come out negative. Each round ends at a
-//! feasible face minimum, no face is met twice, there are finitely many, and where no gradient is negative the optimum is
-//! reached. In floating-point arithmetic, where a strict descent can drown in rounding, a limit on the number of solves says so.
+//! *It ends.* A face shrinks in 1, so that 1 ends; but where the matrix is only semidefinite and no solution is left on the
+//! smaller face, 1 begins again on one that has a solution ([`Qp::make_definite`]), and only the limit on the number of
+//! solves ends it. The objective falls strictly from one round to the next: in 2 by comparison, and in 3 because the point
+//! before is the minimum on its own face, from which a released variable with a negative gradient leads down, and the last
+//! one that is left of them cannot come out negative. Each round ends at a feasible face minimum, no face is met twice, there
+//! are finitely many, and where no gradient is negative the optimum is reached. In floating-point arithmetic, where a strict
+//! descent can drown in rounding, a limit on the number of solves says so.
 //!
 //! The two objectives are not computed, since their difference would cancel. On a face minimum `x_i g_i = 0`, so that
 //!
@@ -244,7 +246,7 @@ pub(crate) fn descend(
     solves: &mut usize,
 ) -> Result<(Stationary, bool), NotPositiveDefinite> {
     let most = (*solves + EXHAUSTED[0] + EXHAUSTED[1] * free.dimension() + 1).min(reduced.most_solves);
-    let mut point = feasible(reduced, free, solves)?;
+    let mut point = feasible(reduced, free, solves, most)?;
     loop {
         let violators = Violators::of(reduced, &point, free);
         if violators.wrong.is_empty() {
@@ -257,7 +259,7 @@ pub(crate) fn descend(
         let mut larger = free.clone();
         released.into_iter().for_each(|i| larger.set(i, true));
         free.clone_from(&larger);
-        let next = feasible(reduced, free, solves)?;
+        let next = feasible(reduced, free, solves, most)?;
         if change(&point, &next) < 0.0 {
             point = next;
         } else {
@@ -267,11 +269,13 @@ pub(crate) fn descend(
     }
 }
 
-/// Drops the most negative of each run until nothing comes out negative, or until the most solves are made.
+/// Drops the most negative of each run until nothing comes out negative, or until `most` solves are made: where variables
+/// that are negative by rounding are all that makes the problem definite, they are dropped and put back for ever.
 fn feasible(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
     solves: &mut usize,
+    most: usize,
 ) -> Result<Stationary, NotPositiveDefinite> {
     loop {
         *solves += 1;
@@ -279,7 +283,7 @@ fn feasible(
         let point = (reduced.point)(free)?;
         let least = Signs::at(reduced, &point).x;
         let negative: Vec<usize> = free.variables().filter(|&i| point.x[i] < least).collect();
-        if negative.is_empty() || reduced.most_solves <= *solves {
+        if negative.is_empty() || most <= *solves {
             return Ok(point);
         }
         steepest(&negative, &point.x).into_iter().for_each(|i| free.set(i, false));

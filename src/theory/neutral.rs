@@ -5,8 +5,9 @@
 //! v(x) = v₀(x) + s (x − x₀),    from = max (g − v₀)/(x − x₀) left of x₀,    to = min (g − v₀)/(x − x₀) right of x₀
 //! ```
 //!
-//! with the deflection `v₀` for the slope 0 at `x₀`. Where `from` exceeds `to`, the ground does not let the beam balance there
-//! without bending it, and the position is found as always.
+//! with the deflection `v₀` for the slope 0 at `x₀`. Ground that starts at `x₀` at the level of the beam limits it there too, by its
+//! own slope. Where `from` exceeds `to`, the ground does not let the beam balance there without bending it, and where it starts at
+//! that level on both sides without a corner it leaves one slope, its own: the position is found as always.
 
 use super::bernstein::lowest_below;
 use super::check::check;
@@ -22,6 +23,9 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64, grounded: bool) -> Op
         0 => edge_node(given, given.breakpoint_at(about)?),
         _ => support_node(given, 0, [Beside::Apart; 2]),
     };
+    if node.held_slope(given).is_some() {
+        return None;
+    }
     let level = List { nodes: vec![Node { slope: 0.0, ..node }] };
     let slopes = if grounded { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
     if slopes[1] < slopes[0] {
@@ -45,22 +49,31 @@ fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
     let mut taylor = vec![0.0; given.terms];
     let mut bound = |left: bool| {
         let sign = if left { -1.0 } else { 1.0 };
+        let grounded = given.supports.first().is_some_and(|support| support.grounded[usize::from(!left)]);
         // With x₀ at the left of all: how far the beam may turn down on this side.
         let mut least = f64::INFINITY;
         for _ in 0..STEPS {
             let before = least;
             for piece in pieces.iter().filter(|piece| if left { piece.hi <= about } else { about <= piece.lo }) {
                 piece.clearance(given, &mut taylor);
-                let turn = if least.is_finite() { sign * least } else { 0.0 };
+                let base = if least.is_finite() { least } else { 0.0 };
+                let turn = sign * base;
                 taylor[0] -= turn * (piece.anchor - about);
                 taylor[1] -= turn;
                 piece.outwards(&mut taylor);
-                let floor = if least.is_finite() { -f64::EPSILON * least.abs() * piece.width() } else { f64::INFINITY };
-                let Some((s, value)) = lowest_below(&taylor, piece.width(), floor) else { continue };
+                let rounding = if least.is_finite() { -f64::EPSILON * least.abs() } else { f64::INFINITY };
+                let beside = (piece.anchor - about).abs() <= 0.0;
+                if beside && (grounded || taylor[0] <= 0.0) {
+                    // The ground starts at x₀ at the level of the beam: h/(x − x₀) is a polynomial, its limit at x₀ among its values.
+                    if let Some((_, rate)) = lowest_below(&taylor[1..], piece.width(), rounding) {
+                        least = least.min(base + rate);
+                    }
+                    continue;
+                }
+                let Some((s, value)) = lowest_below(&taylor, piece.width(), rounding * piece.width()) else { continue };
                 let arm = sign * (piece.place(s) - about);
                 if 0.0 < arm {
-                    let most = turn * sign + value / arm;
-                    least = least.min(most);
+                    least = least.min(base + value / arm);
                 }
             }
             if before.to_bits() == least.to_bits() {

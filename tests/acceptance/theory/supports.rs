@@ -261,6 +261,49 @@ fn a_seesaw_in_balance() {
     close("energy", above.state.energy, exact.state.energy);
 }
 
+/// Above ground `u = d + m t + c t²`, `t` from the place of its one support, a straight beam at level 0 may turn as long as
+/// `s t ≤ u`: on the right `s ≤ m + min (d/t + c t)` and on the left `s ≥ m − min (d/|t| + c |t|)`. The least is `2 √(c d)` at
+/// `|t| = √(d/c)`, or where the beam ends, and for `d = 0` it is at the support or where the beam ends.
+#[test]
+fn a_seesaw_above_a_parabola() {
+    const M: f64 = -3.0;
+    let turned = |at: f64, d: f64, c: f64| {
+        let beam = beam(vec![Support::simple(at)]);
+        let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at, force: 2.0 }]).expect("a load");
+        let ground = Foundation::Polynomial { coefficients: vec![d - M * at + c * at * at, M - 2.0 * c * at, c] };
+        let exact = answer(&Scene::new(beam, load, Some(ground)).expect("a scene"));
+        close("force", exact.state.supports[0].force, 2.0);
+        (exact.slope(at), exact.state.standing.and_then(|standing| standing.motion))
+    };
+    let [left, right] = [4.0, L - 4.0];
+    // Near on both sides; far on both; far on the left alone; far, where the ground rises towards both ends.
+    for (d, c, least) in [
+        (0.5, 0.5, [1.0, 1.0]),
+        (50.0, 0.5, [50.0 / left + 0.5 * left, 50.0 / right + 0.5 * right]),
+        (12.5, 0.5, [12.5 / left + 0.5 * left, 5.0]),
+        (20.0, -0.25, [20.0 / left - 0.25 * left, 20.0 / right - 0.25 * right]),
+    ] {
+        let (slope, motion) = turned(4.0, d, c);
+        let [from, to] = [M - least[0], M + least[1]];
+        let motion = motion.expect("it may turn").slope.map(|slope| slope.expect("the ground is in the way"));
+        close("least slope", motion[0], from);
+        close("greatest slope", motion[1], to);
+        close("nearest to zero", slope, 0.0_f64.clamp(from, to));
+    }
+    // Ground at the level of the support leaves no other slope than its own.
+    let (slope, motion) = turned(4.0, 0.0, 0.5);
+    close("along the ground", slope, M);
+    assert_eq!(motion, None);
+    // On the end of the beam, where there is ground on one side only, near and far.
+    for (c, least) in [(0.5, 0.0), (-0.25, -0.25 * L)] {
+        let (slope, motion) = turned(0.0, 0.0, c);
+        let motion = motion.expect("it may turn");
+        assert_eq!(motion.slope[0], None, "nothing limits how far the other end may rise");
+        close("greatest slope", motion.slope[1].expect("the ground is in the way"), M + least);
+        close("nearest to zero", slope, M + least);
+    }
+}
+
 /// All of the load above the end of the ground: the beam may stand on it at any slope that keeps the other end up.
 #[test]
 fn a_beam_that_stands_on_its_end() {

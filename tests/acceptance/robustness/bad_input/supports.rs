@@ -16,12 +16,28 @@ fn with(line: &str) -> String {
 #[test]
 fn two_supports_at_one_place() {
     insta::assert_snapshot!(with("supports = [{ at = 4 }, { at = 10 }, { at = 4.0, level = 0.1 }]"), @"
-    error: `beam.supports[2].at` is the second support at x = 4: a place has at most one
+    error: `beam.supports[2].at` is 4, and another support is at x = 4: two supports must be more than 2.2e-9 apart
      --> scene.toml:7:45
       |
     7 | supports = [{ at = 4 }, { at = 10 }, { at = 4.0, level = 0.1 }]
       |                                             ^^^
     ");
+}
+
+#[test]
+fn two_supports_nearly_at_one_place() {
+    insta::assert_snapshot!(with("supports = [{ at = 4.000000001, level = 0.1 }, { at = 10 }, { at = 4 }]"), @"
+    error: `beam.supports[2].at` is 4, and another support is at x = 4.000000001: two supports must be more than 2.2e-9 apart
+     --> scene.toml:7:68
+      |
+    7 | supports = [{ at = 4.000000001, level = 0.1 }, { at = 10 }, { at = 4 }]
+      |                                                                    ^
+    ");
+    let beam = |distance: f64| {
+        let supports = vec![Support::simple(4.0), Support::simple(4.0 + distance)];
+        Beam::new(10.0, 1.3).and_then(|beam| beam.with_supports(supports))
+    };
+    assert!(beam(2.2e-9).is_err() && beam(2.3e-9).is_ok());
 }
 
 #[test]

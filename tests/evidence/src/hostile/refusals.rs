@@ -89,6 +89,8 @@ pub(super) fn refused(trial: &mut Trial, draft: &Draft, error: &FileError) {
 
 /// Whether a refusal is so, of those that supports and shapes are refused with. Others have tests of their own.
 fn so(draft: &Draft, error: &SceneError) -> bool {
+    /// Supports that are farther apart, as a share of the beam, have to be accepted.
+    const NEAR: f64 = 5e-10;
     let supports = draft.all_supports();
     let at_support = |at: f64| supports.iter().find(|s| (s.at - at).abs() <= 0.0);
     let ground = draft.ground.profile();
@@ -97,8 +99,11 @@ fn so(draft: &Draft, error: &SceneError) -> bool {
             let named = supports.get(i).is_some_and(|s| (s.at - value).abs() <= 0.0);
             named && !(0.0..=length).contains(&value)
         }
-        SceneError::TwoSupportsAtOnePlace { value, .. } => {
-            1 < supports.iter().filter(|s| (s.at - value).abs() <= 0.0).count()
+        SceneError::SupportsTooClose { quantity: Quantity::SupportAt(i), value, other, .. } => {
+            let at = |s: &Support, place: f64| (s.at - place).abs() <= 0.0;
+            let named = supports.get(i).is_some_and(|s| at(s, value));
+            let beside = supports.iter().enumerate().any(|(j, s)| j != i && at(s, other));
+            named && beside && (value - other).abs() <= NEAR * draft.length
         }
         SceneError::AboveSupport { at, .. } => {
             at_support(at).is_some_and(|s| ground.is_some_and(|ground| ground.depth(at) < s.level))
