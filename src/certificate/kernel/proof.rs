@@ -133,25 +133,25 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let mut holds = held(enclosed, nodes);
     let by_contacts = holds.is_empty();
     if by_contacts {
-        // Parts of zones press, too. What is taken from one is taken in proportion to what presses there: the mean of what single
-        // places would give, of which the worst is counted.
-        let zones = nodes.windows(2).filter(|w| w[0].lies);
-        presses.extend(zones.clone().flat_map(|w| outer_thirds(enclosed, w[0].x, w[1].x)).filter(|p| 0.0 < p.1));
+        // Parts of zones press, too, and so do loads that stand in them. What is taken from a part is taken in proportion to what
+        // presses there: the mean of what single places would give, of which the worst is counted.
+        for (from, to) in nodes.windows(2).filter(|w| w[0].lies).map(|w| (w[0].x, w[1].x)) {
+            let breaks = enclosed.load.breaks(from, to);
+            let stands = |x: &f64| Some((Place::at(*x), enclosed.load.point(*x)?.lo()));
+            let stand: Vec<(Place, f64)> = breaks.iter().filter_map(stands).collect();
+            let parts = cells(from, to, breaks).into_iter().flat_map(|cell| outer_thirds(enclosed, cell));
+            presses.extend(stand.into_iter().chain(parts).filter(|p| 0.0 < p.1));
+        }
         presses.extend(enclosed.supports.iter().map(|s| (Place::at(s.x), f64::INFINITY)));
         holds.extend(widest(&mut presses));
-        if holds.is_empty() {
-            // A load in a zone is carried where it stands.
-            let stands = |x: f64| Some((Place::at(x), enclosed.load.point(x)?.lo())).filter(|p| 0.0 < p.1);
-            presses.extend(zones.flat_map(|w| enclosed.load.breaks(w[0].x, w[1].x)).filter_map(stands));
-            holds.extend(widest(&mut presses));
-        }
     }
     // Beside a single place the gap is open by this much, and the force is moved there.
     let mut open = 0.0;
     if holds.is_empty() {
         let couple = beam.jump(0).map_or(0.0, |(jump, _)| jump.magnitude());
-        let ([(Place { from: x, .. }, force)], []) = (&presses[..], enclosed.supports) else { return None };
-        let (x, force) = (*x, Interval::exact(*force));
+        let single = presses.iter().find(|(place, _)| place.to <= place.from);
+        let (Some(&(Place { from: x, .. }, force)), []) = (single, enclosed.supports) else { return None };
+        let force = Interval::exact(force);
         let hold = match nodes {
             [node] => astride(enclosed, node, [&spans[0], &spans[1]], couple / force.lo()).filter(|_| lifted <= 0.0),
             _ => nodes.windows(2).find(|w| w[0].lies && w[0].x < x && x < w[1].x).map(|w| inside(w[0].x, x, w[1].x)),
@@ -198,20 +198,16 @@ fn held(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Vec<Hold> {
     two.chain(one.chain(enclosed.balanced_at.filter(|_| nodes.len() == 1)).map(twice)).collect()
 }
 
-/// The outer thirds of a zone with what presses on them at least: the load, and what the shear of the beam that follows the
-/// ground changes by.
-fn outer_thirds(enclosed: &EnclosedScene<'_>, from: f64, to: f64) -> [(Place, f64); 2] {
+/// The outer thirds of a part of a zone without a break of the load, with what presses on them at least: the load, and what the
+/// shear of the beam that follows the ground changes by.
+fn outer_thirds(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> [(Place, f64); 2] {
     let third = (to - from) / 3.0;
     [[from, from + third], [to - third, to]].map(|[from, to]| {
         let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
-        let breaks = enclosed.load.breaks(from, to);
-        let points = breaks.iter().filter_map(|x| enclosed.load.point(*x));
-        let sum = points.fold(Interval::exact(enclosed.stiffness) * (start - end), |sum, point| sum + point);
-        let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
+        let width = Interval::exact(to) - Interval::exact(from);
         let one = Polynomial::new(&[Interval::exact(1.0)]);
-        let loads = cells(from, to, breaks).into_iter();
-        let loads = loads.map(|cell| enclosed.load.cell(cell[0], cell[1]).integral_of_product(&one, width(cell)));
-        (Place { from, to, off: 0.0 }, loads.fold(sum, |sum, load| sum + load).lo())
+        let load = enclosed.load.cell(from, to).integral_of_product(&one, width);
+        (Place { from, to, off: 0.0 }, (Interval::exact(enclosed.stiffness) * (start - end) + load).lo())
     })
 }
 
