@@ -101,7 +101,7 @@ impl Kkt {
             penetration: penetration / depth,
             tension: tension / force,
             complementarity,
-            equilibrium: (elastic / depth).max(balance / force),
+            equilibrium: largest([elastic / depth, balance / force]),
             record: largest([moments / (force * length), clearances / depth, out_of_place / length]),
         })
     }

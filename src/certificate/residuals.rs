@@ -83,7 +83,7 @@ fn compare(scene: &Scene, state: &ContactState, nodes: &Nodes, caused: &Caused) 
         penetration: largest(all().map(|k| -clearance(k))) / depth,
         tension: largest(p.iter().map(|p| -p)) / force,
         complementarity: largest(all().map(|k| (clearance(k) / depth).min(p[k] / force))),
-        equilibrium: (elastic / depth).max(balance / force),
+        equilibrium: largest([elastic / depth, balance / force]),
         record: largest([
             moments.max(largest(couples)) / (force * length),
             largest(clearances) / depth,
@@ -107,9 +107,10 @@ pub(super) fn supports(grid: &Grid, held: &[Held], length: f64) -> Option<Vec<St
     held.iter().map(station).collect()
 }
 
-/// The force that a state says a support exerts.
+/// The force that a state says a support exerts; [`None`] if it says none, or no moment where the beam is built in.
 fn force_at(state: &ContactState, held: &Held, length: f64) -> Option<f64> {
-    state.supports.iter().find(|s| (s.at - held.at).abs() <= AT * length).map(|s| s.force)
+    let support = state.supports.iter().find(|s| (s.at - held.at).abs() <= AT * length)?;
+    (support.moment.is_some() == held.slope.is_some()).then_some(support.force)
 }
 
 /// Takes nodes for stations until the beam is held: those that press most, or that press most about the one that is there, and

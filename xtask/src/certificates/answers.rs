@@ -1,13 +1,13 @@
 //! True errors beside certified ones: every scene, method, solver and grid; answers that failed their check included.
 
 use palkki::methods::Method;
-use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::{Settings, solve_raw};
 use palkki_evidence::faults::{FalseBound, THEORY, Truth};
 
 use serde::{Deserialize, Serialize};
 
+use super::Subject;
 use crate::{Cause, data};
 
 /// Where the file is, below the root.
@@ -38,13 +38,13 @@ pub(crate) const REFUSED: &str = "refused";
 pub(crate) const EXCEPTION: &str = "exception";
 
 /// All routes on some grids.
-pub(crate) fn rows(name: &str, scene: &Scene, grids: &[usize]) -> Result<Vec<Row>, Cause> {
-    let truth = Truth::of(scene)?;
+pub(crate) fn rows(subject: &Subject, grids: &[usize]) -> Result<Vec<Row>, Cause> {
+    let truth = subject.truth()?;
     let mut rows = Vec::new();
     for &intervals in grids {
         for method in Method::ALL {
             for solver in Solver::ALL {
-                rows.push(row(name, &truth, method, solver, intervals)?);
+                rows.push(row(&subject.name, &truth, method, solver, intervals)?);
             }
         }
     }

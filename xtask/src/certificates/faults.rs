@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use palkki::methods::Method;
-use palkki::scene::Scene;
+use palkki::scene::{Scene, SceneError};
 use palkki::solvers::Solver;
 use palkki::state::ContactState;
 use palkki::{Settings, solve_raw};
@@ -14,6 +14,7 @@ use palkki_evidence::faults::{
 
 use serde::{Deserialize, Serialize};
 
+use super::Subject;
 use crate::{Cause, data};
 
 /// Where the file is, below the root.
@@ -91,28 +92,34 @@ impl Row {
 }
 
 /// Every fault in the answers of one scene by all routes; `all` are the scenes whose answers are put into its place.
-pub(crate) fn rows(name: &str, scene: &Scene, all: &[(String, Scene)]) -> Result<Vec<Row>, Cause> {
-    let mut trial = Trial { truth: Truth::of(scene)?, rows: Vec::new(), places: BTreeMap::new(), name };
+pub(crate) fn rows(subject: &Subject, all: &[Subject]) -> Result<Vec<Row>, Cause> {
+    let (name, scene) = (subject.name.as_str(), &subject.scene);
+    let mut trial = Trial { truth: subject.truth()?, rows: Vec::new(), places: BTreeMap::new(), name };
     for method in Method::ALL {
         let sound = answer(scene, method, Solver::ActiveSet, INTERVALS)?;
         for solver in Solver::ALL {
             let state = answer(scene, method, solver, INTERVALS)?;
             trial.faults(&sound, &state);
             for size in FOREIGN_SIZES {
-                let stale = [(DEEPER, scaled_ground(scene, size)?), (HEAVIER, scaled_load(scene, size)?)];
+                let stale = [(DEEPER, scaled_ground(scene, size)), (HEAVIER, scaled_load(scene, size))];
                 for (fault, other) in stale {
+                    let other = match other {
+                        // Ground at a negative depth comes up, and may come above a support.
+                        Err(SceneError::AboveSupport { .. }) => continue,
+                        other => other?,
+                    };
                     trial.judge(fault, size, &sound, &answer(&other, method, solver, INTERVALS)?);
                 }
             }
             let finer = answer(scene, method, solver, 2 * INTERVALS)?;
             trial.judge("every second node of a finer grid", 0.0, &sound, &every_second(&finer));
-            for (other, foreign) in all {
-                if other != name {
+            for other in all {
+                if other.name != name {
                     trial.judge(
                         "the answer of another scene",
                         0.0,
                         &sound,
-                        &answer(foreign, method, solver, INTERVALS)?,
+                        &answer(&other.scene, method, solver, INTERVALS)?,
                     );
                 }
             }
@@ -167,10 +174,10 @@ impl Trial<'_> {
         row.certified(judged.as_ref());
     }
 
-    /// The contacts of the exact answer. They pass if the deflection that they make is certain to the share that the check
+    /// The contacts of the truth. They pass if the deflection that they make is certain to the share that the check
     /// of a discrete problem asks for.
     fn contacts(&mut self) {
-        let contacts = self.truth.exact.state.contacts.clone();
+        let contacts = self.truth.contacts.clone();
         let length = self.truth.scene.beam().length();
         for fault in CONTACT_FAULTS {
             for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {

@@ -1,31 +1,88 @@
-//! `cargo xtask certificates`: the certificates of every route on every grid for every scene of the gallery beside beam theory,
-//! and fault injection: every fault put into the answers. It takes minutes, so what comes out is kept in two files of data; the
-//! report computes a stated part of them again each time.
+//! `cargo xtask certificates`: the certificates of every route on every grid beside the truth, and fault injection: every fault
+//! put into the answers. It takes minutes, so what comes out is kept in two files of data; the report computes a stated part of
+//! them again each time.
+//!
+//! The name of a scene says where it is from, and so what its truth is: `NAME` is a scene of the gallery and `held/NAME` one that is
+//! held otherwise, both beside beam theory; `closed/NAME` is one of [`palkki_evidence::faults::closed`], beside its closed form.
 
 pub(crate) mod answers;
 pub(crate) mod faults;
 
 use std::path::Path;
 
+use palkki::scene::{Grid, Scene};
+use palkki_evidence::faults::{Closed, Truth, closed};
+
 use crate::{Cause, data, scenes, tell, workers};
+
+/// The least number of intervals of which all grids here are multiples.
+const DIVIDES: usize = 10;
+
+/// What the names of scenes begin with that are held otherwise than by two supports at the ends.
+pub(crate) const HELD: &str = "held/";
+/// The same of those whose truth is a closed form.
+pub(crate) const CLOSED: &str = "closed/";
+
+/// A scene of the trial.
+pub(crate) struct Subject {
+    pub(crate) name: String,
+    pub(crate) scene: Scene,
+    closed: Option<Closed>,
+}
+
+impl Subject {
+    pub(crate) fn truth(&self) -> Result<Truth<'_>, Cause> {
+        Ok(match &self.closed {
+            Some(closed) => Truth::closed(closed),
+            None => Truth::of(&self.scene)?,
+        })
+    }
+}
+
+fn beside_theory((name, scene): (String, Scene)) -> Subject {
+    Subject { name, scene, closed: None }
+}
+
+/// The gallery.
+pub(crate) fn gallery(root: &Path) -> Result<Vec<Subject>, Cause> {
+    Ok(scenes::all(root)?.into_iter().map(beside_theory).collect())
+}
+
+/// The scenes that are held otherwise and whose supports are at nodes of all grids.
+fn held(root: &Path) -> Result<Vec<Subject>, Cause> {
+    let on_grids =
+        |scene: &Scene| Grid::least_fitting(scene).is_some_and(|intervals| DIVIDES.is_multiple_of(intervals));
+    let held = scenes::held(root)?.into_iter().filter(|(_, scene)| on_grids(scene));
+    Ok(held.map(|(name, scene)| beside_theory((format!("{HELD}{name}"), scene))).collect())
+}
+
+fn in_closed_form() -> Result<Vec<Subject>, Cause> {
+    let subject = |closed: Closed| Subject {
+        name: format!("{CLOSED}{}", closed.name),
+        scene: closed.scene.clone(),
+        closed: Some(closed),
+    };
+    Ok(closed::all()?.into_iter().map(subject).collect())
+}
 
 /// Computes both files, as many scenes at once as the machine has cores. The rows are in the order of the scenes.
 pub(crate) fn run(root: &Path) -> Result<(), Cause> {
-    let scenes = scenes::all(root)?;
-    let found = workers::each(&scenes, |(name, scene)| -> Result<_, Cause> {
-        let mut judged = Vec::new();
-        for intervals in answers::GRIDS {
-            tell(&format!("{name}: every route on {intervals} intervals"));
-            judged.extend(answers::rows(name, scene, &[intervals])?);
-        }
-        tell(&format!("{name}: every fault"));
-        Ok((judged, faults::rows(name, scene, &scenes)?))
-    });
     let (mut judged, mut broken) = (Vec::new(), Vec::new());
-    for found in found {
-        let (answers, faults) = found?;
-        judged.extend(answers);
-        broken.extend(faults);
+    for group in [gallery(root)?, held(root)?, in_closed_form()?] {
+        let found = workers::each(&group, |subject| -> Result<_, Cause> {
+            let mut judged = Vec::new();
+            for intervals in answers::GRIDS {
+                tell(&format!("{}: every route on {intervals} intervals", subject.name));
+                judged.extend(answers::rows(subject, &[intervals])?);
+            }
+            tell(&format!("{}: every fault", subject.name));
+            Ok((judged, faults::rows(subject, &group)?))
+        });
+        for found in found {
+            let (answers, faults) = found?;
+            judged.extend(answers);
+            broken.extend(faults);
+        }
     }
     data::write(root, answers::PATH, &judged)?;
     data::write(root, faults::PATH, &broken)?;

@@ -16,7 +16,7 @@ fn faults_in_exact_contacts_are_bounded_truthfully() {
         let truth = Truth::of(&scene).expect("theory has an answer");
         for fault in CONTACT_FAULTS {
             for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
-                let broken = fault.put_into(&truth.exact.state.contacts, size, scene.beam().length());
+                let broken = fault.put_into(&truth.contacts, size, scene.beam().length());
                 if let Some(judged) = broken.and_then(|broken| truth.contacts(&broken)) {
                     assert!(judged.false_bounds.is_empty(), "{name}: {}, {size:e}: {judged:?}", fault.name);
                     judged_at_all += 1;
@@ -35,7 +35,7 @@ fn faults_in_a_witness_cost_sharpness_and_never_truth() {
     const ROUNDING: f64 = 1e-9;
     let scenes = report();
     let lists: Vec<_> =
-        scenes.iter().map(|(_, scene)| Truth::of(scene).expect("theory has an answer").exact.state.contacts).collect();
+        scenes.iter().map(|(_, scene)| Truth::of(scene).expect("theory has an answer").contacts).collect();
     for ((name, scene), contacts) in scenes.iter().zip(&lists) {
         let truth = Truth::of(scene).expect("theory has an answer");
         let state = run(scene, Method::Force, Solver::ActiveSet, INTERVALS).state;
@@ -75,7 +75,7 @@ fn places_that_are_off_are_not_certain() {
     let mut tried = 0;
     for (name, scene) in report() {
         let truth = Truth::of(&scene).expect("theory has an answer");
-        let contacts = &truth.exact.state.contacts;
+        let contacts = &truth.contacts;
         let certain = |contacts: &[Contact]| {
             let judged = truth.contacts(contacts).expect("contacts are judged");
             judged.certificate.deflection_error <= CERTIFIED_RESIDUAL * truth.deflection

@@ -4,6 +4,7 @@
 mod data;
 mod exact;
 mod foreign;
+mod held;
 mod nodal;
 
 use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
@@ -50,10 +51,13 @@ fn passes_only_near(what: &str, truth: &Truth<'_>, sound: &ContactState, state: 
     let passed = passes(truth.scene, state);
     if passed {
         let distance = distance(truth.scene, sound, state);
-        let force = unseen_force(truth.scene, truth.deflection, load(truth.scene));
-        assert!(distance.shape() <= NEAR && distance.force <= force, "{what} passes, and is off by {distance:?}");
+        assert!(is_near(truth, &distance), "{what} passes, and is off by {distance:?}");
     }
     passed
+}
+
+fn is_near(truth: &Truth<'_>, distance: &Distance) -> bool {
+    distance.shape() <= NEAR && distance.force <= unseen_force(truth.scene, truth.deflection, load(truth.scene))
 }
 
 /// Nothing untrue is guaranteed about `state`; true if something is guaranteed.

@@ -7,15 +7,17 @@
 
 mod borders;
 mod sizes;
+mod supports;
 mod surveys;
 mod units;
 
 pub use borders::borders;
 pub use sizes::{INTERVALS, POWERS, deep, sizes};
+pub use supports::supports;
 pub use surveys::{Ground, survey};
 pub use units::{Factors, units};
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
 use palkki::state::ContactState;
 use palkki::theory::FlatSolution;
 
@@ -111,6 +113,8 @@ pub(crate) struct Parts {
     pub(crate) linear: Vec<LinearLoad>,
     pub(crate) point: Vec<PointLoad>,
     pub(crate) foundation: Option<Foundation>,
+    /// Simple ones at both ends unless it is said otherwise.
+    pub(crate) supports: Option<Vec<Support>>,
 }
 
 impl Parts {
@@ -123,6 +127,7 @@ impl Parts {
             linear: Vec::new(),
             point: Vec::new(),
             foundation: Some(foundation),
+            supports: None,
         }
     }
 
@@ -133,6 +138,10 @@ impl Parts {
 
     pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
         let beam = Beam::new(self.length, self.stiffness)?;
+        let beam = match &self.supports {
+            Some(supports) => beam.with_supports(supports.clone())?,
+            None => beam,
+        };
         let load = Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())?;
         Scene::new(beam, load, self.foundation.clone())
     }

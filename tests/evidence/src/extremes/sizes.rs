@@ -20,14 +20,7 @@ pub fn deep(power: i32) -> Result<Extreme, SceneError> {
     // In two factors, since 10⁻³⁰⁰ has no neighbour to be divided by.
     let half = power / 2;
     let depth = ten_to(half) * ten_to(power - half);
-    let parts = Parts {
-        length: 1.0,
-        stiffness: 1.0,
-        uniform: 1.0,
-        linear: Vec::new(),
-        point: Vec::new(),
-        foundation: Some(Foundation::Flat { depth }),
-    };
+    let parts = Parts { length: 1.0, stiffness: 1.0, ..Parts::over(Foundation::Flat { depth }) };
     extreme(format!("flat, EI u₀/(q l⁴) = 1e{power}"), "closed form", &parts, flat(1.0, 1.0, depth, 1.0).into())
 }
 

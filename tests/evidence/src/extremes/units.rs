@@ -43,7 +43,7 @@ const P300: f64 = {
     p100 * p100 * p100
 };
 
-const fn of(name: &'static str, length: f64, depth: f64, force: f64) -> Factors {
+pub(super) const fn of(name: &'static str, length: f64, depth: f64, force: f64) -> Factors {
     Factors { name, length, depth, force }
 }
 

@@ -2,7 +2,7 @@
 //! same beam above another foundation, under another load, on a finer grid.
 
 use palkki::scene::{Foundation, LinearLoad, Load, PointLoad, Scene, SceneError};
-use palkki::state::{ContactState, Nodes};
+use palkki::state::{ContactState, Nodes, SupportForce};
 
 /// Sizes of the faults that have one: shares of what they change.
 pub const SIZES: [f64; 12] = [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
@@ -36,7 +36,8 @@ impl Fault {
         let load = if 0.0 < load { load } else { 1.0 };
         (self.act)(&mut Subject { state: &mut broken, load, length }, size);
         let same = broken.nodes.as_ref().is_some_and(|other| bits(nodes).eq(bits(other)))
-            && broken.reactions == state.reactions;
+            && broken.reactions == state.reactions
+            && broken.supports == state.supports;
         (!same).then_some(broken)
     }
 }
@@ -54,6 +55,22 @@ impl Subject<'_> {
 
     fn forces(&mut self) -> &mut Vec<f64> {
         &mut self.nodes().contact_force
+    }
+
+    /// Changes the forces of supports, and what is said of those at the ends with them.
+    fn supports(&mut self, change: impl FnOnce(&mut [SupportForce])) {
+        change(&mut self.state.supports);
+        let at_end = |end: f64| self.state.supports.iter().find(|s| (s.at - end).abs() <= 0.0).map(|s| s.force);
+        let (left, right) = (at_end(0.0), at_end(self.length));
+        let reactions = &mut self.state.reactions;
+        (reactions.left, reactions.right) = (left.unwrap_or(reactions.left), right.unwrap_or(reactions.right));
+    }
+
+    /// Changes the couple at the first support in which the beam is built in.
+    fn couple(&mut self, change: impl FnOnce(&mut Option<f64>)) {
+        if let Some(support) = self.state.supports.iter_mut().find(|support| support.moment.is_some()) {
+            change(&mut support.moment);
+        }
     }
 
     /// The largest contact force and its neighbour to the right, or to the left at the end.
@@ -103,7 +120,7 @@ const fn whole(name: &'static str, act: fn(&mut Subject<'_>, f64)) -> Fault {
 }
 
 /// All of them: those with a size first.
-pub const FAULTS: [Fault; 38] = [
+pub const FAULTS: [Fault; 41] = [
     sized("the largest force larger", |s, e| add_to_largest(s.forces(), e)),
     sized("the largest force smaller", |s, e| add_to_largest(s.forces(), -e)),
     sized("all forces larger", |s, e| scale(s.forces(), 1.0 + e)),
@@ -152,15 +169,31 @@ pub const FAULTS: [Fault; 38] = [
         let length = s.length;
         s.nodes().x[0] += e * length;
     }),
-    sized("the left reaction larger, over the load", |s, e| s.state.reactions.left += e * s.load),
+    sized("the left reaction larger, over the load", |s, e| {
+        let more = e * s.load;
+        s.supports(|supports| supports.iter_mut().take(1).for_each(|s| s.force += more));
+    }),
     sized("load moved from one reaction to the other", |s, e| {
-        s.state.reactions.left += e * s.load;
-        s.state.reactions.right -= e * s.load;
+        let moved = e * s.load;
+        s.supports(|supports| {
+            if let [first, .., last] = supports {
+                first.force += moved;
+                last.force -= moved;
+            }
+        });
+    }),
+    sized("the couple where the beam is built in larger, over the load times the length", |s, e| {
+        let more = e * s.load * s.length;
+        s.couple(|couple| *couple = couple.map(|couple| couple + more));
     }),
     sized("forces, reactions, moments and deflections larger", |s, e| {
         let factor = 1.0 + e;
-        s.state.reactions.left *= factor;
-        s.state.reactions.right *= factor;
+        s.supports(|supports| {
+            for support in supports {
+                support.force *= factor;
+                support.moment = support.moment.map(|couple| couple * factor);
+            }
+        });
         let nodes = s.nodes();
         for list in [&mut nodes.contact_force, &mut nodes.moment, &mut nodes.deflection] {
             scale(list, factor);
@@ -178,8 +211,11 @@ pub const FAULTS: [Fault; 38] = [
     whole("forces shifted by a node", |s, _| s.forces().rotate_right(1)),
     whole("forces turned round", |s, _| s.forces().reverse()),
     whole("everything turned round", |s, _| {
-        let reactions = &mut s.state.reactions;
-        (reactions.left, reactions.right) = (reactions.right, reactions.left);
+        let length = s.length;
+        s.supports(|supports| {
+            supports.reverse();
+            supports.iter_mut().for_each(|s| s.at = length - s.at);
+        });
         let nodes = s.nodes();
         for list in [&mut nodes.contact_force, &mut nodes.moment, &mut nodes.deflection, &mut nodes.clearance] {
             list.reverse();
@@ -194,7 +230,11 @@ pub const FAULTS: [Fault; 38] = [
     whole("a clearance that is NaN", |s, _| put(&mut s.nodes().clearance, f64::NAN)),
     whole("a moment that is NaN", |s, _| put(&mut s.nodes().moment, f64::NAN)),
     whole("a place that is NaN", |s, _| put(&mut s.nodes().x, f64::NAN)),
-    whole("a reaction that is NaN", |s, _| s.state.reactions.left = f64::NAN),
+    whole("a reaction that is NaN", |s, _| {
+        s.supports(|supports| supports.iter_mut().take(1).for_each(|s| s.force = f64::NAN));
+    }),
+    whole("a couple that is NaN", |s, _| s.couple(|couple| *couple = Some(f64::NAN))),
+    whole("a couple that is missing", |s, _| s.couple(|couple| *couple = None)),
 ];
 
 /// The scene with all depths multiplied by `1 + share`: what an answer belongs to that was not computed again.
@@ -236,8 +276,11 @@ pub fn scaled_load(scene: &Scene, share: f64) -> Result<Scene, SceneError> {
 /// Every second interior node of a state on twice as many intervals, as if it were the answer on the coarser grid.
 #[must_use]
 pub fn every_second(state: &ContactState) -> ContactState {
-    let every_second = |list: &Vec<f64>| list.iter().skip(1).step_by(2).copied().collect();
-    let nodes = state.nodes.as_ref().map(|nodes| Nodes {
+    let nodes = state.nodes.as_ref();
+    // The first node of the coarser grid is the left end, unless that has a support.
+    let first = nodes.and_then(|nodes| nodes.x.first()).map_or(1, |x| usize::from(0.0 < *x));
+    let every_second = |list: &Vec<f64>| list.iter().skip(first).step_by(2).copied().collect();
+    let nodes = nodes.map(|nodes| Nodes {
         discretisation: nodes.discretisation,
         x: every_second(&nodes.x),
         deflection: every_second(&nodes.deflection),

@@ -7,7 +7,7 @@ use palkki_evidence::faults::SIZES;
 
 use super::prelude::*;
 use crate::certificates::answers::{self, Row};
-use crate::certificates::faults;
+use crate::certificates::{self, CLOSED, HELD, faults};
 use crate::data;
 
 /// A bound that is larger than the true error by a tenth at most is called sharp.
@@ -25,7 +25,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut ratios: Vec<(f64, &Row)> = rows.iter().filter_map(|row| Some((row.ratio()?, row))).collect();
     ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
     let values = context! {
-        scenes => scenes::all(study.root)?.len(),
+        scenes => names(&rows, "").len(),
+        held => names(&rows, HELD).len(),
+        closed => names(&rows, CLOSED).len(),
         grids => answers::GRIDS.to_vec(),
         again => answers::AGAIN.to_vec(),
         answers => rows.len(),
@@ -46,20 +48,23 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     Ok(evidence.file("faults", faults_file))
 }
 
-/// The rows of the file, those of the coarse grids computed again.
+/// The names that begin with something.
+fn names<'a>(rows: &'a [Row], prefix: &str) -> BTreeSet<&'a str> {
+    rows.iter().map(|row| row.scene.as_str()).filter(|name| name.starts_with(prefix)).collect()
+}
+
+/// The rows of the file, those of the gallery on coarse grids computed again.
 fn answers(study: &Study<'_>) -> Result<Vec<Row>, Cause> {
     let (_, mut rows): (_, Vec<Row>) = data::read(study.root, answers::PATH)?;
-    let mut expected = 0;
-    for (name, scene) in scenes::all(study.root)? {
-        for row in answers::rows(&name, &scene, &answers::AGAIN)? {
+    for subject in certificates::gallery(study.root)? {
+        for row in answers::rows(&subject, &answers::AGAIN)? {
             let stored = rows.iter_mut().find(|stored| stored.key() == row.key());
             let stored =
                 stored.ok_or_else(|| format!("{} lacks {:?}: `cargo xtask certificates`", answers::PATH, row.key()))?;
             *stored = row;
-            expected += 1;
         }
     }
-    let expected = expected / answers::AGAIN.len() * answers::GRIDS.len();
+    let expected = names(&rows, "").len() * answers::GRIDS.len() * Method::ALL.len() * Solver::ALL.len();
     if rows.len() != expected {
         let path = answers::PATH;
         return Err(format!("{path} has {} rows instead of {expected}: `cargo xtask certificates`", rows.len()).into());
@@ -69,10 +74,10 @@ fn answers(study: &Study<'_>) -> Result<Vec<Row>, Cause> {
 
 /// The values, and the file with the rows of one scene computed again.
 fn broken(study: &Study<'_>) -> Result<(Value, String), Cause> {
-    let all = scenes::all(study.root)?;
+    let all = certificates::gallery(study.root)?;
     let (_, mut rows): (_, Vec<faults::Row>) = data::read(study.root, faults::PATH)?;
-    for (name, scene) in all.iter().filter(|(name, _)| name == faults::AGAIN) {
-        for row in faults::rows(name, scene, &all)? {
+    for subject in all.iter().filter(|subject| subject.name == faults::AGAIN) {
+        for row in faults::rows(subject, &all)? {
             let stored = rows.iter_mut().find(|stored| stored.scene == row.scene && stored.fault == row.fault);
             let stored =
                 stored.ok_or_else(|| format!("{} lacks {}: `cargo xtask certificates`", faults::PATH, row.fault))?;
