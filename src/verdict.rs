@@ -195,13 +195,18 @@ pub enum Refusal {
         upper: f64,
     },
     /// The guaranteed error is larger than what is allowed.
-    #[error("the beam may be off by {} of its largest deflection, more than {}", share_at_most(*share), share_at_most(*most))]
+    #[error("the beam may be off by {} of its largest deflection, more than {}", any_share(*share), share_at_most(*most))]
     Error {
         /// Guaranteed error over the largest deflection.
         share: f64,
         /// What is allowed.
         most: f64,
     },
+}
+
+/// A share that may be without bound, as it is of a deflection that is zero.
+fn any_share(share: f64) -> String {
+    if share.is_finite() { share_at_most(share) } else { "any share".to_owned() }
 }
 
 /// What the judge's measures come to. Displayed, it says how far the beam may be off, or what else is wrong.

@@ -76,6 +76,7 @@ impl Solver {
     #[must_use]
     pub fn run(self, qp: &dyn Qp, tolerance: f64) -> Answer {
         match self {
+            _ if qp.dimension() == 0 => Answer::empty("no unknowns, nothing to solve".to_owned()),
             Self::FourStep => four_step::solve(qp),
             Self::ActiveSet => active_set::solve(qp),
             Self::Nsor => nsor::solve(qp, tolerance),
@@ -174,9 +175,6 @@ const BYTES_PER_UNKNOWN: usize = 3000;
 /// osqp prints to standard output, whatever it was told, where a factorisation shows that there is no minimum.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 fn sparse_form(qp: &dyn Qp) -> Result<SparseForm, String> {
-    if qp.dimension() == 0 {
-        return Err("not tried: the quadratic program has no unknowns".to_owned());
-    }
     if let Some(message) = too_many(qp.dimension()) {
         return Err(message);
     }

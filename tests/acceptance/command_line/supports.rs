@@ -140,3 +140,22 @@ fn a_grid_that_misses_a_support_is_refused() {
     let (_, text, json) = folder.json("solve cantilever.toml --method force --tolerance 0.01");
     assert_eq!(json["intervals"].as_u64().map(|n| n % 5), Some(0), "{text}");
 }
+
+/// Two intervals on three supports: every node is held, by every route.
+#[test]
+fn where_every_node_is_a_support_there_is_nothing_to_solve() {
+    let folder = Folder::new("all_held");
+    let supports = "supports = [{ at = 0 }, { at = 5 }, { at = 10 }]";
+    let beam = format!("[beam]\nlength = 10\nbending_stiffness = 1.3\n{supports}\n");
+    folder.write("held.toml", beam + "[load]\nuniform = 1\n[foundation]\ndepth = 1\n");
+    let (code, text, json) = folder.json("compare held.toml --intervals 2");
+    assert_eq!(code, Some(0), "beam theory is certified: {text}");
+    let routes = json["routes"].as_array().expect("routes");
+    assert_eq!(routes.len(), 16, "{text}");
+    for route in &routes[1..] {
+        assert_eq!(route["unknowns"], 0, "{route}");
+        // The nodes do not move, and so say nothing of the beam between them.
+        assert_eq!(route["status"], "not-certified", "{route}");
+        assert!(route["reason"].as_str().is_some_and(|reason| reason.contains("any share")), "{route}");
+    }
+}

@@ -130,8 +130,17 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
         [if x <= 0.0 { 0.0 } else { left }, if length <= x { 0.0 } else { right }]
     };
     let shears = places.iter().flat_map(|&x| shear(x)).fold(force, |most, v| most.max(v.abs()));
-    // A unit in the last place of a place moves the moment by so much of the shear force.
-    let moment = moment.max(f64::EPSILON * length * shears / most);
+    // A unit in the last place of a place moves the moment by so much of the shear force, and a few of them on a wave, which bends
+    // the beam by its own curvature, by so much of its third derivative.
+    let waves = scene.foundation().into_iter().chain(scene.beam().shape()).map(|profile| match *profile {
+        Foundation::Cosine { amplitude, wavelength, .. } => {
+            let wave = 2.0 * std::f64::consts::PI / wavelength;
+            amplitude.abs() * wave * wave * wave
+        }
+        _ => 0.0,
+    });
+    let place = f64::EPSILON * length;
+    let moment = moment.max(place * shears / most).max(4.0 * place * stiffness * waves.sum::<f64>() / most);
     // Places that differ by rounding are one.
     let same = |a: &f64, b: &f64| b - a <= 4.0 * f64::EPSILON * length;
     let places: Vec<[f64; 2]> = places.chunk_by(same).map(|group| [group[0], group[group.len() - 1]]).collect();
