@@ -8,9 +8,12 @@
 pub(crate) mod answers;
 pub(crate) mod faults;
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
+use palkki::route::{Method, Solver};
 use palkki::scene::{Grid, Scene};
+use palkki::{Settings, solve_raw};
 use palkki_evidence::faults::{Closed, Truth, closed};
 
 use crate::{Cause, data, scenes, tell, workers};
@@ -54,6 +57,25 @@ fn held(root: &Path) -> Result<Vec<Subject>, Cause> {
         |scene: &Scene| Grid::least_fitting(scene).is_some_and(|intervals| DIVIDES.is_multiple_of(intervals));
     let held = scenes::held(root)?.into_iter().filter(|(_, scene)| on_grids(scene));
     Ok(held.map(|(name, scene)| beside_theory((format!("{HELD}{name}"), scene))).collect())
+}
+
+/// The names of the scenes that nothing holds, in which the beam touches at one node of the grid of the faults: it may turn about
+/// it, and answers of two solvers may be two positions.
+pub(crate) fn turning(root: &Path) -> Result<BTreeSet<String>, Cause> {
+    let mut all = held(root)?;
+    all.extend(in_closed_form()?);
+    let settings = Settings::new(Method::Displacement, Solver::ActiveSet, faults::INTERVALS);
+    let mut turning = BTreeSet::new();
+    for Subject { name, scene, .. } in all {
+        let state = solve_raw(&scene, &settings)?.state;
+        if let [contact] = &state.contacts[..]
+            && contact.to <= contact.from
+            && state.standing.is_some()
+        {
+            turning.insert(name);
+        }
+    }
+    Ok(turning)
 }
 
 fn in_closed_form() -> Result<Vec<Subject>, Cause> {

@@ -89,7 +89,8 @@ fn broken(study: &Study<'_>) -> Result<(Value, String), Cause> {
     }
     let sum = |of: fn(&faults::Row) -> usize| rows.iter().map(of).sum::<usize>();
     let kinds: BTreeSet<&str> = rows.iter().map(|row| row.fault.as_str()).collect();
-    let discrete = rows.iter().filter(|row| !row.fault.starts_with(faults::EXACT));
+    let turning = certificates::turning(study.root)?;
+    let discrete = rows.iter().filter(|row| !row.fault.starts_with(faults::EXACT) && !turning.contains(&row.scene));
     let values = context! {
         intervals => faults::INTERVALS,
         again => faults::AGAIN,
@@ -100,6 +101,7 @@ fn broken(study: &Study<'_>) -> Result<(Value, String), Cause> {
         answers => sum(|row| row.refused + row.passed),
         refused => sum(|row| row.refused),
         passed => sum(|row| row.passed),
+        turning => turning.len(),
         off_by => discrete.map(|row| row.off_by).fold(0.0, f64::max),
         bounded => sum(|row| row.bounded),
         unbounded => sum(|row| row.unbounded),
