@@ -131,16 +131,17 @@ mod tests {
         let pairs = [[2.0, 5.0], [0.0, 10.0], [3.0, 3.0], [4.0, 4.5]];
         for [left, right] in pairs {
             let hold = Hold(Place::at(left), Place::at(right));
-            let off = [0.25, 0.75];
             let of = |place: Place, off: f64| Place { off, ..place };
-            let moved = Hold(of(hold.0, off[0]), of(hold.1, off[1]));
             for x in between([0.0, 10.0]) {
                 reached(hold.lever([x; 2]), flexibility(x, [left, right]).sqrt());
                 assert!(hold.shift([x; 2]) <= 0.0, "known places do not move");
-                if left < right {
-                    reached(moved.shift([x; 2]), shifted(x, [left, right], off));
-                } else {
-                    assert!(moved.shift([x; 2]) == f64::INFINITY, "one place does not say how the beam is turned");
+                for off in [[0.25, 0.75], [0.0, 0.75], [0.25, 0.0]] {
+                    let shift = Hold(of(hold.0, off[0]), of(hold.1, off[1])).shift([x; 2]);
+                    if left < right {
+                        reached(shift, shifted(x, [left, right], off));
+                    } else {
+                        assert!(shift == f64::INFINITY, "one place does not say how the beam is turned");
+                    }
                 }
             }
         }
