@@ -89,7 +89,7 @@ pub(super) enum Command {
     /// along the beam. They are guaranteed: that the beam stays above the ground is proven between the nodes too, and rounding
     /// is counted in. The deflection whose error is bounded is the one that the forces cause together with the load (see --load).
     /// Forces that pull are set to zero, and the output says so.
-    /// The exit code is 0 if that deflection is certain to one hundredth of its largest value.
+    /// The exit code is 0 if that deflection is certain to a tenth of its largest value.
     #[command(after_help = CERTIFY_EXAMPLE)]
     Certify(Certify),
     /// Vary one number of a scene: an exact answer for each value, and the values at which something happens.
