@@ -10,9 +10,7 @@
 //! where `q` is uniform. Whoever lumped the load means the deflection without that: it is the one to be bounded then.
 
 use super::contact_load::{ContactLoad, NotAForce};
-use super::kkt::Equilibrium;
-use super::nodal_beam::NodalBeam;
-use super::residuals::{stand, supports};
+use super::nodal_beam::{self, NodalBeam, Station};
 use crate::scene::{Grid, Scene, SceneError};
 use crate::state::{Discretisation, Nodes};
 
@@ -93,11 +91,7 @@ impl Lumped {
             force.0 = node;
         }
         let forces = inner.iter().map(|f| f.1.max(0.0)).collect();
-        let nodes = if scene.beam().is_simple() {
-            bent(scene, forces)?
-        } else {
-            bent_on_supports(scene, &grid, first, forces)?
-        };
+        let nodes = bent(scene, &grid, first, forces)?;
         Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals() })
     }
 
@@ -108,60 +102,46 @@ impl Lumped {
     }
 }
 
-/// The paper's beam under nodal loads and contact forces at all inner nodes: statics and integration, in the units of the scene.
-fn bent(given: &Scene, mut forces: Vec<f64>) -> Result<Nodes, SceneError> {
-    let scaled = given.scaled()?;
-    let (scene, scale) = (&scaled.scene, &scaled.scale);
-    let count = forces.len();
-    let grid = Grid::uniform(scene, count + 1)?;
-    forces.iter_mut().for_each(|p| *p /= scale.force);
-    let discretisation = Discretisation::BeamElements;
-    let (mut moment, mut deflection) = (Vec::with_capacity(count), Vec::with_capacity(count));
-    Equilibrium::of(scene, grid, &forces, discretisation).walk(|_, moments, deflections| {
-        moment.extend_from_slice(moments);
-        deflection.extend_from_slice(deflections);
-    });
-    let times = |values: Vec<f64>, unit: f64| values.into_iter().map(|value| value * unit).collect::<Vec<_>>();
-    let x = Grid::uniform(given, count + 1)?.interior_places();
-    let deflection = times(deflection, scale.depth);
-    Ok(Nodes {
-        discretisation,
-        clearance: x.iter().zip(&deflection).map(|(&x, v)| given.gap(x) - v).collect(),
-        x,
-        deflection,
-        contact_force: times(forces, scale.force),
-        moment: times(moment, scale.moment()),
-    })
-}
-
-/// The same of any other beam, with the forces at its nodes from the `first` one.
-fn bent_on_supports(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<Nodes, NotLumped> {
+/// The beam under nodal loads and contact forces at the nodes of a grid from the `first` one: statics and integration, in the units
+/// of the scene.
+fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<Nodes, NotLumped> {
     let scaled = given.scaled()?;
     let (scene, scale) = (&scaled.scene, &scaled.scale);
     let intervals = places.intervals();
     let grid = Grid::uniform(scene, intervals)?;
     let nodes = first..first + forces.len();
-    let mut contact = vec![0.0; intervals + 1];
-    contact[nodes.clone()].iter_mut().zip(&forces).for_each(|(p, force)| *p = force / scale.force);
-    let gaps: Vec<f64> = (0..=intervals).map(|i| scene.gap(grid.place(i))).collect();
-    let beam = supports(&grid, &scene.held(), scene.beam().length()).and_then(|mut stations| {
-        let mut exerted = vec![0.0; stations.len()];
+    let mut contact: Vec<f64> = forces.iter().map(|force| force / scale.force).collect();
+    let discretisation = Discretisation::BeamElements;
+    let beam = nodal_beam::supports(&grid, &scene.held()).and_then(|mut stations| {
         // Supports have any force, and what stands on them is none of theirs.
-        stations.iter().for_each(|station| contact[station.node] = 0.0);
-        stand(&mut stations, &mut exerted, &mut contact, &gaps);
-        let loads = grid.nodal_loads(scene.load());
-        let net: Vec<f64> = loads.iter().zip(&contact).map(|(q, p)| q - p).collect();
-        NodalBeam::of(scene, grid, &net, &stations, Discretisation::BeamElements)
+        let on_support = |station: &Station| station.node.checked_sub(first);
+        for node in stations.iter().filter_map(on_support) {
+            contact.get_mut(node).into_iter().for_each(|force| *force = 0.0);
+        }
+        nodal_beam::stand(&mut stations, first, &contact, &grid.gaps_at(scene, nodes.clone()));
+        let mut net = grid.nodal_loads(scene.load());
+        net[nodes.clone()].iter_mut().zip(&contact).for_each(|(q, p)| *q -= p);
+        Some((NodalBeam::of(scene, grid, net, &stations, discretisation)?, stations))
     });
-    let beam = beam.ok_or(NotLumped::NotHeld { intervals })?;
-    let x: Vec<f64> = nodes.clone().map(|i| places.place(i)).collect();
-    let deflection: Vec<f64> = nodes.clone().map(|i| beam.deflection[i] * scale.depth).collect();
+    let (beam, stations) = beam.ok_or(NotLumped::NotHeld { intervals })?;
+    let (mut moment, mut deflection) = (vec![0.0; intervals + 1], vec![0.0; intervals + 1]);
+    beam.walk(|node, moments, deflections| {
+        moment[node..node + moments.len()].copy_from_slice(moments);
+        deflection[node..node + moments.len()].copy_from_slice(deflections);
+    });
+    for (station, (_, [_, right])) in stations.iter().zip(&beam.stations) {
+        (moment[station.node], deflection[station.node]) = (*right, station.deflection);
+    }
+    let times = |values: &[f64], unit: f64| values.iter().map(|value| value * unit).collect::<Vec<_>>();
+    let mut x = vec![0.0; forces.len()];
+    places.places(first, &mut x);
+    let deflection = times(&deflection[nodes.clone()], scale.depth);
     Ok(Nodes {
-        discretisation: Discretisation::BeamElements,
+        discretisation,
         clearance: x.iter().zip(&deflection).map(|(&x, v)| given.gap(x) - v).collect(),
         x,
         deflection,
         contact_force: forces,
-        moment: nodes.map(|i| beam.moment[i][usize::from(i < intervals)] * scale.moment()).collect(),
+        moment: times(&moment[nodes], scale.moment()),
     })
 }

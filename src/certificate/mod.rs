@@ -34,12 +34,12 @@
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
 mod contact_load;
+mod double_sum;
 mod kernel;
 mod kkt;
 mod lumped;
 mod nodal_beam;
 mod quantities;
-mod residuals;
 mod violations;
 mod witness;
 

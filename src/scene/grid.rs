@@ -12,8 +12,11 @@ pub struct Grid {
     intervals: usize,
 }
 
-/// A node is at a place if it is nearer than this share of the beam: some units in the last place.
-const AT: f64 = 1e-14;
+/// Whether two places on a beam are one but for rounding: nearer than some units in the last place of its length.
+pub(crate) fn is_same_place(x: f64, other: f64, length: f64) -> bool {
+    const ROUNDING: f64 = 1e-14;
+    (x - other).abs() <= ROUNDING * length
+}
 
 /// The most intervals that are tried to find a grid with nodes at some places.
 pub(super) const MOST_FITTING: usize = 10_000;
@@ -77,7 +80,7 @@ impl Grid {
     )]
     pub fn node_at(&self, x: f64) -> Option<usize> {
         let node = ((x / self.length * self.intervals as f64).round() as usize).min(self.intervals);
-        ((x - self.place(node)).abs() <= AT * self.length).then_some(node)
+        is_same_place(x, self.place(node), self.length).then_some(node)
     }
 
     /// The least number of equal intervals, of at most 10 000, with a node at every support of `scene`.

@@ -23,6 +23,7 @@ pub use beam::Beam;
 pub use error::SceneError;
 pub use foundation::Foundation;
 pub use grid::Grid;
+pub(crate) use grid::is_same_place;
 pub use load::{LinearLoad, Load, PointLoad};
 pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
