@@ -2,8 +2,8 @@
 //! energy.
 
 use super::extremes::{BLOCK, Values, extremes, shifted};
-use super::held_beam::{self, Carried, HeldNode};
-use super::{Discrete, general, statics};
+use super::held_beam::{self, HeldNode};
+use super::{Discrete, general};
 use crate::qp::Sizes;
 use crate::scene::Grid;
 use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime, SupportForce};
@@ -39,9 +39,12 @@ impl Nodal {
             clearance[support.node - first] = discrete.gap(support.node) - support.held.deflection;
         }
         let mut deflection = discrete.clearances(&clearance);
+        for support in discrete.supports().inner() {
+            deflection[support.node - first] = support.held.deflection;
+        }
         let size = DEEP * discrete.sizes().x;
         if discrete.supports().lacking() == 0 && discrete.depths.iter().any(|&u| size < u) {
-            let by_statics = by_statics(discrete, &contact_force, discretisation);
+            let by_statics = general::deflection(discrete, &contact_force, discretisation);
             for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
                 if size < u {
                     *v = statics;
@@ -50,15 +53,6 @@ impl Nodal {
         }
         Self { discretisation, deflection, clearance, contact_force }
     }
-}
-
-/// The deflection that loads and contact forces cause.
-fn by_statics(discrete: &Discrete, contact_force: &[f64], discretisation: Discretisation) -> Vec<f64> {
-    if !discrete.is_simple() {
-        return general::deflection(discrete, contact_force, discretisation);
-    }
-    let carried: Vec<f64> = discrete.interior_loads().iter().zip(contact_force).map(|(q, p)| q - p).collect();
-    discrete.deflection(&carried, discretisation)
 }
 
 /// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
@@ -71,7 +65,7 @@ const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
 /// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
-    let deflection = by_statics(discrete, &vec![0.0; discrete.nodes().len()], discretisation);
+    let deflection = general::deflection(discrete, &vec![0.0; discrete.nodes().len()], discretisation);
     Nodal {
         discretisation,
         clearance: discrete.clearances(&deflection),
@@ -81,39 +75,82 @@ pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
 }
 
 /// The state of the beam that nodal values describe. Its memory is that of the discrete problem, as far as it goes.
+///
+/// Moments and forces of the supports are those of the beam on its supports alone, under `q − p`. Of a beam that they do not hold,
+/// contact forces are in balance with the loads, and what two more supports carry is what they lack of it.
 #[must_use]
-pub fn contact_state(discrete: Discrete, nodal: Nodal) -> ContactState {
-    if !discrete.is_simple() {
-        return any_state(&discrete, nodal);
+pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
+    let (nodes, sizes, supports) = (discrete.nodes(), discrete.sizes(), discrete.supports().all().to_vec());
+    let mut loads = std::mem::take(&mut discrete.loads);
+    let mut energy = elastic_energy(&mut loads[nodes.clone()], &nodal);
+    let discrete = discrete.basic(loads);
+    let &Discrete { grid, intervals, spacing, stiffness, .. } = &discrete;
+    let carried = held_beam::on_supports(&discrete, nodal.discretisation);
+    let (held, mut moments) = carried.map_or_else(
+        |_| (HeldNode::unknown(&discrete), vec![f64::NAN; intervals + 1]),
+        |carried| (carried.supports(), carried.moments()),
+    );
+    let held_at = |node: usize| held.iter().find(|held| held.node == node);
+    let mut forces = Vec::with_capacity(supports.len());
+    for support in &supports {
+        let Some(HeldNode { force, moments: [left, right], .. }) = held_at(support.node) else { continue };
+        let moment = support.held.slope.map(|_| held_beam::larger(*left, *right));
+        forces.push(SupportForce { at: support.held.at, force: *force, moment });
+        energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
+        if !nodes.contains(&support.node) {
+            energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
+        }
     }
-    let sizes = discrete.sizes();
-    let Discrete { grid, intervals, spacing, stiffness, .. } = discrete;
-    let loads = discrete.into_loads();
-    let ends = [loads[0], loads[intervals]];
-    let (mut carried, energy) = carried(loads, &nodal);
-    let moments = statics::moments(&carried, spacing);
-    // The shear forces of the first and the last interval.
-    let reactions =
-        Reactions { left: moments[0] / spacing + ends[0], right: moments[moments.len() - 1] / spacing + ends[1] };
+    let reaction = |node: usize| {
+        supports.iter().find(|support| support.node == node).and_then(|_| held_at(node)).map_or(0.0, |held| held.force)
+    };
+    let reactions = Reactions { left: reaction(0), right: reaction(intervals) };
 
-    let length = grid.place(intervals);
-    let contacts = contacts(&nodal, &sizes_of_contact(sizes, stiffness, length), |i| grid.place(i + 1));
-    let [deflection, moment] =
-        extremes(nodal.discretisation, Values::inside(&nodal.deflection), Values::inside(&moments), spacing, stiffness);
-    // The forces are not needed any more.
-    grid.places(1, &mut carried);
+    let contacts =
+        contacts(&nodal, &sizes_of_contact(sizes, stiffness, grid.place(intervals)), |i| grid.place(i + nodes.start));
+    let deflection_at = |node: usize| match supports.iter().find(|support| support.node == node) {
+        Some(support) => support.held.deflection,
+        None => nodal.deflection[node - nodes.start],
+    };
+    // Inside a built-in support moments jump: extremes are looked for on each side.
+    let mut found: Option<[Extremes; 2]> = None;
+    let mut from = (0, moments[0]);
+    let jumps = held.iter().filter(|held| 0 < held.node && held.node < intervals);
+    for (to, [before, behind]) in
+        jumps.map(|held| (held.node, held.moments)).chain([(intervals, [moments[intervals]; 2])])
+    {
+        let inner = from.0 + 1..to;
+        let v = Values {
+            inner: &nodal.deflection[inner.start - nodes.start..inner.end - nodes.start],
+            ends: [from.0, to].map(deflection_at),
+        };
+        let m = Values { inner: &moments[inner], ends: [from.1, before] };
+        let part = extremes(nodal.discretisation, v, m, spacing, stiffness).map(|part| shifted(part, from.0));
+        found = Some(found.map_or(part, |found| {
+            let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);
+            [both(found[0], part[0]), both(found[1], part[1])]
+        }));
+        from = (to, behind);
+    }
+    let [deflection, moment] = found.unwrap_or_default().map(|extremes| placed(extremes, &grid));
+    moments.truncate(nodes.end);
+    moments.drain(..nodes.start);
+    // The loads are not needed any more.
+    let mut x = discrete.loads;
+    x.truncate(nodes.len());
+    grid.places(nodes.start, &mut x);
     ContactState {
         regime: Regime::of(&contacts),
         reactions,
-        supports: SupportForce::at_ends(length, reactions),
+        supports: forces,
         standing: None,
         contacts,
-        deflection: placed(deflection, &grid),
-        moment: placed(moment, &grid),
+        deflection,
+        moment,
         energy,
         nodes: Some(Nodes {
             discretisation: nodal.discretisation,
-            x: carried,
+            x,
             deflection: nodal.deflection,
             clearance: nodal.clearance,
             contact_force: nodal.contact_force,
@@ -129,105 +166,21 @@ fn sizes_of_contact(sizes: Sizes, stiffness: f64, length: f64) -> Sizes {
     Sizes { x: sizes.x.max(rounded), ..sizes }
 }
 
-/// The state of a beam on any supports.
-///
-/// Their forces are those of the beam on its supports alone, under `q − p`. Of a beam that they do not hold, contact forces are
-/// in balance with the loads, and what two more supports carry is what they lack of it.
-fn any_state(discrete: &Discrete, nodal: Nodal) -> ContactState {
-    let &Discrete { grid, intervals, spacing, stiffness, .. } = discrete;
-    let basic = discrete.basic(general::remaining(discrete, &nodal.contact_force));
-    let Carried { supports: held, moments, .. } =
-        held_beam::on_supports(&basic, nodal.discretisation).unwrap_or_else(|_| Carried::unknown(&basic));
-    let mut supports = Vec::new();
-    let nodes = discrete.nodes();
-    let mut deflection: Vec<f64> = (0..=intervals)
-        .map(|node| if nodes.contains(&node) { nodal.deflection[node - nodes.start] } else { discrete.level(node) })
-        .collect();
-    // J = ½ ∫ M²/EI − ∫ q v, and the first term is half the work of all forces and couples.
+/// `t = q − p` in place of the loads, and `½ tᵀv − qᵀv`: since half the work of all forces and couples is the energy of bending, it
+/// is `J(v)` but for what supports add. Summed in blocks: one sum over a fine grid would lose digits that the answer has.
+fn elastic_energy(loads: &mut [f64], nodal: &Nodal) -> f64 {
     let mut energy = 0.0;
-    for support in discrete.supports().all() {
-        let Some(HeldNode { force, moments: [left, right], .. }) = held.iter().find(|held| held.node == support.node)
-        else {
-            continue;
-        };
-        let moment = support.held.slope.map(|_| held_beam::larger(*left, *right));
-        supports.push(SupportForce { at: support.held.at, force: *force, moment });
-        energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
-        deflection[support.node] = support.held.deflection;
-    }
-    for ((q, t), v) in discrete.loads.chunks(BLOCK).zip(basic.loads.chunks(BLOCK)).zip(deflection.chunks(BLOCK)) {
-        energy += q.iter().zip(t).zip(v).map(|((q, t), v)| (0.5 * t - q) * v).sum::<f64>();
-    }
-    let reaction = |node: usize| {
-        discrete
-            .supports()
-            .at(node)
-            .and_then(|_| held.iter().find(|held| held.node == node))
-            .map_or(0.0, |held| held.force)
-    };
-
-    let sizes = sizes_of_contact(discrete.sizes(), stiffness, grid.place(intervals));
-    let contacts = contacts(&nodal, &sizes, |i| grid.place(i + nodes.start));
-    // Inside a built-in support moments jump: extremes are looked for on each side.
-    let jumps = held.iter().filter(|held| 0 < held.node && held.node < intervals);
-    let mut found: Option<[Extremes; 2]> = None;
-    let mut from = (0, moments[0]);
-    for (to, [before, behind]) in
-        jumps.map(|held| (held.node, held.moments)).chain([(intervals, [moments[intervals]; 2])])
-    {
-        let inside = from.0 + 1..to;
-        let of =
-            |values: &'_ [f64], ends: [f64; 2]| -> (Vec<f64>, [f64; 2]) { (values[inside.clone()].to_vec(), ends) };
-        let (v, m) = (of(&deflection, [deflection[from.0], deflection[to]]), of(&moments, [from.1, before]));
-        let [v, m] = [&v, &m].map(|(inner, ends)| Values { inner, ends: *ends });
-        let part = extremes(nodal.discretisation, v, m, spacing, stiffness).map(|part| shifted(part, from.0));
-        found = Some(found.map_or(part, |found| {
-            let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);
-            [both(found[0], part[0]), both(found[1], part[1])]
-        }));
-        from = (to, behind);
-    }
-    let [deflection, moment] = found.unwrap_or_default().map(|extremes| placed(extremes, &grid));
-    let mut x = vec![0.0; nodes.len()];
-    grid.places(nodes.start, &mut x);
-    ContactState {
-        regime: Regime::of(&contacts),
-        reactions: Reactions { left: reaction(0), right: reaction(intervals) },
-        supports,
-        standing: None,
-        contacts,
-        deflection,
-        moment,
-        energy,
-        nodes: Some(Nodes {
-            discretisation: nodal.discretisation,
-            x,
-            deflection: nodal.deflection,
-            clearance: nodal.clearance,
-            contact_force: nodal.contact_force,
-            moment: moments[nodes].to_vec(),
-        }),
-    }
-}
-
-/// `t = q − p` in place of the loads, and `J(v) = ½ tᵀv − qᵀv`, since `v = C t`. Summed in blocks: one sum over a fine grid
-/// would lose digits that the answer has.
-fn carried(mut loads: Vec<f64>, nodal: &Nodal) -> (Vec<f64>, f64) {
-    let mut energy = 0.0;
-    let blocks = nodal.contact_force.chunks(BLOCK).zip(nodal.deflection.chunks(BLOCK)).enumerate();
-    for (b, (forces, deflection)) in blocks {
-        // The load on the left support has no force below it: all move up by one.
-        let loads = &mut loads[b * BLOCK..b * BLOCK + forces.len() + 1];
+    let answers = nodal.contact_force.chunks(BLOCK).zip(nodal.deflection.chunks(BLOCK));
+    for (loads, (forces, deflection)) in loads.chunks_mut(BLOCK).zip(answers) {
         let mut sum = 0.0;
-        for (k, (p, v)) in forces.iter().zip(deflection).enumerate() {
-            let q = loads[k + 1];
-            loads[k] = q - p;
-            sum += (0.5 * loads[k] - q) * v;
+        for ((q, p), v) in loads.iter_mut().zip(forces).zip(deflection) {
+            let load = *q;
+            *q -= p;
+            sum += (0.5 * *q - load) * v;
         }
         energy += sum;
     }
-    loads.truncate(nodal.contact_force.len());
-    (loads, energy)
+    energy
 }
 
 /// Extremes with places along the beam instead of numbers of nodes.

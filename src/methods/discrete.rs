@@ -50,9 +50,6 @@ impl Discrete {
     /// [`SceneError::TooFewIntervals`], and [`SceneError::SupportBetweenNodes`].
     pub fn new(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         let discrete = Self::unmeasured(scene, intervals)?;
-        if discrete.simple {
-            return Ok(Self { sizes: sizes(scene, intervals.min(SIZING))?, ..discrete });
-        }
         // A coarser grid with the supports among its nodes, if there is one.
         let step = Grid::least_fitting(scene).unwrap_or(intervals);
         let coarse = SIZING / step * step;
@@ -91,11 +88,6 @@ impl Discrete {
     #[must_use]
     pub fn interior_loads(&self) -> &[f64] {
         &self.loads[1..self.intervals]
-    }
-
-    /// The loads on all nodes; the memory of everything else is given back.
-    pub(super) fn into_loads(self) -> Vec<f64> {
-        self.loads
     }
 
     /// All nodes but the ends of the beam that have a support.
@@ -174,7 +166,7 @@ impl Discrete {
         self.sizes
     }
 
-    /// [`sizes`](Self::sizes) of any beam.
+    /// See [`sizes`](Self::sizes).
     fn measured(&self) -> Sizes {
         let basic = self.basic(self.loads.clone());
         let nothing: FreeSet = FreeSet::none(basic.unknowns());
@@ -250,20 +242,22 @@ impl Discrete {
         plain < (left.max(middle) / before).max(right.max(middle) / behind)
     }
 
-    /// The same beam under other loads.
-    pub(super) fn under(&self, loads: Vec<f64>) -> Self {
-        Self { loads, ..self.clone() }
+    /// The same beam on other supports, above ground that is known at the nodes only, and under other loads.
+    fn changed(&self, supports: Supports, depths: Vec<f64>, loads: Vec<f64>) -> Self {
+        Self { depths, supports, loads, profile: None, shape: None, simple: false, ..*self }
     }
 
     /// The same beam above ground that is known at the nodes only.
     pub(super) fn above(&self, depths: Vec<f64>) -> Self {
-        Self { depths, profile: None, shape: None, ..self.clone() }
+        self.changed(self.supports.clone(), depths, self.loads.clone())
     }
 
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        self.on(self.supports.completed()).above_zero().under(loads)
+        let supports = self.supports.completed();
+        let depths = vec![0.0; supports.nodes().len()];
+        self.changed(supports, depths, loads)
     }
 
     /// The same without loads, and with all supports and slopes at zero: what is left is linear in contact forces.
@@ -273,28 +267,17 @@ impl Discrete {
             support.held.deflection = 0.0;
             support.held.slope = support.held.slope.map(|_| 0.0);
         }
-        self.on(Supports::of(all, self.intervals)).above_zero().under(vec![0.0; self.loads.len()])
+        let depths = vec![0.0; self.nodes().len()];
+        self.changed(Supports::of(all, self.intervals), depths, vec![0.0; self.loads.len()])
     }
 
-    fn above_zero(&self) -> Self {
-        self.above(vec![0.0; self.nodes().len()])
-    }
-
-    /// The same beam on other supports, of which all are among the nodes that are not held now, or are held now.
+    /// The same beam on supports that are all among the nodes that are not held now, or are held now.
     pub(super) fn on(&self, supports: Supports) -> Self {
         let (old, new) = (self.nodes(), supports.nodes());
         let depths = self.depths[new.start - old.start..new.end - old.start].to_vec();
-        Self { depths, supports, simple: false, ..self.clone() }
+        let (profile, shape) = (self.profile.clone(), self.shape.clone());
+        Self { profile, shape, ..self.changed(supports, depths, self.loads.clone()) }
     }
-}
-
-/// See [`Discrete::sizes`]; of the paper's beam.
-fn sizes(scene: &Scene, intervals: usize) -> Result<Sizes, SceneError> {
-    let grid = Grid::uniform(scene, intervals)?;
-    let (loads, depths) = (grid.nodal_loads(scene.load()), grid.gaps(scene));
-    let stiffness = scene.beam().bending_stiffness();
-    let free = deflection(&loads[1..intervals], grid.spacing(), stiffness, Discretisation::BeamElements);
-    Ok(size(&free, &depths, loads[1..intervals].iter().copied(), stiffness, scene.beam().length()))
 }
 
 /// See [`Discrete::sizes`]: from the free deflection, the room below it, and the loads.

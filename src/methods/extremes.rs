@@ -13,12 +13,7 @@ pub(super) struct Values<'a> {
     pub(super) ends: [f64; 2],
 }
 
-impl<'a> Values<'a> {
-    /// Of a beam that has zero at both ends.
-    pub(super) fn inside(inner: &'a [f64]) -> Self {
-        Self { inner, ends: [0.0; 2] }
-    }
-
+impl Values<'_> {
     /// At node `i`, counted from the left end.
     fn at(&self, i: usize) -> f64 {
         if i == 0 { self.ends[0] } else { self.inner.get(i - 1).copied().unwrap_or(self.ends[1]) }
@@ -173,7 +168,7 @@ mod tests {
             let zero = std::iter::once(0.0);
             let all = zero.clone().chain(values.iter().copied()).chain(zero);
             let expected = Extremes::of((0_i32..).map(f64::from).zip(all).collect::<Vec<_>>());
-            assert_eq!(nodal_extremes(Values::inside(&values)), expected, "{} values", values.len());
+            assert_eq!(nodal_extremes(Values { inner: &values, ends: [0.0; 2] }), expected, "{} values", values.len());
         }
     }
 }

@@ -43,7 +43,7 @@ pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Di
         return unknown();
     }
     let basic = discrete.basic(remaining(discrete, forces));
-    held_beam::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |carried| carried.deflection)
+    held_beam::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |beam| beam.deflection())
 }
 
 /// `q − p` at all nodes, of contact forces at all but supported ends.

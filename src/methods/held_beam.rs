@@ -208,8 +208,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         }
     }
 
-    /// The moments beside each support, with its force.
-    fn support_forces(&self) -> Vec<HeldNode> {
+    /// The force of each support of a beam that only supports hold, with the moments beside it \[force · length\].
+    pub(super) fn supports(&self) -> Vec<HeldNode> {
         let mut held: Vec<HeldNode> = Vec::new();
         self.forces(|node, force| held.push(HeldNode { node, force, moments: [0.0; 2] }));
         let mut i = 0;
@@ -217,14 +217,16 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             let left = self.moments[i];
             i += 1;
             let twice = self.nodes.get(i) == Some(&held.node);
-            held.moments = [left, if twice { self.moments[i] } else { left }];
+            held.moments =
+                [left, if twice { self.moments[i] } else { left }].map(|moment| moment * self.discrete.spacing);
             i += usize::from(twice);
         }
         held
     }
 
-    /// Moments at all nodes \[force · Δ\]; beside a built-in support that of the side where it is larger.
-    fn nodal_moments(&self) -> Vec<f64> {
+    /// Moments at all nodes \[force · length\]; beside a built-in support that of the side where it is larger.
+    pub(super) fn moments(&self) -> Vec<f64> {
+        let spacing = self.discrete.spacing;
         let mut moments = vec![0.0; self.discrete.intervals + 1];
         let stretches = (0..self.nodes.len() - 1).map(|i| self.stretch(i));
         for Stretch { nodes: [first, last], moments: ends, .. } in
@@ -232,17 +234,29 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         {
             if first < last {
                 let (loads, inner) = (&self.discrete.loads[first + 1..last], &mut moments[first + 1..last]);
-                statics::funicular(loads, ends, 1.0, inner);
+                statics::funicular(loads, ends, spacing, inner);
             }
         }
         for (&node, &moment) in self.nodes.iter().zip(&self.moments) {
-            moments[node] = larger(moments[node], moment);
+            moments[node] = larger(moments[node], moment * spacing);
         }
         moments
     }
+
+    /// Deflections at all nodes but supported ends of a beam that only supports hold, above ground at zero.
+    pub(super) fn deflection(&self) -> Vec<f64> {
+        let nodes = self.discrete.nodes();
+        let mut deflection = vec![0.0; nodes.len()];
+        self.clearances(&nodes, &mut deflection);
+        deflection.iter_mut().for_each(|value| *value = -*value);
+        for support in self.discrete.supports().inner() {
+            deflection[support.node - nodes.start] = support.held.deflection;
+        }
+        deflection
+    }
 }
 
-/// A node that is held: the force that does it, upwards, and the moments beside it \[force · Δ\].
+/// A node that is held: the force that does it, upwards, and the moments beside it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HeldNode {
     pub(super) node: usize,
@@ -250,49 +264,21 @@ pub(super) struct HeldNode {
     pub(super) moments: [f64; 2],
 }
 
-/// A beam on its supports alone.
-pub(super) struct Carried {
-    /// Its supports.
-    pub(super) supports: Vec<HeldNode>,
-    /// Moments at all nodes \[force · length\].
-    pub(super) moments: Vec<f64>,
-    /// Deflections at all nodes but supported ends.
-    pub(super) deflection: Vec<f64>,
-}
-
-impl Carried {
-    /// What is known where a number is not finite.
-    pub(super) fn unknown(discrete: &Discrete) -> Self {
-        let unknown = |n: usize| vec![f64::NAN; n];
+impl HeldNode {
+    /// The supports of a beam where a number is not finite.
+    pub(super) fn unknown(discrete: &Discrete) -> Vec<Self> {
         let supports = discrete.supports().all().iter();
-        Self {
-            supports: supports
-                .map(|support| HeldNode { node: support.node, force: f64::NAN, moments: [f64::NAN; 2] })
-                .collect(),
-            moments: unknown(discrete.intervals + 1),
-            deflection: unknown(discrete.nodes().len()),
-        }
+        supports.map(|support| Self { node: support.node, force: f64::NAN, moments: [f64::NAN; 2] }).collect()
     }
 }
 
 /// The beam on its supports alone, above ground at zero.
-pub(super) fn on_supports(discrete: &Discrete, discretisation: Discretisation) -> Result<Carried, NotPositiveDefinite> {
+pub(super) fn on_supports(
+    discrete: &Discrete,
+    discretisation: Discretisation,
+) -> Result<Beam<'_, impl Fn(usize, usize) -> Span>, NotPositiveDefinite> {
     let span = |first: usize, last: usize| Span::under(&discrete.loads[first + 1..last]);
-    let beam = ContactSet::at(discrete, std::iter::empty()).beam(discrete, discretisation, span)?;
-    let nodes = discrete.nodes();
-    let mut deflection = vec![0.0; nodes.len()];
-    beam.clearances(&nodes, &mut deflection);
-    deflection.iter_mut().for_each(|value| *value = -*value);
-    for support in discrete.supports().inner() {
-        deflection[support.node - nodes.start] = support.held.deflection;
-    }
-    let supports = beam.support_forces();
-    let in_units = |moment: f64| moment * discrete.spacing;
-    Ok(Carried {
-        supports: supports.into_iter().map(|held| HeldNode { moments: held.moments.map(in_units), ..held }).collect(),
-        moments: beam.nodal_moments().into_iter().map(in_units).collect(),
-        deflection,
-    })
+    ContactSet::at(discrete, std::iter::empty()).beam(discrete, discretisation, span)
 }
 
 /// The one that is larger in magnitude.

@@ -148,7 +148,7 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     let deflections = |slope: f64| {
         let turned = discrete.turned_about(node, slope);
         let mut deflection =
-            held_beam::on_supports(&turned.basic(turned.loads.clone()), discretisation).ok()?.deflection;
+            held_beam::on_supports(&turned.basic(turned.loads.clone()), discretisation).ok()?.deflection();
         // An end of the beam that is held is none of its nodes.
         if deflection.len() < nodes.len() {
             deflection.insert(node - nodes.start, discrete.level(node));
