@@ -366,9 +366,15 @@ pub(super) fn stand(stations: &mut Vec<Station>, first: usize, contact: &[f64], 
     while stations.len() < 2 && stations.iter().all(|station| station.slope.is_none()) {
         let last = first + contact.len() - 1;
         let taken = stations.first().map(|station| station.node);
-        let turns = |node: usize| contact[node - first] * taken.map_or(1.0, |taken| number(taken.abs_diff(node)));
-        let most = (first..=last).max_by(|a, b| turns(*a).total_cmp(&turns(*b))).filter(|node| 0.0 < turns(*node));
-        let node = most.unwrap_or(if taken.is_some_and(|taken| last <= 2 * taken) { first } else { last });
+        let lever = |node: usize| taken.map_or(1.0, |taken| number(taken.abs_diff(node)));
+        let (mut most, mut pressing) = (0.0, None);
+        for (node, force) in (first..).zip(contact) {
+            let turns = force * lever(node);
+            if most < turns {
+                (most, pressing) = (turns, Some(node));
+            }
+        }
+        let node = pressing.unwrap_or(if taken.is_some_and(|taken| last <= 2 * taken) { first } else { last });
         let at = stations.partition_point(|station| station.node < node);
         stations.insert(at, Station { node, deflection: deflection[node - first], slope: None });
     }
