@@ -205,8 +205,8 @@ pub fn adapt(scene: &Scene, request: &Request) -> Result<Adapted, SceneError> {
     let mut search = Search::new(scene, request);
     loop {
         let settings = search.settings();
-        let outcome = solve_raw(scene, &settings)?;
-        if let Some(adapted) = search.record(settings, outcome) {
+        let raw = solve_raw(scene, &settings)?;
+        if let Some(adapted) = search.record(settings, raw) {
             return Ok(adapted);
         }
     }
@@ -247,9 +247,9 @@ impl<'a> Search<'a> {
     }
 
     /// Takes the answer for [`Search::settings`]; hands back the best one when the search has ended.
-    pub fn record(&mut self, settings: Settings, outcome: RawSolution) -> Option<Adapted> {
-        let (work, reports_success) = (outcome.work, outcome.solver_reports_success);
-        let solution = outcome.judged(&self.witness, &self.request.demand());
+    pub fn record(&mut self, settings: Settings, raw: RawSolution) -> Option<Adapted> {
+        let (work, reports_success) = (raw.work, raw.solver_reports_success);
+        let solution = raw.judged(&self.witness, &self.request.demand());
         let verdict = &solution.verdict;
         self.trials.push(Trial {
             intervals: settings.intervals,

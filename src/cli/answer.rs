@@ -85,9 +85,9 @@ impl Answer {
     /// The answer of a method on a grid, certified from a witness.
     pub(super) fn discretised(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let start = Instant::now();
-        let outcome = solve_raw(&input.scene, settings).map_err(|error| input.error(error))?;
+        let raw = solve_raw(&input.scene, settings).map_err(|error| input.error(error))?;
         let seconds = start.elapsed().as_secs_f64();
-        Ok(Self::on_grid(input, settings, outcome.judged(witness, &Demand::default()), seconds))
+        Ok(Self::on_grid(input, settings, raw.judged(witness, &Demand::default()), seconds))
     }
 
     /// The same for a comparison of all routes, which leaves out those that are not worth their cost on so fine a grid.
@@ -97,8 +97,8 @@ impl Answer {
             return Self::discretised(input, settings, witness);
         }
         let why = format!("not tried: {intervals} intervals, {most} is the limit of this solver in a comparison");
-        let outcome = left_out(&input.scene, settings, why).map_err(|error| input.error(error))?;
-        Ok(Self::on_grid(input, settings, outcome.judged(witness, &Demand::default()), 0.0))
+        let raw = left_out(&input.scene, settings, why).map_err(|error| input.error(error))?;
+        Ok(Self::on_grid(input, settings, raw.judged(witness, &Demand::default()), 0.0))
     }
 
     fn adaptive(input: &Input, request: &Request) -> Result<Self, Failure> {
@@ -108,9 +108,9 @@ impl Answer {
         let adapted = loop {
             let settings = search.settings();
             let start = Instant::now();
-            let outcome = solve_raw(&input.scene, &settings).map_err(|error| input.error(error))?;
+            let raw = solve_raw(&input.scene, &settings).map_err(|error| input.error(error))?;
             times.push(start.elapsed().as_secs_f64());
-            if let Some(adapted) = search.record(settings, outcome) {
+            if let Some(adapted) = search.record(settings, raw) {
                 break adapted;
             }
         };

@@ -79,10 +79,10 @@ pub(crate) fn run(scene: &Scene, method: Method, solver: Solver, intervals: usiz
     solve_raw(scene, &Settings::new(method, solver, intervals)).unwrap_or_else(|e| panic!("{method} {solver}: {e}"))
 }
 
-/// The nodal values of an outcome.
+/// The nodal values of a raw solution.
 #[track_caller]
-pub(crate) fn nodes(outcome: &RawSolution) -> &Nodes {
-    outcome.state.nodes.as_ref().expect("a discretised method has nodes")
+pub(crate) fn nodes(raw: &RawSolution) -> &Nodes {
+    raw.state.nodes.as_ref().expect("a discretised method has nodes")
 }
 
 /// The largest difference of two lists of equal length; infinite for NaN.

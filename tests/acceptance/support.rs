@@ -13,12 +13,12 @@ impl Comparator for Numdiff {
         let (Some(expected), Some(actual)) = (reference.as_text(), test.as_text()) else {
             return false;
         };
-        let outcome = numdiff(&expected.to_string(), &actual.to_string());
+        let raw = numdiff(&expected.to_string(), &actual.to_string());
         #[expect(clippy::print_stderr, reason = "insta shows both texts, but not which number made the difference")]
-        if let Err(difference) = &outcome {
+        if let Err(difference) = &raw {
             eprintln!("{difference}");
         }
-        outcome.is_ok()
+        raw.is_ok()
     }
 
     fn dyn_clone(&self) -> Box<dyn Comparator> {

@@ -1,6 +1,6 @@
 //! Contact forces as CSV, `x,force`, one force in each row, laid out like a survey.
 
-use super::excerpt::excerpt;
+use super::problem::excerpt;
 use super::survey::Survey;
 use super::{FileError, Problem};
 

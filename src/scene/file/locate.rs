@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::profile::KINDS;
+use super::contents::KINDS;
 use super::survey::Survey;
 use super::table::Span;
 use super::{FileError, Problem, Source};

@@ -7,14 +7,11 @@
 //!
 //! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
 
-mod beam;
+mod contents;
 mod error;
-mod excerpt;
 mod forces;
-mod load;
 mod locate;
 mod problem;
-mod profile;
 mod survey;
 mod table;
 
@@ -24,12 +21,11 @@ pub use error::FileError;
 pub use forces::parse_forces;
 pub use problem::{Problem, ReadProblem};
 
-use self::beam::BeamKeys;
+use self::contents::{BeamKeys, Given, LoadKeys};
 use self::locate::Located;
-use self::profile::Given;
 use self::survey::Survey;
-use self::table::{Keys, Span};
-use super::{Beam, Foundation, Load, Profile, Scene, SceneError, Units};
+use self::table::Span;
+use super::{Beam, Foundation, Load, Profile, Scene, SceneError};
 
 /// Reads a scene file.
 ///
@@ -50,7 +46,7 @@ pub fn parse(
     }
     let source = Source { name, text };
     let document = DeTable::parse(text).map_err(|e| source.syntax(&e))?;
-    let mut parts = read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
+    let mut contents = contents::read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
     let mut profile = |given: Option<Given>| match given {
         None => Ok::<_, Box<FileError>>((None, None)),
         Some(Given::Profile(profile)) => Ok((Some(profile), None)),
@@ -60,12 +56,12 @@ pub fn parse(
             Ok((Some(Foundation::Polyline { points: survey.points()? }), Some(survey)))
         }
     };
-    let (foundation, below) = profile(parts.foundation)?;
-    let (shape, own) = profile(parts.beam.shape.take())?;
+    let (foundation, below) = profile(contents.foundation)?;
+    let (shape, own) = profile(contents.beam.shape.take())?;
     let surveys = [(Profile::Foundation, below), (Profile::Shape, own)];
     let located = Located { source: &source, document: document.get_ref(), surveys: &surveys };
-    let scene = assemble(parts.beam, shape, parts.load, foundation).map_err(|e| located.error(e))?;
-    Ok(scene.labelled(parts.title, parts.units))
+    let scene = assemble(contents.beam, shape, contents.load, foundation).map_err(|e| located.error(e))?;
+    Ok(scene.labelled(contents.title, contents.units))
 }
 
 /// A file as messages need it: what it is called and what is in it.
@@ -92,33 +88,10 @@ impl Source<'_> {
     }
 }
 
-/// What a scene file says, its numbers not judged yet.
-struct Parts {
-    title: String,
-    units: Units,
-    beam: BeamKeys,
-    load: load::LoadKeys,
-    foundation: Option<Given>,
-}
-
-fn read(document: &DeTable<'_>) -> Result<Parts, table::Error> {
-    let file = Keys::of_file(document, &["title", "beam", "load", "foundation", "units"])?;
-    let beam = beam::read(&file)?;
-    let units = file.table("units", &["length", "force"])?;
-    let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
-    Ok(Parts {
-        title: file.line_of_text("title")?.unwrap_or_default(),
-        units: Units { length: label("length")?, force: label("force")? },
-        beam,
-        load: load::read(&file)?,
-        foundation: profile::read(&file, "foundation", Profile::Foundation)?,
-    })
-}
-
 fn assemble(
     keys: BeamKeys,
     shape: Option<Foundation>,
-    load: load::LoadKeys,
+    load: LoadKeys,
     foundation: Option<Foundation>,
 ) -> Result<Scene, SceneError> {
     let mut beam = Beam::new(keys.length, keys.bending_stiffness)?;

@@ -1,6 +1,5 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
-use super::excerpt::excerpt;
 use crate::scene::{Profile, SceneError};
 
 /// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
@@ -272,5 +271,14 @@ fn in_words_of_the_file(error: &SceneError, quantity: Option<&'static str>) -> S
     match (error.quantity(), quantity) {
         (Some(from), Some(to)) => message.replacen(&from.to_string(), to, 1),
         _ => message,
+    }
+}
+
+/// A field, or a key, as a message repeats it.
+pub(super) fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 60;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
     }
 }

@@ -8,7 +8,7 @@
 
 use std::path::Path;
 
-use super::excerpt::excerpt;
+use super::problem::excerpt;
 use super::table::Span;
 use super::{FileError, Problem, Source};
 

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::Problem;
-use super::excerpt::excerpt;
+use super::problem::excerpt;
 use super::problem::is_forbidden;
 
 /// Bytes of the file, from `start` up to `end`.

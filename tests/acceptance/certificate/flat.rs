@@ -26,9 +26,9 @@ fn check(intervals: usize, solvers: &[Solver]) {
         let (scene, truth) = scene(share);
         for method in Method::ALL {
             for &solver in solvers {
-                let outcome = run(&scene, method, solver, intervals);
+                let raw = run(&scene, method, solver, intervals);
                 let what = format!("depth {share}, {method} {solver}, {intervals} intervals");
-                let nodes = nodes(&outcome);
+                let nodes = nodes(&raw);
                 let certificate = of_nodes(&scene, nodes);
                 let slack = ROUNDING * truth.energy.abs();
                 assert!(certificate.energy_lower <= truth.energy + slack, "{what}: {certificate:?}, {}", truth.energy);

@@ -12,17 +12,17 @@ use crate::scenes::{example, run, scene, uniform};
 /// The state that the active set finds.
 #[track_caller]
 fn correct_on(scene: &Scene, intervals: usize) -> ContactState {
-    let outcome = run(scene, Method::Force, Solver::ActiveSet, intervals);
-    assert!(outcome.solved);
-    outcome.state
+    let raw = run(scene, Method::Force, Solver::ActiveSet, intervals);
+    assert!(raw.solved);
+    raw.state
 }
 
 /// As [`correct_on`], on 30 intervals by any method.
 #[track_caller]
 fn correct(scene: &Scene, method: Method) -> ContactState {
-    let outcome = run(scene, method, Solver::ActiveSet, 30);
-    assert!(outcome.solved, "{method}");
-    outcome.state
+    let raw = run(scene, method, Solver::ActiveSet, 30);
+    assert!(raw.solved, "{method}");
+    raw.state
 }
 
 fn passes(scene: &Scene, state: &ContactState) -> bool {
@@ -82,11 +82,11 @@ fn a_state_of_another_scene_or_method_does_not_pass() {
 /// Four-step stops at points that are not optimal; the judge has to see each of them although `x ≥ 0` holds.
 #[test]
 fn a_stationary_point_that_is_not_optimal_does_not_pass() {
-    let outcome = run(&example(), Method::Displacement, Solver::FourStep, 100);
-    assert!(outcome.solver_reports_success, "the four steps end with x ≥ 0");
-    assert!(!outcome.solved && outcome.solver_reports_success);
-    assert!(CERTIFIED_RESIDUAL < outcome.residual);
-    let kkt = Kkt::of(&example(), &outcome.state).expect("nodes");
+    let raw = run(&example(), Method::Displacement, Solver::FourStep, 100);
+    assert!(raw.solver_reports_success, "the four steps end with x ≥ 0");
+    assert!(!raw.solved && raw.solver_reports_success);
+    assert!(CERTIFIED_RESIDUAL < raw.residual);
+    let kkt = Kkt::of(&example(), &raw.state).expect("nodes");
     assert!(kkt.penetration < CERTIFIED_RESIDUAL && CERTIFIED_RESIDUAL < kkt.tension, "{kkt:?}");
 }
 

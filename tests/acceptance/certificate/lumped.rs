@@ -61,8 +61,8 @@ fn under_the_distributed_load_nodal_forces_let_the_beam_into_the_ground() {
     let scene = example();
     let (l, ei, q) = (10.0, 500.0 / 384.0, 1.0);
     for intervals in [30_u32, 60] {
-        let outcome = run(&scene, Method::Force, Solver::ActiveSet, usize::try_from(intervals).expect("small"));
-        let forces = forces(nodes(&outcome));
+        let raw = run(&scene, Method::Force, Solver::ActiveSet, usize::try_from(intervals).expect("small"));
+        let forces = forces(nodes(&raw));
         let load = ContactLoad::new(l, forces.iter().copied()).expect("forces on the beam");
         let worst = violations(&scene, &load).expect("a scene")[0];
         let width = l / f64::from(intervals);
@@ -89,8 +89,8 @@ fn forces_of_our_own_answers_give_their_nodes_back() {
     for (name, scene) in report() {
         let truth = Truth::of(&scene).expect("theory has an answer");
         for (method, intervals) in [(Method::Force, 30), (Method::Displacement, 101)] {
-            let outcome = run(&scene, method, Solver::ActiveSet, intervals);
-            let own = nodes(&outcome);
+            let raw = run(&scene, method, Solver::ActiveSet, intervals);
+            let own = nodes(&raw);
             let lumped = Lumped::new(&scene, forces(own)).expect("nodes");
             let what = format!("{name}, {method}");
             same(&what, &lumped.nodes.deflection, &own.deflection);

@@ -12,8 +12,8 @@ const ASKED: [(usize, f64); 2] = [(300, 1e-3), (10_000, 1e-6)];
 #[test]
 fn the_example_is_certified_to_the_accuracy_asked_for() {
     for (intervals, most) in ASKED {
-        let outcome = run(&example(), Method::Force, Solver::ActiveSet, intervals);
-        let certificate = of_nodes(&example(), nodes(&outcome));
+        let raw = run(&example(), Method::Force, Solver::ActiveSet, intervals);
+        let certificate = of_nodes(&example(), nodes(&raw));
         assert!(certificate.deflection_error <= most, "{intervals} intervals: {certificate:?}");
     }
 }
@@ -26,9 +26,9 @@ fn certified_errors_are_close_to_true_ones() {
     for (name, scene) in report() {
         let truth = theory::solve(&scene).expect("theory has an answer");
         for intervals in [30, 100, 300] {
-            let outcome = run(&scene, Method::Force, Solver::ActiveSet, intervals);
-            let certificate = of_nodes(&scene, nodes(&outcome));
-            let error = true_error(&scene, nodes(&outcome), |x| truth.deflection(x));
+            let raw = run(&scene, Method::Force, Solver::ActiveSet, intervals);
+            let certificate = of_nodes(&scene, nodes(&raw));
+            let error = true_error(&scene, nodes(&raw), |x| truth.deflection(x));
             assert!(certificate.contacts_proven, "{name}, {intervals} intervals");
             assert!(certificate.deflection_error <= LOOSE * error, "{name}, {intervals}: {error}, {certificate:?}");
         }

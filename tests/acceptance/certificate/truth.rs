@@ -26,9 +26,9 @@ fn forces(random: &mut Random, scene: &Scene, exact: &Exact) -> Vec<(f64, f64)> 
         (0..count).map(|_| (random.between(0.0, l), all * random.between(-0.1, 0.5))).collect()
     };
     let intervals = 2 + random.below(60);
-    let outcome =
+    let raw =
         solve_raw(scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("the grid is fine enough");
-    let Some(nodes) = outcome.state.nodes else { return made_up(random) };
+    let Some(nodes) = raw.state.nodes else { return made_up(random) };
     let mut given: Vec<(f64, f64)> = nodes.x.iter().copied().zip(nodes.contact_force.iter().copied()).collect();
     match random.below(6) {
         0 => return made_up(random),

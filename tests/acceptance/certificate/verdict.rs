@@ -8,13 +8,13 @@ use palkki::{Settings, Witness, solve_raw, theory};
 use palkki_evidence::paper::example;
 use palkki_evidence::random;
 
-fn outcome(intervals: usize) -> palkki::route::RawSolution {
+fn raw(intervals: usize) -> palkki::route::RawSolution {
     let scene = example().expect("the example is well posed");
     solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("an answer")
 }
 
-fn of_raw(outcome: &palkki::route::RawSolution, demand: &Demand) -> Verdict {
-    Verdict::of_raw(outcome, &Witness::of(&example().expect("the example is well posed")), demand)
+fn of_raw(raw: &palkki::route::RawSolution, demand: &Demand) -> Verdict {
+    Verdict::of_raw(raw, &Witness::of(&example().expect("the example is well posed")), demand)
 }
 
 /// The rule at its border, on the paper's example: whatever is demanded, an answer is certified if and only if its error is at
@@ -23,7 +23,7 @@ fn of_raw(outcome: &palkki::route::RawSolution, demand: &Demand) -> Verdict {
 fn certified_is_what_is_certain_to_a_tenth_or_to_what_is_demanded() {
     let [mut certified, mut refused] = [0, 0];
     for intervals in 2..=40 {
-        let answer = outcome(intervals);
+        let answer = raw(intervals);
         for demanded in [f64::INFINITY, 0.5, USABLE, 1e-2, 2e-3] {
             let verdict = of_raw(&answer, &Demand::of_error(demanded));
             let most = demanded.min(0.1);
@@ -53,7 +53,7 @@ fn certified_is_what_is_certain_to_a_tenth_or_to_what_is_demanded() {
 /// A beam that does not move is certain, and one whose witness was not the list of contacts says that the bound is coarse.
 #[test]
 fn the_words_say_how_far() {
-    let verdict = of_raw(&outcome(30), &Demand::default());
+    let verdict = of_raw(&raw(30), &Demand::default());
     let share = share_at_most(verdict.error);
     assert_eq!(verdict.to_string(), format!("the deflection is certain to {share} of its largest value"));
 
@@ -112,7 +112,7 @@ fn exact_answers_are_certain_to_a_millionth() {
 
 #[test]
 fn an_answer_to_another_question_is_refused() {
-    let mut wrong = outcome(30);
+    let mut wrong = raw(30);
     wrong.residual = 1e-8;
     let refusal = of_raw(&wrong, &Demand::default()).refusal;
     assert!(matches!(refusal, Some(Refusal::Residual { .. })), "{refusal:?}");
@@ -123,7 +123,7 @@ fn an_answer_to_another_question_is_refused() {
 
 #[test]
 fn no_numbers_no_certificate() {
-    let mut wrong = outcome(30);
+    let mut wrong = raw(30);
     wrong.state.nodes.as_mut().expect("nodes").contact_force[3] = f64::NAN;
     let verdict = of_raw(&wrong, &Demand::default());
     assert_eq!((verdict.status, verdict.refusal), (Status::NotCertified, Some(Refusal::NoNumbers)));

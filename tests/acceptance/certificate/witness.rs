@@ -58,14 +58,14 @@ fn holds<T: Number>(what: &str, scene: &Scene, given: &Nodes, said: &Certificate
 /// An answer on a grid, from the right witness and from one with every fault in it.
 #[track_caller]
 fn check<T: Number>(what: &str, scene: &Scene, truth: &Truth<T>) {
-    let outcome = run(scene, Method::Force, Solver::ActiveSet, 20);
-    let given = nodes(&outcome);
+    let raw = run(scene, Method::Force, Solver::ActiveSet, 20);
+    let given = nodes(&raw);
     let said = |witness: &[Contact]| certify(scene, Judged::Nodes(given), witness).expect("the scene can be scaled");
     let right = said(&truth.contacts);
     assert!(right.contacts_proven, "{what}: {right:?}");
     holds(what, scene, given, &right, truth);
     holds(&format!("{what}, no witness"), scene, given, &said(&[]), truth);
-    holds(&format!("{what}, its own contacts"), scene, given, &said(&outcome.state.contacts), truth);
+    holds(&format!("{what}, its own contacts"), scene, given, &said(&raw.state.contacts), truth);
     for fault in CONTACT_FAULTS {
         for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
             if let Some(broken) = fault.put_into(&truth.contacts, size, scene.beam().length()) {

@@ -32,8 +32,8 @@ const FAULTS: [Fault; 9] = [
 /// The judged deflection is still the one of the answer before the fault: what is bounded is any deflection whatsoever.
 #[track_caller]
 fn check(what: &str, scene: &Scene, forces: &[f64]) {
-    let outcome = run(scene, Method::Force, Solver::ActiveSet, forces.len() + 1);
-    let nodes = nodes(&outcome);
+    let raw = run(scene, Method::Force, Solver::ActiveSet, forces.len() + 1);
+    let nodes = nodes(&raw);
     let forces_at: Vec<(f64, f64)> = nodes.x.iter().copied().zip(forces.iter().copied()).collect();
     let witness = places(&forces_at);
     let truth = theory::solve(scene).expect("theory has an answer");
@@ -80,9 +80,9 @@ fn caused_at_nodes(scene: &Scene, intervals: usize, forces: &[f64]) -> Vec<f64> 
 fn faults_in_forces_are_bounded() {
     for (name, scene) in report() {
         for intervals in [20, 75] {
-            let outcome = run(&scene, Method::Force, Solver::ActiveSet, intervals);
+            let raw = run(&scene, Method::Force, Solver::ActiveSet, intervals);
             for (what, fault) in FAULTS {
-                let mut forces = nodes(&outcome).contact_force.clone();
+                let mut forces = nodes(&raw).contact_force.clone();
                 fault(&mut forces);
                 check(&format!("{name}, {intervals} intervals, {what}"), &scene, &forces);
             }
@@ -95,8 +95,8 @@ fn forces_of_another_scene_are_bounded() {
     let scenes = report();
     for (name, scene) in &scenes {
         for (other, foreign) in &scenes {
-            let outcome = run(foreign, Method::Displacement, Solver::ActiveSet, 40);
-            check(&format!("{name} with the forces of {other}"), scene, &nodes(&outcome).contact_force);
+            let raw = run(foreign, Method::Displacement, Solver::ActiveSet, 40);
+            check(&format!("{name} with the forces of {other}"), scene, &nodes(&raw).contact_force);
         }
     }
 }

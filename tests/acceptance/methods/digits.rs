@@ -17,9 +17,9 @@ const SAME: f64 = 1e-14;
 fn every_method_is_certified_on_a_million_intervals() {
     for method in Method::ALL {
         for intervals in [30_000, 100_000, 1_000_000] {
-            let outcome = run(&example(), method, Solver::ActiveSet, intervals);
-            assert!(outcome.solved, "{method}, {intervals} intervals");
-            let residual = outcome.residual;
+            let raw = run(&example(), method, Solver::ActiveSet, intervals);
+            assert!(raw.solved, "{method}, {intervals} intervals");
+            let residual = raw.residual;
             assert!(residual <= RESIDUAL, "{method}, {intervals} intervals: residual {residual:.1e}");
         }
     }
@@ -59,8 +59,8 @@ fn rotations_and_moments_agree_to_the_last_digits() {
 fn uneven_ground_loses_no_digits_either() {
     for (name, scene) in report().into_iter().filter(|(name, _)| name != "step") {
         for method in [Method::Complementarity, Method::Displacement] {
-            let outcome = run(&scene, method, Solver::ActiveSet, 20_000);
-            assert!(outcome.solved, "{name}, {method}: residual {:.1e}", outcome.residual);
+            let raw = run(&scene, method, Solver::ActiveSet, 20_000);
+            assert!(raw.solved, "{name}, {method}: residual {:.1e}", raw.residual);
         }
     }
 }

@@ -32,9 +32,9 @@ fn example_on(intervals: u16) -> Data {
 /// The exact answer on the contact set that the active set found.
 #[track_caller]
 fn exact(data: &Data, scene: &Scene, method: Method) -> (Exact, Nodes) {
-    let outcome = run(scene, method, Solver::ActiveSet, data.loads.len() + 1);
-    assert!(outcome.solved, "{method}");
-    let nodes = nodes(&outcome).clone();
+    let raw = run(scene, method, Solver::ActiveSet, data.loads.len() + 1);
+    assert!(raw.solved, "{method}");
+    let nodes = nodes(&raw).clone();
     let contact: Vec<bool> = nodes.contact_force.iter().map(|p| 0.0 < *p).collect();
     let exact = if method == Method::Complementarity { data.differences(&contact) } else { data.energy(&contact) };
     assert_eq!(exact.violation(&contact), None, "the node at which (34), (35) fail");
@@ -176,10 +176,10 @@ fn every_route_finds_the_first_contact_force_or_says_that_it_does_not() {
         let node = first(&exact);
         let reference = number(&exact.contact_force[node]);
         for solver in Solver::ALL {
-            let outcome = run(&example(), method, solver, 30);
-            let force = nodes(&outcome).contact_force[node];
+            let raw = run(&example(), method, solver, 30);
+            let force = nodes(&raw).contact_force[node];
             let error = (force - reference).abs();
-            if outcome.solved {
+            if raw.solved {
                 certified += 1;
                 assert!(error <= asked(solver), "{method} {solver}: {force}, off by {error:.1e}");
             } else {

@@ -157,15 +157,15 @@ fn a_free_beam_bends_by_the_formula() {
     for method in Method::ALL {
         for intervals in [2_u8, 3, 10, 75] {
             let scene = uniform(l, ei, q, Foundation::Flat { depth: 6.0 * unit_depth() });
-            let outcome = run(&scene, method, Solver::ActiveSet, intervals.into());
-            assert!(outcome.solved, "{method} {intervals}");
-            assert_eq!(outcome.state.regime, Regime::None, "{method} {intervals}");
-            let nodes = nodes(&outcome);
+            let raw = run(&scene, method, Solver::ActiveSet, intervals.into());
+            assert!(raw.solved, "{method} {intervals}");
+            assert_eq!(raw.state.regime, Regime::None, "{method} {intervals}");
+            let nodes = nodes(&raw);
             for ((&x, &v), &m) in nodes.x.iter().zip(&nodes.deflection).zip(&nodes.moment) {
                 close(v, free_deflection(method, intervals.into(), x), SUMS, "v");
                 close(m, 0.5 * q * x * (l - x), SUMS, "M");
             }
-            close(outcome.state.reactions.left, 0.5 * q * l, SUMS, "reaction");
+            close(raw.state.reactions.left, 0.5 * q * l, SUMS, "reaction");
         }
     }
 }
@@ -182,14 +182,13 @@ fn contact_at_mid_span_has_the_force_of_the_formula() {
             let compliance = l * l * l / (48.0 * ei) * (1.0 + added);
             let force = (free_deflection(method, count, 0.5 * l) - depth) / compliance;
 
-            let outcome =
-                run(&uniform(l, ei, q, Foundation::Flat { depth }), method, Solver::ActiveSet, intervals.into());
-            assert!(outcome.solved, "{method} {intervals}");
-            assert_eq!(outcome.state.regime, Regime::Points, "{method} {intervals}");
-            let [contact] = outcome.state.contacts[..] else { panic!("one contact: {:?}", outcome.state.contacts) };
+            let raw = run(&uniform(l, ei, q, Foundation::Flat { depth }), method, Solver::ActiveSet, intervals.into());
+            assert!(raw.solved, "{method} {intervals}");
+            assert_eq!(raw.state.regime, Regime::Points, "{method} {intervals}");
+            let [contact] = raw.state.contacts[..] else { panic!("one contact: {:?}", raw.state.contacts) };
             close(contact.from, 0.5 * l, SUMS, "place");
             close(contact.force, force, SUMS, "force");
-            close(outcome.state.reactions.right, 0.5 * (q * l - force), SUMS, "reaction");
+            close(raw.state.reactions.right, 0.5 * (q * l - force), SUMS, "reaction");
         }
     }
 }
@@ -209,9 +208,9 @@ fn the_scene_with_one_kink_has_the_force_of_the_formula() {
             - spacing * spacing / 12.0 * kink * (l - kink) / (2.0 * ei);
         let force = (by_nodes + by_force(2.0, 7.0, kink) - 0.5) / by_force(1.0, kink, kink);
         for method in [Method::Displacement, Method::Force] {
-            let outcome = run(&scene, method, Solver::ActiveSet, intervals.into());
-            assert!(outcome.solved, "{method} {intervals}");
-            close(outcome.state.contact_force(), force, SUMS, "force at the kink");
+            let raw = run(&scene, method, Solver::ActiveSet, intervals.into());
+            assert!(raw.solved, "{method} {intervals}");
+            close(raw.state.contact_force(), force, SUMS, "force at the kink");
         }
     }
 }

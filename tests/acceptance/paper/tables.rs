@@ -44,9 +44,9 @@ fn totals(state: &ContactState) -> String {
 fn contacts_of_every_scene() {
     let mut table = String::new();
     for (name, scene) in report() {
-        let outcome = run(&scene, Method::Force, Solver::ActiveSet, 30);
-        let (state, length) = (&outcome.state, scene.beam().length());
-        let _ = writeln!(table, "{name}: {}, {}", outcome.ended(), state.regime.name());
+        let raw = run(&scene, Method::Force, Solver::ActiveSet, 30);
+        let (state, length) = (&raw.state, scene.beam().length());
+        let _ = writeln!(table, "{name}: {}, {}", raw.ended(), state.regime.name());
         table.extend(state.contacts.iter().map(zone));
         table += &totals(state);
         table += &extremes("deflection", &state.deflection, length);
@@ -93,17 +93,17 @@ fn routes_of_the_example() {
     let mut table = format!("{:<16} {:<11} {:<14} {:>12}\n", "method", "solver", "ended", "first force");
     for method in Method::ALL {
         for solver in Solver::ALL {
-            let outcome = run(&example(), method, solver, 30);
+            let raw = run(&example(), method, solver, 30);
             // Of an answer that does not solve its problem no digit is promised.
-            let force = outcome.solved.then(|| {
-                outcome.state.contacts.first().map_or(0.0, |contact| {
-                    let nodes = nodes(&outcome);
+            let force = raw.solved.then(|| {
+                raw.state.contacts.first().map_or(0.0, |contact| {
+                    let nodes = nodes(&raw);
                     let first = nodes.x.iter().position(|x| contact.from <= *x);
                     first.map_or(f64::NAN, |i| nodes.contact_force[i])
                 })
             });
             let force = force.map_or("–".to_owned(), number);
-            let _ = writeln!(table, "{method:<16} {solver:<11} {:<14} {force:>12}", outcome.ended());
+            let _ = writeln!(table, "{method:<16} {solver:<11} {:<14} {force:>12}", raw.ended());
         }
     }
     assert_table!("routes", "The example on 30 intervals by every route: how it ended and first contact force", table);
@@ -120,8 +120,8 @@ fn certified_errors_of_every_scene() {
         for method in Method::ALL {
             let _ = write!(table, "\n{:<30}", format!("{name} {method}"));
             for intervals in grids {
-                let outcome = run(&scene, method, Solver::ActiveSet, intervals);
-                let verdict = Verdict::of_raw(&outcome, &witness, &Demand::default());
+                let raw = run(&scene, method, Solver::ActiveSet, intervals);
+                let verdict = Verdict::of_raw(&raw, &witness, &Demand::default());
                 let _ = write!(table, "{:>9.1e}", verdict.error);
             }
         }

@@ -62,17 +62,17 @@ fn work_is_counted_in_unknowns() {
     const WORTH: usize = 3;
     for method in Method::ALL {
         for solver in [Solver::FourStep, Solver::Nsor] {
-            let outcome = run(&example(), method, solver, 30);
-            assert_eq!(outcome.work, outcome.iterations * outcome.unknowns, "{method}/{solver}");
+            let raw = run(&example(), method, solver, 30);
+            assert_eq!(raw.work, raw.iterations * raw.unknowns, "{method}/{solver}");
         }
-        let outcome = run(&example(), method, Solver::ActiveSet, 300);
-        let most = outcome.iterations * outcome.unknowns;
-        assert!(outcome.unknowns <= outcome.work && outcome.work < most, "{method}: {} of {most}", outcome.work);
+        let raw = run(&example(), method, Solver::ActiveSet, 300);
+        let most = raw.iterations * raw.unknowns;
+        assert!(raw.unknowns <= raw.work && raw.work < most, "{method}: {} of {most}", raw.work);
     }
     for method in Method::ALL {
-        let outcome = run(&example(), method, Solver::ActiveSet, 300_000);
-        let most = WORTH * outcome.unknowns;
-        assert!(outcome.unknowns <= outcome.work && outcome.work <= most, "{method}: {} of {most}", outcome.work);
+        let raw = run(&example(), method, Solver::ActiveSet, 300_000);
+        let most = WORTH * raw.unknowns;
+        assert!(raw.unknowns <= raw.work && raw.work <= most, "{method}: {} of {most}", raw.work);
     }
 }
 

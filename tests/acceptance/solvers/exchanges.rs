@@ -29,8 +29,8 @@ fn full_exchanges_without_a_fallback_go_round_in_circles() {
 #[test]
 fn the_four_steps_end_there_at_the_optimum_or_not() {
     for instance in corpus() {
-        let outcome = run(&instance.scene, instance.method, Solver::FourStep, instance.intervals);
-        assert_eq!(outcome.ended(), instance.four_step, "{}", instance.line);
+        let raw = run(&instance.scene, instance.method, Solver::FourStep, instance.intervals);
+        assert_eq!(raw.ended(), instance.four_step, "{}", instance.line);
     }
 }
 
@@ -61,8 +61,8 @@ fn the_active_set_ends_in_dense_contact() {
     const WORTH: usize = 100;
     for instance in exchanges::dense().expect("every line is an instance") {
         for method in Method::ALL {
-            let outcome = ends(&instance.scene, method, instance.intervals, 500);
-            assert!(outcome.work <= WORTH * outcome.unknowns, "{method}, {}: {}", instance.line, outcome.work);
+            let raw = ends(&instance.scene, method, instance.intervals, 500);
+            assert!(raw.work <= WORTH * raw.unknowns, "{method}, {}: {}", instance.line, raw.work);
         }
     }
 }
@@ -113,9 +113,9 @@ fn a_fine_grid_loses_no_digits() {
     const RESIDUAL: f64 = 1e-12;
     /// The end reaction converges with the square of the spacing: 2.7e-6 on a thousand intervals.
     const REACTION: f64 = 1e-9;
-    let outcome = run(&crate::scenes::example(), Method::Force, Solver::ActiveSet, 100_000);
-    assert!(outcome.residual < RESIDUAL, "{:.1e}", outcome.residual);
-    let error = outcome.state.reactions.left - palkki_evidence::paper::theory().reaction;
+    let raw = run(&crate::scenes::example(), Method::Force, Solver::ActiveSet, 100_000);
+    assert!(raw.residual < RESIDUAL, "{:.1e}", raw.residual);
+    let error = raw.state.reactions.left - palkki_evidence::paper::theory().reaction;
     assert!(error.abs() < REACTION, "{error:.1e}");
-    assert!(outcome.iterations < 1000, "{} solves, of which all but a few are of neighbourhoods", outcome.iterations);
+    assert!(raw.iterations < 1000, "{} solves, of which all but a few are of neighbourhoods", raw.iterations);
 }

@@ -20,18 +20,18 @@ fn every_situation_ends_with_a_verdict() {
     let mut asked = [0; 3];
     for situation in ALL {
         for library in LIBRARIES {
-            let outcome = situation.run(library).expect("a scene");
-            let who = format!("{library}, {}: {outcome:?}", situation.name);
-            assert!(outcome.iterations <= MOST_ITERATIONS, "{who}");
-            assert!(!outcome.word.is_empty(), "{who}");
+            let raw = situation.run(library).expect("a scene");
+            let who = format!("{library}, {}: {raw:?}", situation.name);
+            assert!(raw.iterations <= MOST_ITERATIONS, "{who}");
+            assert!(!raw.word.is_empty(), "{who}");
             // Without a minimum, or without numbers, nothing can be certified.
             let hopeless = ["NaN", "infinite", "no minimum", "no unknown"].iter().any(|w| situation.name.contains(w));
-            assert!(!(hopeless && outcome.solved), "{who}");
+            assert!(!(hopeless && raw.solved), "{who}");
             // What anything satisfies is no answer, whatever the library calls it.
             let loose = situation.name == "a tolerance that anything reaches";
-            assert!(!loose || !outcome.solved, "{who}");
+            assert!(!loose || !raw.solved, "{who}");
             let ordinary = situation.name.starts_with("an ordinary one") || situation.name == "one unknown";
-            assert!(!ordinary || outcome.solved, "{who}");
+            assert!(!ordinary || raw.solved, "{who}");
             for (count, is) in asked.iter_mut().zip([hopeless, loose, ordinary]) {
                 *count += usize::from(is);
             }
@@ -44,12 +44,9 @@ fn every_situation_ends_with_a_verdict() {
 #[test]
 fn a_grid_that_is_too_fine_is_not_tried() {
     for library in LIBRARIES {
-        let outcome = run(&example(), Method::Force, library, 100_002);
-        assert!(!outcome.solved && !outcome.solver_reports_success, "{library}");
-        assert_eq!(
-            outcome.solver_status, "not tried: 100001 unknowns, 100000 is the limit of this solver",
-            "{library}"
-        );
+        let raw = run(&example(), Method::Force, library, 100_002);
+        assert!(!raw.solved && !raw.solver_reports_success, "{library}");
+        assert_eq!(raw.solver_status, "not tried: 100001 unknowns, 100000 is the limit of this solver", "{library}");
     }
 }
 

@@ -14,10 +14,10 @@ use crate::scenes::run;
 /// The active set ends at the optimum, certified, with at most so many solves, those of windows and of coarser grids counted.
 #[track_caller]
 fn ends(scene: &Scene, method: Method, intervals: usize, solves: usize) -> RawSolution {
-    let outcome = run(scene, method, Solver::ActiveSet, intervals);
-    let (name, taken, residual) = (scene.title(), outcome.iterations, outcome.residual);
+    let raw = run(scene, method, Solver::ActiveSet, intervals);
+    let (name, taken, residual) = (scene.title(), raw.iterations, raw.residual);
     let told = format!("{name}, {method}, {intervals}: {taken} solves, residual {residual:.1e}");
-    assert!(outcome.solved, "{told}");
-    assert!(outcome.solver_reports_success && taken <= solves, "{told}");
-    outcome
+    assert!(raw.solved, "{told}");
+    assert!(raw.solver_reports_success && taken <= solves, "{told}");
+    raw
 }

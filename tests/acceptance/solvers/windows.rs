@@ -37,9 +37,9 @@ fn scenes_of_the_report_on_a_hundred_thousand_intervals() {
 #[test]
 fn a_step_between_the_nodes_does_not_lead_a_window_astray() {
     ends(&scene("step"), Method::Force, 200_004, 800);
-    let outcome = run(&scene("step"), Method::Displacement, Solver::ActiveSet, 200_004);
-    assert!(outcome.solved);
-    assert!(outcome.work <= 10 * outcome.unknowns, "{} for {} unknowns", outcome.work, outcome.unknowns);
+    let raw = run(&scene("step"), Method::Displacement, Solver::ActiveSet, 200_004);
+    assert!(raw.solved);
+    assert!(raw.work <= 10 * raw.unknowns, "{} for {} unknowns", raw.work, raw.unknowns);
 }
 
 /// Thousands of points of a survey carry: windows around all of them are more than the beam. Exchanges of the whole settle most,
@@ -53,10 +53,10 @@ fn dense_contact_costs_some_dozen_solves_of_the_whole() {
     {
         let scene = random::smooth(segments, load, 1);
         for method in Method::ALL {
-            let outcome = run(&scene, method, Solver::ActiveSet, intervals);
-            let told = format!("{method}, {intervals}, {segments}: {} for {}", outcome.work, outcome.unknowns);
-            assert!(outcome.solved, "{told}");
-            assert!(outcome.work <= WORTH * outcome.unknowns, "{told}");
+            let raw = run(&scene, method, Solver::ActiveSet, intervals);
+            let told = format!("{method}, {intervals}, {segments}: {} for {}", raw.work, raw.unknowns);
+            assert!(raw.solved, "{told}");
+            assert!(raw.work <= WORTH * raw.unknowns, "{told}");
         }
     }
 }
@@ -73,10 +73,10 @@ fn the_example_takes_a_small_number_of_solves() {
 #[test]
 fn ground_at_the_level_of_the_supports_leaves_them_half_an_interval() {
     for intervals in [30, 1000, 100_000] {
-        let outcome =
+        let raw =
             ends(&uniform(10.0, 500.0 / 384.0, 1.0, Foundation::Flat { depth: 0.0 }), Method::Force, intervals, 200);
         let half = 0.5 * 10.0 / f64::from(u32::try_from(intervals).expect("small"));
-        for reaction in [outcome.state.reactions.left, outcome.state.reactions.right] {
+        for reaction in [raw.state.reactions.left, raw.state.reactions.right] {
             // A product and a quotient.
             assert!((reaction - half).abs() <= 4.0 * f64::EPSILON * half, "{reaction} instead of {half}");
         }
@@ -89,9 +89,9 @@ fn an_incline_carries_the_beam_from_its_support_on() {
     /// Some ten nodes beside the support may be taken for free: their clearance is `(10Δ)⁴ q/384 EI`.
     const NODES: f64 = 10.0;
     for intervals in [1000, 100_000] {
-        let outcome = ends(&scene("incline"), Method::Force, intervals, 300);
+        let raw = ends(&scene("incline"), Method::Force, intervals, 300);
         let interval = 10.0 / f64::from(u32::try_from(intervals).expect("small"));
-        let left = outcome.state.reactions.left;
+        let left = raw.state.reactions.left;
         assert!(0.0 < left && left < 0.5 * NODES * interval, "{left}");
     }
 }
@@ -114,6 +114,6 @@ fn a_step_at_a_node_is_no_hair_beside_it() {
 fn long_contact_with_a_wave_loses_no_digits() {
     /// Less than a tenth of what it was: sums of 10⁵ forces, each rounded to 10⁻¹⁶ of the largest.
     const RESIDUAL: f64 = 2e-13;
-    let outcome = ends(&random::scene(760), Method::Force, 100_000, 1000);
-    assert!(outcome.residual <= RESIDUAL, "{:.1e}", outcome.residual);
+    let raw = ends(&random::scene(760), Method::Force, 100_000, 1000);
+    assert!(raw.residual <= RESIDUAL, "{:.1e}", raw.residual);
 }

@@ -117,12 +117,12 @@ impl Situation {
                 let scene = read(foundation, load)?;
                 let settings =
                     Settings { tolerance: self.tolerance, ..Settings::new(Method::Force, library, intervals) };
-                let outcome = solve_raw(&scene, &settings).map_err(|error| error.to_string())?;
+                let raw = solve_raw(&scene, &settings).map_err(|error| error.to_string())?;
                 Ok(Run {
-                    word: outcome.solver_status,
-                    claims: outcome.solver_reports_success,
-                    solved: outcome.solved,
-                    iterations: outcome.iterations,
+                    word: raw.solver_status,
+                    claims: raw.solver_reports_success,
+                    solved: raw.solved,
+                    iterations: raw.iterations,
                 })
             }
             Given::Qp { diagonal, beside, linear } => {

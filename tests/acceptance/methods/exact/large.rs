@@ -34,25 +34,25 @@ fn example_over(intervals: i64, discretisation: Discretisation, depth: impl Fn(&
     }
 }
 
-/// The contact set of a certified outcome.
+/// The contact set of a raw solution that is solved.
 #[track_caller]
-fn contact(outcome: &RawSolution) -> Vec<bool> {
-    assert!(outcome.solved, "the route is certified");
-    nodes(outcome).contact_force.iter().map(|p| 0.0 < *p).collect()
+fn contact(raw: &RawSolution) -> Vec<bool> {
+    assert!(raw.solved, "the route is certified");
+    nodes(raw).contact_force.iter().map(|p| 0.0 < *p).collect()
 }
 
 /// The exact answer on the contact set of a route, with proof that it is the optimum.
 #[track_caller]
-fn proven<T: Number>(problem: &Problem<T>, outcome: &RawSolution) -> Solution<T> {
-    let contact = contact(outcome);
+fn proven<T: Number>(problem: &Problem<T>, raw: &RawSolution) -> Solution<T> {
+    let contact = contact(raw);
     let (exact, optimal, exchanges) = problem.optimum(contact.clone()).expect("an optimum is found");
     assert_eq!(exchanges, 0, "(34), (35) hold on {contact:?}, and not on {optimal:?} only");
     exact
 }
 
 #[track_caller]
-fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, outcome: &RawSolution, tolerance: f64) {
-    let errors = Forward::errors(problem, exact, &outcome.state).expect("all values are numbers");
+fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, raw: &RawSolution, tolerance: f64) {
+    let errors = Forward::errors(problem, exact, &raw.state).expect("all values are numbers");
     for (what, error) in errors.all() {
         assert!(error <= tolerance, "{what} is off by {error:.1e}: {errors:?}");
     }
@@ -64,11 +64,11 @@ fn fractions(scene: &Scene, intervals: i64, tolerance: f64, depth: impl Fn(&RBig
     let grid = usize::try_from(intervals).expect("positive");
     for method in [Method::Force, Method::Complementarity] {
         let problem = example_over(intervals, method.discretisation(), depth);
-        let outcome = run(scene, method, Solver::ActiveSet, grid);
-        let exact = proven(&problem, &outcome);
+        let raw = run(scene, method, Solver::ActiveSet, grid);
+        let exact = proven(&problem, &raw);
         assert!(exact.uncertainty() == RBig::zero(), "nothing is rounded");
         if method == Method::Force {
-            within(&problem, &exact, &outcome, tolerance);
+            within(&problem, &exact, &raw, tolerance);
         }
     }
 }
@@ -124,10 +124,10 @@ const CERTAIN: f64 = 1e-40;
 #[track_caller]
 fn integers(scene: &Scene, intervals: usize, tolerance: f64) {
     let problem = given::problem(scene, intervals, Discretisation::BeamElements).expect("no step");
-    let outcome = run(scene, Method::Force, Solver::ActiveSet, intervals);
-    let exact = proven(&problem, &outcome);
+    let raw = run(scene, Method::Force, Solver::ActiveSet, intervals);
+    let exact = proven(&problem, &raw);
     assert!(exact.uncertainty().to_double() < CERTAIN, "{:e}", exact.uncertainty().to_double());
-    within(&problem, &exact, &outcome, tolerance);
+    within(&problem, &exact, &raw, tolerance);
 }
 
 #[test]
@@ -141,9 +141,9 @@ fn the_active_set_has_an_error_of_rounding_where_the_condition_number_promises_n
     const INTERVALS: usize = 1000;
     for method in Method::ALL {
         let problem = given::problem(&example(), INTERVALS, method.discretisation()).expect("flat");
-        let outcome = run(&example(), method, Solver::ActiveSet, INTERVALS);
-        let errors = Forward::errors(&problem, &proven(&problem, &outcome), &outcome.state).expect("numbers");
-        let promised = outcome.residual * method.condition(INTERVALS);
+        let raw = run(&example(), method, Solver::ActiveSet, INTERVALS);
+        let errors = Forward::errors(&problem, &proven(&problem, &raw), &raw.state).expect("numbers");
+        let promised = raw.residual * method.condition(INTERVALS);
         assert!(1e-4 < promised, "{method}: {promised:.1e}");
         // A contact force near lift-off loses a factor n.
         assert!(errors.contact_force <= 3e-13, "{method}: {errors:?}");
@@ -162,9 +162,9 @@ fn uneven_foundations_in_integers() {
 /// Fractions and integers are two kinds of the same numbers.
 #[test]
 fn fractions_and_integers_agree() {
-    let outcome = run(&example(), Method::Force, Solver::ActiveSet, 30);
-    let fractions = proven(&example_over(30, Discretisation::BeamElements, |_| RBig::whole(1)), &outcome);
-    let integers = proven(&given::problem(&example(), 30, Discretisation::BeamElements).expect("flat"), &outcome);
+    let raw = run(&example(), Method::Force, Solver::ActiveSet, 30);
+    let fractions = proven(&example_over(30, Discretisation::BeamElements, |_| RBig::whole(1)), &raw);
+    let integers = proven(&given::problem(&example(), 30, Discretisation::BeamElements).expect("flat"), &raw);
     for i in 1..30 {
         let (p, q) = (fractions.contact_force[i].to_double(), integers.contact_force[i].to_double());
         // 500/384 is rounded once before it becomes a multiple of 2⁻²⁵⁶.
@@ -180,9 +180,9 @@ fn fractions_and_integers_agree() {
 /// What is called proven must be refutable: the contact set of the example with one node more, or one less.
 #[test]
 fn another_contact_set_is_refused() {
-    let outcome = run(&example(), Method::Force, Solver::ActiveSet, 10_000);
+    let raw = run(&example(), Method::Force, Solver::ActiveSet, 10_000);
     let problem = given::problem(&example(), 10_000, Discretisation::BeamElements).expect("flat");
-    let contact = contact(&outcome);
+    let contact = contact(&raw);
     let first = contact.iter().position(|touches| *touches).expect("the example touches");
     for other in [first - 1, first] {
         let mut changed = contact.clone();

@@ -10,9 +10,9 @@ use crate::scenes::{apart, largest, nodes, run, scene, uniform};
 const INTERVALS: usize = 40;
 
 fn solved(parts: &Parts, method: Method) -> RawSolution {
-    let outcome = run(&parts.scene(), method, Solver::ActiveSet, INTERVALS);
-    assert!(outcome.solved, "{method}: {parts:?}");
-    outcome
+    let raw = run(&parts.scene(), method, Solver::ActiveSet, INTERVALS);
+    assert!(raw.solved, "{method}: {parts:?}");
+    raw
 }
 
 /// A load on a node in contact goes straight into the ground: the force there grows by it, and nothing else changes.
@@ -48,10 +48,10 @@ fn ground_out_of_reach_is_not_touched() {
         // The depths are at most a fifth of the free deflection under the uniform part of the load, all loads below three times it.
         parts.points.iter_mut().for_each(|p| p[1] *= 1e4);
         for method in Method::ALL {
-            let outcome = solved(&parts, method);
-            assert_eq!(outcome.state.regime, Regime::None, "{method}: {parts:?}");
-            assert!(outcome.state.contacts.is_empty(), "{method}: {parts:?}");
-            assert!(largest(&nodes(&outcome).contact_force) <= 0.0, "{method}: {parts:?}");
+            let raw = solved(&parts, method);
+            assert_eq!(raw.state.regime, Regime::None, "{method}: {parts:?}");
+            assert!(raw.state.contacts.is_empty(), "{method}: {parts:?}");
+            assert!(largest(&nodes(&raw).contact_force) <= 0.0, "{method}: {parts:?}");
         }
     }
 }
@@ -60,11 +60,11 @@ fn ground_out_of_reach_is_not_touched() {
 #[test]
 fn ground_at_the_level_of_the_supports_carries_everything() {
     for method in Method::ALL {
-        let outcome = run(&uniform(8.0, 2.0, 3.0, Foundation::Flat { depth: 0.0 }), method, Solver::ActiveSet, 16);
-        assert!(outcome.solved, "{method}");
-        assert!(apart(&nodes(&outcome).contact_force, &[1.5; 15]) <= 1.5 * ROUNDING, "q₀Δ = 1.5 on every node");
-        assert!(largest(&nodes(&outcome).deflection) <= 0.0, "{method}: nothing bends");
-        assert_eq!(outcome.state.regime, Regime::Zone, "{method}");
+        let raw = run(&uniform(8.0, 2.0, 3.0, Foundation::Flat { depth: 0.0 }), method, Solver::ActiveSet, 16);
+        assert!(raw.solved, "{method}");
+        assert!(apart(&nodes(&raw).contact_force, &[1.5; 15]) <= 1.5 * ROUNDING, "q₀Δ = 1.5 on every node");
+        assert!(largest(&nodes(&raw).deflection) <= 0.0, "{method}: nothing bends");
+        assert_eq!(raw.state.regime, Regime::Zone, "{method}");
     }
 }
 
@@ -77,9 +77,9 @@ fn ground_in_the_shape_of_the_beam_carries_its_share() {
     let shape = Foundation::Polynomial { coefficients: vec![0.0, c * l * l * l, 0.0, -2.0 * c * l, c] };
     // The fourth difference of a polynomial of degree 4 is its derivative, so that finite differences reproduce it exactly:
     // all but the nodes beside the supports, where v_{−1} = −v_1 leaves out v''''. The energy methods have no such luck.
-    let outcome = run(&uniform(l, ei, q, shape), Method::Complementarity, Solver::ActiveSet, 16);
-    assert!(outcome.solved);
-    let p = &nodes(&outcome).contact_force;
+    let raw = run(&uniform(l, ei, q, shape), Method::Complementarity, Solver::ActiveSet, 16);
+    assert!(raw.solved);
+    let p = &nodes(&raw).contact_force;
     let inner = vec![0.5 * q * l / 16.0; 13];
     assert!(apart(&p[1..14], &inner) <= ROUNDING * q * l, "half of q₀Δ inside: {p:?}");
 }
@@ -89,9 +89,9 @@ fn ground_in_the_shape_of_the_beam_carries_its_share() {
 fn a_beam_that_follows_a_dish_is_carried_by_it() {
     let dish = scene("dish");
     for method in Method::ALL {
-        let outcome = run(&dish, method, Solver::ActiveSet, 100);
-        assert!(outcome.solved, "{method}");
-        let nodes = nodes(&outcome);
+        let raw = run(&dish, method, Solver::ActiveSet, 100);
+        assert!(raw.solved, "{method}");
+        let nodes = nodes(&raw);
         let inside = |i: &usize| (40..=60).contains(i);
         for i in (0..nodes.x.len()).filter(inside) {
             // q₀Δ = 0.1; the moment is EI · 0.24, that of the dish.

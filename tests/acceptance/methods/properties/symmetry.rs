@@ -70,12 +70,12 @@ fn loads_contact_forces_and_reactions_are_in_equilibrium() {
     for parts in some(20, 2) {
         for method in Method::ALL {
             for intervals in [2, 9, 60] {
-                let outcome = run(&parts.scene(), method, Solver::ActiveSet, intervals);
-                let nodes = nodes(&outcome);
-                let (force, moment) = imbalance(&parts, &outcome.state, &nodes.x, &nodes.contact_force);
+                let raw = run(&parts.scene(), method, Solver::ActiveSet, intervals);
+                let nodes = nodes(&raw);
+                let (force, moment) = imbalance(&parts, &raw.state, &nodes.x, &nodes.contact_force);
                 assert!(force.abs().max(moment.abs()) <= ROUNDING, "{method} {intervals}: {force:e}, {moment:e}");
                 let sum: f64 = nodes.contact_force.iter().sum();
-                let listed = outcome.state.contact_force();
+                let listed = raw.state.contact_force();
                 assert!((sum - listed).abs() <= ROUNDING * sum.max(1.0), "contacts list all forces: {sum}, {listed}");
             }
         }
@@ -86,9 +86,9 @@ fn loads_contact_forces_and_reactions_are_in_equilibrium() {
 fn no_force_acts_across_a_clearance_and_none_pulls() {
     for (name, scene) in report() {
         for method in Method::ALL {
-            let outcome = run(&scene, method, Solver::ActiveSet, 30);
-            assert!(outcome.solved, "{name} {method}");
-            let nodes = nodes(&outcome);
+            let raw = run(&scene, method, Solver::ActiveSet, 30);
+            assert!(raw.solved, "{name} {method}");
+            let nodes = nodes(&raw);
             for (p, h) in nodes.contact_force.iter().zip(&nodes.clearance) {
                 // Exactly: the active set sets the one or the other to zero.
                 assert!(0.0 <= *p && 0.0 <= *h && (*p <= 0.0 || *h <= 0.0), "{name} {method}: p = {p}, h = {h}");

@@ -29,14 +29,14 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 200")]
         let intervals = random.between(11.0, 202.0) as usize;
         for method in Method::ALL {
-            let outcome = run(scene, method, Solver::ActiveSet, intervals);
-            touched += usize::from(outcome.state.regime != Regime::None);
-            if !outcome.solved || !outcome.solver_reports_success {
+            let raw = run(scene, method, Solver::ActiveSet, intervals);
+            touched += usize::from(raw.state.regime != Regime::None);
+            if !raw.solved || !raw.solver_reports_success {
                 failures.push(format!(
                     "scene {k}, {method}, {intervals} intervals: {}, residual {:.1e}, {}",
-                    outcome.ended(),
-                    outcome.residual,
-                    outcome.solver_status
+                    raw.ended(),
+                    raw.residual,
+                    raw.solver_status
                 ));
             }
         }
@@ -62,8 +62,8 @@ fn the_active_set_is_certified_on_instances_that_are_known_to_cycle() {
     }));
     for (k, scene) in hard.iter().enumerate() {
         for method in Method::ALL {
-            let outcome = run(scene, method, Solver::ActiveSet, 300);
-            assert!(outcome.solved, "{k}, {method}: {:.1e}", outcome.residual);
+            let raw = run(scene, method, Solver::ActiveSet, 300);
+            assert!(raw.solved, "{k}, {method}: {:.1e}", raw.residual);
         }
     }
 }
@@ -72,8 +72,8 @@ fn the_active_set_is_certified_on_instances_that_are_known_to_cycle() {
 #[test]
 fn the_active_set_ends_where_full_exchanges_wander() {
     for method in Method::ALL {
-        let outcome = run(&hump(), method, Solver::ActiveSet, 1000);
-        assert!(outcome.solved, "{method}: {:.1e}", outcome.residual);
+        let raw = run(&hump(), method, Solver::ActiveSet, 1000);
+        assert!(raw.solved, "{method}: {:.1e}", raw.residual);
     }
 }
 
@@ -105,7 +105,7 @@ const STATIONARY: f64 = 1e-8;
 fn energy_methods_have_the_same_contacts() {
     for scene in all().iter().take(90) {
         let [a, b] = [Method::Displacement, Method::Force].map(|method| run(scene, method, Solver::ActiveSet, 30));
-        let touches = |outcome| nodes(outcome).contact_force.iter().map(|p: &f64| 0.0 < *p).collect::<Vec<_>>();
+        let touches = |raw| nodes(raw).contact_force.iter().map(|p: &f64| 0.0 < *p).collect::<Vec<_>>();
         assert_eq!(touches(&a), touches(&b), "nodes in contact");
     }
 }

@@ -66,16 +66,16 @@ fn no_route_is_wrong_and_certified() {
                 if solver == Solver::Nsor && NSOR < extreme.intervals && !number.is_multiple_of(EVERY) {
                     continue;
                 }
-                let outcome = run(extreme, method, solver);
-                if !outcome.solved {
+                let raw = run(extreme, method, solver);
+                if !raw.solved {
                     continue;
                 }
                 certified += 1;
-                let near = extreme.error(&outcome.state) <= extreme.allowance();
-                let distance = apart(extreme, &outcome, &reference);
+                let near = extreme.error(&raw.state) <= extreme.allowance();
+                let distance = apart(extreme, &raw, &reference);
                 let same = !reference.solved || distance <= SAME;
                 if !near || !same {
-                    let error = extreme.error(&outcome.state);
+                    let error = extreme.error(&raw.state);
                     wrong.push(format!(
                         "{} by {method}/{solver}: {error:e} from the truth, {distance:e} from the active set",
                         extreme.name
@@ -96,10 +96,10 @@ fn nsor_ends_where_its_sweeps_go_in_circles() {
     const SWEEPS: usize = 2000;
     let extreme = deep(16).expect("a depth in range");
     for intervals in [2, 3] {
-        let outcome = run(&Extreme { intervals, ..extreme.clone() }, Method::Displacement, Solver::Nsor);
-        assert!(!outcome.solver_reports_success, "{intervals}: {}", outcome.solver_status);
-        assert!(outcome.solver_status.ends_with("which go in circles"), "{intervals}: {}", outcome.solver_status);
-        assert!(outcome.iterations < SWEEPS, "{intervals}: {} sweeps", outcome.iterations);
+        let raw = run(&Extreme { intervals, ..extreme.clone() }, Method::Displacement, Solver::Nsor);
+        assert!(!raw.solver_reports_success, "{intervals}: {}", raw.solver_status);
+        assert!(raw.solver_status.ends_with("which go in circles"), "{intervals}: {}", raw.solver_status);
+        assert!(raw.iterations < SWEEPS, "{intervals}: {} sweeps", raw.iterations);
     }
 }
 
@@ -109,9 +109,9 @@ fn the_finest_grids_are_right() {
     for intervals in [1_000, 9_973, 100_000] {
         for extreme in [-8, -4, -2].map(|power| deep(power).expect("a depth in range")) {
             let settings = Settings::new(Method::Force, Solver::ActiveSet, intervals);
-            let outcome = solve_raw(&extreme.scene, &settings).expect("numbers in range");
-            assert!(outcome.solved, "{} on {intervals}: {:e}", extreme.name, outcome.residual);
-            let error = extreme.error(&outcome.state);
+            let raw = solve_raw(&extreme.scene, &settings).expect("numbers in range");
+            assert!(raw.solved, "{} on {intervals}: {:e}", extreme.name, raw.residual);
+            let error = extreme.error(&raw.state);
             let expected = Extreme { intervals, ..extreme.clone() }.allowance();
             assert!(error <= expected, "{} on {intervals}: {error:e}", extreme.name);
         }

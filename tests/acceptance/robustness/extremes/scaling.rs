@@ -27,12 +27,12 @@ fn units_do_not_matter() {
         for solver in [Solver::FourStep, Solver::ActiveSet, Solver::Clarabel, Solver::Osqp] {
             let mut reference: Option<(Vec<f64>, bool)> = None;
             for (factors, extreme) in units().expect("scenes in range") {
-                let outcome =
+                let raw =
                     palkki::solve_raw(&extreme.scene, &Settings::new(method, solver, GRID)).expect("numbers in range");
-                let found = undone(&outcome.state, factors);
+                let found = undone(&raw.state, factors);
                 let original = Factors { name: factors.name, length: 1.0, depth: 1.0, force: 1.0 };
                 if factors == original {
-                    reference = Some((found, outcome.solved));
+                    reference = Some((found, raw.solved));
                     continue;
                 }
                 let (expected, solved) = reference.as_ref().expect("the first is in the original units");
@@ -41,9 +41,8 @@ fn units_do_not_matter() {
                 let error = found.iter().zip(expected).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max);
                 let same = found.iter().zip(expected).all(|(a, b)| a.to_bits() == b.to_bits());
                 let digits = if own { DIGITS } else { LIBRARY };
-                if outcome.solved != *solved || (own && factors.exact() && !same) || (*solved && digits < error) {
-                    wrong
-                        .push(format!("{} by {method}/{solver}: {:?}, off by {error:e}", extreme.name, outcome.solved));
+                if raw.solved != *solved || (own && factors.exact() && !same) || (*solved && digits < error) {
+                    wrong.push(format!("{} by {method}/{solver}: {:?}, off by {error:e}", extreme.name, raw.solved));
                 }
             }
         }

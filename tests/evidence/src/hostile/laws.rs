@@ -186,16 +186,16 @@ pub(super) fn judge(
     trial: &mut Trial,
     scene: &Scene,
     settings: &Settings,
-    outcome: &RawSolution,
+    raw: &RawSolution,
     exact: Option<&Exact>,
 ) -> Option<Certificate> {
     let who = name(settings);
-    if outcome.solved {
-        balanced(trial, &who, scene, &outcome.state);
+    if raw.solved {
+        balanced(trial, &who, scene, &raw.state);
     }
-    let nodes = outcome.state.nodes.as_ref()?;
+    let nodes = raw.state.nodes.as_ref()?;
     let witness = exact.map_or_else(|| Witness::of(scene), |exact| Witness::known(scene, exact));
-    let certificate = certificate(&outcome.state, &witness)?;
+    let certificate = certificate(&raw.state, &witness)?;
     if certificate.gap < 0.0 || certificate.energy_upper < certificate.energy_lower {
         trial.wrong.push(format!("{who}: bounds are upside down: {certificate:?}"));
     }

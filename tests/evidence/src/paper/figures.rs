@@ -80,6 +80,6 @@ fn pressures(method: Method) -> Result<Pressures, SceneError> {
 }
 
 fn nodes(method: Method) -> Result<Nodes, SceneError> {
-    let outcome = solve_raw(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?;
-    Ok(outcome.state.nodes.unwrap_or_default())
+    let raw = solve_raw(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?;
+    Ok(raw.state.nodes.unwrap_or_default())
 }

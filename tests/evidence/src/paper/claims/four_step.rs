@@ -55,12 +55,12 @@ pub fn measure() -> Result<Evidence, SceneError> {
     for method in Method::ALL {
         let mut infeasible = 0;
         let mut optimal = |scene: &Scene, intervals: usize| -> Result<bool, SceneError> {
-            let outcome = solve_raw(scene, &Settings::new(method, Solver::FourStep, intervals))?;
-            let nodes = outcome.state.nodes.unwrap_or_default();
+            let raw = solve_raw(scene, &Settings::new(method, Solver::FourStep, intervals))?;
+            let nodes = raw.state.nodes.unwrap_or_default();
             // Step 2° looks at the unknown alone: the clearance, or the contact force.
             let unknown = if method == Method::Force { &nodes.contact_force } else { &nodes.clearance };
             infeasible += usize::from(!unknown.iter().all(|x| -1e-9 <= *x));
-            Ok(outcome.solved)
+            Ok(raw.solved)
         };
         let on_the_example = optimal(&example, INTERVALS)?;
         let grids: Vec<(usize, bool)> =

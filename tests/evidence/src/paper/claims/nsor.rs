@@ -59,10 +59,10 @@ pub fn measure() -> Result<Evidence, SceneError> {
     for method in Method::ALL {
         let (mut sweeps, mut converged, mut finest, mut work) = (Vec::new(), true, 0, 0);
         for intervals in GRIDS {
-            let outcome = run(method, Solver::Nsor, intervals)?;
-            converged &= outcome.solver_reports_success;
-            sweeps.push((intervals, outcome.iterations));
-            work = outcome.work;
+            let raw = run(method, Solver::Nsor, intervals)?;
+            converged &= raw.solver_reports_success;
+            sweeps.push((intervals, raw.iterations));
+            work = raw.work;
         }
         for intervals in FINER.into_iter().rev().chain(GRIDS.into_iter().rev()) {
             if run(method, Solver::Nsor, intervals)?.solver_reports_success {

@@ -1,6 +1,13 @@
-//! A flat foundation, the paper's own reference solution, and a parabolic dish or crest, under a uniform load.
+//! Uneven foundations that have a solution in closed form, each with its derivation: independent tests of [`super::solve`].
 //!
-//! Derivation. The foundation `u = u₀ + 4 rise x (l − x)/l²` has the curvature `w = u'' = −8 rise/l²`, which is zero if it is
+//! All use one result. Beside a zone let `s` be the distance from the lift-off point, where `h = h' = h'' = 0`, under a
+//! uniform load and with `u''''= 0`:
+//!
+//! ```text
+//! EI h'''' = −q,      h = R s³ / (6 EI) − q s⁴ / (24 EI)         R the concentrated force at the lift-off point
+//! ```
+//!
+//! **A flat foundation**, the paper's own reference solution, **and a parabolic dish or crest.** The foundation `u = u₀ + 4 rise x (l − x)/l²` has the curvature `w = u'' = −8 rise/l²`, which is zero if it is
 //! flat. A zone is pressed with `q`, since `u'''' = 0`. Let `s` be the distance from a lift-off point towards its support and
 //! `h = u − v` the clearance over the length `a` that is lifted off, with `h = h' = h'' = 0` at the lift-off point and the
 //! concentrated force `R` there; at the support `v'' = 0`, so `h'' = w`, and `h = u₀`:
@@ -157,6 +164,88 @@ impl FlatSolution {
     fn nearer_support(&self, x: f64) -> f64 {
         x.min(self.length - x)
     }
+}
+
+/// Beam theory for an inclined foundation; made by [`incline`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Incline {
+    /// Lengths that are lifted off at the left and the right end \[length\].
+    pub lift_off: [f64; 2],
+    /// Reactions, and the equal concentrated forces at the lift-off points \[force\].
+    pub reactions: [f64; 2],
+    /// Resultant of the contact \[force\].
+    pub contact_force: f64,
+    /// `J(v)` of (17) \[force · length\].
+    pub energy: f64,
+}
+
+/// A beam that rests with a zone on the plane through `depths` ≥ 0 below its two supports, under a uniform `load` > 0.
+/// [`None`] if the plane is so deep that there is no zone.
+///
+/// A plane has `u'' = 0`, so at the support `h'' = 0` and `h = u` there:
+///
+/// ```text
+/// R = q a / 2,     a⁴ = 24 EI u_end / q,     T = q a − R = q a / 2         at each end by itself
+/// J = Σ (½∫ EI h''² + ∫ q h) − ∫ q u = Σ q² a⁵ / (60 EI) − q l (u_left + u_right) / 2
+/// ```
+#[must_use]
+pub fn incline(length: f64, bending_stiffness: f64, depths: [f64; 2], load: f64) -> Option<Incline> {
+    let (l, ei, q) = (length, bending_stiffness, load);
+    let lift_off = depths.map(|u| (24.0 * ei * u / q).sqrt().sqrt());
+    let reactions = lift_off.map(|a| 0.5 * q * a);
+    let bent: f64 = lift_off.iter().map(|a| q * q * a * a * a * a * a / (60.0 * ei)).sum();
+    (lift_off[0] + lift_off[1] <= l).then(|| Incline {
+        lift_off,
+        reactions,
+        contact_force: q * l - reactions[0] - reactions[1],
+        energy: bent - 0.5 * q * l * (depths[0] + depths[1]),
+    })
+}
+
+/// Beam theory for a beam that is lifted off a flat foundation at mid-span; made by [`lifted`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lifted {
+    /// The two zones, `[from, to]` \[length\].
+    pub zones: [[f64; 2]; 2],
+    /// Reaction of each support, and the equal concentrated force at the outer end of each zone \[force\].
+    pub reaction: f64,
+    /// Concentrated force at the inner end of each zone \[force\].
+    pub inner_force: f64,
+    /// Resultant of each zone \[force\].
+    pub zone_force: f64,
+    /// `J(v)` of (17) \[force · length\].
+    pub energy: f64,
+}
+
+/// A beam above a flat foundation at `depth` > 0 under a uniform `load` > 0 and a `lift` > 0 upwards at mid-span.
+/// [`None`] unless it rests on two zones.
+///
+/// The outer ends are those of [`flat()`]. Over the gap of length `g` the beam is clamped at both ends (`h = h' = 0`), and
+/// its clamping moments vanish as well (`h'' = 0`):
+///
+/// ```text
+/// lift g/8 − q g²/12 = 0:     g = 3 lift/(2 q),     inner force = (q g − lift)/2 = lift/4
+/// J = J_flat + lift u₀ − ½ (lift h_middle − q ∫h),     h_middle = lift g³/192 EI − q g⁴/384 EI,  ∫h = lift g⁴/384 EI − q g⁵/720 EI
+/// ```
+#[must_use]
+pub fn lifted(length: f64, bending_stiffness: f64, depth: f64, load: f64, lift: f64) -> Option<Lifted> {
+    let (l, ei, q, p) = (length, bending_stiffness, load, lift);
+    let flat = flat(length, bending_stiffness, depth, load);
+    let a = flat.lift_off?;
+    let g = 1.5 * p / q;
+    let (inner, outer) = (0.5 * (l - g), 0.5 * (l + g));
+    if inner <= a {
+        return None;
+    }
+    let middle = (p * g * g * g / 192.0 - q * g * g * g * g / 384.0) / ei;
+    let area = (p * g * g * g * g / 384.0 - q * g * g * g * g * g / 720.0) / ei;
+    Some(Lifted {
+        zones: [[a, inner], [outer, l - a]],
+        reaction: flat.reaction,
+        inner_force: 0.25 * p,
+        zone_force: flat.reaction + q * (inner - a) + 0.25 * p,
+        energy: flat.energy + p * depth - 0.5 * (p * middle - q * area),
+    })
 }
 
 #[cfg(test)]

@@ -1,0 +1,161 @@
+//! What a scene file says, table by table; its numbers are not judged yet.
+
+use toml::de::DeTable;
+
+use super::Problem;
+use super::table::{Error, Keys, Span, Value};
+use crate::scene::{Foundation, LinearLoad, PointLoad, Profile, Support, Units};
+
+/// All of it.
+pub(super) struct Contents {
+    pub(super) title: String,
+    pub(super) units: Units,
+    pub(super) beam: BeamKeys,
+    pub(super) load: LoadKeys,
+    pub(super) foundation: Option<Given>,
+}
+
+pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
+    let file = Keys::of_file(document, &["title", "beam", "load", "foundation", "units"])?;
+    let beam = beam(&file)?;
+    let units = file.table("units", &["length", "force"])?;
+    let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
+    Ok(Contents {
+        title: file.line_of_text("title")?.unwrap_or_default(),
+        units: Units { length: label("length")?, force: label("force")? },
+        beam,
+        load: load(&file)?,
+        foundation: profile(&file, "foundation", Profile::Foundation)?,
+    })
+}
+
+/// What `[beam]` says.
+#[derive(Debug)]
+pub(super) struct BeamKeys {
+    pub(super) length: f64,
+    pub(super) bending_stiffness: f64,
+    pub(super) shape: Option<Given>,
+    pub(super) supports: Option<Vec<Support>>,
+}
+
+fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
+    let beam = file.required_table("beam", &["length", "bending_stiffness", "shape", "supports"])?;
+    Ok(BeamKeys {
+        length: beam.required_number("length")?,
+        bending_stiffness: beam.required_number("bending_stiffness")?,
+        shape: profile(&beam, "shape", Profile::Shape)?,
+        supports: beam.get("supports").map(|value| supports(&value)).transpose()?,
+    })
+}
+
+fn supports(value: &Value<'_>) -> Result<Vec<Support>, Error> {
+    value.elements("an array of supports { at = … }")?.iter().map(support).collect()
+}
+
+fn support(value: &Value<'_>) -> Result<Support, Error> {
+    let keys = value.table(&["at", "level", "built_in", "slope"])?;
+    let built_in = keys.truth("built_in")?.unwrap_or(false);
+    let slope = keys.number("slope")?;
+    if let (false, Some(slope)) = (built_in, keys.get("slope")) {
+        return Err(Error { span: slope.span(), problem: Problem::SlopeWithoutBuiltIn { path: slope.path } });
+    }
+    Ok(Support {
+        at: keys.required_number("at")?,
+        level: keys.number("level")?.unwrap_or(0.0),
+        slope: built_in.then_some(slope.unwrap_or(0.0)),
+    })
+}
+
+/// What `[load]` says; nothing at all if it is left out.
+#[derive(Debug, Default)]
+pub(super) struct LoadKeys {
+    pub(super) uniform: f64,
+    pub(super) linear: Vec<LinearLoad>,
+    pub(super) point: Vec<PointLoad>,
+}
+
+/// `[load]`: `uniform`, `linear` and `point`, each of which may be left out.
+fn load(file: &Keys<'_>) -> Result<LoadKeys, Error> {
+    let Some(load) = file.table("load", &["uniform", "linear", "point"])? else {
+        return Ok(LoadKeys::default());
+    };
+    let mut keys = LoadKeys { uniform: load.number("uniform")?.unwrap_or(0.0), ..LoadKeys::default() };
+    for part in load.elements("linear")? {
+        let part = part.table(&["from", "to", "start", "end"])?;
+        keys.linear.push(LinearLoad {
+            from: part.required_number("from")?,
+            to: part.required_number("to")?,
+            start: part.required_number("start")?,
+            end: part.required_number("end")?,
+        });
+    }
+    for part in load.elements("point")? {
+        let part = part.table(&["at", "force"])?;
+        keys.point.push(PointLoad { at: part.required_number("at")?, force: part.required_number("force")? });
+    }
+    Ok(keys)
+}
+
+/// The five ways, as the keys of the table.
+pub(super) const KINDS: &[&str] = &["depth", "polynomial", "cosine", "points", "survey"];
+
+/// What the table says.
+#[derive(Debug)]
+pub(super) enum Given {
+    /// The profile itself.
+    Profile(Foundation),
+    /// The name of a survey, and where it is written.
+    Survey { path: String, span: Span },
+}
+
+/// The profile in the table `key` of `parent`, if it is there: exactly one of five ways to give a depth `u(x)`, or `w0(x)`.
+fn profile(parent: &Keys<'_>, key: &str, of: Profile) -> Result<Option<Given>, Error> {
+    let Some(table) = parent.table(key, KINDS)? else {
+        return Ok(None);
+    };
+    let mut given: Vec<(&'static str, Value<'_>)> =
+        KINDS.iter().filter_map(|&kind| Some((kind, table.get(kind)?))).collect();
+    given.sort_by_key(|(_, value)| value.span().start);
+    match &given[..] {
+        [] => Err(Error { span: table.span(), problem: Problem::NoProfileKind { of, known: KINDS } }),
+        [(kind, value)] => one(kind, value).map(Some),
+        [_, (_, second), ..] => Err(Error {
+            span: second.span(),
+            problem: Problem::SeveralProfileKinds { of, found: given.iter().map(|(kind, _)| *kind).collect() },
+        }),
+    }
+}
+
+fn one(kind: &str, value: &Value<'_>) -> Result<Given, Error> {
+    Ok(Given::Profile(match kind {
+        "depth" => Foundation::Flat { depth: value.number()? },
+        "polynomial" => Foundation::Polynomial {
+            coefficients: value
+                .elements("an array of numbers, c0 + c1 x + c2 x² + …")?
+                .iter()
+                .map(Value::number)
+                .collect::<Result<_, _>>()?,
+        },
+        "cosine" => {
+            let cosine = value.table(&["mean", "amplitude", "wavelength", "phase"])?;
+            Foundation::Cosine {
+                mean: cosine.required_number("mean")?,
+                amplitude: cosine.required_number("amplitude")?,
+                wavelength: cosine.required_number("wavelength")?,
+                phase: cosine.number("phase")?.unwrap_or(0.0),
+            }
+        }
+        "points" => Foundation::Polyline {
+            points: value.elements("an array of points [x, depth]")?.iter().map(point).collect::<Result<_, _>>()?,
+        },
+        _ => return Ok(Given::Survey { path: value.line_of_text()?, span: value.span() }),
+    }))
+}
+
+fn point(value: &Value<'_>) -> Result<[f64; 2], Error> {
+    const POINT: &str = "a point [x, depth]";
+    match &value.elements(POINT)?[..] {
+        [x, depth] => Ok([x.number()?, depth.number()?]),
+        _ => Err(value.wrong_type(POINT)),
+    }
+}
