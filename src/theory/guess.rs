@@ -47,7 +47,7 @@ impl Samples {
             let block = cells.div_ceil(LONG);
             for first in (1..cells).step_by(block) {
                 let breakpoints = first..cells.min(first + block);
-                let depth = |&i: &usize| given.depth_at_breakpoint(i);
+                let depth = |&i: &usize| given.breakpoints[i].depth;
                 let shallowest = breakpoints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
                 for i in breakpoints
                     .filter(|&i| Some(i) == shallowest || given.load_changes_at(i) || given.support_at(i).is_some())
