@@ -8,7 +8,7 @@
 const SMALL: usize = 8;
 /// Intervals are halved at most this often: 2⁻⁴⁸ of the interval is its last digits.
 const DEPTH: usize = 48;
-/// As often as it mostly is.
+/// Fewer halvings than this are enough for most intervals: room for their halves is set aside at once.
 const USUAL_DEPTH: usize = 16;
 /// Parts of an interval that are looked at, at most; a few dozen are the rule. It guards against a polynomial that runs
 /// along the floor within its rounding.

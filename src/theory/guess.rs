@@ -154,7 +154,7 @@ impl Samples {
 
     /// Which of the samples touch, and with what force.
     pub(super) fn chain(&self, given: &PiecewiseScene) -> Guess {
-        let mut samples: Vec<ChainSample> = (0..self.x.len()).map(|i| self.of_chain(given, i)).collect();
+        let mut samples: Vec<ChainSample> = (0..self.x.len()).map(|i| self.chain_sample(given, i)).collect();
         for i in 0..self.far.len() {
             let (a, b) = (self.x[i], self.x[i + 1]);
             let length = b - a;
@@ -199,7 +199,7 @@ impl Samples {
     }
 
     /// Sample `i` as one of the chain, before bend and load are known.
-    fn of_chain(&self, given: &PiecewiseScene, i: usize) -> ChainSample {
+    fn chain_sample(&self, given: &PiecewiseScene, i: usize) -> ChainSample {
         let held = self.support(given, i).map(|support| given.supports[support].clearance[1]);
         ChainSample { x: self.x[i], held, beam: self.far.get(i).is_some_and(|&far| far), ..ChainSample::default() }
     }
