@@ -8,27 +8,29 @@
 const SMALL: usize = 8;
 /// Intervals are halved at most this often: 2⁻⁴⁸ of the interval is its last digits.
 const DEPTH: usize = 48;
+/// Fewer halvings than this are enough for most intervals: room for their halves is set aside at once.
+const USUAL_DEPTH: usize = 16;
 /// Parts of an interval that are looked at, at most; a few dozen are the rule. It guards against a polynomial that runs
 /// along the floor within its rounding.
 const PARTS: usize = 4000;
 
-/// Bernstein coefficients of `Σ a_j t^j` on `[0, w]`, written to `b`.
+/// Turns the coefficients of `Σ a_j t^j` into those of its Bernstein form on `[0, w]`.
 ///
 /// ```text
 /// b_k = Σ_{j ≤ k} C(k, j) / C(n, j) a_j w^j
 /// ```
 #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
-fn bernstein(monomial: &[f64], width: f64, b: &mut [f64]) {
-    let n = monomial.len().saturating_sub(1);
+fn to_bernstein(a: &mut [f64], width: f64) {
+    let n = a.len().saturating_sub(1);
     // c_j = a_j w^j / C(n, j); then b_k = Σ_j C(k, j) c_j by the scheme of repeated sums.
     let mut factor = 1.0;
-    for (j, (a, b)) in monomial.iter().zip(b.iter_mut()).enumerate() {
-        *b = a * factor;
+    for (j, a) in a.iter_mut().enumerate() {
+        *a *= factor;
         factor *= width * (j + 1) as f64 / (n - j).max(1) as f64;
     }
     for pass in 0..n {
         for k in (pass + 1..=n).rev() {
-            b[k] += b[k - 1];
+            a[k] += a[k - 1];
         }
     }
 }
@@ -38,7 +40,8 @@ fn bernstein(monomial: &[f64], width: f64, b: &mut [f64]) {
 pub(super) fn range(monomial: &[f64], width: f64) -> Option<[f64; 2]> {
     let mut b = [0.0; SMALL];
     let b = b.get_mut(..monomial.len())?;
-    bernstein(monomial, width, b);
+    b.copy_from_slice(monomial);
+    to_bernstein(b, width);
     if b.iter().any(|b| b.is_nan()) {
         return Some([f64::NAN; 2]);
     }
@@ -47,19 +50,19 @@ pub(super) fn range(monomial: &[f64], width: f64) -> Option<[f64; 2]> {
 
 /// Bernstein coefficients of a polynomial of any degree.
 fn form(monomial: &[f64], width: f64) -> Vec<f64> {
-    let mut b = vec![0.0; monomial.len()];
-    bernstein(monomial, width, &mut b);
+    let mut b = monomial.to_vec();
+    to_bernstein(&mut b, width);
     b
 }
 
-/// Both halves of a Bernstein form, by de Casteljau's scheme.
-fn halves(b: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let mut right = b.to_vec();
-    let mut left = Vec::with_capacity(b.len());
-    for pass in 0..b.len() {
+/// Both halves of the Bernstein form `b`, by de Casteljau's scheme.
+fn halves(b: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+    let mut right = b;
+    let mut left = Vec::with_capacity(right.len());
+    for rest in (1..=right.len()).rev() {
         left.push(right[0]);
-        for k in 0..b.len() - 1 - pass {
-            right[k] = 0.5 * (right[k] + right[k + 1]);
+        for k in 1..rest {
+            right[k - 1] = 0.5 * (right[k - 1] + right[k]);
         }
     }
     (left, right)
@@ -81,7 +84,8 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
         return None;
     }
     let mut best: Option<(f64, f64)> = None;
-    let mut open = vec![(whole, 0.0, width, 0)];
+    let mut open = Vec::with_capacity(USUAL_DEPTH);
+    open.push((whole, 0.0, width, 0));
     let mut parts = 0;
     while let Some((b, lo, hi, depth)) = open.pop() {
         parts += 1;
@@ -104,7 +108,7 @@ pub(super) fn lowest_below(monomial: &[f64], width: f64, floor: f64) -> Option<(
             return best.or(Some((lo, bound)));
         }
         if depth < DEPTH && b.iter().all(|b| b.is_finite()) {
-            let (left, right) = halves(&b);
+            let (left, right) = halves(b);
             let middle = 0.5 * (lo + hi);
             open.push((right, middle, hi, depth + 1));
             open.push((left, lo, middle, depth + 1));
@@ -133,7 +137,7 @@ pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
                 }
             }
             _ => {
-                let (left, right) = halves(&b);
+                let (left, right) = halves(b);
                 let middle = 0.5 * (lo + hi);
                 // A root exactly at the middle shows in neither half.
                 if left.last() == Some(&0.0) {

@@ -139,14 +139,15 @@ fn breakpoints(
     breaks: &[Break],
 ) -> Vec<Breakpoint> {
     let mut breakpoints: Vec<Breakpoint> = places.iter().map(|&x| Breakpoint { x, ..Breakpoint::default() }).collect();
-    for i in 1..cells.len() {
-        let (left, right) = (cells[i - 1].shape, cells[i].shape);
+    for (i, breakpoint) in breakpoints.iter_mut().enumerate() {
+        let [left, right] = [i.saturating_sub(1), i.min(cells.len() - 1)].map(|cell| cells[cell].shape);
+        let (mut a, mut b) = ([0.0; 2], [0.0; 2]);
+        shapes[left].taylor(breakpoint.x, &mut a);
+        shapes[right].taylor(breakpoint.x, &mut b);
+        breakpoint.depth = a[0].min(b[0]);
         if left != right {
-            let (mut a, mut b) = ([0.0; 2], [0.0; 2]);
-            shapes[left].taylor(places[i], &mut a);
-            shapes[right].taylor(places[i], &mut b);
-            breakpoints[i].step = breaks[left].step;
-            breakpoints[i].kink = b[1] - a[1];
+            breakpoint.step = breaks[left].step;
+            breakpoint.kink = b[1] - a[1];
         }
     }
     for p in load.point() {
@@ -217,7 +218,7 @@ fn gap_of(foundation: &Foundation, own: Option<&Foundation>, length: f64) -> (Ve
 /// Smooth pieces of a foundation, and the breaks between them.
 fn shapes_of(foundation: &Foundation, length: f64) -> (Vec<Shape>, Vec<Break>) {
     match foundation {
-        Foundation::Flat { depth } => (vec![Shape::Polynomial { origin: 0.0, coefficients: vec![*depth] }], Vec::new()),
+        &Foundation::Flat { depth } => (vec![Shape::Line { origin: 0.0, depth, slope: 0.0 }], Vec::new()),
         Foundation::Polynomial { coefficients } => {
             if let Some(degree) = polynomial::long_degree(coefficients) {
                 return (vec![Shape::long(coefficients, degree, length)], Vec::new());
@@ -257,8 +258,8 @@ mod tests {
         let places: Vec<f64> = given.breakpoints.iter().map(|j| j.x).collect();
         assert_eq!(places, [0.0, 1.0, 2.0, 3.0, 4.0]);
         assert_eq!(given.cells.iter().map(|c| c.shape).collect::<Vec<_>>(), [0, 1, 2, 2]);
-        assert_eq!(given.breakpoints[1], Breakpoint { x: 1.0, force: 0.0, step: 0.0, kink: -1.0 });
-        assert_eq!(given.breakpoints[2], Breakpoint { x: 2.0, force: 2.5, step: 0.5, kink: 2.0 });
+        assert_eq!(given.breakpoints[1], Breakpoint { x: 1.0, depth: 1.0, force: 0.0, step: 0.0, kink: -1.0 });
+        assert_eq!(given.breakpoints[2], Breakpoint { x: 2.0, depth: 0.0, force: 2.5, step: 0.5, kink: 2.0 });
         // q = 1 + 2 + 2 (x − 1), over EI.
         let found = [given.load(1, 1.5), given.load(3, 3.5), given.depth(2.0)];
         assert_eq!(found.map(f64::to_bits), [2.0_f64, 0.5, 0.0].map(f64::to_bits));

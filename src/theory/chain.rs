@@ -23,18 +23,27 @@
 /// The chain above samples from end to end of the beam, or of a part of it between built-in supports.
 #[derive(Debug)]
 pub(super) struct Chain<'a> {
-    /// Places, both ends included.
-    pub(super) x: &'a [f64],
-    /// `(B u)_i + ρ_i` at the samples; at an end that is built in, with its slope.
-    pub(super) bend: &'a [f64],
-    /// Loads `f_i` at the samples.
-    pub(super) load: &'a [f64],
-    /// True for a link that is a beam; link `i` ends at `x_{i+1}`.
-    pub(super) beam: &'a [bool],
-    /// The clearance at a sample that a support holds.
-    pub(super) held: &'a [Option<f64>],
+    /// The samples, both ends included.
+    pub(super) samples: &'a [ChainSample],
     /// True for an end that is built in.
     pub(super) built_in: [bool; 2],
+}
+
+/// What a chain is made of at a sample, and in the link to its right.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ChainSample {
+    /// Where.
+    pub(super) x: f64,
+    /// `(B u)_i + ρ_i`; at an end that is built in, with its slope.
+    pub(super) bend: f64,
+    /// What of it belongs to the links on the two sides.
+    pub(super) sides: [f64; 2],
+    /// The load `f_i`.
+    pub(super) load: f64,
+    /// The clearance, where a support holds it.
+    pub(super) held: Option<f64>,
+    /// True for a link that is a beam.
+    pub(super) beam: bool,
 }
 
 /// What swallows every other coefficient: a power of two, so that nothing else is rounded.
@@ -61,6 +70,9 @@ struct Row {
     w: f64,
     /// Entry of `W` beside the diagonal, to the right.
     off: f64,
+    /// `(B u)_i + ρ_i` and the load.
+    bend: f64,
+    load: f64,
     /// Clearance, contact force and moment.
     s: f64,
     p: f64,
@@ -83,21 +95,21 @@ struct Row {
 impl Chain<'_> {
     /// Solves the chain.
     pub(super) fn solve(&self) -> Guess {
-        let n = self.load.len();
+        let n = self.samples.len();
         let mut rows = self.rows();
         let count = as_float(rows.iter().filter(|row| !row.held).count());
-        let length = self.x[n - 1] - self.x[0];
+        let length = self.samples[n - 1].x - self.samples[0].x;
         // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
         // that nothing holds, elimination would lose how they bend.
         let springs = if self.is_held_at_both_ends() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
         factor(&mut rows, |_| springs);
-        self.residuals(&mut rows);
+        residuals(&mut rows);
         solve(&mut rows, |row| row.rest[1]);
         // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
         let reach = rows.iter().filter(|row| !row.held).fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
         let deepest = rows.iter().filter(|row| !row.held).fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
         let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
-        let total: f64 = self.load.iter().zip(&rows).filter(|(_, row)| !row.held).map(|(f, _)| f.abs()).sum();
+        let total: f64 = rows.iter().filter(|row| !row.held).map(|row| row.load.abs()).sum();
         let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
         for row in &mut rows {
             row.m = row.step[1];
@@ -113,7 +125,7 @@ impl Chain<'_> {
         }
         for _ in 0..STEPS {
             let mu = rows.iter().filter(|r| !r.held).map(|r| r.s * r.p).sum::<f64>() / count;
-            let off = self.residuals(&mut rows);
+            let off = residuals(&mut rows);
             if mu <= enough && off <= 1e-6 * unit_force {
                 break;
             }
@@ -158,46 +170,45 @@ impl Chain<'_> {
 
     /// True if a support holds each end.
     fn is_held_at_both_ends(&self) -> bool {
-        [self.held.first(), self.held.last()].iter().all(|end| end.is_some_and(Option::is_some))
+        [self.samples.first(), self.samples.last()].iter().all(|end| end.is_some_and(|end| end.held.is_some()))
     }
 
     fn rows(&self) -> Vec<Row> {
-        let n = self.load.len();
-        let link = |i: usize| (self.x[i + 1] - self.x[i], self.beam[i]);
+        let n = self.samples.len();
+        let link = |i: usize| (self.samples[i + 1].x - self.samples[i].x, self.samples[i].beam);
         let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
         let row = |i: usize| {
             let left = if 0 < i { share(link(i - 1)) } else { SWALLOWS * f64::from(!self.built_in[0]) };
-            let (held, s) = (self.held[i].is_some(), self.held[i].unwrap_or(0.0));
+            let ChainSample { bend, load, held, .. } = self.samples[i];
+            let row = Row { bend, load, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
-                let w = left + SWALLOWS * f64::from(!self.built_in[1]);
-                return Row { w, held, s, ..Row::default() };
+                return Row { w: left + SWALLOWS * f64::from(!self.built_in[1]), ..row };
             }
             let right = link(i);
             let off = if right.1 { right.0 / 6.0 } else { 0.0 };
-            Row { c: 1.0 / right.0, w: left + share(right), off, held, s, ..Row::default() }
+            Row { c: 1.0 / right.0, w: left + share(right), off, ..row }
         };
         (0..n).map(row).collect()
     }
+}
 
-    /// Residuals of both equations; returns the largest of equilibrium.
-    fn residuals(&self, rows: &mut [Row]) -> f64 {
-        let n = rows.len();
-        let (mut c, mut off) = (0.0, 0.0);
-        let (mut s, mut m) = (0.0, 0.0);
-        let mut worst = 0.0_f64;
-        for i in 0..n {
-            let (next_s, next_m) = if i + 1 < n { (rows[i + 1].s, rows[i + 1].m) } else { (0.0, 0.0) };
-            let row = &mut rows[i];
-            let of_s = row.c * (next_s - row.s) - c * (row.s - s);
-            let of_m = row.c * (next_m - row.m) - c * (row.m - m);
-            row.rest = [self.bend[i] - of_s + row.w * row.m + row.off * next_m + off * m, row.p - self.load[i] - of_m];
-            if !row.held {
-                worst = worst.max(row.rest[1].abs());
-            }
-            (c, off, s, m) = (row.c, row.off, row.s, row.m);
+/// Residuals of both equations; returns the largest of equilibrium.
+fn residuals(rows: &mut [Row]) -> f64 {
+    // How clearance and moment rise over the link to the left, and how the moment at its left end bends the beam here.
+    let (mut left_s, mut left_m, mut bent) = (0.0, 0.0, 0.0);
+    let mut worst = 0.0_f64;
+    for i in 0..rows.len() {
+        let (next_s, next_m) = rows.get(i + 1).map_or((0.0, 0.0), |next| (next.s, next.m));
+        let row = &mut rows[i];
+        let (right_s, right_m) = (row.c * (next_s - row.s), row.c * (next_m - row.m));
+        let bends = row.bend - (right_s - left_s) + row.w * row.m + row.off * next_m + bent;
+        row.rest = [bends, row.p - row.load - (right_m - left_m)];
+        if !row.held {
+            worst = worst.max(row.rest[1].abs());
         }
-        worst
+        (left_s, left_m, bent) = (right_s, right_m, row.off * row.m);
     }
+    worst
 }
 
 /// Factors `[[Θ, B], [B, −W]]` in blocks of one sample each, with `Θ_i` the `ratio` of a sample.
@@ -266,12 +277,19 @@ mod tests {
 
     /// What a chain on two supports says above a flat foundation at depth 1: bends and loads of the samples between, and of these.
     fn simple(x: &[f64], bend: &[f64], load: &[f64], beam: &[bool]) -> Guess {
-        let ends = |inner: &[f64]| [&[0.0], inner, &[0.0]].concat();
-        let mut held = vec![None; x.len()];
-        (held[0], held[x.len() - 1]) = (Some(1.0), Some(1.0));
-        let guess = Chain { x, bend: &ends(bend), load: &ends(load), beam, held: &held, built_in: [false; 2] }.solve();
-        let inner = 1..x.len() - 1;
-        Guess { touches: guess.touches[inner.clone()].to_vec(), force: guess.force[inner].to_vec() }
+        let last = x.len() - 1;
+        let at = |values: &[f64], i: usize| if i == 0 || i == last { 0.0 } else { values[i - 1] };
+        let sample = |i: usize| ChainSample {
+            x: x[i],
+            bend: at(bend, i),
+            load: at(load, i),
+            held: (i == 0 || i == last).then_some(1.0),
+            beam: i < last && beam[i],
+            ..ChainSample::default()
+        };
+        let samples: Vec<ChainSample> = (0..=last).map(sample).collect();
+        let guess = Chain { samples: &samples, built_in: [false; 2] }.solve();
+        Guess { touches: guess.touches[1..last].to_vec(), force: guess.force[1..last].to_vec() }
     }
 
     #[test]

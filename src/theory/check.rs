@@ -2,7 +2,7 @@
 
 use super::bernstein::lowest_below;
 use super::forces::{forces, moments, pulling_couple, unbalanced};
-use super::list::{Beside, Kind, List, Unknown};
+use super::list::{Beside, Kind, List, Unknown, Zone};
 use super::newton;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
@@ -61,14 +61,10 @@ const BALANCE: f64 = TOLERANCE / 1e-9;
 /// Checks `list`.
 pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     let mut judge = Judge { faults: Vec::new(), worst: 0.0 };
-    let zones: Vec<Zone> = (0..=list.nodes.len())
-        .filter(|&i| list.in_zone_before(i))
-        .zip(list.zones())
-        .map(|(node, (from, to))| Zone { node, from, to })
-        .collect();
-    judge.places(given, list, &zones);
-    let spans = list.spans(given);
-    let pieces = all_pieces(given, list, &spans, &zones);
+    judge.places(given, list);
+    let mut spans = Vec::with_capacity(list.nodes.len());
+    spans.extend(list.spans(given));
+    let pieces = all_pieces(given, list, &spans);
     let forces = forces(given, list, &spans);
     let moments = moments(given, list, &spans);
     let scale = Scale::of(given, &pieces, &forces);
@@ -81,7 +77,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
         judge.measure(depth, scale.depth_at(given, at), *i, Violation::Penetration { at, depth });
         judge.turns_at_supports(given, list, *i, span, &scale);
     }
-    for zone in &zones {
+    for zone in list.zones() {
         judge.pulls(given, zone, &scale);
     }
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
@@ -105,18 +101,10 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     Checked { pieces, spans, forces, moments, faults, worst }
 }
 
-/// A zone of the list.
-struct Zone {
-    /// Index of the node to its right.
-    node: usize,
-    from: f64,
-    to: f64,
-}
-
 /// The beam by pieces, from end to end.
-fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], zones: &[Zone]) -> Vec<Piece> {
+fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Piece> {
     let mut pieces = Vec::with_capacity(2 * given.cells.len());
-    let (mut next_span, mut next_zone) = (spans.iter().peekable(), zones.iter());
+    let (mut next_span, mut next_zone) = (spans.iter().peekable(), list.zones());
     for i in 0..=list.nodes.len() {
         if list.in_zone_before(i) {
             if let Some(zone) = next_zone.next() {
@@ -157,7 +145,7 @@ impl Judge {
     }
 
     /// Zones have a length and go over no break; contacts are on their piece of the profile.
-    fn places(&mut self, given: &PiecewiseScene, list: &List, zones: &[Zone]) {
+    fn places(&mut self, given: &PiecewiseScene, list: &List) {
         for (start, pair) in list.nodes.windows(2).enumerate() {
             if pair[0].kind == Kind::ZoneStart && pair[1].x < pair[0].x {
                 self.refuse(start, Violation::Inverted { from: pair[0].x, to: pair[1].x });
@@ -169,7 +157,7 @@ impl Judge {
                 self.refuse(i, Violation::OffPiece { at: node.x });
             }
         }
-        for zone in zones {
+        for zone in list.zones() {
             if let Some(breakpoint) =
                 given.breakpoints_inside(zone.from, zone.to).find(|&breakpoint| given.breaks_at(breakpoint))
             {
@@ -208,8 +196,7 @@ impl Judge {
     }
 
     /// A zone pulls nowhere; where it might is known ([`PiecewiseScene::tension`]).
-    fn pulls(&mut self, given: &PiecewiseScene, zone: &Zone, scale: &Scale) {
-        let &Zone { node, from, to } = zone;
+    fn pulls(&mut self, given: &PiecewiseScene, Zone { node, from, to }: Zone, scale: &Scale) {
         for &(lo, hi) in given.tension_between(from, to) {
             let (lo, hi) = (lo.max(from), hi.min(to));
             let pull = mean_pull(given, lo, hi);
@@ -248,9 +235,9 @@ fn penetration(given: &PiecewiseScene, pieces: &[Piece], span: &Span, scale: &Sc
         }
         // An edge at the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
         let edge = given.breakpoint_at(piece.hi).filter(|&breakpoint| given.is_edge(breakpoint) && piece.hi < span.b.x);
-        if edge.is_some() {
+        if let Some(edge) = edge {
             piece.deflection(given, &mut taylor);
-            let depth = derivatives(&taylor, piece.hi - piece.anchor)[0] - given.depth(piece.hi);
+            let depth = derivatives(&taylor, piece.hi - piece.anchor)[0] - given.breakpoints[edge].depth;
             if bar(worst) < depth {
                 worst = Some((piece.hi, depth));
             }

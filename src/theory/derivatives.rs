@@ -241,7 +241,7 @@ impl Exact {
             Kind::Support(_, beside) => beside != [Beside::Apart; 2],
             Kind::Tip => false,
         });
-        let short = self.list.zones().into_iter().any(|(from, to)| small(to - from, given.length));
+        let short = self.list.zones().any(|zone| small(zone.to - zone.from, given.length));
         // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
         let carried = self.touches();
         let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);

@@ -48,15 +48,12 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
 
 /// Moments `−v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
 pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
-    let mut moments = vec![[0.0; 2]; list.nodes.len()];
-    for (i, node) in list.nodes.iter().enumerate() {
-        if list.in_zone_before(i) {
-            moments[i][0] = -given.derivative(given.cell_to(node.x), node.x, 2);
-        }
-        if list.in_zone_before(i + 1) {
-            moments[i][1] = -given.derivative(given.cell_from(node.x), node.x, 2);
-        }
-    }
+    let of_zone = |zone: bool, cell: usize, x: f64| if zone { -given.derivative(cell, x, 2) } else { 0.0 };
+    let beside = |(i, node): (usize, &Node)| {
+        let left = of_zone(list.in_zone_before(i), given.cell_to(node.x), node.x);
+        [left, of_zone(list.in_zone_before(i + 1), given.cell_from(node.x), node.x)]
+    };
+    let mut moments: Vec<[f64; 2]> = list.nodes.iter().enumerate().map(beside).collect();
     for (i, span) in spans {
         if let Some(left) = i.checked_sub(1) {
             moments[left][1] = -span.beam_a[2];
@@ -85,7 +82,7 @@ pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
 
 /// What is left of the load when reactions and contact forces are taken off.
 pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) -> f64 {
-    let zones = list.zones().into_iter().map(|(from, to)| zone_force(given, from, to));
+    let zones = list.zones().map(|zone| zone_force(given, zone.from, zone.to));
     let at_supports: f64 = given.supports.iter().map(|support| given.breakpoints[support.breakpoint].force).sum();
     let of = |support: bool| move |(node, _): &(&Node, &f64)| node.support().is_some() == support;
     let pairs = || list.nodes.iter().zip(forces);

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::chain::{Chain, Guess};
+use super::chain::{Chain, ChainSample, Guess};
 use super::list::{Beside, Kind, List, Node, support_node};
 use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
@@ -33,8 +33,8 @@ impl Samples {
     /// All breakpoints, and cells cut into parts no longer than a fraction 1/`links` of the beam; of a long survey the
     /// shallowest breakpoint of each block, and where the load changes.
     pub(super) fn first(given: &PiecewiseScene, links: u32) -> Self {
-        let mut samples = Self { x: Vec::new(), cell: Vec::new(), far: Vec::new() };
         let cells = given.cells.len();
+        let mut samples = Self::with_room_for(cells.min(LONG) + links as usize);
         if cells <= LONG {
             let aim = given.length / f64::from(links);
             for (i, cell) in given.cells.iter().enumerate() {
@@ -47,7 +47,7 @@ impl Samples {
             let block = cells.div_ceil(LONG);
             for first in (1..cells).step_by(block) {
                 let breakpoints = first..cells.min(first + block);
-                let depth = |&i: &usize| given.depth_at_breakpoint(i);
+                let depth = |&i: &usize| given.breakpoints[i].depth;
                 let shallowest = breakpoints.clone().min_by(|i, j| depth(i).total_cmp(&depth(j)));
                 for i in breakpoints
                     .filter(|&i| Some(i) == shallowest || given.load_changes_at(i) || given.support_at(i).is_some())
@@ -70,8 +70,7 @@ impl Samples {
             near[i] = true;
             near[(i + 1).min(n - 1)] = true;
         }
-        let mut refined =
-            Self { x: Vec::with_capacity(2 * n), cell: Vec::with_capacity(2 * n), far: Vec::with_capacity(2 * n) };
+        let mut refined = Self::with_room_for(2 * n);
         let coarse = |i: usize| given.cells[self.cell[i]].hi < self.x[i + 1];
         for i in 0..n - 1 {
             // Beside a link of many cells the contact is known to within a block or two.
@@ -100,6 +99,10 @@ impl Samples {
         }
         refined.end(given);
         refined
+    }
+
+    fn with_room_for(count: usize) -> Self {
+        Self { x: Vec::with_capacity(count), cell: Vec::with_capacity(count), far: Vec::with_capacity(count) }
     }
 
     fn push(&mut self, x: f64, cell: usize, far: bool) {
@@ -151,12 +154,8 @@ impl Samples {
 
     /// Which of the samples touch, and with what force.
     pub(super) fn chain(&self, given: &PiecewiseScene) -> Guess {
-        let n = self.x.len() - 2;
-        let mut load = vec![0.0; n + 2];
-        let mut bend = vec![0.0; n + 2];
-        // What of it belongs to the links on the two sides of a sample.
-        let mut sides = vec![[0.0; 2]; n + 2];
-        for i in 0..=n {
+        let mut samples: Vec<ChainSample> = (0..self.x.len()).map(|i| self.chain_sample(given, i)).collect();
+        for i in 0..self.far.len() {
             let (a, b) = (self.x[i], self.x[i + 1]);
             let length = b - a;
             let last = given.cell_to(b).max(self.cell[i]);
@@ -167,24 +166,24 @@ impl Samples {
                 // Resultant and lever of a trapezium.
                 let force = 0.5 * width * (start + end);
                 let lever = width * width * (start + 2.0 * end) / 6.0 + force * (lo - a);
-                load[i] += force - lever / length;
-                load[i + 1] += lever / length;
+                samples[i].load += force - lever / length;
+                samples[i + 1].load += lever / length;
                 if a < c.lo {
                     let force = given.breakpoints[cell].force;
-                    load[i] += force * (b - c.lo) / length;
-                    load[i + 1] += force * (c.lo - a) / length;
+                    samples[i].load += force * (b - c.lo) / length;
+                    samples[i + 1].load += force * (c.lo - a) / length;
                 }
             }
             if a <= given.cells[self.cell[i]].lo {
-                load[i] += given.breakpoints[self.cell[i]].force;
-                bend[i] += given.breakpoints[self.cell[i]].kink;
+                samples[i].load += given.breakpoints[self.cell[i]].force;
+                samples[i].bend += given.breakpoints[self.cell[i]].kink;
             }
             let [start, end] = given.turns([a, b], [self.cell[i], last], !self.far[i]);
             let mut add = |start: f64, end: f64| {
-                bend[i] += start;
-                bend[i + 1] += end;
-                sides[i][1] += start;
-                sides[i + 1][0] += end;
+                samples[i].bend += start;
+                samples[i + 1].bend += end;
+                samples[i].sides[1] += start;
+                samples[i + 1].sides[0] += end;
             };
             add(start, end);
             if self.far[i] {
@@ -193,38 +192,42 @@ impl Samples {
                 add(unit * (8.0 * start + 7.0 * end), unit * (7.0 * start + 8.0 * end));
             }
         }
-        load[n + 1] += given.breakpoints.last().map_or(0.0, |end| end.force);
-        self.solve(given, &bend, &sides, &load)
+        if let (Some(sample), Some(end)) = (samples.last_mut(), given.breakpoints.last()) {
+            sample.load += end.force;
+        }
+        self.solve(given, &mut samples)
+    }
+
+    /// Sample `i` as one of the chain, before bend and load are known.
+    fn chain_sample(&self, given: &PiecewiseScene, i: usize) -> ChainSample {
+        let held = self.support(given, i).map(|support| given.supports[support].clearance[1]);
+        ChainSample { x: self.x[i], held, beam: self.far.get(i).is_some_and(|&far| far), ..ChainSample::default() }
     }
 
     /// The chains between the built-in supports, each for itself: nothing passes from one to the other.
-    fn solve(&self, given: &PiecewiseScene, bend: &[f64], sides: &[[f64; 2]], load: &[f64]) -> Guess {
-        let last = self.x.len() - 1;
-        let support = |i: usize| self.support(given, i).map(|support| &given.supports[support]);
-        let built_in = |i: usize| support(i).and_then(|support| support.slope);
-        let held: Vec<Option<f64>> = (0..=last).map(|i| support(i).map(|support| support.clearance[1])).collect();
-        let mut guess = Guess { touches: vec![false; last + 1], force: vec![0.0; last + 1] };
+    fn solve(&self, given: &PiecewiseScene, samples: &mut [ChainSample]) -> Guess {
+        let last = samples.len() - 1;
+        let built_in = |i: usize| self.support(given, i).and_then(|support| given.supports[support].slope);
+        let mut guess = Guess { touches: Vec::with_capacity(last + 1), force: Vec::with_capacity(last + 1) };
         let mut from = 0;
         for to in (1..=last).filter(|&i| i == last || built_in(i).is_some()) {
-            let part = from..=to;
-            let mut bend = bend[part.clone()].to_vec();
-            if let Some(slope) = built_in(from) {
-                bend[0] = sides[from][1] + (given.derivative(given.cell_from(self.x[from]), self.x[from], 1) - slope);
+            let slopes = [from, to].map(built_in);
+            // A support between two chains has the bend of either of them in its turn.
+            if let Some(slope) = slopes[0] {
+                let x = self.x[from];
+                samples[from].bend = samples[from].sides[1] + (given.derivative(given.cell_from(x), x, 1) - slope);
             }
-            if let Some(slope) = built_in(to) {
-                bend[to - from] = sides[to][0] - (given.derivative(given.cell_to(self.x[to]), self.x[to], 1) - slope);
+            if let Some(slope) = slopes[1] {
+                let x = self.x[to];
+                samples[to].bend = samples[to].sides[0] - (given.derivative(given.cell_to(x), x, 1) - slope);
             }
-            let chain = Chain {
-                x: &self.x[part.clone()],
-                bend: &bend,
-                load: &load[part.clone()],
-                beam: &self.far[from..to],
-                held: &held[part],
-                built_in: [from, to].map(|i| built_in(i).is_some()),
-            };
+            let chain = Chain { samples: &samples[from..=to], built_in: slopes.map(|slope| slope.is_some()) };
             let Guess { touches, force } = chain.solve();
-            guess.touches[from..=to].copy_from_slice(&touches);
-            guess.force[from..=to].copy_from_slice(&force);
+            // Neither of them touches with the support between them.
+            guess.touches.truncate(from);
+            guess.force.truncate(from);
+            guess.touches.extend(touches);
+            guess.force.extend(force);
             from = to;
         }
         guess

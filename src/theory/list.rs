@@ -86,6 +86,17 @@ pub(super) struct List {
     pub(super) nodes: Vec<Node>,
 }
 
+/// A zone of a list.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Zone {
+    /// Index of the node to its right.
+    pub(super) node: usize,
+    /// Where it starts.
+    pub(super) from: f64,
+    /// Where it ends.
+    pub(super) to: f64,
+}
+
 impl List {
     /// The beam without contact.
     pub(super) fn free(given: &PiecewiseScene) -> Self {
@@ -109,26 +120,32 @@ impl List {
         (0..self.nodes.len()).filter(|&i| self.unknown(given, i).is_some()).count()
     }
 
-    /// The spans and overhangs with the number of nodes to their left.
-    pub(super) fn spans(&self, given: &PiecewiseScene) -> Vec<(usize, Span)> {
+    /// The spans and overhangs from left to right, each with the number of nodes to its left.
+    pub(super) fn spans(&self, given: &PiecewiseScene) -> impl Iterator<Item = (usize, Span)> {
         let n = self.nodes.len();
-        let mut spans = Vec::with_capacity(n + 1);
-        spans.extend((1..n).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i))));
-        let (Some(first), Some(last)) = (self.nodes.first(), self.nodes.last()) else { return spans };
-        // An overhang takes the slope that the span beside its node has there.
-        if 0.0 < first.x {
-            let beside = spans.first().filter(|(i, _)| *i == 1).map(|(_, span)| span.beam_a[1]);
-            let [_, cell] = first.cells(given);
-            let held = first.end(given, cell, Hinged::No);
-            spans.insert(0, (0, Span::overhang(given, held, first.slope_beside(given, cell, beside), true)));
-        }
-        if last.x < given.length {
-            let beside = spans.last().filter(|(i, _)| 0 < *i && i + 1 == n).map(|(_, span)| span.beam_b[1]);
-            let [cell, _] = last.cells(given);
-            let held = last.end(given, cell, Hinged::No);
-            spans.push((n, Span::overhang(given, held, last.slope_beside(given, cell, beside), false)));
-        }
-        spans
+        let overhang = |end: Option<&Node>, i, at_left| end.map(|node| (i, self.overhang(given, node, at_left)));
+        let left = overhang(self.nodes.first().filter(|first| 0.0 < first.x), 0, true);
+        let right = overhang(self.nodes.last().filter(|last| last.x < given.length), n, false);
+        let between = (1..n).filter(|&i| !self.in_zone_before(i)).map(|i| (i, self.span(given, i)));
+        left.into_iter().chain(between).chain(right)
+    }
+
+    /// The overhang beyond the outermost node on a side.
+    fn overhang(&self, given: &PiecewiseScene, node: &Node, at_left: bool) -> Span {
+        let [right, left] = node.cells(given);
+        let cell = if at_left { left } else { right };
+        // Where the node leaves the slope free, it is that of the span beside it.
+        let beside = || {
+            let i = if at_left { 1 } else { self.nodes.len() - 1 };
+            let is_span = 0 < i && i < self.nodes.len() && !self.in_zone_before(i);
+            is_span.then(|| self.span(given, i)).map(|span| if at_left { span.beam_a[1] } else { span.beam_b[1] })
+        };
+        let slope = match node.kind {
+            Kind::Edge(_) => beside().unwrap_or(node.slope),
+            Kind::Support(..) => node.held_slope(given).or_else(beside).unwrap_or(node.slope),
+            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => given.derivative(cell, node.x, 1),
+        };
+        Span::overhang(given, node.end(given, cell, Hinged::No), slope, at_left)
     }
 
     /// The span between node `i − 1` and node `i`.
@@ -141,12 +158,10 @@ impl List {
         Span::between(given, a, b)
     }
 
-    /// The zones, from where to where.
-    pub(super) fn zones(&self) -> Vec<(f64, f64)> {
-        (1..self.nodes.len())
-            .filter(|&i| self.in_zone_before(i))
-            .map(|i| (self.nodes[i - 1].x, self.nodes[i].x))
-            .collect()
+    /// The zones from left to right.
+    pub(super) fn zones(&self) -> impl Iterator<Item = Zone> {
+        let zone = |i: usize| Zone { node: i, from: self.nodes[i - 1].x, to: self.nodes[i].x };
+        (1..self.nodes.len()).filter(|&i| self.in_zone_before(i)).map(zone)
     }
 
     /// True if the stretch that ends at node `i` is a zone.
@@ -216,15 +231,6 @@ impl Node {
         })
     }
 
-    /// The slope of an overhang at its node, beside a span in `cell` that has the slope `beside` there.
-    fn slope_beside(&self, given: &PiecewiseScene, cell: usize, beside: Option<f64>) -> f64 {
-        match self.kind {
-            Kind::Edge(_) => beside.unwrap_or(self.slope),
-            Kind::Support(..) => self.held_slope(given).or(beside).unwrap_or(self.slope),
-            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => given.derivative(cell, self.x, 1),
-        }
-    }
-
     /// The cells to its right and to its left.
     fn cells(&self, given: &PiecewiseScene) -> [usize; 2] {
         match self.kind {
@@ -259,7 +265,7 @@ impl Node {
                 // The lower side of a step lies below the beam, which rests on the upper one.
                 let step = given.breakpoints[breakpoint].step;
                 let height = if cell < breakpoint { (-step).max(0.0) } else { step.max(0.0) };
-                free_slope(height, given.depth_at_breakpoint(breakpoint))
+                free_slope(height, given.breakpoints[breakpoint].depth)
             }
             Kind::Support(index, beside) => {
                 let support = &given.supports[index];

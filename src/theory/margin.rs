@@ -112,7 +112,7 @@ impl Margin {
     /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
     /// place: then it is not violated.
     pub(super) fn value(self, given: &PiecewiseScene, list: &List) -> Option<f64> {
-        let spans = list.spans(given);
+        let spans: Vec<(usize, Span)> = list.spans(given).collect();
         let before = |node: usize| spans.iter().find(|(i, _)| *i == node).map(|(_, span)| span);
         match self.0 {
             Condition::Presses(node) => forces(given, list, &spans).get(node).copied(),
@@ -167,7 +167,7 @@ pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
         if let Some(breakpoint) = given.breakpoint_at(piece.hi).filter(|&i| given.is_edge(i) && inside(piece.hi)) {
             piece.deflection(given, &mut taylor);
             let deflection = derivatives(&taylor, piece.hi - piece.anchor)[0];
-            add(given.depth_at_breakpoint(breakpoint) - deflection);
+            add(given.breakpoints[breakpoint].depth - deflection);
         }
         piece.clearance(given, &mut taylor);
         // A minimum may lie just where two pieces meet.

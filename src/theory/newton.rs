@@ -4,7 +4,7 @@
 //! `h''` is read; turning an edge by `δv'` turns the end by `δh' = −δv'`. The other end answers by the slope-deflection
 //! equations of [`super::span`].
 
-use super::list::{Kind, List, Unknown};
+use super::list::{Kind, List, Node, Unknown};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
 
@@ -40,18 +40,17 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     let mut rests = 0;
     // Report: newton
     for steps in 0..STEPS {
-        let spans = list.spans(given);
         // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
-        let rows = equations(given, list, &spans);
+        let rows = equations(given, list, list.spans(given));
         if QUADRATIC <= steps {
             brackets.iter_mut().zip(&list.nodes).zip(&rows).for_each(|((b, node), row)| b.narrow(node.x, row.jump));
         }
         // Derivatives · step = −jumps: a tridiagonal system.
-        let Some(step) = newton_step(given, list, rows) else {
+        let Some(rows) = newton_step(rows) else {
             return Run { steps, converged: false };
         };
         // No further than to the end of a smooth piece of the ground, or to the next contact.
-        let Applied { size, limited } = apply(given, list, &step, &mut brackets);
+        let Applied { size, limited } = apply(given, list, &rows, &mut brackets);
         // Report: end
         let at_rest = !limited && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size));
         rests = if at_rest { rests + 1 } else { 0 };
@@ -89,51 +88,47 @@ fn response([left, right]: [Option<Unknown>; 2], span: &Span) -> [[f64; 2]; 2] {
 }
 
 /// The equation of a node, `h''(x−) − h''(x+) = 0` with zero for the side of a zone. At an edge it says the same of `v''`, as the
-/// profile has breaks of its depth and slope, and of no higher derivative. A node without unknown has no equation.
+/// profile has breaks of its depth and slope, and of no higher derivative. A node without unknown does not move.
 #[derive(Debug, Clone, Copy)]
 struct Row {
+    /// What is not known of the node.
+    unknown: Option<Unknown>,
     /// How the jump depends on the node to the left, this node and the node to the right.
     derivative: [f64; 3],
     /// `h''(x−) − h''(x+)`.
     jump: f64,
-}
-
-impl Row {
-    /// That of a node without unknown, which does not move.
-    const NONE: Self = Self { derivative: [0.0, 1.0, 0.0], jump: 0.0 };
+    /// Newton's step.
+    step: f64,
 }
 
 /// The equations of all nodes.
 ///
 /// At the solution the middle derivative is `−R − 4 h'' Σ 1/ℓ` or so, with the contact force `R ≥ 0` and `h'' ≥ 0`: negative.
-fn equations(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Row> {
-    let unknown: Vec<Option<Unknown>> = (0..list.nodes.len()).map(|i| list.unknown(given, i)).collect();
-    let row = |i: usize| {
-        let node = &list.nodes[i];
-        // A load just here is in neither span, but moving on in either direction would put it into one of them.
-        let load = match unknown[i] {
-            None => return Row::NONE,
+fn equations(given: &PiecewiseScene, list: &List, spans: impl Iterator<Item = (usize, Span)>) -> Vec<Row> {
+    let row = |(i, node): (usize, &Node)| {
+        let unknown = list.unknown(given, i);
+        let middle = match unknown {
+            None => 1.0,
             Some(Unknown::Slope) => 0.0,
-            Some(Unknown::Place) => given.force_at(node.x, node.cell).max(0.0),
+            // A load just here is in neither span, but moving on in either direction would put it into one of them.
+            Some(Unknown::Place) => -given.force_at(node.x, node.cell).max(0.0),
         };
-        Row { derivative: [0.0, -load, 0.0], jump: 0.0 }
+        Row { unknown, derivative: [0.0, middle, 0.0], jump: 0.0, step: 0.0 }
     };
-    let mut rows: Vec<Row> = (0..list.nodes.len()).map(row).collect();
-    let of = |i: Option<usize>| unknown.get(i?).copied().flatten();
+    let mut rows: Vec<Row> = list.nodes.iter().enumerate().map(row).collect();
     for (right, span) in spans {
         let left = right.checked_sub(1);
-        let [at_a, at_b] = response([of(left), of(Some(*right))], span);
-        if let Some(i) = left.filter(|&i| unknown[i].is_some()) {
+        let unknown = [left, Some(right)].map(|i| rows.get(i?).and_then(|row| row.unknown));
+        let [at_a, at_b] = response(unknown, &span);
+        if let ([Some(_), _], Some(i)) = (unknown, left) {
             rows[i].derivative[1] -= at_a[0];
             rows[i].derivative[2] -= at_a[1];
             rows[i].jump -= span.at_a[2];
         }
-        if of(Some(*right)).is_some()
-            && let Some(row) = rows.get_mut(*right)
-        {
-            row.derivative[0] += at_b[0];
-            row.derivative[1] += at_b[1];
-            row.jump += span.at_b[2];
+        if unknown[1].is_some() {
+            rows[right].derivative[0] += at_b[0];
+            rows[right].derivative[1] += at_b[1];
+            rows[right].jump += span.at_b[2];
         }
     }
     rows
@@ -154,17 +149,18 @@ pub(super) struct Residual {
 pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Residual {
     // A NaN is never small.
     let most = |most: f64, r: f64| if r.abs() <= most { most } else { r.abs() };
-    let rows = equations(given, list, spans);
+    let rows = equations(given, list, spans.iter().copied());
     let jump = rows.iter().map(|row| row.jump).fold(0.0, most);
-    let Some(steps) = newton_step(given, list, rows) else {
+    let Some(rows) = newton_step(rows) else {
         return Residual { jump, step: f64::INFINITY, crowded: (0.0, 0) };
     };
-    let moving = |i: &usize| list.unknown(given, *i) == Some(Unknown::Place);
-    let step = (0..steps.len()).filter(moving).map(|i| steps[i] / given.length).fold(0.0, most);
+    let moving = |row: &&Row| row.unknown == Some(Unknown::Place);
+    let step = rows.iter().filter(moving).map(|row| row.step / given.length).fold(0.0, most);
     let mut crowded = (0.0, 0);
     for &(i, span) in spans {
-        for node in i.checked_sub(1).into_iter().chain([i]).filter(moving) {
-            let part = steps[node].abs() / span.length();
+        let beside = i.saturating_sub(1)..rows.len().min(i + 1);
+        for row in rows[beside].iter().filter(moving) {
+            let part = row.step.abs() / span.length();
             if crowded.0 < part {
                 crowded = (part, i);
             }
@@ -173,17 +169,17 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
     Residual { jump, step, crowded }
 }
 
-/// Newton's step; [`None`] if the system is singular.
-fn newton_step(given: &PiecewiseScene, list: &List, mut rows: Vec<Row>) -> Option<Vec<f64>> {
+/// The equations with Newton's step; [`None`] if the system is singular.
+fn newton_step(mut rows: Vec<Row>) -> Option<Vec<Row>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
-    for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| list.unknown(given, *i) == Some(Unknown::Place)) {
+    for row in rows.iter_mut().filter(|row| row.unknown == Some(Unknown::Place)) {
         // The wrong sign leads to a root that pulls or penetrates: uphill from there. Without load there is no slope.
         let slope = row.derivative[1].abs();
         row.derivative[1] = if slope == 0.0 { -1.0 } else { -slope };
     }
     for i in 0..rows.len() {
-        let Row { derivative: [_, pivot, upper], jump } = rows[i];
+        let Row { derivative: [_, pivot, upper], jump, .. } = rows[i];
         if pivot == 0.0 || !pivot.is_finite() {
             return None;
         }
@@ -193,17 +189,16 @@ fn newton_step(given: &PiecewiseScene, list: &List, mut rows: Vec<Row>) -> Optio
             next.jump -= factor * jump;
         }
     }
-    let mut step = vec![0.0; rows.len()];
     let mut beyond = 0.0;
-    for (step, row) in step.iter_mut().zip(&rows).rev() {
+    for row in rows.iter_mut().rev() {
         let [_, pivot, upper] = row.derivative;
-        *step = -(row.jump + upper * beyond) / pivot;
-        if !step.is_finite() {
+        row.step = -(row.jump + upper * beyond) / pivot;
+        if !row.step.is_finite() {
             return None;
         }
-        beyond = *step;
+        beyond = row.step;
     }
-    Some(step)
+    Some(rows)
 }
 
 /// What became of a step.
@@ -216,12 +211,14 @@ struct Applied {
 }
 
 /// Takes the step as far as every node stays on its piece of the profile and spans keep a length.
-fn apply(given: &PiecewiseScene, list: &mut List, step: &[f64], brackets: &mut [Bracket]) -> Applied {
-    let places: Vec<f64> = list.nodes.iter().map(|n| n.x).collect();
+fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [Bracket]) -> Applied {
     let mut applied = Applied::default();
-    for (i, &step) in step.iter().enumerate() {
+    // Where the node to the left was before this step.
+    let mut left = 0.0;
+    for (i, &Row { unknown, step, .. }) in rows.iter().enumerate() {
         let node = list.nodes[i];
-        match list.unknown(given, i) {
+        let before = std::mem::replace(&mut left, node.x);
+        match unknown {
             None => continue,
             Some(Unknown::Slope) => {
                 list.nodes[i].turn_by(step);
@@ -239,11 +236,10 @@ fn apply(given: &PiecewiseScene, list: &mut List, step: &[f64], brackets: &mut [
         // Most of the way to a break of the profile, which is no place for a contact of this kind.
         (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));
         if !list.in_zone_before(i) {
-            let left = i.checked_sub(1).map_or(0.0, |i| places[i]);
-            lo = lo.max(x - APPROACH * (x - left));
+            lo = lo.max(x - APPROACH * (x - before));
         }
         if !list.in_zone_before(i + 1) {
-            let right = places.get(i + 1).copied().unwrap_or(given.length);
+            let right = list.nodes.get(i + 1).map_or(given.length, |next| next.x);
             hi = hi.min(x + APPROACH * (right - x));
         }
         let wanted = x + step;

@@ -26,6 +26,8 @@ pub(super) struct Cell {
 pub(super) struct Breakpoint {
     /// Where.
     pub(super) x: f64,
+    /// Depth of the profile; at a step the smaller one.
+    pub(super) depth: f64,
     /// Point load.
     pub(super) force: f64,
     /// Jump `u(x+) − u(x−)` of the depth.
@@ -148,13 +150,6 @@ impl PiecewiseScene {
         let (left, right) = (self.cell_to(x), self.cell_from(x));
         let depth = self.derivative(left, x, 0);
         if left == right { depth } else { depth.min(self.derivative(right, x, 0)) }
-    }
-
-    /// Depth at breakpoint `i`; at a step the smaller one.
-    pub(super) fn depth_at_breakpoint(&self, i: usize) -> f64 {
-        let x = self.breakpoints[i].x;
-        let [left, right] = self.cells_beside(i);
-        self.derivative(left, x, 0).min(self.derivative(right, x, 0))
     }
 
     /// The cells to the left and to the right of breakpoint `i`; at an end of the beam both are the one inside.

@@ -132,14 +132,14 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
             bends = [bends[0].min(v2), bends[1].max(v2)];
         }
     }
-    let (mut first, mut second) = (Vec::with_capacity(2 * pieces.len()), Vec::with_capacity(2 * pieces.len()));
+    let (mut first, mut second) = (Vec::with_capacity(3 * pieces.len()), Vec::with_capacity(3 * pieces.len()));
     for piece in pieces {
         piece.deflection(given, &mut taylor);
         piece.outwards(&mut taylor);
         add_extremes(piece, &taylor, ends, &mut first);
-        add_extremes(piece, &derivative(&derivative(&taylor)), bends, &mut second);
+        add_extremes(piece, differentiated(differentiated(&mut taylor)), bends, &mut second);
     }
-    (Extremes::of(first), Extremes::of(second))
+    (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }
 
 /// The values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if it may leave `[least, most]`
@@ -149,7 +149,7 @@ fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut 
     let start = values.len();
     values.push((piece.place(0.0), super::bernstein::value(c, 0.0)));
     if !range(c, width).is_some_and(|[lo, hi]| least < lo && hi < most) {
-        let inside = sign_changes(&derivative(c), width);
+        let inside = sign_changes(differentiated(&mut c.to_vec()), width);
         values.extend(inside.into_iter().map(|s| (piece.place(s), super::bernstein::value(c, s))));
     }
     values.push((piece.place(width), super::bernstein::value(c, width)));
@@ -158,8 +158,9 @@ fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut 
     }
 }
 
-/// Coefficients of the derivative.
-fn derivative(c: &[f64]) -> Vec<f64> {
+/// Coefficients of the derivative, in the place of `c`.
+fn differentiated(c: &mut [f64]) -> &mut [f64] {
     #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
-    c.iter().enumerate().skip(1).map(|(j, &c)| c * j as f64).collect()
+    c.iter_mut().enumerate().for_each(|(j, c)| *c *= j as f64);
+    c.get_mut(1..).unwrap_or_default()
 }
