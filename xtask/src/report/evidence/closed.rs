@@ -60,7 +60,7 @@ impl Closed {
     }
 }
 
-/// The closed form of a scene, if it has one that the library knows. Derivations: `src/theory/closed`.
+/// The closed form of a scene, if it has one that the library knows. Derivations: `src/theory/closed.rs`.
 pub(super) fn closed(scene: &Scene) -> Option<Closed> {
     let (l, ei, q) = (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform());
     let depth = |x: f64| scene.depth(x);
