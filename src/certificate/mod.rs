@@ -28,8 +28,10 @@
 //! `proof`, `clearance`, `pressing` of the `kernel`). So a witness may be wrong: that makes the bounds wide, and never untrue.
 //!
 //! What is taken for given: a foundation is known to a few units in the last place of its terms. If its depth at a support is
-//! the level of the support but for that, they are level, and the support stands where the ground is; points of a polyline that are on one line but for that, are on one line. What a scene
-//! is up to rounding is said in `scene::pieces`, and whether its loads are in balance in `scene::balance`.
+//! the level of the support but for that, they are level, and the support stands where the ground is; if its slope there is the one
+//! at which the beam is built in but for that, the beam is built in along the ground; points of a polyline that are on one line but
+//! for that, are on one line. What a scene is up to rounding is said in `scene::pieces`, and whether its loads are in balance in
+//! `scene::balance`.
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
@@ -109,8 +111,9 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     let profile = |given| EnclosedFoundation::on(given, length);
     let gap = EnclosedGap { ground: profile(ground.unwrap_or(&NONE)), shape: shape.map(profile) };
     let (load, supports) = (EnclosedLoad::of(scene), EnclosedSupport::of(scene, &gap));
+    let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {
-        Balance::Neutral { about, .. } => Some(about),
+        Balance::Neutral { about, .. } => Some(about).filter(turns),
         Balance::Held | Balance::Stands(_) => None,
     };
     act(&EnclosedScene { gap, load: &load, supports: &supports, balanced_at, stiffness, length })

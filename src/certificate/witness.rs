@@ -93,6 +93,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         && let Slope::Free(slope) = &mut node.slope
     {
         *slope = turn(enclosed, node.x);
+        along_level_ground(enclosed, nodes);
         return;
     }
     balance(enclosed, nodes);
@@ -103,31 +104,53 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         }
         balance(enclosed, nodes);
     }
+    along_level_ground(enclosed, nodes);
     at_corners(enclosed, nodes);
 }
 
-/// The slope nearest to zero at which a beam that may turn about a place is clear of the ground, as far as places tell.
+/// The slope nearest to zero at which a beam that may turn about a place is clear of the ground, as far as samples tell.
 fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
-    /// Of each cell.
-    const PARTS: u32 = 8;
     let node = ContactNode::free(about);
-    let [mut least, mut most] = [f64::NEG_INFINITY, f64::INFINITY];
     let spans = [enclosed.span(None, Some(&node)), enclosed.span(Some(&node), None)];
-    for span in spans.into_iter().flatten() {
-        let breaks = enclosed.gap.breaks(span.from, span.to);
-        for ([a, b], v) in span.curve(breaks, enclosed.load, enclosed.stiffness) {
-            let clear = enclosed.gap.cell(a, b).minus(&v);
-            for s in (0..=PARTS).map(|k| (b - a) * (f64::from(k) / f64::from(PARTS))) {
-                let slope = clear.at(Interval::exact(s)).middle() / (a + s - about);
-                if a + s < about {
-                    least = least.max(slope);
-                } else if about < a + s {
-                    most = most.min(slope);
-                }
+    // How far it may turn down on the left and on the right.
+    let [left, right] = [0, 1].map(|side| {
+        let sign = if side == 0 { -1.0 } else { 1.0 };
+        let mut most = level_slopes(enclosed, about)[side].map_or(f64::INFINITY, |slope| sign * slope);
+        if let Some(span) = &spans[side] {
+            let breaks = enclosed.gap.breaks(span.from, span.to);
+            for ([a, b], v) in span.curve(breaks, enclosed.load, enclosed.stiffness) {
+                let clear = enclosed.gap.cell(a, b).minus(&v);
+                let slope = |s: f64| clear.at(Interval::exact(s)).middle() / (sign * (a + s - about));
+                most = least_sample(slope, b - a, most);
             }
         }
+        most
+    });
+    if -left <= right { 0.0_f64.max(-left).min(right) } else { 0.5 * (right - left) }
+}
+
+/// The least of a function for `0 ≤ s ≤ width` if that is below `bound`, and otherwise that: from samples, about the least of which
+/// more are taken as long as it may be below. Where it is infinite or no number it counts for nothing.
+fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
+    const PARTS: usize = 8;
+    /// A least value is flat: half of the digits of its place are enough.
+    const ROUNDS: usize = 16;
+    let (mut least, mut part) = (bound, [0.0, width]);
+    for _ in 0..ROUNDS {
+        #[expect(clippy::cast_precision_loss, reason = "small numbers")]
+        let place = |k: usize| part[0] + (part[1] - part[0]) * (k as f64 / PARTS as f64);
+        let samples: Vec<f64> = (0..=PARTS).map(|k| function(place(k))).collect();
+        let finite = (0..=PARTS).filter(|k| samples[*k].is_finite());
+        let Some(best) = finite.min_by(|a, b| samples[*a].total_cmp(&samples[*b])) else { break };
+        least = least.min(samples[best]);
+        let beside = [best.saturating_sub(1), (best + 1).min(PARTS)];
+        let rise = beside.map(|k| samples[k] - samples[best]).into_iter().fold(0.0, f64::max);
+        if least < samples[best] - rise {
+            break;
+        }
+        part = beside.map(place);
     }
-    if least <= most { 0.0_f64.max(least).min(most) } else { 0.5 * (least + most) }
+    least
 }
 
 /// Finds the slopes for which the moments are balanced.
@@ -202,7 +225,7 @@ fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool 
     let (mut changed, before) = (false, nodes.to_vec());
     for i in 0..nodes.len() {
         let ContactNode { x, slope, lies } = before[i];
-        let Some(EnclosedSupport { slope: None, grounded, .. }) = enclosed.support(x) else { continue };
+        let Some(EnclosedSupport { slope: None, grounded, is_fixed, .. }) = enclosed.support(x) else { continue };
         if lies || (0 < i && before[i - 1].lies) {
             continue;
         }
@@ -219,7 +242,7 @@ fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool 
                 }
             }
             // Ground on both sides pushes whichever way the beam would turn.
-            Slope::OfGround { .. } if *grounded == [true; 2] && enclosed.gap.is_smooth_at(x) => {}
+            Slope::OfGround { .. } if *is_fixed => {}
             Slope::OfGround { from_the_left } => {
                 let jump = curvature(enclosed, &before, i, true) - curvature(enclosed, &before, i, false);
                 if if from_the_left { 0.0 < jump } else { jump < 0.0 } {
@@ -230,6 +253,24 @@ fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool 
         }
     }
     changed
+}
+
+/// Where the slope at a support is that of the level ground beside it but for rounding, the beam follows the ground: of no other
+/// can be proven that it is clear of it.
+fn along_level_ground(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
+    for node in nodes {
+        let Slope::Free(slope) = node.slope else { continue };
+        let follows = |below: f64| (below - slope).abs() <= ROUNDING * (slope.abs() + below.abs());
+        if let Some(side) = level_slopes(enclosed, node.x).iter().position(|below| below.is_some_and(follows)) {
+            node.slope = Slope::OfGround { from_the_left: side == 0 };
+        }
+    }
+}
+
+/// The slopes of the ground on the two sides of a simple support, where it is level with the support.
+fn level_slopes(enclosed: &EnclosedScene<'_>, x: f64) -> [Option<f64>; 2] {
+    let grounded = enclosed.support(x).filter(|s| s.slope.is_none()).map_or([false; 2], |s| s.grounded);
+    [0, 1].map(|side| grounded[side].then(|| enclosed.gap.jet(x, side == 0)[1].middle()))
 }
 
 /// `v''` of the beam on one side of a node, zero where there is none.

@@ -120,7 +120,7 @@ impl Beam {
     pub(super) fn scaled(&self, scale: &Scale, stiffness: f64) -> Result<Self, SceneError> {
         let &Scale { length, depth, .. } = scale;
         let support = |s: &Support| Support {
-            at: s.at / length,
+            at: pieces::place(s.at / length),
             level: s.level / depth,
             slope: s.slope.map(|slope| slope * (length / depth)),
         };

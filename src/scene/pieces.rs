@@ -15,8 +15,8 @@ const ON_THE_LINE: f64 = 8.0 * f64::EPSILON;
 /// Of the points between two that are kept, at most so many are compared anew with every longer line, and at least half as many.
 const MOST_BETWEEN: usize = 64;
 
-/// A place of a load on a dimensionless beam, the length of which is at least 1 and less than 2: numbers there are `ε/2` apart at
-/// the least but for those beside zero, which no length of a beam needs. A place nearer to the left support is at it.
+/// A place of a load or a support on a dimensionless beam, the length of which is at least 1 and less than 2: numbers there are
+/// `ε/2` apart at the least but for those beside zero, which no length of a beam needs. A place nearer to the left support is at it.
 pub(super) fn place(x: f64) -> f64 {
     if x < 0.5 * f64::EPSILON { 0.0 } else { x }
 }

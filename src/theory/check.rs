@@ -87,6 +87,13 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
         {
             judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
         }
+        // A beam that the ground holds on both sides of a support has one slope there, and so has the ground.
+        if let Kind::Support(index, beside) = node.kind
+            && !beside.contains(&Beside::Apart)
+        {
+            let kink = given.breakpoints[given.supports[index].breakpoint].kink.abs();
+            judge.measure(kink * given.length, scale.beside(given, index), i, Violation::Broken { at });
+        }
         // Without a couple, a zone reaches a free end only on ground that is not bent there, and the beam rests on one hinge only
         // if its loads are balanced.
         let alone = list.nodes.len() == 1 && !node.can_move() && node.held_slope(given).is_none();

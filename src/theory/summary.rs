@@ -71,7 +71,7 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
-    let place = |i: usize| on_the_beam(nodes[i].x, given.length);
+    let place = |i: usize| settled(given, nodes[i].x);
     for i in 0..=nodes.len() {
         if found.list.in_zone_before(i) {
             // Of what ground and support carry together at a support the support is said to take all.
@@ -90,12 +90,16 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     contacts
 }
 
-/// A place beside a support that rounding has put off the beam, on it.
-fn on_the_beam(x: f64, length: f64) -> f64 {
+/// A place that rounding has put off the beam or beside a break of the profile, on it.
+fn settled(given: &PiecewiseScene, x: f64) -> f64 {
     /// That of the check, which takes a contact that would have to move by less for being where it should be.
     const ROUNDING: f64 = 4e-15;
-    let nearest = x.clamp(0.0, length);
-    if (x - nearest).abs() <= ROUNDING * length { nearest } else { x }
+    let after = given.breakpoints.partition_point(|breakpoint| breakpoint.x < x);
+    let breaks = [after.saturating_sub(1), after].into_iter().filter(|i| given.breaks_at(*i));
+    let off = |place: &f64| (x - place).abs();
+    let nearest = breaks.map(|i| given.breakpoints[i].x).min_by(|a, b| off(a).total_cmp(&off(b)));
+    let places = nearest.into_iter().chain([x.clamp(0.0, given.length)]);
+    places.into_iter().find(|place| off(place) <= ROUNDING * given.length).unwrap_or(x)
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.
@@ -104,9 +108,11 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
     let mut sum = 0.0;
     for piece in pieces {
         piece.deflection(given, &mut taylor);
-        sum += given.energy_rule.integral(piece.lo, piece.hi, |x| {
-            let [v, _, v2, _] = derivatives(&taylor, x - piece.anchor);
-            0.5 * v2 * v2 - given.load(piece.cell, x) * v
+        piece.outwards(&mut taylor);
+        // From the anchor outwards: of a short piece far from zero a place has not the digits that its distance has.
+        sum += given.energy_rule.integral(0.0, piece.width(), |s| {
+            let [v, _, v2, _] = derivatives(&taylor, s);
+            0.5 * v2 * v2 - given.load(piece.cell, piece.place(s)) * v
         });
     }
     for breakpoint in given.breakpoints.iter().filter(|j| j.force != 0.0) {

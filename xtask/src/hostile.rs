@@ -26,7 +26,9 @@ pub(crate) struct Family {
     pub(crate) theory_solved: usize,
     pub(crate) theory_not_solved: usize,
     theory_none: usize,
-    theory_bounded: usize,
+    pub(crate) theory_bounded: usize,
+    pub(crate) theory_certified: usize,
+    pub(crate) theory_all_but_turns: usize,
     pub(crate) active_set_solved: usize,
     pub(crate) active_set_not_solved: usize,
     pub(crate) route_solved: usize,
@@ -41,8 +43,8 @@ pub(crate) struct Family {
 impl Family {
     fn new(family: &str, count: Count) -> Self {
         // How many were compared in other units is for the suite, which asks that there are some.
-        let Count { runs, refused, exact, bounded, reference, route, contradicted, rescaled: _, work, wrong, panics } =
-            count;
+        let Count { runs, refused, exact, bounded, certified, all_but_turns, .. } = count;
+        let Count { reference, route, contradicted, work, wrong, panics, .. } = count;
         Self {
             family: family.to_owned(),
             runs,
@@ -51,6 +53,8 @@ impl Family {
             theory_not_solved: exact[1],
             theory_none: exact[2],
             theory_bounded: bounded,
+            theory_certified: certified,
+            theory_all_but_turns: all_but_turns,
             active_set_solved: reference[0],
             active_set_not_solved: reference[1],
             route_solved: route[0],

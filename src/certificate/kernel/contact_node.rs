@@ -49,6 +49,9 @@ pub(crate) struct EnclosedSupport {
     pub(crate) meets: [bool; 2],
     /// And in its direction, where the beam is built in.
     pub(crate) grounded: [bool; 2],
+    /// Whether no deflection that is admissible can turn there: the beam is built in, or the ground starts at the level of the
+    /// support on both sides and is smooth, so that `v ≤ g` leaves no slope but `g'`.
+    pub(crate) is_fixed: bool,
 }
 
 /// A dimensionless scene, taken apart: all that is known of it in intervals.
@@ -77,15 +80,16 @@ impl EnclosedSupport {
             let [meets, grounded] = [held.meets, held.grounded]
                 .map(|[left, right]| [0.0 < x && left && beside(true), x < length && right && beside(false)]);
             let deflection = Interval::exact(given.level) - own[0];
+            // Beyond a kink of the own shape the gap has another slope than the one that is held.
+            let smooth = gap.shape.is_none_or(|shape| shape.is_smooth_at(x));
+            let along = |side: &usize| grounded[*side] && (smooth || *side == usize::from(x < length));
             let slope = given.slope.map(|slope| {
-                let slope = Interval::exact(slope) - own[1];
-                let of_gap = [0, 1].map(|side| gap.jet(x, side == 0)[1]);
-                let met = of_gap.map(|of_gap| slope.meet(of_gap));
-                let same = |side: &usize| grounded[*side] && met[*side].lo() <= met[*side].hi();
-                [0, 1].into_iter().find(same).map_or(slope, |side| of_gap[side])
+                let of_gap = [0, 1].into_iter().find(along).map(|side| gap.jet(x, side == 0)[1]);
+                of_gap.unwrap_or(Interval::exact(slope) - own[1])
             });
             let deflection = if meets[0] || meets[1] { gap.depth(x) } else { deflection };
-            Self { x, deflection, slope, meets, grounded }
+            let is_fixed = slope.is_some() || (grounded == [true; 2] && gap.is_smooth_at(x));
+            Self { x, deflection, slope, meets, grounded, is_fixed }
         });
         enclosed.collect()
     }

@@ -205,7 +205,9 @@ pub(crate) fn of_witness(pair: &Pair, stiffness: f64, length: f64) -> Error {
     let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
     let [gap, lifted] = [anywhere(pair, stiffness, length), pair.lifted].map(Interval::exact);
     let most = (gap + lifted).hi();
-    if most.is_finite() { Error { most, at: 0.5 * length, size: size.hi(), least: size.lo() } } else { Error::UNKNOWN }
+    // What was lifted is not the deflection that the places make.
+    let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
+    if most.is_finite() { Error { most, at: 0.5 * length, size: size.hi(), least } } else { Error::UNKNOWN }
 }
 
 /// The error of the cubics between the nodes of a grid, with the given deflections and moments at both ends of each. Supports

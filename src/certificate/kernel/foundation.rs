@@ -80,7 +80,9 @@ impl<'a> EnclosedFoundation<'a> {
 
     /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
-        let cell = self.about(x, [if from_the_left { x.next_down() } else { x }, x]);
+        // At a smooth place both sides are one, to the last bit.
+        let beside = if from_the_left && !self.is_smooth_at(x) { x.next_down() } else { x };
+        let cell = self.about(x, [beside, x]);
         let c = |j: usize| cell.coefficients().get(j).copied().unwrap_or(Interval::ZERO);
         [c(0), c(1), c(2) * number(2), c(3) * number(6)]
     }

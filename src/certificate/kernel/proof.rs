@@ -189,12 +189,12 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     })
 }
 
-/// What holds the beam whatever it touches: neighbouring two of its supports, and one that is built in, or about which the loads
-/// are in balance.
+/// What holds the beam whatever it touches: neighbouring two of its supports, and one at which it cannot turn, or about which the
+/// loads are in balance.
 fn held(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Vec<Hold> {
     let twice = |x: f64| Hold(Place::at(x), Place::at(x));
     let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
-    let one = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
+    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
     two.chain(one.chain(enclosed.balanced_at.filter(|_| nodes.len() == 1)).map(twice)).collect()
 }
 

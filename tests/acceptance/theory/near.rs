@@ -1,7 +1,7 @@
 //! Places that nearly coincide: a load beside a kink, a step or a place of contact, from the last bit to a millionth of the
 //! beam away from it.
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 
 const LENGTH: f64 = 12.0;
@@ -92,5 +92,26 @@ fn a_load_beside_the_left_support_is_at_it() {
                 assert!((left - held).abs() <= 1e-9 * held.abs(), "{foundation:?}, {x:e}: {left} and {held}");
             }
         }
+    }
+}
+
+/// Two supports at a distance `δ` whose levels differ by `h` bend the span of length `L` beside them by
+///
+/// ```text
+/// v'' = κ = 3 h/(δ (L + δ)) at the support between,     J = ½ EI κ² (L + δ)/3
+/// ```
+#[test]
+fn the_energy_of_supports_beside_each_other_has_its_digits() {
+    const ROUNDING: f64 = 1e-13;
+    let (middle, level, stiffness) = (4.0, 0.001, 400.0);
+    for share in [1e-3, 1e-5, 1e-6, 1e-8] {
+        let last = middle + share * LENGTH;
+        let supports = vec![Support::simple(0.0), Support::simple(middle), Support::simple(last).at_level(level)];
+        let beam = Beam::new(LENGTH, stiffness).expect("a beam").with_supports(supports).expect("apart");
+        let answer = solve(&Scene::new(beam, Load::default(), None).expect("a scene")).expect("an answer");
+        let curvature = 3.0 * level / ((last - middle) * last);
+        let energy = 0.5 * stiffness * curvature * curvature * last / 3.0;
+        let found = answer.state.energy;
+        assert!((found / energy - 1.0).abs() <= ROUNDING, "{share}: {found}, not {energy}");
     }
 }

@@ -110,6 +110,13 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
     places.sort_by(f64::total_cmp);
     places.dedup();
     let zoned = |x: f64| state.contacts.iter().any(|c| c.from < x && x < c.to);
+    let shear = |x: f64| {
+        let [left, right] = exact.shear(x);
+        [if x <= 0.0 { 0.0 } else { left }, if length <= x { 0.0 } else { right }]
+    };
+    let shears = places.iter().flat_map(|&x| shear(x)).fold(force, |most, v| most.max(v.abs()));
+    // A unit in the last place of a place moves the moment by so much of the shear force.
+    let place = f64::EPSILON * length;
     for pair in places.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         check(format!("penetration at {a}"), -exact.clearance(a), deflection);
@@ -121,17 +128,13 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
         });
         let bent = exact.deflection(a) + exact.slope(b) * (b - a) + turned.sum::<f64>();
         if !zoned(middle) {
-            check(format!("bending from {a} to {b}"), (exact.deflection(b) - bent).abs(), deflection);
+            let moved = place * shear(a)[1].abs().max(shear(b)[0].abs()) / stiffness * (b - a) * (b - a);
+            let size = deflection.max(moved / most);
+            check(format!("bending from {a} to {b}"), (exact.deflection(b) - bent).abs(), size);
         }
     }
-    // Every part of the beam is in equilibrium, and every place, with nothing beyond the ends.
-    let shear = |x: f64| {
-        let [left, right] = exact.shear(x);
-        [if x <= 0.0 { 0.0 } else { left }, if length <= x { 0.0 } else { right }]
-    };
-    let shears = places.iter().flat_map(|&x| shear(x)).fold(force, |most, v| most.max(v.abs()));
-    // A unit in the last place of a place moves the moment by so much of the shear force, and a few of them on a wave, which bends
-    // the beam by its own curvature, by so much of its third derivative.
+    // Every part of the beam is in equilibrium, and every place, with nothing beyond the ends. A few units in the last place of a place
+    // on a wave, which bends the beam by its own curvature, move the moment by so much of its third derivative.
     let waves = scene.foundation().into_iter().chain(scene.beam().shape()).map(|profile| match *profile {
         Foundation::Cosine { amplitude, wavelength, .. } => {
             let wave = 2.0 * std::f64::consts::PI / wavelength;
@@ -139,7 +142,6 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
         }
         _ => 0.0,
     });
-    let place = f64::EPSILON * length;
     let moment = moment.max(place * shears / most).max(4.0 * place * stiffness * waves.sum::<f64>() / most);
     // Places that differ by rounding are one.
     let same = |a: &f64, b: &f64| b - a <= 4.0 * f64::EPSILON * length;
@@ -179,7 +181,8 @@ fn size(scene: &Scene) -> f64 {
 
 /// 1 at an end of the beam where nothing can hold its slope, and 0 elsewhere.
 fn couple_free(scene: &Scene, end: f64) -> f64 {
-    let held = scene.held().into_iter().find(|held| held.at <= end && end <= held.at);
+    // A place nearer to zero than the rounding of the beam's length is at its end.
+    let held = scene.held().into_iter().find(|held| (held.at - end).abs() <= f64::EPSILON * scene.beam().length());
     f64::from(held.is_none_or(|held| held.slope.is_none() && held.grounded == [false; 2]))
 }
 

@@ -12,10 +12,14 @@ pub struct Count {
     pub runs: usize,
     /// Runs whose text is no scene.
     pub refused: usize,
-    /// Beam theory: certified, not certified, no answer.
+    /// Beam theory: solved, not solved, no answer.
     pub exact: [usize; 3],
-    /// Of the certified answers of theory those that the program calls so in the end: with a certificate that agrees.
+    /// Of the solved answers of theory those that have a bound.
     pub bounded: usize,
+    /// Those that the program calls certified in the end.
+    pub certified: usize,
+    /// Those without a bound, of beams that all but turn over.
+    pub all_but_turns: usize,
     /// The active set on a grid: certified, not certified.
     pub reference: [usize; 2],
     /// A route with any method and solver: certified, not certified.
@@ -64,6 +68,8 @@ impl Tally {
                 (&mut a.runs, b.runs),
                 (&mut a.refused, b.refused),
                 (&mut a.bounded, b.bounded),
+                (&mut a.certified, b.certified),
+                (&mut a.all_but_turns, b.all_but_turns),
                 (&mut a.contradicted, b.contradicted),
                 (&mut a.rescaled, b.rescaled),
                 (&mut a.wrong, b.wrong),
@@ -89,6 +95,8 @@ impl Tally {
         count.exact[trial.exact.map_or(2, index)] += 1;
         if trial.exact == Some(true) {
             count.bounded += usize::from(trial.bounded);
+            count.certified += usize::from(trial.certified);
+            count.all_but_turns += usize::from(!trial.bounded && trial.all_but_turns);
         }
         if let Some(solved) = trial.reference {
             count.reference[index(solved)] += 1;

@@ -6,7 +6,7 @@ use crate::random::Random;
 use palkki::route::{Method, Solver};
 use palkki::scene::file::{FileError, ReadProblem, parse};
 use palkki::scene::{Grid, Scene, SceneError};
-use palkki::theory;
+use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Refusal, Verdict};
 use palkki::{Settings, solve_raw};
 
@@ -27,8 +27,12 @@ pub(crate) struct Trial {
     pub(crate) accepted: bool,
     /// Whether beam theory solved it, if it has an answer.
     pub(crate) exact: Option<bool>,
-    /// Whether the program calls it certified in the end: its bounds are finite, and its deflection is that of its contacts.
+    /// Whether there is a bound on how far it may be off: its bounds are finite, and its deflection is that of its contacts.
     pub(crate) bounded: bool,
+    /// Whether the program calls it certified in the end: the bound is a millionth of the deflection or less.
+    pub(crate) certified: bool,
+    /// Whether the beam all but turns over: see [`all_but_turns`].
+    pub(crate) all_but_turns: bool,
     /// Whether the reference on the same grid, force method or finite differences with the active set, solved its problem.
     pub(crate) reference: Option<bool>,
     /// Whether another route on that grid solved its problem.
@@ -80,8 +84,9 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         trial.exact = Some(exact.solved);
         trial.work[0] = exact.lists;
         let verdict = Verdict::of_exact(&scene, exact, &Demand::default());
-        // How sharp the bounds are is not asked here.
-        trial.bounded = matches!(verdict.refusal, None | Some(Refusal::Error { .. }));
+        trial.certified = verdict.refusal.is_none();
+        trial.bounded = trial.certified || matches!(verdict.refusal, Some(Refusal::Error { .. }));
+        trial.all_but_turns = all_but_turns(&scene, exact);
         verdict.certificate
     });
     if let Some(exact) = exact.as_ref().filter(|exact| exact.solved) {
@@ -133,6 +138,19 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         in_other_units(&mut trial, &draft, &scene, exact.as_ref(), &reference, &mut random);
     }
     (family, trial)
+}
+
+/// Whether the resultant of the loads is nearer than this share of the beam to the place over which the beam would turn, its one support
+/// or an end: where the beam then touches besides is said by the last digits of the loads.
+fn all_but_turns(scene: &Scene, exact: &Exact) -> bool {
+    const SHARE: f64 = 1e-12;
+    let length = scene.beam().length();
+    let places = match scene.beam().supports() {
+        [] => vec![0.0, length],
+        supports => supports.iter().map(|support| support.at).collect(),
+    };
+    let beside = |at: f64| places.iter().any(|place| (at - place).abs() <= SHARE * length);
+    exact.state.standing.is_some_and(|standing| beside(standing.resultant.at))
 }
 
 /// The same on the least grid that has a node at every support, if the one that is asked for has none and that one is not too fine.

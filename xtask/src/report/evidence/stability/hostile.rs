@@ -13,6 +13,10 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         wrong => sum(|family| family.wrong),
         panics => sum(|family| family.panics),
         contradicted => sum(|family| family.contradicted),
+        solved => sum(|family| family.theory_solved),
+        bounded => sum(|family| family.theory_bounded),
+        certified => sum(|family| family.theory_certified),
+        all_but_turns => sum(|family| family.theory_all_but_turns),
         families => of_families(&families),
     };
     Ok(Evidence::new(values).file("hostile", hostile))
