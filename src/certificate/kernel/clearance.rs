@@ -80,7 +80,7 @@ fn beside(
     let mut most = 0.0;
     let mut before: Option<(Interval, Polynomial)> = None;
     for (near, width, clearance) in cells {
-        let order = if before.is_none() { order(enclosed, node, span.to <= node.x) } else { 0 };
+        let order = if before.is_none() { enclosed.order(node, span.to <= node.x) } else { 0 };
         let clearance = match before {
             // What vanishes at the node is small beside it, also behind the end of a short cell.
             Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => clearance.continuing(before, width),
@@ -112,20 +112,6 @@ pub(crate) fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
     Polynomial::new(&coefficients)
 }
 
-/// Which power of the distance from a node is a factor of the clearance beside it. At a point of a polyline the foundation
-/// may fall away from the beam with another slope, or in a step.
-fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) -> usize {
-    let support = enclosed.support(node.x);
-    let meets = support.is_none_or(|s| s.meets[usize::from(!from_the_left)]);
-    let touches = meets && enclosed.gap.ground.is_upper(node.x, from_the_left);
-    // The slope is that of the gap, on this side.
-    let tangent = support.and_then(|s| s.slope).map_or_else(
-        || enclosed.is_tangent(node, from_the_left),
-        |slope| slope == enclosed.gap.jet(node.x, from_the_left)[1],
-    );
-    if touches { 1 + usize::from(tangent) } else { 0 }
-}
-
 /// A part of a cell: the clearance over a power `order` of the distance from a contact node.
 #[derive(Clone, Copy)]
 struct Part {
@@ -145,9 +131,10 @@ impl Part {
         let [order, own, other] = self.powers;
         let per = Interval::exact(1.0) / self.length;
         let rest = (self.length - (self.distance + self.width)) * per;
-        let power = |base: Interval, times: usize| (0..times).fold(Interval::exact(1.0), |product, _| product * base);
-        let product = power(per, own) * power(self.distance, own - order) * power(rest, other);
-        if rest.lo() <= 0.0 && 0 < other { 0.0 } else { product.lo().max(0.0) }
+        let least = |base: Interval, times: usize| {
+            (0..times).fold(Interval::exact(1.0), |product, _| product * Interval::exact(base.lo().max(0.0)))
+        };
+        (least(per, own) * least(self.distance, own - order) * least(rest, other)).lo()
     }
 
     /// `α` for this part if that is more than the `most` of others, and otherwise that.

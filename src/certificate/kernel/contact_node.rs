@@ -71,18 +71,19 @@ impl EnclosedSupport {
         let length = scene.beam().length();
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
-            let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, length <= x));
-            // Behind a step that goes down there is no ground at the level of the support.
-            let beside = |from_the_left| gap.jet(x, from_the_left)[0].lo() <= gap.depth(x).hi();
-            let [meets, grounded] = [held.meets, held.grounded]
-                .map(|[left, right]| [0.0 < x && left && beside(true), x < length && right && beside(false)]);
+            let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, false));
+            let [meets, grounded] = [held.meets, held.grounded].map(|[left, right]| {
+                // Behind a step that goes down there is no ground at the level of the support.
+                [left && 0.0 < x && gap.ground.is_upper(x, true), right && x < length && gap.ground.is_upper(x, false)]
+            });
             let deflection = Interval::exact(given.level) - own[0];
             let slope = given.slope.map(|slope| {
                 let slope = Interval::exact(slope) - own[1];
-                let of_gap = [0, 1].map(|side| gap.jet(x, side == 0)[1]);
-                let met = of_gap.map(|of_gap| slope.meet(of_gap));
-                let same = |side: &usize| grounded[*side] && met[*side].lo() <= met[*side].hi();
-                [0, 1].into_iter().find(same).map_or(slope, |side| of_gap[side])
+                let ground = [true, false].map(|left| gap.jet(x, left)[1]);
+                let same = |side: &usize| {
+                    grounded[*side] && slope.lo() <= ground[*side].hi() && ground[*side].lo() <= slope.hi()
+                };
+                (0..2).find(same).map_or(slope, |side| ground[side])
             });
             let deflection = if meets[0] || meets[1] { gap.depth(x) } else { deflection };
             Self { x, deflection, slope, meets, grounded }
@@ -97,12 +98,17 @@ impl EnclosedScene<'_> {
         self.supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().map(|i| &self.supports[i])
     }
 
-    /// Whether the slope of a node that is not built in is that of the gap on a side.
-    pub(crate) fn is_tangent(&self, node: &ContactNode, from_the_left: bool) -> bool {
-        match node.slope {
-            Slope::Free(_) => false,
-            Slope::OfGround { from_the_left: side } => side == from_the_left || self.gap.is_smooth_at(node.x),
-        }
+    /// How the beam meets the gap at a node, on one of its sides: 2 with its deflection and its slope, so that the gap opens with
+    /// the square of the distance or the beam follows it; 1 with its deflection alone; 0 not at all, as at the foot of a step.
+    pub(crate) fn order(&self, node: &ContactNode, from_the_left: bool) -> usize {
+        let support = self.support(node.x);
+        let meets = support.is_none_or(|s| s.meets[usize::from(!from_the_left)]);
+        let tangent = match (support.and_then(|s| s.slope), node.slope) {
+            (Some(slope), _) => slope == self.gap.jet(node.x, from_the_left)[1],
+            (None, Slope::OfGround { from_the_left: side }) => side == from_the_left || self.gap.is_smooth_at(node.x),
+            (None, Slope::Free(_)) => false,
+        };
+        if meets && self.gap.ground.is_upper(node.x, from_the_left) { 1 + usize::from(tangent) } else { 0 }
     }
 
     /// `v` and `v'` of the beam at a node.
@@ -129,5 +135,57 @@ impl EnclosedScene<'_> {
         hangs.then(|| {
             Span::new(ends, [left, right].map(|node| node.map(|node| self.end(node))), self.load, self.stiffness)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::in_intervals;
+    use crate::scene::{Balance, Beam, Foundation, Load, Support};
+
+    const LENGTH: f64 = 20.0;
+    /// Slope of the own shape, and that of the ground on the left and on the right of a kink.
+    const OWN: f64 = 0.125;
+    const GROUND: [f64; 2] = [-0.25, 0.5];
+
+    /// What becomes of a support at a kink of the ground, at its level or at another one, and the order at its two sides.
+    fn at_kink(slope: Option<f64>, above: f64, node: Slope) -> (EnclosedSupport, [usize; 2]) {
+        let x = 8.0;
+        let ground = [[0.0, 2.0 - GROUND[0] * x], [x, 2.0], [LENGTH, 2.0 + GROUND[1] * (LENGTH - x)]];
+        let shape = Foundation::Polynomial { coefficients: vec![0.25, OWN] };
+        let supports = vec![Support { at: x, level: 2.0 - above, slope }, Support::simple(LENGTH)];
+        let beam = Beam::new(LENGTH, 70.0).expect("positive").with_supports(supports).expect("on the beam");
+        let beam = beam.with_shape(shape).expect("a curve");
+        let ground = Foundation::Polyline { points: ground.to_vec() };
+        let scene = Scene::new(beam, Load::default(), Some(ground)).expect("well posed");
+        in_intervals(&scene, Balance::Held, |enclosed| {
+            let node = ContactNode { x, slope: node, lies: false };
+            (*enclosed.support(x).expect("it is there"), [true, false].map(|left| enclosed.order(&node, left)))
+        })
+    }
+
+    #[test]
+    fn a_support_has_the_deflection_and_the_slope_of_ground_that_it_meets() {
+        let free = Slope::Free(0.0);
+        for (slope, order) in [(-0.25, [2, 1]), (0.5, [1, 2]), (0.1, [1, 1])] {
+            let (support, found) = at_kink(Some(slope), 0.0, free);
+            assert_eq!(found, order, "built in at {slope}");
+            let is = support.slope.expect("built in");
+            assert!(is.contains(slope - OWN) && is.hi() - is.lo() < 1e-15, "{is:?}, not {}", slope - OWN);
+            assert!(support.deflection.contains(2.0 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
+            // Above the ground it meets nothing, whatever its slope.
+            let (support, found) = at_kink(Some(slope), 0.5, free);
+            assert_eq!(found, [0, 0], "above the ground, built in at {slope}");
+            assert!(support.deflection.contains(1.5 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
+        }
+        for (slope, order) in [
+            (free, [1, 1]),
+            (Slope::OfGround { from_the_left: true }, [2, 1]),
+            (Slope::OfGround { from_the_left: false }, [1, 2]),
+        ] {
+            assert_eq!(at_kink(None, 0.0, slope).1, order, "{slope:?}");
+            assert_eq!(at_kink(None, 0.5, slope).1, [0, 0], "{slope:?}, above the ground");
+        }
     }
 }

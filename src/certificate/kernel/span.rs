@@ -35,7 +35,7 @@ fn density([from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> [Interv
 }
 
 /// The deflection on a cell, and `v, …, v'''` at its end.
-pub(crate) fn step(jet: &Jet, [from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> (Polynomial, Jet) {
+fn step(jet: &Jet, [from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> (Polynomial, Jet) {
     let [q, rise] = density([from, to], load, stiffness);
     let [v, slope, curvature, third] = *jet;
     let deflection =
