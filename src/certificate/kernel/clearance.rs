@@ -12,7 +12,7 @@
 
 use super::contact_node::{ContactNode, EnclosedScene, Slope};
 use super::interval::Interval;
-use super::polynomial::Polynomial;
+use super::polynomial::{Polynomial, number};
 use super::span::Span;
 
 /// Parts into which a cell is cut before it is given up.
@@ -48,13 +48,12 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) ->
         let [from, to] = *cell;
         (from, width(*cell), enclosed.gap.cell(from, to).minus(v))
     });
+    let [v, slope, curvature, third] = span.end;
+    let at_end = [v, -slope, curvature / number(2), -third / number(6)];
     let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
         let [from, to] = *cell;
-        let v = if span.to <= to {
-            span.mirrored(from, enclosed.load, enclosed.stiffness)
-        } else {
-            v.shifted(width(*cell)).mirrored()
-        };
+        let v = v.shifted(width(*cell)).mirrored();
+        let v = if span.to <= to { v.known(&at_end) } else { v };
         (to, width(*cell), enclosed.gap.mirrored_cell(from, to).minus(&v))
     });
     let powers = ends.map(|end| power(enclosed, end));
@@ -83,7 +82,9 @@ fn beside(
         let order = if before.is_none() { enclosed.order(node, span.to <= node.x) } else { 0 };
         let clearance = match before {
             // What vanishes at the node is small beside it, also behind the end of a short cell.
-            Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => clearance.continuing(before, width),
+            Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => {
+                clearance.known(&[before.at(width), before.derivative().at(width)])
+            }
             Some(_) => clearance,
             None => clearance.vanishing(order),
         };

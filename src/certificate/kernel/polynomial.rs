@@ -62,11 +62,10 @@ impl Polynomial {
         self
     }
 
-    /// The same, known to continue another one on a cell of some width before it: value and slope are those at its end, too.
-    pub(crate) fn continuing(mut self, before: &Self, width: Interval) -> Self {
-        let known = [before.at(width), before.derivative().at(width)];
-        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(known) {
-            *c = c.meet(known);
+    /// The same, of which the first coefficients are known in another way, too.
+    pub(crate) fn known(mut self, first: &[Interval]) -> Self {
+        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(first) {
+            *c = c.meet(*known);
         }
         self
     }

@@ -82,9 +82,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
                 shears.push([Interval::ZERO; 2]);
                 continue;
             };
-            pressing::zone(enclosed, left.x, right.x, &mut cut_off)?;
+            pieces.extend(pressing::zone(enclosed, left.x, right.x, &mut cut_off)?);
             shears.push([(left, false), (right, true)].map(|(j, left)| -(stiffness * enclosed.gap.jet(j.x, left)[3])));
-            pieces.extend(lying(enclosed, left.x, right.x));
             continue;
         };
         let length = Interval::exact(span.to) - Interval::exact(span.from);
@@ -274,14 +273,6 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
         (!follows || left || right) && (i == 0 || !nodes[i - 1].lies || left) && (!node.lies || right)
     });
     in_order && inside && supports == enclosed.supports.len() && meet
-}
-
-/// The foundation between two places, as pieces.
-fn lying(enclosed: &EnclosedScene<'_>, from: f64, to: f64) -> impl Iterator<Item = Piece> {
-    let mut breaks = enclosed.gap.breaks(from, to);
-    breaks.extend(enclosed.load.breaks(from, to));
-    let gap = enclosed.gap;
-    cells(from, to, breaks).into_iter().map(move |[from, to]| Piece { from, to, v: gap.cell(from, to), follows: true })
 }
 
 /// `M` beside a node, on its left and on its right side.
