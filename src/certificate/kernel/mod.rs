@@ -7,7 +7,7 @@
 //! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing` |
 //! | from the gap to the error of a deflection | `hold`, `distance` |
 //!
-//! Nothing in it asks for anything outside but a scene and the values at the nodes of a grid.
+//! It asks for nothing outside but a scene, and bounds the error of any deflection that is a polynomial on each of some cells.
 
 pub(super) mod clearance;
 pub(super) mod contact_node;
