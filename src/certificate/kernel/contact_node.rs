@@ -68,13 +68,12 @@ pub(crate) struct EnclosedScene<'a> {
 impl EnclosedSupport {
     /// The supports of a dimensionless scene above a gap.
     pub(crate) fn of(scene: &Scene, gap: &EnclosedGap<'_>) -> Vec<Self> {
-        let length = scene.beam().length();
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
             let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, false));
             let [meets, grounded] = [held.meets, held.grounded].map(|[left, right]| {
                 // Behind a step that goes down there is no ground at the level of the support.
-                [left && 0.0 < x && gap.ground.is_upper(x, true), right && x < length && gap.ground.is_upper(x, false)]
+                [left && gap.ground.is_upper(x, true), right && gap.ground.is_upper(x, false)]
             });
             let deflection = Interval::exact(given.level) - own[0];
             let slope = given.slope.map(|slope| {

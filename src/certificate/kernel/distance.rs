@@ -81,7 +81,7 @@ pub(crate) fn of(
     let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
     let mut reached = 0.0;
     for (cell, v) in judged {
-        if !(cell[0] <= reached && reached < cell[1] && cell[1] <= length) {
+        if !(cell[0] <= reached && reached < cell[1]) {
             return Error::UNKNOWN;
         }
         for [a, b] in cells(cell[0], cell[1], between(&pair.pieces, cell, length)) {

@@ -130,9 +130,9 @@ impl Polynomial {
         }
         let mut range = scaled[0];
         let mut row = scaled;
-        for _ in 0..degree {
+        for left in (1..=degree).rev() {
             // Forward: row[j] ← row[j] + row[j + 1]; after i rounds row[0] = Σ C(i, j) c_j / C(d, j).
-            for j in 0..degree {
+            for j in 0..left {
                 row[j] = row[j] + row[j + 1];
             }
             range = range.hull(row[0]);

@@ -139,7 +139,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             let sides = sides(enclosed, nodes, &pieces, place.from, couples / force)?;
             moved.force(place.from, Interval::exact(-force));
             opened = Interval::exact(force) * Interval::exact(sides[0].off);
-            Some(sides.map(|place| (place, 0.5 * force)))
+            // Half of it, but for the rounding of the two places.
+            Some(sides.map(|place| (place, 0.25 * force)))
         })?;
         holds.push(Hold(two[0].0, two[1].0));
         presses = Some(two.map(|(_, force)| force));
@@ -222,7 +223,7 @@ fn widest(carriers: &mut [(Place, f64)]) -> Option<[(Place, f64); 2]> {
     pairs.filter(|[a, b]| a.0.to < b.0.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
-/// The two sides of the single place that carries a beam, at each of which one half of the force presses as well: where the beam is
+/// The two sides of the single place that carries a beam, at each of which about one half of the force presses as well: where the beam is
 /// tangent to the ground they are so near that the gap is hardly open there,
 ///
 /// ```text
@@ -242,10 +243,9 @@ fn sides(
     let far = (NEAR * enclosed.length).max(16.0 * couple);
     let [left, right] = [x - far, x + far];
     let on_beam = 0.0 <= left && left < x && x < right && right <= enclosed.length;
-    // Between two nodes the beam lies on the ground.
-    let node = nodes.iter().find(|node| (node.x - x).abs() <= 0.0);
-    let tangent = node.is_none_or(|node| [true, false].iter().all(|side| enclosed.order(node, *side) == 2));
-    if !(on_beam && tangent && enclosed.supports.is_empty() && enclosed.gap.is_smooth_between(left, right)) {
+    // The other nodes, and places between two nodes that carry a load, have value and slope of the ground.
+    let turns = nodes.iter().any(|node| (node.x - x).abs() <= 0.0 && matches!(node.slope, Slope::Free(_)));
+    if !on_beam || turns || !enclosed.supports.is_empty() || !enclosed.gap.is_smooth_between(left, right) {
         return None;
     }
     let mut bend = 0.0_f64;
