@@ -195,8 +195,7 @@ fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Inter
         carriers.extend(breaks.iter().filter_map(|&x| Some((Place::at(x), enclosed.load.point(x)?.lo()))));
         carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| outer_thirds(enclosed, cell)));
     }
-    carriers.retain(|(_, force)| 0.0 < *force);
-    carriers
+    carriers.into_iter().filter(|(_, force)| 0.0 < *force).collect()
 }
 
 /// The outer thirds of a part of a zone without a break of the load, with what presses on them at least: the load, and what the
