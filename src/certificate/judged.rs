@@ -127,7 +127,7 @@ mod tests {
         assert_eq!(found.len(), 4);
         for (cell, ends) in found.iter().zip(all.windows(2)) {
             let [[a, v0, m0], [b, v1, m1]] = [ends[0], ends[1]];
-            assert_eq!(cell.0, [a, b]);
+            assert_eq!(cell.0.map(f64::to_bits), [a, b].map(f64::to_bits));
             let (width, turn) = (b - a, (b - a) / (6.0 * STIFFNESS));
             is(cell, 0.0, [v0, (v1 - v0) / width + turn * (2.0 * m0 + m1), -m0 / STIFFNESS]);
             is(cell, 1.0, [v1, (v1 - v0) / width - turn * (m0 + 2.0 * m1), -m1 / STIFFNESS]);

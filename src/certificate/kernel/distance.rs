@@ -34,10 +34,10 @@ pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
 // Report: end
 
 /// No part of the beam that is compared at once is wider than this share of it, and a cell that is wider than [`SHORT`] has at least
-/// [`PARTS`]: of what the coefficients of its difference are too large by, a sixteenth remains.
+/// [`PARTS`]: of what the coefficients of its difference are too large by, a sixty-fourth remains.
 const NARROW: f64 = 1.0 / 512.0;
 const SHORT: f64 = 1.0 / 2048.0;
-const PARTS: f64 = 4.0;
+const PARTS: f64 = 8.0;
 
 /// A bound on the error of a deflection.
 #[derive(Debug, Clone, Copy)]

@@ -53,7 +53,7 @@ fn what_is_off_adds_up_and_places_are_as_good_as_their_forces() {
         // A ridge in the middle that presses takes its part from the others.
         let force = 0.5 * (LOAD * LENGTH + pull) - pull.max(0.0);
         for (place, x) in [(left, 5.0), (right, 15.0)] {
-            assert_eq!([place.from, place.to], [x, x], "{what}");
+            assert_eq!([place.from, place.to].map(f64::to_bits), [x, x].map(f64::to_bits), "{what}");
             assert!((place.off - pair.gap / force).abs() <= 1e-9 * place.off + 1e-20, "{what}: {place:?} of {force}");
         }
     }
@@ -94,7 +94,7 @@ fn a_single_place_presses_on_both_of_its_sides() {
     let at = |x: f64| vec![PointLoad { at: x, force }];
     let (pair, _) = pair_of(&free(crest(8.0, 0.25), 0.0, at(8.0)), &[node(Kind::Touch, 8.0, 0.0)]).expect("in balance");
     let [Hold(left, right)] = pair.holds[..] else { panic!("one pair of places, not {:?}", pair.holds) };
-    assert_eq!([left.from, right.from], [8.0 - far, 8.0 + far]);
+    assert_eq!([left.from, right.from].map(f64::to_bits), [8.0 - far, 8.0 + far].map(f64::to_bits));
     for place in [left, right] {
         // Half as much again for places that are rounded.
         let expected = 8.0 * far * far * 0.5;
@@ -166,7 +166,7 @@ fn a_beam_in_balance_turns_about_one_place_alone() {
         let known = pair_at(Kind::Corner, about).expect("it is in balance");
         assert_eq!(known.turns_about, Some(about));
         let [Hold(left, right)] = known.holds[..] else { panic!("one place, not {:?}", known.holds) };
-        assert_eq!([left.from, left.to, right.from, right.to], [about; 4]);
+        assert_eq!([left.from, left.to, right.from, right.to].map(f64::to_bits), [about.to_bits(); 4]);
         assert!(known.gap <= 0.0, "{}", known.gap);
         for x in [3.0, LENGTH - about] {
             assert!(pair_at(Kind::Touch, x).is_none(), "a contact at {x}");
