@@ -37,8 +37,10 @@
 
 mod contact_load;
 mod double_sum;
+mod judged;
 mod kernel;
 mod kkt;
+mod largest;
 mod lumped;
 mod nodal_beam;
 mod quantities;
@@ -46,6 +48,7 @@ mod violations;
 mod witness;
 
 pub use contact_load::{ContactLoad, NotAForce};
+pub use judged::Judged;
 pub use kernel::interval::Interval;
 pub use kkt::{CERTIFIED_RESIDUAL, Kkt};
 pub use lumped::{Lumped, NotLumped};
@@ -58,20 +61,10 @@ use self::kernel::foundation::EnclosedFoundation;
 use self::kernel::gap::EnclosedGap;
 use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
+use self::largest::largest;
 use self::quantities::{energy, reactions};
 use crate::scene::{Balance, Foundation, Scale, Scaled, Scene, SceneError};
-use crate::state::{Contact, Nodes};
-
-/// The deflection that is judged.
-#[derive(Debug, Clone, Copy)]
-pub enum Judged<'a> {
-    /// That of the nodes of a grid: the cubics that deflections and moments at the nodes make between them.
-    Nodes(&'a Nodes),
-    /// The one that contact forces cause, by statics and integration under the true load.
-    Forces(&'a ContactLoad),
-    /// The one that the places of the witness make.
-    Witness,
-}
+use crate::state::Contact;
 
 /// Bounds for a deflection, proven from a witness: the contacts of the beam, from anybody. Only their places count, and where
 /// one of them has a length it is a zone. A witness that is wrong makes the bounds wide, and never wrong.
@@ -84,13 +77,27 @@ pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result
         let scale = &scaled.scale;
         let Some(pair) = pair(enclosed, witness, scale) else { return Certificate::unknown(enclosed.supports.len()) };
         let EnclosedScene { stiffness, length, .. } = *enclosed;
-        let error = match judged {
-            Judged::Nodes(nodes) => distance::of_nodes(&pair, nodes, scale, enclosed),
-            Judged::Forces(forces) => contact_load::deflection(&forces.scaled(scale), enclosed, &[])
-                .map_or(Error::UNKNOWN, |caused| distance::of_pieces(&pair, &caused, stiffness, length)),
-            Judged::Witness => distance::of_witness(&pair, stiffness, length),
-        };
-        Certificate::new(enclosed, scaled, &pair, error)
+        let known = |known: Option<_>| known.unwrap_or((Error::UNKNOWN, 0.0));
+        let (error, least) = known(match judged {
+            Judged::Nodes(nodes) => judged::cubics(nodes, scale, enclosed).map(|cubics| {
+                (distance::of(&pair, judged::parts(&pair.pieces, cubics, length), stiffness, length), 0.0)
+            }),
+            Judged::Forces(forces) => contact_load::deflection(&forces.scaled(scale), enclosed, &[]).map(|caused| {
+                let cells = caused.iter().copied().map(judged::Cell::of);
+                let error = distance::of(&pair, judged::parts(&pair.pieces, cells, length), stiffness, length);
+                let size = largest(caused.iter().copied());
+                (Error { size: error.size.min(size.hi()), ..error }, size.lo())
+            }),
+            Judged::Witness => {
+                Some(distance::of_witness(&pair, stiffness, length)).filter(|most| most.is_finite()).map(|most| {
+                    let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
+                    // What was lifted is not the deflection that the places make.
+                    let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
+                    (Error { most, at: 0.5 * length, size: size.hi() }, least)
+                })
+            }
+        });
+        Certificate::new(enclosed, scaled, &pair, error, least)
     })
 }
 
@@ -128,7 +135,7 @@ fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Op
         return pair;
     }
     let none = of(&[]).map(|none| Pair { lifted: f64::INFINITY, ..none });
-    pair.into_iter().chain(none).min_by(|a, b| a.gap.hi().total_cmp(&b.gap.hi()))
+    pair.into_iter().chain(none).min_by(|a, b| a.gap.total_cmp(&b.gap))
 }
 
 /// Whether a pair bounds the deflection to a millionth of its largest value.
@@ -192,10 +199,10 @@ impl Certificate {
     }
 
     /// From what was proven, dimensionless. All factors are powers of two: only exponents change.
-    fn new(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, error: Error) -> Self {
+    fn new(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, error: Error, least: f64) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
         let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness);
-        let gap = pair.gap.hi();
+        let gap = pair.gap;
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
         let stiffness =
             if scene.beam().is_simple() { stiffness(energies, scene.load(), enclosed.length) } else { None };
@@ -209,8 +216,8 @@ impl Certificate {
             deflection_error_at: error.at * scale.length,
             best_deflection_error: distance::anywhere(pair, enclosed.stiffness, enclosed.length) * scale.depth,
             deflection: error.size * scale.depth,
-            deflection_at_least: error.least * scale.depth,
-            up_to_a_turn: enclosed.balanced_at.filter(|x| pair.turns_about(*x)).map(|x| x * scale.length),
+            deflection_at_least: least * scale.depth,
+            up_to_a_turn: pair.turns_about.map(|x| x * scale.length),
             reactions: reactions(enclosed, pair).into_iter().map(|bracket| bracket.map(force)).collect(),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
             contacts_proven: is_sharp(enclosed, pair),

@@ -53,7 +53,7 @@ pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Option
         for side in [0, 1] {
             let share = if given[1 - side] && supports[k].slope.is_none() { 6 } else { 24 };
             let c = Interval::exact(clear[side].least_magnitude());
-            let turn = number(share) * Interval::exact(enclosed.stiffness) * pair.gap / (c * c * c);
+            let turn = number(share) * Interval::exact(enclosed.stiffness) * Interval::exact(pair.gap) / (c * c * c);
             match (given[side], c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
@@ -62,7 +62,7 @@ pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Option
         }
         Some(reaction + Interval::around_zero(turns.hi()))
     };
-    let known = enclosed.balanced_at.is_none_or(|x| !pair.turns_about(x));
+    let known = pair.turns_about.is_none();
     pair.reactions.iter().enumerate().map(|(k, reaction)| if known { bracket(k, *reaction) } else { None }).collect()
 }
 
@@ -70,7 +70,7 @@ pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Option
 fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64, end: f64) -> f64 {
     /// Parts of a piece; only how far the proof reaches depends on it.
     const PARTS: u32 = 16;
-    let factor = factor(pair.gap.hi(), enclosed.stiffness);
+    let factor = factor(pair.gap, enclosed.stiffness);
     let (from, to) = (support.min(end), support.max(end));
     let mut parts = Vec::new();
     for piece in pair.pieces.iter().filter(|piece| from <= piece.from && piece.to <= to) {
@@ -158,9 +158,10 @@ mod tests {
         let slopes = [piece([0.0, 7.0], &[0.0, sag / 7.0]), piece([7.0, LENGTH], &[sag, -sag / 13.0])];
         let pair = Pair {
             pieces: slopes.to_vec(),
-            gap: Interval::exact(gap),
+            gap,
             reactions: [3.0, 4.0].map(Interval::exact).to_vec(),
             holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
+            turns_about: None,
             lifted: 0.0,
         };
         let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");

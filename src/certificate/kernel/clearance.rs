@@ -12,7 +12,7 @@
 
 use super::contact_node::{ContactNode, EnclosedScene, Slope};
 use super::interval::Interval;
-use super::polynomial::Polynomial;
+use super::polynomial::{Polynomial, number};
 use super::span::Span;
 
 /// Parts into which a cell is cut before it is given up.
@@ -48,13 +48,12 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) ->
         let [from, to] = *cell;
         (from, width(*cell), enclosed.gap.cell(from, to).minus(v))
     });
+    let [v, slope, curvature, third] = span.end;
+    let at_end = [v, -slope, curvature / number(2), -third / number(6)];
     let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
         let [from, to] = *cell;
-        let v = if span.to <= to {
-            span.mirrored(from, enclosed.load, enclosed.stiffness)
-        } else {
-            v.shifted(width(*cell)).mirrored()
-        };
+        let v = v.shifted(width(*cell)).mirrored();
+        let v = if span.to <= to { v.known(&at_end) } else { v };
         (to, width(*cell), enclosed.gap.mirrored_cell(from, to).minus(&v))
     });
     let powers = ends.map(|end| power(enclosed, end));
@@ -80,10 +79,12 @@ fn beside(
     let mut most = 0.0;
     let mut before: Option<(Interval, Polynomial)> = None;
     for (near, width, clearance) in cells {
-        let order = if before.is_none() { order(enclosed, node, span.to <= node.x) } else { 0 };
+        let order = if before.is_none() { enclosed.order(node, span.to <= node.x) } else { 0 };
         let clearance = match before {
             // What vanishes at the node is small beside it, also behind the end of a short cell.
-            Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => clearance.continuing(before, width),
+            Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => {
+                clearance.known(&[before.at(width), before.derivative().at(width)])
+            }
             Some(_) => clearance,
             None => clearance.vanishing(order),
         };
@@ -112,20 +113,6 @@ pub(crate) fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
     Polynomial::new(&coefficients)
 }
 
-/// Which power of the distance from a node is a factor of the clearance beside it. At a point of a polyline the foundation
-/// may fall away from the beam with another slope, or in a step.
-fn order(enclosed: &EnclosedScene<'_>, node: &ContactNode, from_the_left: bool) -> usize {
-    let support = enclosed.support(node.x);
-    let meets = support.is_none_or(|s| s.meets[usize::from(!from_the_left)]);
-    let touches = meets && enclosed.gap.ground.is_upper(node.x, from_the_left);
-    // The slope is that of the gap, on this side.
-    let tangent = support.and_then(|s| s.slope).map_or_else(
-        || enclosed.is_tangent(node, from_the_left),
-        |slope| slope == enclosed.gap.jet(node.x, from_the_left)[1],
-    );
-    if touches { 1 + usize::from(tangent) } else { 0 }
-}
-
 /// A part of a cell: the clearance over a power `order` of the distance from a contact node.
 #[derive(Clone, Copy)]
 struct Part {
@@ -145,9 +132,10 @@ impl Part {
         let [order, own, other] = self.powers;
         let per = Interval::exact(1.0) / self.length;
         let rest = (self.length - (self.distance + self.width)) * per;
-        let power = |base: Interval, times: usize| (0..times).fold(Interval::exact(1.0), |product, _| product * base);
-        let product = power(per, own) * power(self.distance, own - order) * power(rest, other);
-        if rest.lo() <= 0.0 && 0 < other { 0.0 } else { product.lo().max(0.0) }
+        let least = |base: Interval, times: usize| {
+            (0..times).fold(Interval::exact(1.0), |product, _| product * Interval::exact(base.lo().max(0.0)))
+        };
+        (least(per, own) * least(self.distance, own - order) * least(rest, other)).lo()
     }
 
     /// `α` for this part if that is more than the `most` of others, and otherwise that.

@@ -74,11 +74,11 @@ impl EnclosedSupport {
         let length = scene.beam().length();
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
-            let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, length <= x));
-            // Behind a step that goes down there is no ground at the level of the support.
-            let beside = |from_the_left| gap.jet(x, from_the_left)[0].lo() <= gap.depth(x).hi();
-            let [meets, grounded] = [held.meets, held.grounded]
-                .map(|[left, right]| [0.0 < x && left && beside(true), x < length && right && beside(false)]);
+            let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, false));
+            let [meets, grounded] = [held.meets, held.grounded].map(|[left, right]| {
+                // Behind a step that goes down there is no ground at the level of the support.
+                [left && gap.ground.is_upper(x, true), right && gap.ground.is_upper(x, false)]
+            });
             let deflection = Interval::exact(given.level) - own[0];
             // Beyond a kink of the own shape the gap has another slope than the one that is held.
             let smooth = gap.shape.is_none_or(|shape| shape.is_smooth_at(x));
@@ -101,12 +101,17 @@ impl EnclosedScene<'_> {
         self.supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().map(|i| &self.supports[i])
     }
 
-    /// Whether the slope of a node that is not built in is that of the gap on a side.
-    pub(crate) fn is_tangent(&self, node: &ContactNode, from_the_left: bool) -> bool {
-        match node.slope {
-            Slope::Free(_) => false,
-            Slope::OfGround { from_the_left: side } => side == from_the_left || self.gap.is_smooth_at(node.x),
-        }
+    /// How the beam meets the gap at a node, on one of its sides: 2 with its deflection and its slope, so that the gap opens with
+    /// the square of the distance or the beam follows it; 1 with its deflection alone; 0 not at all, as at the foot of a step.
+    pub(crate) fn order(&self, node: &ContactNode, from_the_left: bool) -> usize {
+        let support = self.support(node.x);
+        let meets = support.is_none_or(|s| s.meets[usize::from(!from_the_left)]);
+        let tangent = match (support.and_then(|s| s.slope), node.slope) {
+            (Some(slope), _) => slope == self.gap.jet(node.x, from_the_left)[1],
+            (None, Slope::OfGround { from_the_left: side }) => side == from_the_left || self.gap.is_smooth_at(node.x),
+            (None, Slope::Free(_)) => false,
+        };
+        if meets && self.gap.ground.is_upper(node.x, from_the_left) { 1 + usize::from(tangent) } else { 0 }
     }
 
     /// `v` and `v'` of the beam at a node.
@@ -135,3 +140,6 @@ impl EnclosedScene<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -151,7 +151,7 @@ fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial
     let exact: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
     let Some(degree) = long_degree(given) else {
         let mut shifted = exact[..given.len().min(TERMS)].to_vec();
-        shift(&mut shifted, Interval::exact(origin), TERMS.min(given.len()));
+        shift(&mut shifted, Interval::exact(origin), TERMS);
         return Polynomial::new(&shifted);
     };
     let given = &given[..=degree];

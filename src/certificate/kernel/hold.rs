@@ -20,7 +20,7 @@
 //!
 //! with the worst `y₁`, `y₂` of the two parts.
 
-/// More than a dozen roundings of a sum of products without cancellation.
+/// More than a dozen roundings of a sum of products without cancellation (Higham 2002, section 3.1).
 pub(crate) const OUTWARDS: f64 = 1.0 + 32.0 * f64::EPSILON;
 
 /// A part of the beam, mostly a single place, somewhere on which `|v̂ − v*|` is at most `off`.

@@ -52,9 +52,11 @@ impl Interval {
         if corners.iter().any(|c| c.is_nan()) {
             return Self::WHOLE;
         }
-        let least = corners[0].min(corners[1]).min(corners[2].min(corners[3]));
-        let most = corners[0].max(corners[1]).max(corners[2].max(corners[3]));
-        Self::outward(least, most)
+        // Not `min` and `max`: a comparison is all that numbers need.
+        let least = |a: f64, b: f64| if b < a { b } else { a };
+        let most = |a: f64, b: f64| if a < b { b } else { a };
+        let [a, b, c, d] = corners;
+        Self::outward(least(least(a, b), least(c, d)), most(most(a, b), most(c, d)))
     }
 
     /// Lower end.

@@ -5,9 +5,9 @@
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
 //! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
 //! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing` |
-//! | from the gap to the error of a deflection | `hold`, `distance`, `largest` |
+//! | from the gap to the error of a deflection | `hold`, `distance` |
 //!
-//! Nothing in it asks for anything outside but a scene and the values at the nodes of a grid.
+//! It asks for nothing outside but a scene, and bounds the error of any deflection that is a polynomial on each of some cells.
 
 pub(super) mod clearance;
 pub(super) mod contact_node;
@@ -16,7 +16,6 @@ pub(super) mod foundation;
 pub(super) mod gap;
 pub(super) mod hold;
 pub(super) mod interval;
-pub(super) mod largest;
 pub(super) mod load;
 pub(super) mod polynomial;
 pub(super) mod pressing;

@@ -62,11 +62,10 @@ impl Polynomial {
         self
     }
 
-    /// The same, known to continue another one on a cell of some width before it: value and slope are those at its end, too.
-    pub(crate) fn continuing(mut self, before: &Self, width: Interval) -> Self {
-        let known = [before.at(width), before.derivative().at(width)];
-        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(known) {
-            *c = c.meet(known);
+    /// The same, of which the first coefficients are known in another way, too.
+    pub(crate) fn known(mut self, first: &[Interval]) -> Self {
+        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(first) {
+            *c = c.meet(*known);
         }
         self
     }
@@ -131,9 +130,9 @@ impl Polynomial {
         }
         let mut range = scaled[0];
         let mut row = scaled;
-        for _ in 0..degree {
+        for left in (1..=degree).rev() {
             // Forward: row[j] ← row[j] + row[j + 1]; after i rounds row[0] = Σ C(i, j) c_j / C(d, j).
-            for j in 0..degree {
+            for j in 0..left {
                 row[j] = row[j] + row[j + 1];
             }
             range = range.hull(row[0]);

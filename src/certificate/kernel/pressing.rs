@@ -5,6 +5,7 @@ use super::hold::{Hold, OUTWARDS};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::{Polynomial, number};
+use super::proof::Piece;
 
 /// Parts into which a cell is cut before what it seems to pull with is taken for true.
 const MOST_PARTS: usize = 400;
@@ -55,8 +56,13 @@ impl TensionCutOff {
     }
 }
 
-/// A zone: whether the beam can lie on the foundation all the way between two places, and what pulls there.
-pub(crate) fn zone(enclosed: &EnclosedScene<'_>, from: f64, to: f64, cut_off: &mut TensionCutOff) -> Option<()> {
+/// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
+pub(crate) fn zone(
+    enclosed: &EnclosedScene<'_>,
+    from: f64,
+    to: f64,
+    cut_off: &mut TensionCutOff,
+) -> Option<Vec<Piece>> {
     if !enclosed.gap.is_smooth_between(from, to) {
         return None;
     }
@@ -65,12 +71,14 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, from: f64, to: f64, cut_off: &m
     }
     let mut breaks = enclosed.gap.breaks(from, to);
     breaks.extend(enclosed.load.breaks(from, to));
-    for [from, to] in cells(from, to, breaks) {
-        let fourth = enclosed.gap.cell(from, to).derivative().derivative().derivative().derivative();
+    let piece = |[from, to]: [f64; 2]| {
+        let v = enclosed.gap.cell(from, to);
+        let fourth = v.derivative().derivative().derivative().derivative();
         let p = enclosed.load.cell(from, to).minus(&fourth.times(Interval::exact(enclosed.stiffness)));
         pulls(&p, [from, to], Interval::exact(to) - Interval::exact(from), &mut MOST_PARTS.clone(), cut_off);
-    }
-    Some(())
+        Piece { from, to, v, follows: true }
+    };
+    Some(cells(from, to, breaks).into_iter().map(piece).collect())
 }
 
 /// Cuts off what a pressure on a cell may pull with for `0 ≤ s ≤ w`.

@@ -28,34 +28,15 @@ pub(crate) struct Span {
     pub(crate) loaded: [Interval; 2],
 }
 
-/// `q/EI` at the left end of a cell, and its slope.
-fn density([from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> [Interval; 2] {
-    let q = load.cell(from, to).times(Interval::exact(1.0) / Interval::exact(stiffness));
-    [0, 1].map(|j| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO))
-}
-
-/// The deflection on a cell, and `v, …, v'''` at its end.
-pub(crate) fn step(jet: &Jet, [from, to]: [f64; 2], load: &EnclosedLoad, stiffness: f64) -> (Polynomial, Jet) {
-    let [q, rise] = density([from, to], load, stiffness);
-    let [v, slope, curvature, third] = *jet;
-    let deflection =
-        Polynomial::new(&[v, slope, curvature / number(2), third / number(6), q / number(24), rise / number(120)]);
-    let width = Interval::exact(to) - Interval::exact(from);
-    let first = deflection.derivative();
-    let second = first.derivative();
-    (deflection, [deflection.at(width), first.at(width), second.at(width), second.derivative().at(width)])
-}
-
 /// Deflection on all cells from `from` to `to`, starting with `jet`, and `v, …, v'''` just before the end.
-pub(crate) fn march(
-    jet: Jet,
+fn march(
+    mut jet: Jet,
     from: f64,
     to: f64,
     breaks: Vec<f64>,
     load: &EnclosedLoad,
     stiffness: f64,
 ) -> (Vec<([f64; 2], Polynomial)>, Jet) {
-    let mut jet = jet;
     let mut curve = Vec::new();
     for cell in cells(from, to, breaks) {
         if from < cell[0]
@@ -63,9 +44,16 @@ pub(crate) fn march(
         {
             jet[3] = jet[3] + force / Interval::exact(stiffness);
         }
-        let (deflection, end) = step(&jet, cell, load, stiffness);
+        let q = load.cell(cell[0], cell[1]).times(Interval::exact(1.0) / Interval::exact(stiffness));
+        let [q, rise] = [0, 1].map(|j| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO));
+        let [v, slope, curvature, third] = jet;
+        let deflection =
+            Polynomial::new(&[v, slope, curvature / number(2), third / number(6), q / number(24), rise / number(120)]);
+        let width = Interval::exact(cell[1]) - Interval::exact(cell[0]);
+        let first = deflection.derivative();
+        let second = first.derivative();
+        jet = [deflection.at(width), first.at(width), second.at(width), second.derivative().at(width)];
         curve.push((cell, deflection));
-        jet = end;
     }
     (curve, jet)
 }
@@ -117,43 +105,12 @@ impl Span {
         all.extend(breaks);
         march(self.start, self.from, self.to, all, load, stiffness).0
     }
-
-    /// The deflection `v(to − s)` on the last cell, which begins at `from`.
-    pub(crate) fn mirrored(&self, from: f64, load: &EnclosedLoad, stiffness: f64) -> Polynomial {
-        let width = Interval::exact(self.to) - Interval::exact(from);
-        let [q, rise] = density([from, self.to], load, stiffness);
-        let [v, slope, curvature, third] = self.end;
-        let at_end = q + rise * width;
-        let [fourth, fifth] = [at_end / number(24), -rise / number(120)];
-        Polynomial::new(&[v, -slope, curvature / number(2), -third / number(6), fourth, fifth])
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::{Beam, LinearLoad, Load, PointLoad, Scene};
-
-    /// A span under a load that grows, read from the left and from the right.
-    #[test]
-    fn the_mirror_image_is_the_same_deflection() {
-        /// Of some dozens of roundings.
-        const ROUNDING: f64 = 1e-12;
-        let stiffness = 70.0;
-        let beam = Beam::new(20.0, stiffness).expect("positive");
-        let growing = LinearLoad { from: 0.0, to: 20.0, start: 1.0, end: 5.0 };
-        let load = Load::new(&beam, 2.0, vec![growing], Vec::new()).expect("finite");
-        let load = EnclosedLoad::of(&Scene::new(beam, load, None).expect("well posed"));
-        let ends = [[0.3, 0.2], [0.5, -0.4]].map(|end| end.map(Interval::exact));
-        let span = Span::new([3.0, 10.0], ends.map(Some), &load, stiffness);
-        let curve = span.curve(vec![6.0], &load, stiffness);
-        let ([from, to], last) = curve[1];
-        let mirrored = span.mirrored(from, &load, stiffness);
-        for s in [0.0, 1.0, 2.5, 4.0] {
-            let [one, other] = [(&mirrored, s), (&last, to - from - s)].map(|(v, s)| v.at(Interval::exact(s)).middle());
-            assert!((one - other).abs() <= ROUNDING, "{one} and {other} at {s} from the right");
-        }
-    }
 
     /// An overhang of length `a` under `q + r s` with a force `P` at its tip, from the textbook: with `s` from the support,
     /// `EI v''(0) = q a²/2 + r a³/3 + P a`, `EI v'(a) = EI v'(0) + q a³/6 + r a⁴/8 + P a²/2` and

@@ -4,8 +4,8 @@
 //! thirtieth too large, those of a cubic that vanishes at both ends up to 9/4 times. Halving a cell makes the excess four times
 //! smaller; of the halves only those are kept that could exceed the largest value that was found at a point.
 
-use super::interval::Interval;
-use super::polynomial::{Polynomial, number};
+use super::kernel::interval::Interval;
+use super::kernel::polynomial::{Polynomial, number};
 
 /// Share of the largest magnitude to which it is found.
 const SHARP: f64 = 1e-13;

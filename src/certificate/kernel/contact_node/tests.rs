@@ -1,0 +1,50 @@
+//! What a support asks of the deflection above ground that it meets or not, and how a beam meets it.
+
+use super::*;
+use crate::certificate::in_intervals;
+use crate::scene::{Balance, Beam, Foundation, Load, Support};
+
+const LENGTH: f64 = 20.0;
+/// Slope of the own shape, and that of the ground on the left and on the right of a kink.
+const OWN: f64 = 0.125;
+const GROUND: [f64; 2] = [-0.25, 0.5];
+
+/// What becomes of a support at a kink of the ground, at its level or at another one, and the order at its two sides.
+fn at_kink(slope: Option<f64>, above: f64, node: Slope) -> (EnclosedSupport, [usize; 2]) {
+    let x = 8.0;
+    let ground = [[0.0, 2.0 - GROUND[0] * x], [x, 2.0], [LENGTH, 2.0 + GROUND[1] * (LENGTH - x)]];
+    let shape = Foundation::Polynomial { coefficients: vec![0.25, OWN] };
+    let supports = vec![Support { at: x, level: 2.0 - above, slope }, Support::simple(LENGTH)];
+    let beam = Beam::new(LENGTH, 70.0).expect("positive").with_supports(supports).expect("on the beam");
+    let beam = beam.with_shape(shape).expect("a curve");
+    let ground = Foundation::Polyline { points: ground.to_vec() };
+    let scene = Scene::new(beam, Load::default(), Some(ground)).expect("well posed");
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        let node = ContactNode { x, slope: node, lies: false };
+        (*enclosed.support(x).expect("it is there"), [true, false].map(|left| enclosed.order(&node, left)))
+    })
+}
+
+#[test]
+fn a_support_has_the_deflection_and_the_slope_of_ground_that_it_meets() {
+    let free = Slope::Free(0.0);
+    for (slope, order) in [(-0.25, [2, 1]), (0.5, [1, 2]), (0.1, [1, 1])] {
+        let (support, found) = at_kink(Some(slope), 0.0, free);
+        assert_eq!(found, order, "built in at {slope}");
+        let is = support.slope.expect("built in");
+        assert!(is.contains(slope - OWN) && is.hi() - is.lo() < 1e-15, "{is:?}, not {}", slope - OWN);
+        assert!(support.deflection.contains(2.0 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
+        // Above the ground it meets nothing, whatever its slope.
+        let (support, found) = at_kink(Some(slope), 0.5, free);
+        assert_eq!(found, [0, 0], "above the ground, built in at {slope}");
+        assert!(support.deflection.contains(1.5 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
+    }
+    for (slope, order) in [
+        (free, [1, 1]),
+        (Slope::OfGround { from_the_left: true }, [2, 1]),
+        (Slope::OfGround { from_the_left: false }, [1, 2]),
+    ] {
+        assert_eq!(at_kink(None, 0.0, slope).1, order, "{slope:?}");
+        assert_eq!(at_kink(None, 0.5, slope).1, [0, 0], "{slope:?}, above the ground");
+    }
+}
