@@ -66,16 +66,17 @@ impl Kkt {
         let mut forces = grid.nodal_loads(scene.load());
         let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
         forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
+        let said_at = |node: usize| {
+            held.iter().zip(&said).find(|(held, _)| grid.node_at(held.at) == Some(node)).map(|(_, said)| said)
+        };
         // What presses at a station counts as what it exerts.
         let mut exerted = Vec::with_capacity(stations.len());
         for &Station { node, .. } in &stations {
-            let support = held.iter().zip(&said).find(|(held, _)| grid.node_at(held.at) == Some(node));
-            exerted.push(match support {
-                Some((_, said)) => said.force,
-                None => {
-                    grid.loads(scene.load(), node, &mut forces[node..=node]);
-                    p[node - first]
-                }
+            exerted.push(if let Some(said) = said_at(node) {
+                said.force
+            } else {
+                grid.loads(scene.load(), node, &mut forces[node..=node]);
+                p[node - first]
             });
         }
         let caused = NodalBeam::of(scene, grid, forces, &stations, nodes.discretisation)?;
@@ -120,16 +121,12 @@ impl Kkt {
         }
         let [penetration, tension, complementarity, elastic, moments, clearances, out_of_place] = worst;
         let balance = exerted.iter().zip(&caused.stations).map(|(said, (force, _))| said - force);
-        let at_end = |node: usize, reaction: f64| {
-            let support = held.iter().zip(&said).find(|(held, _)| grid.node_at(held.at) == Some(node));
-            reaction - support.map_or(0.0, |(_, said)| said.force)
-        };
         let Reactions { left, right } = state.reactions;
-        let ends = [at_end(0, left), at_end(grid.intervals(), right)];
-        let couples = said.iter().filter_map(|said| {
-            let (_, (_, moments)) =
-                stations.iter().zip(&caused.stations).find(|(s, _)| grid.node_at(said.at) == Some(s.node))?;
-            Some((said.moment? - nearer(said.moment?, *moments)).abs())
+        let ends = [(0, left), (grid.intervals(), right)]
+            .map(|(node, reaction)| reaction - said_at(node).map_or(0.0, |said| said.force));
+        let couples = stations.iter().zip(&caused.stations).filter_map(|(station, (_, moments))| {
+            let said = said_at(station.node)?.moment?;
+            Some((said - nearer(said, *moments)).abs())
         });
         Some(Self {
             penetration: penetration / depth,

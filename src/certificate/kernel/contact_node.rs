@@ -71,7 +71,6 @@ pub(crate) struct EnclosedScene<'a> {
 impl EnclosedSupport {
     /// The supports of a dimensionless scene above a gap.
     pub(crate) fn of(scene: &Scene, gap: &EnclosedGap<'_>) -> Vec<Self> {
-        let length = scene.beam().length();
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
             let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, false));
@@ -80,12 +79,9 @@ impl EnclosedSupport {
                 [left && gap.ground.is_upper(x, true), right && gap.ground.is_upper(x, false)]
             });
             let deflection = Interval::exact(given.level) - own[0];
-            // Beyond a kink of the own shape the gap has another slope than the one that is held.
-            let smooth = gap.shape.is_none_or(|shape| shape.is_smooth_at(x));
-            let along = |side: &usize| grounded[*side] && (smooth || *side == usize::from(x < length));
             let slope = given.slope.map(|slope| {
-                let of_gap = [0, 1].into_iter().find(along).map(|side| gap.jet(x, side == 0)[1]);
-                of_gap.unwrap_or(Interval::exact(slope) - own[1])
+                let side = [0, 1].into_iter().find(|side| grounded[*side]);
+                side.map_or(Interval::exact(slope) - own[1], |side| gap.jet(x, side == 0)[1])
             });
             let deflection = if meets[0] || meets[1] { gap.depth(x) } else { deflection };
             let is_fixed = slope.is_some() || (grounded == [true; 2] && gap.is_smooth_at(x));

@@ -136,7 +136,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let mut carriers = carriers(enclosed, nodes, &forces);
         let two = widest(&mut carriers).or_else(|| {
             let (place, force) = *carriers.iter().find(|(place, _)| place.to <= place.from)?;
-            let sides = sides(enclosed, nodes, &pieces, place.from, couples / force)?;
+            let sides = sides(enclosed, &pieces, place.from, couples / force)?;
             moved.force(place.from, Interval::exact(-force));
             opened = Interval::exact(force) * Interval::exact(sides[0].off);
             // Half of it, but for the rounding of the two places.
@@ -230,21 +230,14 @@ fn widest(carriers: &mut [(Place, f64)]) -> Option<[(Place, f64); 2]> {
 /// ```
 ///
 /// and so far that the halves balance a couple, given as a share of the force.
-fn sides(
-    enclosed: &EnclosedScene<'_>,
-    nodes: &[ContactNode],
-    pieces: &[Piece],
-    x: f64,
-    couple: f64,
-) -> Option<[Place; 2]> {
+fn sides(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, couple: f64) -> Option<[Place; 2]> {
     /// Of the length of the beam.
     const NEAR: f64 = 1.0 / 274_877_906_944.0;
     let far = (NEAR * enclosed.length).max(16.0 * couple);
     let [left, right] = [x - far, x + far];
     let on_beam = 0.0 <= left && left < x && x < right && right <= enclosed.length;
-    // The other nodes, and places between two nodes that carry a load, have value and slope of the ground.
-    let turns = nodes.iter().any(|node| (node.x - x).abs() <= 0.0 && matches!(node.slope, Slope::Free(_)));
-    if !on_beam || turns || !enclosed.supports.is_empty() || !enclosed.gap.is_smooth_between(left, right) {
+    // On smooth ground a beam that touches it inside is tangent to it: of any other none was found to be clear.
+    if !on_beam || !enclosed.supports.is_empty() || !enclosed.gap.is_smooth_between(left, right) {
         return None;
     }
     let mut bend = 0.0_f64;

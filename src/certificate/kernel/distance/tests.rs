@@ -114,6 +114,41 @@ fn both_terms_of_the_bound_are_there() {
     }
 }
 
+/// The largest difference may be at the left end of a part, where no other part ends.
+#[test]
+fn the_left_end_of_the_beam_counts() {
+    let falling = Polynomial::new(&[1.0, -1.0 / LENGTH].map(Interval::exact));
+    let error = of_cells(&pair(vec![piece([0.0, LENGTH], &[])]), [([0.0, LENGTH], falling)]);
+    at_least(error.most, 1.0);
+    at_least(error.size, 1.0);
+}
+
+/// Of two deflections with the same values and curvatures at both ends nothing is known but their fourth derivatives, which may
+/// have different signs: `w⁴/64` of their sum. `v̂ = 2 + x⁴/1000` from `x = 1`.
+#[test]
+fn fourth_derivatives_of_both_deflections_count() {
+    let fourth = 24.0 / 1000.0;
+    let admissible = piece([1.0, 1.0 + LENGTH], &[2.0, 0.0, 0.0, 0.0, 1.0 / 1000.0]);
+    let pair = Pair { pieces: vec![piece([0.0, 1.0], &[]), admissible], ..pair(Vec::new()) };
+    let values = |v: f64, bent: f64| [v, bent].map(Interval::exact);
+    let square = LENGTH * LENGTH;
+    let own = 3.0;
+    let part = |ends: [f64; 2], values, fourth| Part { ends, values, fourth };
+    let parts = [
+        part([0.0, 1.0], [values(0.0, 0.0); 2], 0.0),
+        part(
+            [1.0, 1.0 + LENGTH],
+            [values(2.0, 0.0), values(2.0 + square * square / 1000.0, 0.5 * fourth * square)],
+            own,
+        ),
+    ];
+    let error = of(&pair, parts.into_iter(), STIFFNESS, LENGTH);
+    let expected = square * square / 64.0 * (own + fourth);
+    assert!((expected..expected * (1.0 + ROUNDING)).contains(&error.most), "{error:?}, not {expected}");
+    let size = 2.0 + square * square / 1000.0 + square / 8.0 * (0.5 * fourth * square + square / 8.0 * own);
+    assert!((size..size * (1.0 + ROUNDING)).contains(&error.size), "{error:?}, not {size}");
+}
+
 /// A difference `16 (x/l)² (1 − x/l)²` of one cell, which its curvature at the ends makes twice too large, is found to a twentieth in
 /// a short cell and nearly as it is in a long one.
 #[test]

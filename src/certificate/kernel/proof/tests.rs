@@ -3,7 +3,7 @@
 use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::quantities::energy;
-use crate::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene};
+use crate::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene, Support};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -227,6 +227,29 @@ fn a_couple_that_pulls_counts_at_both_supports() {
             let gap = pair_of(&scene, &nodes).expect("from support to support").0.gap;
             assert!((gap - expected).abs() <= 1e-9 * expected, "{gap}, not {expected}, at {nodes:?}");
         }
+    }
+}
+
+/// A beam on supports at 8, on a corner of the ground, and at 20, along the ground on the left of the corner. Over `h = 12` it takes the
+/// moment `M = −3 EI (Δ − φ h)/h²` to that, and the force at the left tip makes `8`. The ground on the left makes what is left of both
+/// if that is positive; otherwise it is cut off, at `C √(h/3 EI)`.
+#[test]
+fn ground_on_one_side_makes_couples_of_one_sign() {
+    let (x, h, slope) = (8.0, 12.0, -0.25);
+    let ground = vec![[0.0, 2.0 - slope * x], [x, 2.0], [LENGTH, 8.0]];
+    for rise in [3.0, -12.0] {
+        let supports = vec![Support::simple(x).at_level(2.0), Support::simple(LENGTH).at_level(2.0 + rise)];
+        let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_supports(supports).expect("on the beam");
+        let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 0.0, force: -1.0 }]).expect("finite");
+        let ground = Foundation::Polyline { points: ground.clone() };
+        let scene = Scene::new(beam, load, Some(ground)).expect("well posed");
+        let along = ContactNode { x, slope: Slope::OfGround { from_the_left: true }, lies: false };
+        let nodes = [along, node(Kind::Corner, LENGTH, 1.5 * rise / h - 0.5 * slope)];
+        let (pair, _) = pair_of(&scene, &nodes).expect("held by two supports");
+        let jump = -3.0 * STIFFNESS * (rise - slope * h) / (h * h) - 8.0;
+        let cut = jump.min(0.0);
+        let gap = 0.5 * cut * cut * h / (3.0 * STIFFNESS);
+        assert!((pair.gap - gap).abs() <= 1e-9 * gap + ROUNDING, "{rise}: {}, not {gap}", pair.gap);
     }
 }
 
