@@ -203,11 +203,12 @@ impl Foundation {
         match self {
             Self::Flat { depth: u } => Self::Flat { depth: u / depth },
             Self::Polynomial { coefficients } => {
-                // Not times a power of the length, which may leave the range of f64 where the product does not.
-                let exponent = i64::from(libm::ilogb(length));
+                // In one step: a power of the length, or a quotient by the depth, may leave the range of f64 where all of it
+                // does not.
+                let [length, depth] = [length, depth].map(|unit| i64::from(libm::ilogb(unit)));
                 let scaled = (0..).zip(coefficients).map(|(j, c)| {
-                    let exponent = (exponent * j).clamp(i64::from(i32::MIN), i64::from(i32::MAX));
-                    libm::scalbn(c / depth, i32::try_from(exponent).unwrap_or_default())
+                    let exponent = (length * j - depth).clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+                    libm::scalbn(*c, i32::try_from(exponent).unwrap_or_default())
                 });
                 Self::Polynomial { coefficients: scaled.collect() }
             }

@@ -71,7 +71,7 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
-    let place = |i: usize| settled(given, nodes[i].x);
+    let place = |i: usize| on_the_beam(nodes[i].x, given.length);
     for i in 0..=nodes.len() {
         if found.list.in_zone_before(i) {
             // Of what ground and support carry together at a support the support is said to take all.
@@ -90,16 +90,12 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     contacts
 }
 
-/// A place that rounding has put off the beam or beside a break of the profile, on it.
-fn settled(given: &PiecewiseScene, x: f64) -> f64 {
+/// A place beside a support that rounding has put off the beam, on it.
+fn on_the_beam(x: f64, length: f64) -> f64 {
     /// That of the check, which takes a contact that would have to move by less for being where it should be.
     const ROUNDING: f64 = 4e-15;
-    let after = given.breakpoints.partition_point(|breakpoint| breakpoint.x < x);
-    let breaks = [after.saturating_sub(1), after].into_iter().filter(|i| given.breaks_at(*i));
-    let off = |place: &f64| (x - place).abs();
-    let nearest = breaks.map(|i| given.breakpoints[i].x).min_by(|a, b| off(a).total_cmp(&off(b)));
-    let places = nearest.into_iter().chain([x.clamp(0.0, given.length)]);
-    places.into_iter().find(|place| off(place) <= ROUNDING * given.length).unwrap_or(x)
+    let nearest = x.clamp(0.0, length);
+    if (x - nearest).abs() <= ROUNDING * length { nearest } else { x }
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.

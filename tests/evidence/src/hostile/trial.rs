@@ -92,7 +92,7 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
     if let Some(exact) = exact.as_ref().filter(|exact| exact.solved) {
         balanced(&mut trial, "theory", &scene, &exact.state);
         turns_above_ground(&mut trial, "theory", &scene, exact);
-        if Family::THIRD.contains(&family) && trial.bounded {
+        if Family::THIRD.contains(&family) && trial.certified {
             let violated =
                 violated(&scene, exact, THEORY).into_iter().map(|what| format!("theory: certified, but {what}"));
             trial.wrong.extend(violated);
