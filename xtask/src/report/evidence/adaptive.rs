@@ -35,8 +35,7 @@ impl Run {
         let nodes = nodes_of(&found.solution.state)?;
         let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
         // The same size as that of the certified error.
-        let deflection = found.solution.state.deflection;
-        let truth = apart.fold(0.0, f64::max) / deflection.max.max(-deflection.min);
+        let truth = apart.fold(0.0, f64::max) / magnitude(&found.solution.state.deflection);
         Ok(Self { exponent, found, truth })
     }
 

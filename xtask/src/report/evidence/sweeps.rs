@@ -310,7 +310,7 @@ fn tolerances(study: &Study<'_>) -> Result<Value, Cause> {
             }
             let off = (found.state.reactions.left - reaction).abs();
             farthest = farthest.max(off);
-            if worst_difference(&places(&found), &places(&exact)) <= SAME {
+            if apart_if_any(&places(&found), &places(&exact)) <= SAME {
                 (same, kept) = (same.max(off), kept + 1);
             }
         }
