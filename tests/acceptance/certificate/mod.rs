@@ -18,9 +18,9 @@ mod verdict;
 mod witness;
 mod wrong;
 
-use palkki::certificate::{Certificate, ContactLoad, Judged, certify};
+use palkki::certificate::{Certificate, ContactLoad, Judged, Kkt, certify};
 use palkki::scene::Scene;
-use palkki::state::{Contact, Nodes};
+use palkki::state::{Contact, ContactState, Nodes};
 use palkki::theory;
 use palkki_evidence::compare::largest;
 use palkki_evidence::faults::Cubics;
@@ -42,6 +42,11 @@ fn of_forces(scene: &Scene, forces: &[(f64, f64)], witness: &[Contact]) -> Certi
 /// Single contacts at the places of the forces that press: what somebody who has nothing else takes for a witness.
 fn places(forces: &[(f64, f64)]) -> Vec<Contact> {
     forces.iter().filter(|f| 0.0 < f.1).map(|&(x, force)| Contact::at(x, force)).collect()
+}
+
+/// Whether a state solves its discrete problem, by our check.
+fn passes(scene: &Scene, state: &ContactState) -> bool {
+    Kkt::of(scene, state).is_some_and(|kkt| kkt.holds())
 }
 
 /// The largest difference of an answer from a true deflection, at its nodes and at three places between each two.

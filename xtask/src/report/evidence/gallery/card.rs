@@ -21,13 +21,7 @@ struct Row {
 }
 
 /// The card of a scene.
-pub(in crate::report::evidence) fn card(
-    name: &str,
-    scene: &Scene,
-    exact: &Exact,
-    verdict: &Verdict,
-    story: String,
-) -> Result<Value, Cause> {
+pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, story: String) -> Result<Value, Cause> {
     let reference = closed(scene);
     let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
