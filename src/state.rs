@@ -249,15 +249,6 @@ pub struct ContactState {
     pub nodes: Option<Nodes>,
 }
 
-impl SupportForce {
-    /// The supports at the two ends of a beam of this length that has no others.
-    #[must_use]
-    pub fn at_ends(length: f64, reactions: Reactions) -> Vec<Self> {
-        let simple = |at: f64, force: f64| Self { at, force, moment: None };
-        vec![simple(0.0, reactions.left), simple(length, reactions.right)]
-    }
-}
-
 impl Standing {
     /// How a beam stands on these supports and contacts.
     #[must_use]

@@ -145,7 +145,9 @@ mod tests {
         ContactState {
             regime: Regime::of(&contacts),
             reactions: Reactions { left: 1.625, right: -0.375 },
-            supports: SupportForce::at_ends(LENGTH, Reactions { left: 1.625, right: -0.375 }),
+            supports: [(0.0, 1.625), (LENGTH, -0.375)]
+                .map(|(at, force)| SupportForce { at, force, moment: None })
+                .into(),
             standing: None,
             contacts,
             deflection: Extremes { max: 0.75, max_at: x[0], min: 0.0, min_at: 0.0 },

@@ -8,6 +8,7 @@ use palkki::scene::file::{ReadProblem, parse};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::Nodes;
 use palkki::{Settings, solve_raw};
+pub(crate) use palkki_evidence::compare::apart;
 
 /// A valid scene with every key of the contract, and one of the kinds of foundation.
 pub(crate) const EVERY_KEY: &str = r#"
@@ -85,15 +86,7 @@ pub(crate) fn nodes(raw: &RawSolution) -> &Nodes {
     raw.state.nodes.as_ref().expect("a discretised method has nodes")
 }
 
-/// The largest difference of two lists of equal length; infinite for NaN.
-#[track_caller]
-pub(crate) fn apart(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len(), "lists of equal length");
-    let differences = a.iter().zip(b).map(|(a, b)| if a.total_cmp(b).is_eq() { 0.0 } else { (a - b).abs() });
-    differences.fold(0.0, |most: f64, d| if d.is_nan() { f64::INFINITY } else { most.max(d) })
-}
-
-/// The largest magnitude in a list.
+/// The largest magnitude in a list, by which differences are measured; what is no number does not count.
 pub(crate) fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most: f64, v| most.max(v.abs()))
 }

@@ -64,6 +64,12 @@ pub(crate) fn rounded(value: f64, places: usize) -> Option<f64> {
     format!("{value:.places$e}").parse().ok().filter(|value: &f64| value.is_finite())
 }
 
+/// Median, least and most seconds of some runs, to four digits.
+pub(crate) fn spread(mut seconds: Vec<f64>) -> [Option<f64>; 3] {
+    seconds.sort_by(f64::total_cmp);
+    [seconds.get(seconds.len() / 2), seconds.first(), seconds.last()].map(|seconds| rounded(*seconds?, 3))
+}
+
 /// A line of a file of measurements.
 pub(crate) trait Row: Serialize + DeserializeOwned {
     /// Where the file is, below the root.

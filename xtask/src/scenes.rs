@@ -10,14 +10,14 @@ use palkki::scene::file::{ReadProblem, parse};
 use crate::Cause;
 use crate::report::files;
 
-/// Where they are.
-const DIRECTORY: &str = "report/scenes";
+/// Where those of the gallery are.
+pub(crate) const GALLERY: &str = "report/scenes";
 /// Where those are that are held otherwise than by two simple supports at the ends.
-const HELD: &str = "report/scenes/held";
+pub(crate) const HELD: &str = "report/scenes/held";
 
 /// Names (without `.toml`) and scenes of the gallery, in the order of their names.
 pub(crate) fn all(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
-    listed(root, DIRECTORY)
+    listed(root, GALLERY)
 }
 
 /// The same for the scenes that are held in other ways.
@@ -35,7 +35,7 @@ fn listed(root: &Path, directory: &str) -> Result<Vec<(String, Scene)>, Cause> {
 
 /// One scene of the gallery.
 pub(crate) fn read(root: &Path, name: &str) -> Result<Scene, Cause> {
-    of(root, DIRECTORY, name)
+    of(root, GALLERY, name)
 }
 
 /// A scene of one of the directories.

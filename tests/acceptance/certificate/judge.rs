@@ -7,6 +7,7 @@ use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::{ContactState, Nodes};
 
+use super::passes;
 use crate::scenes::{example, run, scene, uniform};
 
 /// The state that the active set finds.
@@ -23,10 +24,6 @@ fn correct(scene: &Scene, method: Method) -> ContactState {
     let raw = run(scene, method, Solver::ActiveSet, 30);
     assert!(raw.solved, "{method}");
     raw.state
-}
-
-fn passes(scene: &Scene, state: &ContactState) -> bool {
-    Kkt::of(scene, state).is_some_and(|kkt| kkt.holds())
 }
 
 #[test]

@@ -4,27 +4,30 @@
 mod reference;
 
 use palkki::route::{Method, Solver};
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, Scene, SceneError, Support};
 use palkki::state::ContactState;
 use palkki::{Settings, solve_raw};
+use palkki_evidence::draft::Draft;
 
-use crate::scenes::{nodes, run};
+use crate::scenes::{apart, nodes, run};
 
 const LENGTH: f64 = 10.0;
 const STIFFNESS: f64 = 500.0 / 384.0;
 
+/// Under a uniform load and point loads `(place, force)`.
 #[track_caller]
-fn scene(supports: Vec<Support>, load: &[(f64, f64)], ground: Option<Foundation>, shape: Option<Foundation>) -> Scene {
-    let beam = Beam::new(LENGTH, STIFFNESS).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-    let beam = shape.into_iter().fold(beam, |beam, shape| beam.with_shape(shape).expect("a shape"));
-    // A load at a negative place is uniform.
-    let uniform = load.iter().filter(|(at, _)| *at < 0.0).map(|(_, force)| force).sum();
-    let point = load.iter().filter(|(at, _)| 0.0 <= *at).map(|&(at, force)| PointLoad { at, force }).collect();
-    let load = Load::new(&beam, uniform, Vec::new(), point).expect("a load");
-    Scene::new(beam, load, ground).expect("well posed")
+fn scene(
+    supports: Vec<Support>,
+    (uniform, points): (f64, &[(f64, f64)]),
+    ground: Option<Foundation>,
+    shape: Option<Foundation>,
+) -> Scene {
+    let (length, stiffness, supports) = (LENGTH, STIFFNESS, Some(supports));
+    let draft = Draft { length, stiffness, uniform, ground, supports, shape, ..Draft::default() };
+    draft.with_points(points).scene().expect("well posed")
 }
 
-const UNIFORM: [(f64, f64); 1] = [(-1.0, 1.0)];
+const UNIFORM: (f64, &[(f64, f64)]) = (1.0, &[]);
 
 fn flat(depth: f64) -> Option<Foundation> {
     Some(Foundation::Flat { depth })
@@ -64,7 +67,7 @@ fn from_a_built_in_end(u: f64) -> (f64, f64) {
 #[test]
 fn a_cantilever_above_flat_ground_has_a_closed_form() {
     let u = 1.0;
-    let cantilever = scene(vec![Support::built_in(0.0)], &UNIFORM, flat(u), None);
+    let cantilever = scene(vec![Support::built_in(0.0)], UNIFORM, flat(u), None);
     let (a, energy) = from_a_built_in_end(u);
     converges(&cantilever, energy - u * (LENGTH - a), |state| state.energy);
     let state = state(&cantilever, Method::Force, 10_000);
@@ -80,11 +83,11 @@ fn a_cantilever_above_flat_ground_has_a_closed_form() {
 #[test]
 fn a_beam_built_in_at_both_ends_has_a_closed_form() {
     let u = 0.5;
-    let both = scene(vec![Support::built_in(0.0), Support::built_in(LENGTH)], &UNIFORM, flat(u), None);
+    let both = scene(vec![Support::built_in(0.0), Support::built_in(LENGTH)], UNIFORM, flat(u), None);
     let (a, energy) = from_a_built_in_end(u);
     converges(&both, 2.0 * energy - u * (LENGTH - 2.0 * a), |state| state.energy);
     // Without ground q l²/12 at its ends; finite differences make it 1 + 2/N² times as large.
-    let free = scene(vec![Support::built_in(0.0), Support::built_in(LENGTH)], &UNIFORM, None, None);
+    let free = scene(vec![Support::built_in(0.0), Support::built_in(LENGTH)], UNIFORM, None, None);
     let moments = state(&free, Method::Displacement, 40).supports;
     let exact = -LENGTH * LENGTH / 12.0 * (1.0 - 1.0 / 1600.0);
     assert!(moments.iter().all(|s| (s.moment.expect("built in") - exact).abs() < 1e-12 * LENGTH), "{moments:?}");
@@ -96,7 +99,7 @@ fn a_beam_built_in_at_both_ends_has_a_closed_form() {
 #[test]
 fn a_free_beam_over_a_hump_has_a_closed_form() {
     let curvature = 0.2;
-    let hump = scene(Vec::new(), &UNIFORM, polynomial(&[2.5, -1.0, 0.5 * curvature]), None);
+    let hump = scene(Vec::new(), UNIFORM, polynomial(&[2.5, -1.0, 0.5 * curvature]), None);
     let b = libm::sqrt(2.0 * STIFFNESS * curvature);
     let (c, b5) = (0.5 * LENGTH - b, b * b * b * b * b);
     let lies = 0.5 * STIFFNESS * curvature * curvature * c - curvature * c * c * c / 6.0;
@@ -111,7 +114,7 @@ fn a_free_beam_over_a_hump_has_a_closed_form() {
         assert!((state.contact_force() - LENGTH).abs() < 1e-9, "in balance");
     }
     // The same beam curled over flat ground.
-    let curled = scene(Vec::new(), &UNIFORM, flat(0.0), polynomial(&[-2.5, 1.0, -0.5 * curvature]));
+    let curled = scene(Vec::new(), UNIFORM, flat(0.0), polynomial(&[-2.5, 1.0, -0.5 * curvature]));
     for method in Method::ALL {
         let [a, b] = [&hump, &curled].map(|scene| state(scene, method, 200));
         assert!(apart(&forces(&a), &forces(&b)) < 1e-9, "{method}");
@@ -123,7 +126,7 @@ fn a_free_beam_over_a_hump_has_a_closed_form() {
 fn a_settlement_takes_off_what_the_beam_resists() {
     for d in [0.0, 0.3, -0.2] {
         let supports = vec![Support::simple(0.0), Support::simple(5.0).at_level(d), Support::simple(LENGTH)];
-        let spans = scene(supports, &UNIFORM, None, None);
+        let spans = scene(supports, UNIFORM, None, None);
         let middle = 0.625 * LENGTH - 48.0 * STIFFNESS * d / (LENGTH * LENGTH * LENGTH);
         converges(&spans, middle, |state| state.supports[1].force);
         let all: f64 = state(&spans, Method::Force, 30).supports.iter().map(|s| s.force).sum();
@@ -135,7 +138,7 @@ fn a_settlement_takes_off_what_the_beam_resists() {
 #[test]
 fn overhangs_bend_by_statics() {
     let c = 2.0;
-    let overhung = scene(vec![Support::simple(c), Support::simple(LENGTH - c)], &UNIFORM, None, None);
+    let overhung = scene(vec![Support::simple(c), Support::simple(LENGTH - c)], UNIFORM, None, None);
     for method in Method::ALL {
         let state = state(&overhung, method, 20);
         assert!((state.moment.min + 0.5 * c * c).abs() < 1e-12, "{method}: {:?}", state.moment);
@@ -152,11 +155,6 @@ fn nodes_of(state: &ContactState) -> &palkki::state::Nodes {
 
 fn forces(state: &ContactState) -> Vec<f64> {
     nodes_of(state).contact_force.clone()
-}
-
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
 }
 
 /// Some scenes of every kind, each with its mirror image.
@@ -183,7 +181,7 @@ fn pairs() -> Vec<[Scene; 2]> {
         });
         let supports = supports.iter().map(support).collect();
         let shape = shape.map(|coefficients| Foundation::Polynomial { coefficients });
-        scene(supports, &[(-1.0, 1.0), (place(6.3), 2.0)], Some(Foundation::Polyline { points }), shape)
+        scene(supports, (1.0, &[(place(6.3), 2.0)]), Some(Foundation::Polyline { points }), shape)
     };
     beams.into_iter().map(|beam| [one(beam, false), one(beam, true)]).collect()
 }
@@ -238,7 +236,7 @@ fn tilted_ground_leaves_the_forces_of_a_free_beam() {
     let tilted = [2.3, 0.15, -0.3, 0.05, -0.002];
     for method in Method::ALL {
         let [a, b] = [&ground, &tilted]
-            .map(|c| state(&scene(Vec::new(), &[(-1.0, 1.0), (2.0, 1.0)], polynomial(c), None), method, 300));
+            .map(|c| state(&scene(Vec::new(), (1.0, &[(2.0, 1.0)]), polynomial(c), None), method, 300));
         assert!(apart(&forces(&a), &forces(&b)) < 1e-9, "{method}");
         let [a, b] = [a, b].map(|state| nodes_of(&state).clearance.clone());
         assert!(apart(&a, &b) < 1e-9, "{method}");
@@ -250,9 +248,9 @@ fn tilted_ground_leaves_the_forces_of_a_free_beam() {
 fn a_pressing_support_is_a_spike_of_the_ground() {
     let ends = [Support::simple(0.0), Support::simple(LENGTH)];
     let narrow = vec![[0.0, 1.0], [3.999_999, 1.0], [4.0, 0.3], [4.000_001, 1.0], [LENGTH, 1.0]];
-    let spiked = scene(ends.to_vec(), &UNIFORM, Some(Foundation::Polyline { points: narrow }), None);
+    let spiked = scene(ends.to_vec(), UNIFORM, Some(Foundation::Polyline { points: narrow }), None);
     let held = [ends[0], Support::simple(4.0).at_level(0.3), ends[1]];
-    let supported = scene(held.to_vec(), &UNIFORM, flat(1.0), None);
+    let supported = scene(held.to_vec(), UNIFORM, flat(1.0), None);
     for method in Method::ALL {
         let [a, b] = [&spiked, &supported].map(|scene| state(scene, method, 100));
         let (i, mut without) = (39, forces(&a));
@@ -268,8 +266,8 @@ fn a_pressing_support_is_a_spike_of_the_ground() {
 fn the_papers_beam_is_one_of_all() {
     let ends = vec![Support::simple(0.0), Support::simple(LENGTH)];
     for ground in [flat(1.0), polynomial(&[1.5, -0.3, 0.02]), None] {
-        let paper = scene(ends.clone(), &[(-1.0, 1.0), (3.3, 2.0)], ground.clone(), None);
-        let any = scene(ends.clone(), &[(-1.0, 1.0), (3.3, 2.0)], ground, polynomial(&[0.0]));
+        let paper = scene(ends.clone(), (1.0, &[(3.3, 2.0)]), ground.clone(), None);
+        let any = scene(ends.clone(), (1.0, &[(3.3, 2.0)]), ground, polynomial(&[0.0]));
         for method in Method::ALL {
             for intervals in [7, 100, 3000] {
                 let [a, b] = [&paper, &any].map(|scene| run(scene, method, Solver::ActiveSet, intervals));
@@ -292,7 +290,7 @@ fn a_beam_in_balance_may_turn() {
     let hangs = libm::pow(0.5 * LENGTH, 4.0) / (8.0 * STIFFNESS);
     let depth = hangs + 10.0;
     for (ground, expected) in [(None, None), (flat(depth), Some(10.0 / (0.5 * LENGTH)))] {
-        let scene = scene(vec![Support::simple(0.5 * LENGTH)], &UNIFORM, ground, None);
+        let scene = scene(vec![Support::simple(0.5 * LENGTH)], UNIFORM, ground, None);
         for method in Method::ALL {
             for solver in [Solver::ActiveSet, Solver::FourStep] {
                 let state = run(&scene, method, solver, 400).state;
@@ -316,9 +314,9 @@ fn a_beam_in_balance_may_turn() {
 /// A rigid body, nearly, on the top of a hump: the slope of the ground there. On a ridge it may have any between those of its sides.
 #[test]
 fn one_contact_gives_the_slope_where_the_ground_is_smooth() {
-    let smooth = scene(Vec::new(), &[(3.0, 1.0)], polynomial(&[2.5, -1.0, 0.1]), None);
+    let smooth = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), polynomial(&[2.5, -1.0, 0.1]), None);
     let ridge = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 0.4], [LENGTH, 3.0]] };
-    let ridge = scene(Vec::new(), &[(3.0, 1.0)], Some(ridge), None);
+    let ridge = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), Some(ridge), None);
     for method in Method::ALL {
         let found = state(&smooth, method, 40);
         assert_eq!(found.standing.expect("free").motion, None);
@@ -335,7 +333,7 @@ fn one_contact_gives_the_slope_where_the_ground_is_smooth() {
 
 #[test]
 fn a_support_has_to_be_a_node() {
-    let at = |places: &[f64]| scene(places.iter().map(|x| Support::simple(*x)).collect(), &UNIFORM, flat(1.0), None);
+    let at = |places: &[f64]| scene(places.iter().map(|x| Support::simple(*x)).collect(), UNIFORM, flat(1.0), None);
     let refused = |scene: &Scene, intervals: usize| {
         solve_raw(scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect_err("no node")
     };

@@ -4,6 +4,7 @@ use palkki::adaptive::{Adapted, End, Request, adapt};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::theory;
+use palkki_evidence::compare::{largest, magnitude};
 
 use crate::scenes;
 
@@ -11,9 +12,8 @@ use crate::scenes;
 fn true_error(scene: &Scene, adapted: &Adapted) -> f64 {
     let exact = theory::solve(scene).expect("the scenes of the report have exact solutions");
     let nodes = adapted.solution.state.nodes.as_ref().expect("a discretised state has nodes");
-    let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
-    let deflection = adapted.solution.state.deflection;
-    apart.fold(0.0, f64::max) / deflection.max.max(-deflection.min)
+    let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x));
+    largest(apart) / magnitude(&adapted.solution.state.deflection)
 }
 
 /// Solves a scene of the report to an error that has to be reached.

@@ -4,55 +4,19 @@ use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 use palkki::state::Regime;
 use palkki::theory::{TheoryError, solve};
 
+use palkki_evidence::draft::{Draft, Units};
 use palkki_evidence::random::{self, Random};
 
 /// Two ways through the same numbers differ by rounding; close contacts magnify it.
 const DIGITS: f64 = 1e-9;
-
-/// The scene in other units of length, depth and force.
-fn in_units(scene: &Scene, length: f64, depth: f64, force: f64) -> Scene {
-    let beam = scene.beam();
-    let stiffness = beam.bending_stiffness() * force * length * length * length / depth;
-    let beam = Beam::new(beam.length() * length, stiffness).expect("a beam");
-    let density = |q: f64| q * force / length;
-    let linear = scene.load().linear().iter().map(|q| LinearLoad {
-        from: q.from * length,
-        to: q.to * length,
-        start: density(q.start),
-        end: density(q.end),
-    });
-    let point = scene.load().point().iter().map(|p| PointLoad { at: p.at * length, force: p.force * force });
-    let load = Load::new(&beam, density(scene.load().uniform()), linear.collect(), point.collect()).expect("a load");
-    let foundation = scene.foundation().map(|f| match f {
-        Foundation::Flat { depth: u } => Foundation::Flat { depth: u * depth },
-        Foundation::Polynomial { coefficients } => {
-            let mut unit = depth;
-            let scaled = coefficients.iter().map(|c| {
-                let c = c * unit;
-                unit /= length;
-                c
-            });
-            Foundation::Polynomial { coefficients: scaled.collect() }
-        }
-        Foundation::Cosine { mean, amplitude, wavelength, phase } => Foundation::Cosine {
-            mean: mean * depth,
-            amplitude: amplitude * depth,
-            wavelength: wavelength * length,
-            phase: *phase,
-        },
-        Foundation::Polyline { points } => {
-            Foundation::Polyline { points: points.iter().map(|p| [p[0] * length, p[1] * depth]).collect() }
-        }
-    });
-    Scene::new(beam, load, foundation).expect("a scene")
-}
 
 #[test]
 fn units_that_are_powers_of_two_change_no_bit() {
     for i in 0..60 {
         let scene = random::scene(i);
         let (length, depth, force) = (1024.0, 1.0 / 65536.0, 4.0);
-        let (plain, scaled) = (solve(&scene), solve(&in_units(&scene, length, depth, force)));
+        let scaled = Draft::from(&scene).in_units(Units { length, depth, force }).scene().expect("a scene");
+        let (plain, scaled) = (solve(&scene), solve(&scaled));
         let (plain, scaled) = (plain.expect("an answer").state, scaled.expect("an answer").state);
         assert_eq!((plain.reactions.left * force).to_bits(), scaled.reactions.left.to_bits(), "{}", scene.title());
         assert_eq!((plain.energy * force * depth).to_bits(), scaled.energy.to_bits(), "{}", scene.title());

@@ -6,10 +6,10 @@ use palkki::theory::{Exact, TheoryError, solve};
 use palkki_evidence::definition::violated;
 use palkki_evidence::random::{Random, held};
 
+use super::OFF;
+
 #[test]
 fn random_beams_meet_the_definition() {
-    /// Ten times what the check of beam theory allows.
-    const OFF: f64 = 1e-11;
     let (mut certified, mut refused) = (0, 0);
     let mut open = Vec::new();
     for i in 0..2000 {

@@ -7,6 +7,9 @@ mod held;
 mod level;
 mod long;
 mod near;
-mod statics;
+mod random;
 mod supports;
 mod surveys;
+
+/// What an answer may be off by the definition: ten times what the check of beam theory allows.
+const OFF: f64 = 1e-11;

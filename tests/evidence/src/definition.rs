@@ -1,5 +1,7 @@
-//! The definition of the problem, asked of an answer of beam theory at some hundred places. The problem is convex, so that an answer
-//! that meets all of its conditions is the answer. Nothing here is taken from the search or from its check.
+//! The definition of the problem, asked of an answer of beam theory at some hundred places.
+//!
+//! The problem is convex: an answer that meets all of its conditions is the solution. Nothing here is taken from the search for
+//! the answer, or from the check of theory.
 //!
 //! ```text
 //! statics     V' = p − q, M' = V between places, V jumps by the forces there, M not but at a held slope; zero beyond both ends
@@ -10,6 +12,8 @@
 
 use palkki::scene::{Foundation, Scene};
 use palkki::theory::Exact;
+
+use crate::compare::magnitude;
 
 /// Parts into which a beam is cut at the most.
 const MOST_PARTS: u32 = 10_000;
@@ -73,8 +77,8 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
     let mut wrong = Vec::new();
     let state = &exact.state;
-    let deflection = state.deflection.max.abs().max(state.deflection.min.abs()).max(1e-3 * size(scene));
-    let moment = state.moment.max.abs().max(state.moment.min.abs()).max(1e-3 * scene.load().magnitude(length) * length);
+    let deflection = magnitude(&state.deflection).max(1e-3 * size(scene));
+    let moment = magnitude(&state.moment).max(1e-3 * scene.load().magnitude(length) * length);
     let force = moment / length;
     // A unit in the last place of a moment bends the beam by so much.
     let deflection = deflection.max(f64::EPSILON * moment * length * length / stiffness / most);
@@ -173,8 +177,10 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
         if 0.0 < from && to < length {
             let jump = exact.moment(to) - moment_before(exact, from);
             let [down, up] = couples(scene, [from, to]);
-            check(format!("moment that jumps up at {from}"), if up { 0.0 } else { jump }, moment);
-            check(format!("moment that jumps down at {from}"), if down { 0.0 } else { -jump }, moment);
+            // The spans on either side have the place each with its own last unit.
+            let size = moment.max(2.0 * place * shears / most);
+            check(format!("moment that jumps up at {from}"), if up { 0.0 } else { jump }, size);
+            check(format!("moment that jumps down at {from}"), if down { 0.0 } else { -jump }, size);
         }
     }
     check("moment at the left end".to_owned(), couple_free(scene, 0.0) * exact.moment(0.0).abs(), moment);

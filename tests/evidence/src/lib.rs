@@ -1,15 +1,18 @@
 //! The evidence for `palkki`: what its tests, its report and its measurements share, and the library does without.
 //!
-//! [`paper`] has the example, the figures and the claims of the paper; [`faults`] puts faults into answers and compares
-//! what is certified with beam theory; [`extremes`] has scenes whose answer is known without a solver; [`authority`] solves
-//! discrete problems exactly, and [`definition`] asks an answer for all that the problem is defined by. [`random`] has numbers and scenes from a fixed seed, [`hostile`] runs of the whole program on
-//! random and adversarial ones. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what holds for
-//! any text that is read, and [`numdiff`] compares texts as printed numbers.
+//! [`paper`] has the example, the figures and the claims of the paper. [`faults`] puts faults into answers and compares what is
+//! certified with the truth. [`extremes`] has scenes whose answer is known without a solver. [`authority`] solves discrete
+//! problems exactly, and [`definition`] asks an answer for all that the problem is defined by. [`draft`] is a scene as numbers,
+//! [`compare`] the difference of two lists, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
+//! program on random and adversarial ones. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
+//! holds for any text that is read, and [`numdiff`] compares texts as printed numbers.
 
 #![cfg(feature = "full")]
 
 pub mod authority;
+pub mod compare;
 pub mod definition;
+pub mod draft;
 pub mod exchanges;
 pub mod extremes;
 pub mod faults;

@@ -1,5 +1,4 @@
-//! Situations at the edge of what a library for quadratic programmes is made for, and what becomes of them. Read by the
-//! acceptance suite and by the report.
+//! Situations at the edge of what a library for quadratic programmes is made for, and what becomes of them.
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, Stationary, residual};

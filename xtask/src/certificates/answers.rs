@@ -51,7 +51,14 @@ pub(crate) fn rows(subject: &Subject, grids: &[usize]) -> Result<Vec<Row>, Cause
     Ok(rows)
 }
 
-fn row(name: &str, truth: &Truth<'_>, method: Method, solver: Solver, intervals: usize) -> Result<Row, Cause> {
+/// One route on one grid.
+pub(crate) fn row(
+    name: &str,
+    truth: &Truth<'_>,
+    method: Method,
+    solver: Solver,
+    intervals: usize,
+) -> Result<Row, Cause> {
     let outcome = solve_raw(truth.scene, &Settings::new(method, solver, intervals))?;
     let ended = outcome.ended();
     let nodes = outcome.state.nodes.ok_or("a discretised state has nodes")?;

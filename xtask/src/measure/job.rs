@@ -33,60 +33,94 @@ pub(super) fn measured(begun: Line, scene: &Scene, job: Job, references: &Refere
         // The answer of the last run goes first: no run has to share memory with it.
         drop(last.take());
         let start = Instant::now();
-        let answer = once(&begun, scene, job)?;
+        let answer = once(scene, job)?;
         seconds.push(start.elapsed().as_secs_f64());
         last = Some(answer);
     }
-    let Answer { state, residual, line, .. } = last.ok_or("no run at all")?;
+    let answer = last.ok_or("no run at all")?;
     // A solver that refuses hands back no number at all.
-    if residual.is_infinite() && line.iterations == Some(0) {
+    if answer.residual.is_infinite() && answer.iterations == 0 {
         return Ok(begun.ended("refused"));
     }
-    let line = Line { residual: rounded(residual, 2), ..line };
-    Ok(line.with(seconds, &references.errors(scene, job, &state)))
+    let line = Line {
+        says_solved: Some(answer.reports_success),
+        did_as_asked: answer.own_residual.map(|(is_met, _)| is_met),
+        residual: rounded(answer.residual, 2),
+        own_residual: answer.own_residual.and_then(|(_, residual)| rounded(residual, 2)),
+        iterations: Some(answer.iterations),
+        unknowns: Some(answer.unknowns),
+        last_intervals: answer.adapted.map(|(intervals, _)| intervals),
+        certified_error: answer.adapted.and_then(|(_, error)| rounded(error, 2)),
+        ..begun.ended(answer.status)
+    };
+    Ok(line.with(seconds, &references.errors(scene, job, &answer.state)))
 }
 
 /// An answer, and what is known of it but for times and errors.
-struct Answer {
-    state: ContactState,
-    residual: f64,
-    line: Line,
+pub(super) struct Answer {
+    pub(super) state: ContactState,
+    /// How it ended: our check, of the adaptive grid its verdict.
+    pub(super) status: &'static str,
+    /// Whether the solver says that it succeeded.
+    reports_success: bool,
+    /// Residual by our check.
+    pub(super) residual: f64,
+    /// Of a library: whether the residual in its own norm is what it was asked for, and that residual.
+    own_residual: Option<(bool, f64)>,
+    pub(super) iterations: usize,
+    pub(super) unknowns: usize,
+    /// Lists of contacts that were tried; of the exact solution.
+    pub(super) lists: Option<usize>,
+    /// Of the adaptive grid: intervals of its last grid, and the certified error of the deflection.
+    adapted: Option<(usize, f64)>,
 }
 
-fn once(begun: &Line, scene: &Scene, job: Job) -> Result<Answer, Cause> {
-    let line = |status: &str, success: bool, iterations: usize, unknowns: usize| Line {
-        says_solved: Some(success),
-        iterations: Some(iterations),
-        unknowns: Some(unknowns),
-        ..begun.clone().ended(status)
-    };
+/// Solves by the route of a job, without a clock.
+pub(super) fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
+    let Job { intervals, tolerance, .. } = job;
     match job.route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),
         Route::Exact => {
             let exact = theory::solve(scene)?;
-            let line = line(exact.ended(), exact.solved, exact.iterations, exact.unknowns);
-            Ok(Answer { state: exact.state, residual: exact.residual, line })
+            Ok(Answer {
+                status: exact.ended(),
+                reports_success: exact.solved,
+                residual: exact.residual,
+                own_residual: None,
+                iterations: exact.iterations,
+                unknowns: exact.unknowns,
+                lists: Some(exact.lists),
+                adapted: None,
+                state: exact.state,
+            })
         }
         Route::Solver(method, solver) => {
-            let Job { intervals, tolerance, .. } = job;
             let found = solve_raw(scene, &Settings { method, solver, intervals, tolerance })?;
-            let line = Line {
-                did_as_asked: found.own_residual.map(|own| own.is_met()),
-                own_residual: found.own_residual.and_then(|own| rounded(own.residual, 2)),
-                ..line(found.ended(), found.solver_reports_success, found.iterations, found.unknowns)
-            };
-            Ok(Answer { state: found.state, residual: found.residual, line })
+            Ok(Answer {
+                status: found.ended(),
+                reports_success: found.solver_reports_success,
+                residual: found.residual,
+                own_residual: found.own_residual.map(|own| (own.is_met(), own.residual)),
+                iterations: found.iterations,
+                unknowns: found.unknowns,
+                lists: None,
+                adapted: None,
+                state: found.state,
+            })
         }
         Route::Adaptive(method, solver) => {
-            let found = adapt(scene, &Request::new(method, solver, job.tolerance))?;
-            let iterations = found.trials.iter().map(|tried| tried.iterations).sum();
-            let reached = found.end == End::Reached;
-            let line = Line {
-                last_intervals: Some(found.settings.intervals),
-                certified_error: rounded(found.solution.verdict.error, 2),
-                ..line(found.solution.verdict.status.name(), reached, iterations, found.solution.unknowns)
-            };
-            Ok(Answer { state: found.solution.state, residual: found.solution.residual, line })
+            let found = adapt(scene, &Request::new(method, solver, tolerance))?;
+            Ok(Answer {
+                status: found.solution.verdict.status.name(),
+                reports_success: found.end == End::Reached,
+                residual: found.solution.residual,
+                own_residual: None,
+                iterations: found.trials.iter().map(|tried| tried.iterations).sum(),
+                unknowns: found.solution.unknowns,
+                lists: None,
+                adapted: Some((found.settings.intervals, found.solution.verdict.error)),
+                state: found.solution.state,
+            })
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::plan::Job;
 use super::references::Errors;
-use crate::data::{Measurements, Row, rounded};
+use crate::data::{Measurements, Row, rounded, spread};
 
 /// The status of a job that was not run.
 const LEFT_OUT: &str = "left-out";
@@ -52,7 +52,7 @@ pub(crate) struct Line {
 impl Line {
     /// Nothing is known of it yet.
     pub(super) fn of(scene: &str, job: Job) -> Self {
-        let route = job.route_name();
+        let route = job.route.name();
         let (method, solver) = route.split_once('/').unwrap_or((&route, ""));
         let [scene, method, solver] = [scene, method, solver].map(str::to_owned);
         Self { scene, method, solver, intervals: job.intervals, tolerance: job.tolerance, ..Self::default() }
@@ -69,12 +69,9 @@ impl Line {
     }
 
     /// With the seconds of all runs, and the errors.
-    pub(super) fn with(mut self, mut seconds: Vec<f64>, errors: &Errors) -> Self {
-        seconds.sort_by(f64::total_cmp);
-        let at = |k: usize| seconds.get(k).and_then(|seconds| rounded(*seconds, 3));
+    pub(super) fn with(mut self, seconds: Vec<f64>, errors: &Errors) -> Self {
         self.runs = Some(seconds.len());
-        (self.median_s, self.min_s) = (at(seconds.len() / 2), at(0));
-        self.max_s = at(seconds.len().saturating_sub(1));
+        [self.median_s, self.min_s, self.max_s] = spread(seconds);
         [self.reaction_solver, self.contact_solver, self.deflection_solver, self.energy_solver] =
             errors.solver.map(|error| rounded(error, 2));
         [self.reaction_total, self.contact_total, self.deflection_total, self.energy_total] =

@@ -25,7 +25,7 @@ const DEMANDED: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
 
 /// How an answer is found.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Route {
     /// Beam theory with free lift-off points; no grid.
     Exact,
@@ -47,17 +47,19 @@ pub(crate) struct Job {
     pub(crate) tolerance: f64,
 }
 
-impl Job {
-    /// `method/solver` as the file has it.
-    pub(crate) fn route_name(&self) -> String {
-        match self.route {
-            Route::Exact => "exact/free-boundary".to_owned(),
-            Route::Optimum(method) => format!("{method}/optimum"),
-            Route::Solver(method, solver) => format!("{method}/{solver}"),
-            Route::Adaptive(method, solver) => format!("{method}/{solver}-adaptive"),
+impl Route {
+    /// `method/solver` as the files have it.
+    pub(crate) fn name(self) -> String {
+        match self {
+            Self::Exact => "exact/free-boundary".to_owned(),
+            Self::Optimum(method) => format!("{method}/optimum"),
+            Self::Solver(method, solver) => format!("{method}/{solver}"),
+            Self::Adaptive(method, solver) => format!("{method}/{solver}-adaptive"),
         }
     }
+}
 
+impl Job {
     /// What identifies the line of the file.
     pub(crate) fn name(&self, scene: &str) -> String {
         Line::of(scene, *self).name()

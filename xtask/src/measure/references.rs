@@ -19,12 +19,12 @@ use palkki::{Settings, solve_raw};
 
 use super::plan::{Job, Route};
 use crate::Cause;
-use palkki_evidence::authority::forward::apart;
-use palkki_evidence::authority::given;
 use palkki_evidence::authority::number::{Fixed, Number};
+use palkki_evidence::authority::{forward, given};
+use palkki_evidence::compare::{apart, largest, magnitude};
 
 /// Relative errors of end reaction, resultant of the largest contact, deflection (the worst node, over the largest
-/// deflection) and energy; NaN where there is no reference or no answer.
+/// deflection) and energy; no finite numbers where there is no reference or no answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Errors {
     pub(super) solver: [f64; 4],
@@ -88,12 +88,9 @@ impl References {
         let share = |found: f64, exact: f64| (found - exact).abs() / exact.abs();
         #[expect(clippy::cast_precision_loss, reason = "numbers of nodes stay far below 2⁵³")]
         let place = |i: usize| self.length * (i + 1) as f64 / (deflection.len() + 1) as f64;
-        let off = deflection.iter().enumerate().map(|(i, v)| (v - self.exact.deflection(place(i))).abs());
-        // `max` would overlook NaN.
-        let worst = off.fold(0.0, |worst: f64, off| if worst >= off { worst } else { off });
-        let largest = state.deflection.max.abs().max(state.deflection.min.abs());
+        let worst = largest(deflection.iter().enumerate().map(|(i, v)| v - self.exact.deflection(place(i))));
         let [reaction, energy] = [(reaction, state.reactions.left), (energy, state.energy)].map(|(f, e)| share(f, e));
-        [reaction, share(contact, resultant), worst / largest, energy]
+        [reaction, share(contact, resultant), worst / magnitude(&state.deflection), energy]
     }
 
     /// The contact that is the largest one by beam theory.
@@ -175,21 +172,15 @@ impl Reference {
     /// Relative errors of an answer of the same discrete problem: end reaction, contact, the worst of all nodal deflections
     /// against the largest, energy. Differences are taken exactly.
     fn errors(&self, found: &Found<'_>) -> [f64; 4] {
-        let share = |found: f64, exact: &Fixed| apart(found, exact) / exact.to_double().abs();
+        let share = |found: f64, exact: &Fixed| forward::apart(found, exact) / exact.to_double().abs();
         let contact = if found.contact.iter().all(|p| p.is_finite()) {
             let sum = found.contact.iter().fold(Fixed::zero(), |sum, p| sum.plus(&Fixed::of(*p)));
             sum.minus(&self.contact).magnitude().to_double() / self.contact.to_double().abs()
         } else {
             f64::NAN
         };
-        let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
-        for (v, exact) in found.deflection.iter().zip(&self.deflection) {
-            let off = (v - exact).abs();
-            // `max` would overlook NaN.
-            worst = if off.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(off) };
-            largest = largest.max(exact.abs());
-        }
-        [share(found.reaction, &self.reaction), contact, worst / largest, share(found.energy, &self.energy)]
+        let deflection = apart(found.deflection, &self.deflection) / largest(self.deflection.iter().copied());
+        [share(found.reaction, &self.reaction), contact, deflection, share(found.energy, &self.energy)]
     }
 
     /// Reaction, contact and energy, rounded once.

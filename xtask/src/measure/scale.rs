@@ -11,16 +11,18 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use palkki::DEFAULT_TOLERANCE;
 use palkki::methods::Method;
 use palkki::scene::Scene;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
-use palkki::{Settings, solve_raw, theory};
 use palkki_evidence::extremes::{Ground, survey};
 use serde::{Deserialize, Serialize};
 
 use super::instruments::{again, high_water_mark};
-use crate::data::{Measurements, Row, parse, rounded};
+use super::job::{self, Answer};
+use super::plan::{self, Route};
+use crate::data::{Measurements, Row, parse, rounded, spread};
 use crate::{Cause, tell};
 
 /// Points of the surveys: segments, to be exact.
@@ -46,30 +48,13 @@ const LEFT_OUT: &str = "left-out";
 const STOPPED: &str = "stopped";
 const REFUSED: &str = "refused";
 
-/// By what a survey is solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Route {
-    /// The exact solution.
-    Exact,
-    /// The force method with a solver, on a grid that has a node at every point of the survey.
-    Force(Solver),
-}
+/// By what a survey is solved; on a grid that has a node at every point of it.
+pub(crate) const ROUTES: [Route; 3] =
+    [Route::Exact, Route::Solver(Method::Force, Solver::ActiveSet), Route::Solver(Method::Force, Solver::Clarabel)];
 
-impl Route {
-    pub(crate) const ALL: [Self; 3] = [Self::Exact, Self::Force(Solver::ActiveSet), Self::Force(Solver::Clarabel)];
-
-    /// `method/solver`
-    pub(crate) fn name(self) -> String {
-        match self {
-            Self::Exact => "exact/free-boundary".to_owned(),
-            Self::Force(solver) => format!("{}/{solver}", Method::Force),
-        }
-    }
-
-    /// Seconds after which it is stopped.
-    pub(crate) fn patience(self) -> f64 {
-        PATIENCE[usize::from(self == Self::Force(Solver::Clarabel))]
-    }
+/// Seconds after which a route is stopped.
+pub(crate) fn patience(route: Route) -> f64 {
+    PATIENCE[usize::from(route == ROUTES[2])]
 }
 
 /// One thing to measure, and the arguments of the process that does.
@@ -88,7 +73,7 @@ fn ground(word: &str) -> Result<Ground, String> {
 }
 
 fn route(word: &str) -> Result<Route, String> {
-    Route::ALL.into_iter().find(|route| route.name() == word).ok_or_else(|| "no such route".to_owned())
+    ROUTES.into_iter().find(|route| route.name() == word).ok_or_else(|| "no such route".to_owned())
 }
 
 impl Job {
@@ -98,10 +83,7 @@ impl Job {
 
     /// Intervals of its grid: a multiple of the segments; 0 for the exact solution.
     fn intervals(self) -> u32 {
-        match self.route {
-            Route::Exact => 0,
-            Route::Force(_) => self.points * COARSEST.div_ceil(self.points),
-        }
+        if self.route == Route::Exact { 0 } else { self.points * COARSEST.div_ceil(self.points) }
     }
 
     /// Whether the other job is the same on a survey of fewer points.
@@ -117,7 +99,7 @@ fn plan() -> Vec<Job> {
     let mut jobs = Vec::new();
     for ground in Ground::ALL {
         for load in LOADS {
-            let surveys = POINTS.into_iter().flat_map(|points| Route::ALL.map(|route| (points, route)));
+            let surveys = POINTS.into_iter().flat_map(|points| ROUTES.map(|route| (points, route)));
             jobs.extend(surveys.map(|(points, route)| Job { ground, points, load, route }));
         }
     }
@@ -206,7 +188,7 @@ pub(super) fn run(
         // The longest survey before this one, by the same route; what it took is what this one takes at least.
         let before = jobs.iter().filter(|other| job.continues(**other)).max_by_key(|other| other.points);
         let before = before.and_then(|other| scale.named(&Line::of(*other).name()));
-        let most = PART * job.route.patience();
+        let most = PART * patience(job.route);
         let line = match before {
             Some(line) if line.median_s.is_none_or(|seconds| most < seconds) => {
                 let why = line.median_s.map_or_else(
@@ -238,7 +220,7 @@ impl Job {
     fn measured_alone(self, begun: Line) -> Result<Line, Cause> {
         let mut process = again("alone", &self.arguments())?.stdout(Stdio::piped()).spawn()?;
         let start = Instant::now();
-        let patience = self.route.patience();
+        let patience = patience(self.route);
         let ended = loop {
             match process.try_wait()? {
                 Some(ended) => break ended,
@@ -272,18 +254,13 @@ impl Job {
             let peak_kb = found.as_ref().map_or_else(high_water_mark, |found| found.peak_kb);
             found = Some(Line { peak_kb, ..line });
         }
-        seconds.sort_by(f64::total_cmp);
         let line = found.ok_or("no run at all")?;
         if line.residual.is_none() {
             return Ok(Line { peak_kb: None, ..line });
         }
-        Ok(Line {
-            runs: Some(seconds.len()),
-            median_s: rounded(seconds[seconds.len() / 2], 3),
-            min_s: rounded(seconds[0], 3),
-            max_s: rounded(seconds[seconds.len() - 1], 3),
-            ..line
-        })
+        let runs = Some(seconds.len());
+        let [median_s, min_s, max_s] = spread(seconds);
+        Ok(Line { runs, median_s, min_s, max_s, ..line })
     }
 }
 
@@ -295,35 +272,22 @@ fn carrying(nodes: &Nodes) -> usize {
 /// Solves, without a clock.
 fn once(job: Job, scene: &Scene) -> Line {
     let begun = Line::of(job);
-    match job.route {
-        Route::Exact => match theory::solve(scene) {
-            Ok(exact) => Line {
-                status: exact.ended().to_owned(),
-                residual: rounded(exact.residual, 2),
-                energy: rounded(exact.state.energy, 15),
-                iterations: Some(exact.iterations),
-                lists: Some(exact.lists),
-                unknowns: Some(exact.unknowns),
-                contacts: Some(exact.state.contacts.len()),
-                ..begun
+    let intervals = usize::try_from(job.intervals()).unwrap_or(usize::MAX);
+    match job::once(scene, plan::Job { route: job.route, intervals, tolerance: DEFAULT_TOLERANCE }) {
+        Ok(Answer { state, status, residual, iterations, unknowns, lists, .. }) => Line {
+            status: status.to_owned(),
+            residual: rounded(residual, 2),
+            energy: rounded(state.energy, 15),
+            iterations: Some(iterations),
+            lists,
+            unknowns: Some(unknowns),
+            contacts: match &state.nodes {
+                None => Some(state.contacts.len()),
+                Some(nodes) => (job.route == ROUTES[1]).then(|| carrying(nodes)),
             },
-            Err(error) => begun.without_result(REFUSED, error.to_string()),
+            ..begun
         },
-        Route::Force(solver) => {
-            let intervals = usize::try_from(job.intervals()).unwrap_or(usize::MAX);
-            match solve_raw(scene, &Settings::new(Method::Force, solver, intervals)) {
-                Ok(outcome) => Line {
-                    status: outcome.ended().to_owned(),
-                    residual: rounded(outcome.residual, 2),
-                    energy: rounded(outcome.state.energy, 15),
-                    iterations: Some(outcome.iterations),
-                    unknowns: Some(outcome.unknowns),
-                    contacts: outcome.state.nodes.as_ref().filter(|_| solver == Solver::ActiveSet).map(carrying),
-                    ..begun
-                },
-                Err(error) => begun.without_result(REFUSED, error.to_string()),
-            }
-        }
+        Err(error) => begun.without_result(REFUSED, error.to_string()),
     }
 }
 
@@ -341,7 +305,7 @@ mod tests {
 
     #[test]
     fn every_point_of_a_survey_is_a_node() {
-        let job = Job { ground: Ground::Walk, points: 300, load: 1.0, route: Route::Force(Solver::ActiveSet) };
+        let job = Job { ground: Ground::Walk, points: 300, load: 1.0, route: ROUTES[1] };
         assert_eq!(job.intervals(), 1200);
         assert!(Job { points: 1000, ..job }.continues(job) && !job.continues(job));
     }

@@ -42,8 +42,9 @@ mod prelude {
     pub(super) use palkki::route::{Method, Solver, Status};
     pub(super) use palkki::scene::{Foundation, Scene};
     pub(super) use palkki::theory;
+    pub(super) use palkki_evidence::compare::{apart_if_any, largest, magnitude};
 
-    pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes, worst_difference};
+    pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes};
     pub(super) use crate::table::{Table, row};
     pub(super) use crate::text::*;
     pub(super) use crate::{Cause, scenes};
@@ -171,15 +172,6 @@ fn nodes_of(state: &ContactState) -> Result<&Nodes, Cause> {
 /// The whole load of a scene, upward or downward \[force\].
 fn load(scene: &Scene) -> f64 {
     scene.load().magnitude(scene.beam().length())
-}
-
-/// The largest difference of two lists of numbers; infinite if there is nothing to compare, or NaN in it.
-fn worst_difference(a: &[f64], b: &[f64]) -> f64 {
-    if a.len() != b.len() || a.is_empty() {
-        return f64::INFINITY;
-    }
-    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, |worst: f64, e| if e.is_nan() { f64::INFINITY } else { worst.max(e) })
 }
 
 /// The least and the greatest of some numbers.

@@ -87,8 +87,7 @@ struct Document<'a> {
 impl Document<'_> {
     /// The document as HTML.
     fn html(&mut self, text: &str) -> Result<String, Cause> {
-        let options = Options::ENABLE_TABLES;
-        let inline = self.inline(Parser::new_ext(text, options))?;
+        let inline = self.inline(events(text))?;
         let mut html = String::new();
         push_html(&mut html, self.blocks(inline)?.into_iter());
         Ok(html)
@@ -208,8 +207,13 @@ impl Document<'_> {
     }
 }
 
+/// What a Markdown text consists of.
+pub(super) fn events(text: &str) -> impl Iterator<Item = Event<'_>> {
+    Parser::new_ext(text, Options::ENABLE_TABLES)
+}
+
 /// The text of an event.
-fn text_of<'e>(event: &'e Event<'_>) -> Option<&'e str> {
+pub(super) fn text_of<'e>(event: &'e Event<'_>) -> Option<&'e str> {
     match event {
         Event::Text(text) | Event::Code(text) => Some(text),
         _ => None,

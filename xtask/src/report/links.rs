@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use pulldown_cmark::{Event, Tag, TagEnd};
+
 use super::excerpt::Excerpt;
 use super::{Rendered, html};
 use crate::Cause;
@@ -10,17 +12,17 @@ use crate::Cause;
 /// Checks the links of the documents against the files made with them and the files of the repository.
 pub(super) fn check(root: &Path, rendered: &Rendered, excerpts: &BTreeMap<String, Excerpt>) -> Result<(), Cause> {
     let documents = || rendered.iter().filter(|(path, _)| path.ends_with(".md"));
-    let mut anchors_of = BTreeMap::new();
+    let mut places_of = BTreeMap::new();
     for (path, text) in documents() {
-        anchors_of.insert(path.as_str(), anchors(path, text)?);
+        places_of.insert(path.as_str(), places(path, text)?);
     }
     let mut linked = BTreeSet::new();
-    for (path, text) in documents() {
-        for target in targets(text).filter(|target| !target.contains("://")) {
+    for (path, (targets, _)) in &places_of {
+        for target in targets.iter().filter(|target| !target.contains("://")) {
             let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
-            let file = if file.is_empty() { path.clone() } else { resolved(path, file) };
-            let leads_somewhere = match anchors_of.get(file.as_str()) {
-                Some(known) => anchor.is_empty() || known.contains(anchor),
+            let file = if file.is_empty() { (*path).to_owned() } else { resolved(path, file) };
+            let leads_somewhere = match places_of.get(file.as_str()) {
+                Some((_, known)) => anchor.is_empty() || known.contains(anchor),
                 None => rendered.contains_key(&file) || exists(root, &file),
             };
             if !leads_somewhere {
@@ -65,25 +67,22 @@ pub(super) fn resolved(document: &str, link: &str) -> String {
     parts.join("/")
 }
 
-/// The targets of `[text](target)` and `![text](target)` outside code.
-fn targets(markdown: &str) -> impl Iterator<Item = &str> {
-    let prose = markdown.split("```").step_by(2);
-    prose.flat_map(|prose| prose.split("](").skip(1).filter_map(|rest| Some(rest.split_once(')')?.0)))
-}
-
-/// The anchors of all headings of a document; two of the same name are an error.
-fn anchors(document: &str, text: &str) -> Result<BTreeSet<String>, Cause> {
-    let mut found = BTreeSet::new();
-    let mut fenced = false;
-    for line in text.lines() {
-        fenced ^= line.trim_start().starts_with("```");
-        let heading = line.trim_start_matches('#');
-        if !fenced && line.starts_with('#') && heading.starts_with(' ') && !found.insert(anchor(heading.trim())) {
-            let heading = heading.trim();
-            return Err(format!("report/{document} has two headings `{heading}`; links would be ambiguous").into());
+/// The targets of links and pictures of a document, and the anchors of its headings; two of the same name are an error.
+fn places(document: &str, markdown: &str) -> Result<(Vec<String>, BTreeSet<String>), Cause> {
+    let (mut targets, mut anchors, mut heading) = (Vec::new(), BTreeSet::new(), String::new());
+    for event in html::events(markdown) {
+        match event {
+            Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                targets.push(dest_url.to_string())
+            }
+            Event::Start(Tag::Heading { .. }) => heading.clear(),
+            Event::End(TagEnd::Heading(_)) if !anchors.insert(anchor(&heading)) => {
+                return Err(format!("report/{document} has two headings `{heading}`; links would be ambiguous").into());
+            }
+            other => heading.extend(html::text_of(&other)),
         }
     }
-    Ok(found)
+    Ok((targets, anchors))
 }
 
 /// The anchor that code hosts make of a heading: small letters, blanks as hyphens, signs dropped.
@@ -131,7 +130,8 @@ mod tests {
     #[test]
     fn code_blocks_have_no_headings_and_no_links() {
         let text = "# a\n```\n# b\n[x](y)\n```\n### c d\n#no";
-        assert_eq!(anchors("", text).expect("all differ"), BTreeSet::from(["a".to_owned(), "c-d".to_owned()]));
-        assert_eq!(targets(text).count(), 0, "code is not prose");
+        let (targets, anchors) = places("", text).expect("all differ");
+        assert_eq!(anchors, BTreeSet::from(["a".to_owned(), "c-d".to_owned()]));
+        assert_eq!(targets, [""; 0], "code is not prose");
     }
 }

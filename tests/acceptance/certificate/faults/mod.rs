@@ -7,12 +7,13 @@ mod foreign;
 mod held;
 mod nodal;
 
-use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
+use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki_evidence::faults::{Distance, Truth};
 
+use super::passes;
 use crate::scenes::run;
 
 /// Few, so that every solver takes part.
@@ -34,10 +35,6 @@ fn unseen_force(scene: &Scene, deflection: f64, load: f64) -> f64 {
 
 fn load(scene: &Scene) -> f64 {
     scene.load().magnitude(scene.beam().length())
-}
-
-fn passes(scene: &Scene, state: &ContactState) -> bool {
-    Kkt::of(scene, state).is_some_and(|kkt| kkt.holds())
 }
 
 /// How far `state` is from the solution `sound`.

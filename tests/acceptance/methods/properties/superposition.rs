@@ -4,14 +4,16 @@ use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::{Foundation, PointLoad};
 use palkki::state::Regime;
 
-use super::{Parts, ROUNDING, some};
-use crate::scenes::{apart, largest, nodes, run, scene, uniform};
+use palkki_evidence::draft::Draft;
+
+use super::{ROUNDING, points, scene, some};
+use crate::scenes::{self, apart, largest, nodes, run, uniform};
 
 const INTERVALS: usize = 40;
 
-fn solved(parts: &Parts, method: Method) -> RawSolution {
-    let raw = run(&parts.scene(), method, Solver::ActiveSet, INTERVALS);
-    assert!(raw.solved, "{method}: {parts:?}");
+fn solved(draft: &Draft, method: Method) -> RawSolution {
+    let raw = run(&scene(draft), method, Solver::ActiveSet, INTERVALS);
+    assert!(raw.solved, "{method}: {draft:?}");
     raw
 }
 
@@ -19,22 +21,22 @@ fn solved(parts: &Parts, method: Method) -> RawSolution {
 #[test]
 fn load_on_a_part_in_contact_bends_nothing() {
     let mut tried = 0;
-    for parts in some(20, 6) {
+    for draft in some(20, 6) {
         for method in Method::ALL {
-            let before = solved(&parts, method);
+            let before = solved(&draft, method);
             let a = nodes(&before);
             let Some(node) = a.contact_force.iter().rposition(|p| 0.0 < *p) else { continue };
             tried += 1;
-            let added = 0.7 * parts.uniform * parts.length;
-            let mut heavier = parts.clone();
+            let added = 0.7 * draft.uniform * draft.length;
+            let mut heavier = draft.clone();
             heavier.point.push(PointLoad { at: a.x[node], force: added });
             let after = solved(&heavier, method);
             let b = nodes(&after);
             let mut expected = a.contact_force.clone();
             expected[node] += added;
-            let load = heavier.scene().load().magnitude(parts.length);
-            assert!(apart(&b.contact_force, &expected) <= ROUNDING * load, "{method}: {parts:?}");
-            assert!(apart(&b.clearance, &a.clearance) <= ROUNDING * largest(&a.deflection), "{method}: {parts:?}");
+            let load = scene(&heavier).load().magnitude(draft.length);
+            assert!(apart(&b.contact_force, &expected) <= ROUNDING * load, "{method}: {draft:?}");
+            assert!(apart(&b.clearance, &a.clearance) <= ROUNDING * largest(&a.deflection), "{method}: {draft:?}");
             let reactions = (before.state.reactions.left - after.state.reactions.left).abs();
             assert!(reactions <= ROUNDING * load, "{method}: reactions move by {reactions:e}");
         }
@@ -44,14 +46,14 @@ fn load_on_a_part_in_contact_bends_nothing() {
 
 #[test]
 fn ground_out_of_reach_is_not_touched() {
-    for mut parts in some(10, 7) {
+    for mut draft in some(10, 7) {
         // The depths are at most a fifth of the free deflection under the uniform part of the load, all loads below three times it.
-        parts.points.iter_mut().for_each(|p| p[1] *= 1e4);
+        points(&mut draft).iter_mut().for_each(|p| p[1] *= 1e4);
         for method in Method::ALL {
-            let raw = solved(&parts, method);
-            assert_eq!(raw.state.regime, Regime::None, "{method}: {parts:?}");
-            assert!(raw.state.contacts.is_empty(), "{method}: {parts:?}");
-            assert!(largest(&nodes(&raw).contact_force) <= 0.0, "{method}: {parts:?}");
+            let raw = solved(&draft, method);
+            assert_eq!(raw.state.regime, Regime::None, "{method}: {draft:?}");
+            assert!(raw.state.contacts.is_empty(), "{method}: {draft:?}");
+            assert!(largest(&nodes(&raw).contact_force) <= 0.0, "{method}: {draft:?}");
         }
     }
 }
@@ -87,7 +89,7 @@ fn ground_in_the_shape_of_the_beam_carries_its_share() {
 /// In a parabolic dish the beam that follows the ground carries `q − EI u'''' = q`: its own load on every node, inside.
 #[test]
 fn a_beam_that_follows_a_dish_is_carried_by_it() {
-    let dish = scene("dish");
+    let dish = scenes::scene("dish");
     for method in Method::ALL {
         let raw = run(&dish, method, Solver::ActiveSet, 100);
         assert!(raw.solved, "{method}");
@@ -110,13 +112,13 @@ fn a_beam_that_follows_a_dish_is_carried_by_it() {
 /// More room lowers the energy: the minimum is taken over a larger set.
 #[test]
 fn deeper_ground_means_less_energy() {
-    for parts in some(10, 8) {
+    for draft in some(10, 8) {
         for method in Method::ALL {
             let mut previous = f64::INFINITY;
             for deeper in [0.0, 0.01, 0.1, 0.5, 2.0, 10.0] {
-                let mut lower = parts.clone();
-                let depth = largest(&parts.points.iter().map(|p| p[1]).collect::<Vec<_>>());
-                lower.points.iter_mut().for_each(|p| p[1] += deeper * depth);
+                let mut lower = draft.clone();
+                let depth = largest(&points(&mut lower).iter().map(|p| p[1]).collect::<Vec<_>>());
+                points(&mut lower).iter_mut().for_each(|p| p[1] += deeper * depth);
                 let energy = solved(&lower, method).state.energy;
                 assert!(energy <= previous, "{method}: {energy} after {previous}");
                 previous = energy;

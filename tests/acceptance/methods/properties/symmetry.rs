@@ -4,56 +4,61 @@ use palkki::route::{Method, Solver};
 use palkki::scene::{LinearLoad, PointLoad};
 use palkki::state::ContactState;
 
-use super::{Parts, ROUNDING, some};
+use palkki_evidence::draft::Draft;
+
+use super::{ROUNDING, points, scene, some};
 use crate::scenes::{apart, largest, nodes, report, run};
 
 /// The scene as it is seen from the other side.
-fn mirrored(parts: &Parts) -> Parts {
-    let back = |x: f64| parts.length - x;
-    Parts {
-        linear: parts
+fn mirrored(draft: &Draft) -> Draft {
+    let back = |x: f64| draft.length - x;
+    let mut mirrored = Draft {
+        linear: draft
             .linear
             .iter()
             .map(|q| LinearLoad { from: back(q.to), to: back(q.from), start: q.end, end: q.start })
             .collect(),
-        point: parts.point.iter().map(|p| PointLoad { at: back(p.at), force: p.force }).collect(),
-        // The end points stay exactly on the supports.
-        points: parts.points.iter().rev().map(|p| [back(p[0]).max(0.0), p[1]]).collect(),
-        ..parts.clone()
-    }
+        point: draft.point.iter().map(|p| PointLoad { at: back(p.at), force: p.force }).collect(),
+        ..draft.clone()
+    };
+    let points = points(&mut mirrored);
+    points.reverse();
+    // The end points stay exactly on the supports.
+    points.iter_mut().for_each(|p| p[0] = back(p[0]).max(0.0));
+    mirrored
 }
 
 #[test]
 fn the_mirror_image_has_the_mirrored_answer() {
-    for parts in some(20, 1) {
-        let (scene, other) = (parts.scene(), mirrored(&parts).scene());
-        let load = scene.load().magnitude(parts.length);
+    for draft in some(20, 1) {
+        let (scene, other) = (scene(&draft), scene(&mirrored(&draft)));
+        let load = scene.load().magnitude(draft.length);
         for method in Method::ALL {
             let [a, b] = [&scene, &other].map(|scene| run(scene, method, Solver::ActiveSet, 33));
             let (x, mut y) = (nodes(&a).clone(), nodes(&b).clone());
             y.contact_force.reverse();
             y.deflection.reverse();
             y.moment.reverse();
-            assert!(apart(&x.contact_force, &y.contact_force) <= ROUNDING * load, "{method}: {parts:?}");
-            assert!(apart(&x.deflection, &y.deflection) <= ROUNDING * largest(&x.deflection), "{method}: {parts:?}");
-            assert!(apart(&x.moment, &y.moment) <= ROUNDING * load * parts.length, "{method}: {parts:?}");
-            assert!((a.state.reactions.left - b.state.reactions.right).abs() <= ROUNDING * load, "{method}: {parts:?}");
-            assert_eq!(a.state.regime, b.state.regime, "{method}: {parts:?}");
+            assert!(apart(&x.contact_force, &y.contact_force) <= ROUNDING * load, "{method}: {draft:?}");
+            assert!(apart(&x.deflection, &y.deflection) <= ROUNDING * largest(&x.deflection), "{method}: {draft:?}");
+            assert!(apart(&x.moment, &y.moment) <= ROUNDING * load * draft.length, "{method}: {draft:?}");
+            assert!((a.state.reactions.left - b.state.reactions.right).abs() <= ROUNDING * load, "{method}: {draft:?}");
+            assert_eq!(a.state.regime, b.state.regime, "{method}: {draft:?}");
         }
     }
 }
 
 /// Force and moment of everything that acts on the beam, over the load: zero.
-fn imbalance(parts: &Parts, state: &ContactState, x: &[f64], p: &[f64]) -> (f64, f64) {
-    let l = parts.length;
-    let mut load = parts.uniform * l;
-    let mut moment = 0.5 * parts.uniform * l * l;
-    for q in &parts.linear {
+fn imbalance(draft: &Draft, state: &ContactState, x: &[f64], p: &[f64]) -> (f64, f64) {
+    let l = draft.length;
+    let mut load = draft.uniform * l;
+    let mut moment = 0.5 * draft.uniform * l * l;
+    for q in &draft.linear {
         let span = q.to - q.from;
         load += 0.5 * (q.start + q.end) * span;
         moment += 0.5 * (q.start + q.end) * span * q.from + (q.start + 2.0 * q.end) * span * span / 6.0;
     }
-    for p in &parts.point {
+    for p in &draft.point {
         load += p.force;
         moment += p.force * p.at;
     }
@@ -67,12 +72,12 @@ fn imbalance(parts: &Parts, state: &ContactState, x: &[f64], p: &[f64]) -> (f64,
 /// With the loads of the scene itself and not those that a grid makes of them.
 #[test]
 fn loads_contact_forces_and_reactions_are_in_equilibrium() {
-    for parts in some(20, 2) {
+    for draft in some(20, 2) {
         for method in Method::ALL {
             for intervals in [2, 9, 60] {
-                let raw = run(&parts.scene(), method, Solver::ActiveSet, intervals);
+                let raw = run(&scene(&draft), method, Solver::ActiveSet, intervals);
                 let nodes = nodes(&raw);
-                let (force, moment) = imbalance(&parts, &raw.state, &nodes.x, &nodes.contact_force);
+                let (force, moment) = imbalance(&draft, &raw.state, &nodes.x, &nodes.contact_force);
                 assert!(force.abs().max(moment.abs()) <= ROUNDING, "{method} {intervals}: {force:e}, {moment:e}");
                 let sum: f64 = nodes.contact_force.iter().sum();
                 let listed = raw.state.contact_force();

@@ -16,7 +16,7 @@ fn all() -> Vec<Scene> {
     for kind in Unevenness::ALL {
         all.extend(scenes(kind, 60, 11).expect("depths are positive"));
     }
-    all.extend(some(60, 12).iter().map(super::Parts::scene));
+    all.extend(some(60, 12).iter().map(super::scene));
     all
 }
 

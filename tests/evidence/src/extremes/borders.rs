@@ -1,7 +1,9 @@
 //! Borders: the changes of regime and one unit in the last place to either side, contact without pressure, depth 0, loads
 //! that are zero, upward, in balance, at a support, at a kink.
 
-use super::{Extreme, Parts, Truth, extreme};
+use super::{Extreme, Known, extreme};
+use crate::draft::Draft;
+use crate::paper::{LENGTH as L, STIFFNESS as EI};
 use palkki::scene::{Foundation, LinearLoad, SceneError};
 use palkki::theory::closed::{incline, lifted, parabola};
 use palkki::theory::flat;
@@ -20,11 +22,8 @@ pub fn borders() -> Result<Vec<Extreme>, SceneError> {
     Ok(found)
 }
 
-const L: f64 = 10.0;
-const EI: f64 = 500.0 / 384.0;
-
-fn mirrored(reaction: f64, contact: f64) -> Truth {
-    Truth { reactions: [reaction; 2], contact_force: contact, energy: None }
+fn mirrored(reaction: f64, contact: f64) -> Known {
+    Known { reactions: [reaction; 2], contact_force: contact, energy: None }
 }
 
 /// `u₀` at `q l⁴/(384 EI)`, where a zone begins, and at five times that, where contact ends.
@@ -35,12 +34,12 @@ fn regimes() -> Result<Vec<Extreme>, SceneError> {
         for (where_, depth) in
             [("at", border), ("one ulp above", border.next_down()), ("one ulp below", border.next_up())]
         {
-            let truth = flat(L, EI, depth, 1.0).into();
+            let known = flat(L, EI, depth, 1.0).into();
             found.push(extreme(
                 format!("flat, {where_} the depth where {name}"),
                 "closed form",
-                &Parts::over(Foundation::Flat { depth }),
-                truth,
+                &Draft::over(Foundation::Flat { depth }),
+                known,
             )?);
         }
     }
@@ -49,12 +48,12 @@ fn regimes() -> Result<Vec<Extreme>, SceneError> {
         let depth = 100.0 - rise;
         let closed = parabola(L, EI, depth, rise, 1.0);
         let coefficients = vec![depth, 4.0 * rise / L, -4.0 * rise / (L * L)];
-        let truth = mirrored(closed.reaction, closed.contact_force);
+        let known = mirrored(closed.reaction, closed.contact_force);
         found.push(extreme(
             format!("a parabola that the free beam just touches, rise {rise}"),
             "closed form",
-            &Parts::over(Foundation::Polynomial { coefficients }),
-            truth,
+            &Draft::over(Foundation::Polynomial { coefficients }),
+            known,
         )?);
     }
     Ok(found)
@@ -66,12 +65,12 @@ fn lift_off_at_a_node() -> Result<Vec<Extreme>, SceneError> {
     for a in [1.0, 2.5, 4.0] {
         let depth = a * a * a * a / (24.0 * EI);
         for (name, u) in [("at", depth), ("one ulp before", depth.next_down()), ("one ulp behind", depth.next_up())] {
-            let truth = flat(L, EI, u, 1.0).into();
+            let known = flat(L, EI, u, 1.0).into();
             let made = extreme(
                 format!("lift-off {name} the node {a}"),
                 "closed form",
-                &Parts::over(Foundation::Flat { depth: u }),
-                truth,
+                &Draft::over(Foundation::Flat { depth: u }),
+                known,
             )?;
             found.push(Extreme { intervals: 20, ..made });
         }
@@ -83,12 +82,12 @@ fn lift_off_at_a_node() -> Result<Vec<Extreme>, SceneError> {
             [L - a, 2.0 * depth],
             [L, 2.0 * depth],
         ];
-        let truth = flat(L, EI, depth, 1.0).into();
+        let known = flat(L, EI, depth, 1.0).into();
         let made = extreme(
             format!("a step exactly at lift-off, {a}"),
             "flat, closed form",
-            &Parts::over(Foundation::Polyline { points }),
-            truth,
+            &Draft::over(Foundation::Polyline { points }),
+            known,
         )?;
         found.push(Extreme { intervals: 20, ..made });
     }
@@ -106,20 +105,20 @@ fn without_pressure() -> Result<Vec<Extreme>, SceneError> {
         found.push(extreme(
             format!("a foundation {name}"),
             "statics",
-            &Parts::over(Foundation::Polynomial { coefficients }),
+            &Draft::over(Foundation::Polynomial { coefficients }),
             free,
         )?);
     }
     // No load on flat ground at depth 0: nothing moves.
-    let idle = Parts { uniform: 0.0, ..Parts::over(Foundation::Flat { depth: 0.0 }) };
+    let idle = Draft { uniform: 0.0, ..Draft::over(Foundation::Flat { depth: 0.0 }) };
     found.push(extreme("no load, ground at depth 0", "statics", &idle, mirrored(0.0, 0.0))?);
-    let far = Parts { uniform: 0.0, ..Parts::over(Foundation::Flat { depth: 1.0 }) };
+    let far = Draft { uniform: 0.0, ..Draft::over(Foundation::Flat { depth: 1.0 }) };
     found.push(extreme("no load, ground below", "statics", &far, mirrored(0.0, 0.0))?);
     // A load on a part of the beam that lies on ground at depth 0: the rest is a zone without pressure.
-    let mut part = Parts { uniform: 0.0, ..Parts::over(Foundation::Flat { depth: 0.0 }) };
+    let mut part = Draft { uniform: 0.0, ..Draft::over(Foundation::Flat { depth: 0.0 }) };
     part.linear = vec![LinearLoad { from: 4.0, to: 6.0, start: 1.0, end: 1.0 }];
-    let truth = Truth { energy: Some(0.0), ..mirrored(0.0, 2.0) };
-    found.push(extreme("a load on a part of a beam at depth 0", "statics", &part, truth)?);
+    let known = Known { energy: Some(0.0), ..mirrored(0.0, 2.0) };
+    found.push(extreme("a load on a part of a beam at depth 0", "statics", &part, known)?);
     Ok(found)
 }
 
@@ -129,31 +128,31 @@ fn at_supports() -> Result<Vec<Extreme>, SceneError> {
     found.push(extreme(
         "flat ground at depth 0",
         "statics",
-        &Parts::over(Foundation::Flat { depth: 0.0 }),
-        Truth { energy: Some(0.0), ..mirrored(0.0, L) },
+        &Draft::over(Foundation::Flat { depth: 0.0 }),
+        Known { energy: Some(0.0), ..mirrored(0.0, L) },
     )?);
     for (name, depths) in [("left", [0.0, 0.5]), ("right", [0.5, 0.0])] {
         if let Some(closed) = incline(L, EI, depths, 1.0) {
             let coefficients = vec![depths[0], (depths[1] - depths[0]) / L];
-            let truth =
-                Truth { reactions: closed.reactions, contact_force: closed.contact_force, energy: Some(closed.energy) };
+            let known =
+                Known { reactions: closed.reactions, contact_force: closed.contact_force, energy: Some(closed.energy) };
             found.push(extreme(
                 format!("an incline from depth 0 at the {name} support"),
                 "closed form",
-                &Parts::over(Foundation::Polynomial { coefficients }),
-                truth,
+                &Draft::over(Foundation::Polynomial { coefficients }),
+                known,
             )?);
         }
     }
     for rise in [5.0, 70.0, 120.0] {
         let closed = parabola(L, EI, 0.0, rise, 1.0);
         let coefficients = vec![0.0, 4.0 * rise / L, -4.0 * rise / (L * L)];
-        let truth = Truth::symmetric(closed.reaction, closed.contact_force, closed.energy);
+        let known = Known::symmetric(closed.reaction, closed.contact_force, closed.energy);
         found.push(extreme(
             format!("a dish from both supports, {rise} deep"),
             "closed form",
-            &Parts::over(Foundation::Polynomial { coefficients }),
-            truth,
+            &Draft::over(Foundation::Polynomial { coefficients }),
+            known,
         )?);
     }
     Ok(found)
@@ -161,44 +160,44 @@ fn at_supports() -> Result<Vec<Extreme>, SceneError> {
 
 /// Loads that are zero, upward, in balance, at a support, at a kink.
 fn loads() -> Result<Vec<Extreme>, SceneError> {
-    let one = || Parts::over(Foundation::Flat { depth: 1.0 });
-    let none = || Parts { uniform: 0.0, ..one() };
+    let one = || Draft::over(Foundation::Flat { depth: 1.0 });
+    let none = || Draft { uniform: 0.0, ..one() };
     let mut found = Vec::new();
-    let up = Parts { uniform: -1.0, ..one() };
+    let up = Draft { uniform: -1.0, ..one() };
     let free = -L * L * L * L * L / (240.0 * EI);
-    found.push(extreme("a load upwards", "statics", &up, Truth::symmetric(-0.5 * L, 0.0, free))?);
+    found.push(extreme("a load upwards", "statics", &up, Known::symmetric(-0.5 * L, 0.0, free))?);
     let couple = none().with_points(&[(3.0, 0.01), (7.0, -0.01)]);
-    let truth = Truth { reactions: [0.004, -0.004], contact_force: 0.0, energy: None };
-    found.push(extreme("loads in balance, out of reach of the ground", "statics", &couple, truth)?);
+    let known = Known { reactions: [0.004, -0.004], contact_force: 0.0, energy: None };
+    found.push(extreme("loads in balance, out of reach of the ground", "statics", &couple, known)?);
     let mut balanced = one().with_points(&[(5.0, -L)]);
-    balanced.foundation = Some(Foundation::Flat { depth: 100.0 });
+    balanced.ground = Some(Foundation::Flat { depth: 100.0 });
     found.push(extreme("a load upwards that balances the uniform one", "statics", &balanced, mirrored(0.0, 0.0))?);
     let example = flat(L, EI, 1.0, 1.0);
     let ends = one().with_points(&[(0.0, 3.0), (L, 4.0)]);
-    let truth = Truth {
+    let known = Known {
         reactions: [example.reaction + 3.0, example.reaction + 4.0],
         contact_force: example.contact_force,
         energy: Some(example.energy),
     };
-    found.push(extreme("loads on the supports", "closed form", &ends, truth)?);
-    let truth = Truth { energy: Some(example.energy - 7.0), ..mirrored(example.reaction, example.contact_force + 7.0) };
-    found.push(extreme("a load inside a zone", "closed form", &one().with_points(&[(5.0, 7.0)]), truth)?);
+    found.push(extreme("loads on the supports", "closed form", &ends, known)?);
+    let known = Known { energy: Some(example.energy - 7.0), ..mirrored(example.reaction, example.contact_force + 7.0) };
+    found.push(extreme("a load inside a zone", "closed form", &one().with_points(&[(5.0, 7.0)]), known)?);
     // On a ridge at mid-span that holds the beam up by 50: the load goes straight into it.
     let points = vec![[0.0, 400.0], [5.0, 50.0], [L, 400.0]];
     let force = 48.0 * EI / (L * L * L) * 50.0;
     let energy = free + force * force * L * L * L / (96.0 * EI) - 50.0 * 7.0;
-    let ridge = Parts::over(Foundation::Polyline { points }).with_points(&[(5.0, 7.0)]);
+    let ridge = Draft::over(Foundation::Polyline { points }).with_points(&[(5.0, 7.0)]);
     found.push(extreme(
         "a load on a kink",
         "closed form",
         &ridge,
-        Truth::symmetric(0.5 * (L - force), force + 7.0, energy),
+        Known::symmetric(0.5 * (L - force), force + 7.0, energy),
     )?);
     if let Some(closed) = lifted(L, EI, 0.01, 1.0, 3.0) {
         let mut lift = one().with_points(&[(5.0, -3.0)]);
-        lift.foundation = Some(Foundation::Flat { depth: 0.01 });
-        let truth = Truth::symmetric(closed.reaction, 2.0 * closed.zone_force, closed.energy);
-        found.push(extreme("a load upwards inside a zone", "closed form", &lift, truth)?);
+        lift.ground = Some(Foundation::Flat { depth: 0.01 });
+        let known = Known::symmetric(closed.reaction, 2.0 * closed.zone_force, closed.energy);
+        found.push(extreme("a load upwards inside a zone", "closed form", &lift, known)?);
     }
     Ok(found)
 }

@@ -15,11 +15,14 @@ pub use borders::borders;
 pub use sizes::{INTERVALS, POWERS, deep, sizes};
 pub use supports::supports;
 pub use surveys::{Ground, survey};
-pub use units::{Factors, units};
+pub use units::units;
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support};
+use palkki::scene::{Scene, SceneError};
 use palkki::state::ContactState;
 use palkki::theory::FlatSolution;
+
+use crate::compare::largest;
+use crate::draft::{Draft, Units};
 
 /// A scene at an extreme.
 #[derive(Debug, Clone)]
@@ -31,7 +34,7 @@ pub struct Extreme {
     /// The scene.
     pub scene: Scene,
     /// The answer.
-    pub truth: Truth,
+    pub known: Known,
     /// Equal intervals for discretised methods.
     pub intervals: usize,
 }
@@ -51,14 +54,13 @@ impl Extreme {
     /// How far reactions and contact force of a state are from the truth, over the load; infinite if one is NaN.
     #[must_use]
     pub fn error(&self, state: &ContactState) -> f64 {
-        let truth = self.truth;
+        let known = self.known;
         let pairs = [
-            (state.reactions.left, truth.reactions[0]),
-            (state.reactions.right, truth.reactions[1]),
-            (state.contact_force(), truth.contact_force),
+            (state.reactions.left, known.reactions[0]),
+            (state.reactions.right, known.reactions[1]),
+            (state.contact_force(), known.contact_force),
         ];
-        let errors = pairs.iter().map(|(found, expected)| (found - expected).abs() / self.load());
-        errors.fold(0.0, |most, e| if e.is_nan() { f64::INFINITY } else { e.max(most) })
+        largest(pairs.iter().map(|(found, expected)| (found - expected) / self.load()))
     }
 
     /// The error of the energy, over the energy, where it is known; where it is zero, over `P² l³/EI`, what the load would do
@@ -67,7 +69,7 @@ impl Extreme {
     pub fn energy_error(&self, energy: f64) -> f64 {
         let beam = self.scene.beam();
         let (l, load) = (beam.length(), self.load());
-        let Some(truth) = self.truth.energy else { return 0.0 };
+        let Some(truth) = self.known.energy else { return 0.0 };
         let size = if truth == 0.0 { load * load * l * l * l / beam.bending_stiffness() } else { truth.abs() };
         (energy - truth).abs() / size
     }
@@ -80,9 +82,9 @@ impl Extreme {
     }
 }
 
-/// What an authority says.
+/// What an authority knows of the answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Truth {
+pub struct Known {
     /// Upward forces of the supports \[force\].
     pub reactions: [f64; 2],
     /// Resultant of all contacts, upwards \[force\].
@@ -91,59 +93,16 @@ pub struct Truth {
     pub energy: Option<f64>,
 }
 
-impl Truth {
+impl Known {
     /// An answer that is the same seen from both sides.
     fn symmetric(reaction: f64, contact_force: f64, energy: f64) -> Self {
         Self { reactions: [reaction; 2], contact_force, energy: Some(energy) }
     }
 }
 
-impl From<FlatSolution> for Truth {
+impl From<FlatSolution> for Known {
     fn from(flat: FlatSolution) -> Self {
         Self::symmetric(flat.reaction, flat.contact_force, flat.energy)
-    }
-}
-
-/// The numbers that a scene is made of.
-#[derive(Debug, Clone)]
-pub(crate) struct Parts {
-    pub(crate) length: f64,
-    pub(crate) stiffness: f64,
-    pub(crate) uniform: f64,
-    pub(crate) linear: Vec<LinearLoad>,
-    pub(crate) point: Vec<PointLoad>,
-    pub(crate) foundation: Option<Foundation>,
-    /// Simple ones at both ends unless it is said otherwise.
-    pub(crate) supports: Option<Vec<Support>>,
-}
-
-impl Parts {
-    /// A beam of the length 10 and the stiffness 500/384, as in the example of the paper, under a uniform load of 1.
-    pub(crate) fn over(foundation: Foundation) -> Self {
-        Self {
-            length: 10.0,
-            stiffness: 500.0 / 384.0,
-            uniform: 1.0,
-            linear: Vec::new(),
-            point: Vec::new(),
-            foundation: Some(foundation),
-            supports: None,
-        }
-    }
-
-    /// With point loads `(place, force)`.
-    pub(crate) fn with_points(self, points: &[(f64, f64)]) -> Self {
-        Self { point: points.iter().map(|&(at, force)| PointLoad { at, force }).collect(), ..self }
-    }
-
-    pub(crate) fn scene(&self) -> Result<Scene, SceneError> {
-        let beam = Beam::new(self.length, self.stiffness)?;
-        let beam = match &self.supports {
-            Some(supports) => beam.with_supports(supports.clone())?,
-            None => beam,
-        };
-        let load = Load::new(&beam, self.uniform, self.linear.clone(), self.point.clone())?;
-        Scene::new(beam, load, self.foundation.clone())
     }
 }
 
@@ -153,10 +112,29 @@ const THIRTY: usize = 30;
 fn extreme(
     name: impl Into<String>,
     authority: &'static str,
-    parts: &Parts,
-    truth: Truth,
+    draft: &Draft,
+    known: Known,
 ) -> Result<Extreme, SceneError> {
-    Ok(Extreme { name: name.into(), authority, scene: parts.scene()?, truth, intervals: THIRTY })
+    Ok(Extreme { name: name.into(), authority, scene: draft.scene()?, known, intervals: THIRTY })
+}
+
+/// The same in other units.
+fn in_units(
+    name: impl Into<String>,
+    authority: &'static str,
+    draft: &Draft,
+    known: Known,
+    units: Units,
+) -> Result<Extreme, SceneError> {
+    let Units { length, depth, force } = units;
+    // The ratio first, which stays in range at the ends of it.
+    let stiffness = draft.stiffness * (length / depth) * force * length * length;
+    let known = Known {
+        reactions: known.reactions.map(|r| r * force),
+        contact_force: known.contact_force * force,
+        energy: known.energy.map(|j| j * force * depth),
+    };
+    extreme(name, authority, &Draft { stiffness, ..draft.in_units(units) }, known)
 }
 
 /// Coefficients of Chebyshev's polynomial `T_d(2x − 1)` in powers of `x`: whole numbers, below `2⁵³` up to degree 20.

@@ -1,6 +1,8 @@
 //! Sizes: few and many intervals, depths of every size beside the sag of the beam, waves, pits.
 
-use super::{Extreme, Parts, Truth, extreme};
+use super::{Extreme, Known, extreme};
+use crate::draft::Draft;
+use crate::paper::{LENGTH, STIFFNESS, UNIFORM};
 use palkki::scene::{Foundation, SceneError};
 use palkki::theory::closed::parabola;
 use palkki::theory::flat;
@@ -20,7 +22,7 @@ pub fn deep(power: i32) -> Result<Extreme, SceneError> {
     // In two factors, since 10⁻³⁰⁰ has no neighbour to be divided by.
     let half = power / 2;
     let depth = ten_to(half) * ten_to(power - half);
-    let parts = Parts { length: 1.0, stiffness: 1.0, ..Parts::over(Foundation::Flat { depth }) };
+    let parts = Draft { length: 1.0, stiffness: 1.0, ..Draft::over(Foundation::Flat { depth }) };
     extreme(format!("flat, EI u₀/(q l⁴) = 1e{power}"), "closed form", &parts, flat(1.0, 1.0, depth, 1.0).into())
 }
 
@@ -39,14 +41,9 @@ pub fn sizes() -> Result<Vec<Extreme>, SceneError> {
     Ok(kinds.into_iter().flatten().collect())
 }
 
-/// Length, stiffness and load of the example.
-const LENGTH: f64 = 10.0;
-const STIFFNESS: f64 = 500.0 / 384.0;
-const LOAD: f64 = 1.0;
-
 /// Beam theory for the example above a flat foundation.
-fn above(depth: f64) -> Truth {
-    flat(LENGTH, STIFFNESS, depth, LOAD).into()
+fn above(depth: f64) -> Known {
+    flat(LENGTH, STIFFNESS, depth, UNIFORM).into()
 }
 
 /// A scene with the beam and the load of the example, on a grid.
@@ -54,10 +51,10 @@ fn over(
     name: String,
     authority: &'static str,
     foundation: Foundation,
-    truth: Truth,
+    known: Known,
     intervals: usize,
 ) -> Result<Extreme, SceneError> {
-    Ok(Extreme { intervals, ..extreme(name, authority, &Parts::over(foundation), truth)? })
+    Ok(Extreme { intervals, ..extreme(name, authority, &Draft::over(foundation), known)? })
 }
 
 fn intervals() -> Result<Vec<Extreme>, SceneError> {
@@ -103,20 +100,20 @@ fn out_of_reach() -> Result<Vec<Extreme>, SceneError> {
         let force = 48.0 * ei / (l * l * l) * (100.0 - 50.0);
         let reaction = 0.5 * (l - force);
         let energy = -l * l * l * l * l / (240.0 * ei) + force * force * l * l * l / (96.0 * ei);
-        let truth = Truth::symmetric(reaction, force, energy);
+        let known = Known::symmetric(reaction, force, energy);
         let name = format!("ground {deep:e} deep but for a ridge");
-        over(name, "closed form", Foundation::Polyline { points }, truth, 30)
+        over(name, "closed form", Foundation::Polyline { points }, known, 30)
     });
     cliffs.chain(ridges).collect()
 }
 
 fn dishes() -> Result<Vec<Extreme>, SceneError> {
     let dish = |(depth, rise): (f64, f64)| {
-        let closed = parabola(LENGTH, STIFFNESS, depth, rise, LOAD);
+        let closed = parabola(LENGTH, STIFFNESS, depth, rise, UNIFORM);
         let coefficients = vec![depth, 4.0 * rise / LENGTH, -4.0 * rise / (LENGTH * LENGTH)];
-        let truth = Truth::symmetric(closed.reaction, closed.contact_force, closed.energy);
+        let known = Known::symmetric(closed.reaction, closed.contact_force, closed.energy);
         let name = format!("a dish, {depth:e} deep with a rise of {rise:e}");
-        over(name, "closed form", Foundation::Polynomial { coefficients }, truth, 30)
+        over(name, "closed form", Foundation::Polynomial { coefficients }, known, 30)
     };
     [(1e-6, 1e-9), (1e-3, -1e-4), (1.0, 1e-12)].into_iter().map(dish).collect()
 }

@@ -1,8 +1,10 @@
 //! Faults that are put into the state of a discretised answer, and answers that are put into the place of another's: of the
 //! same beam above another foundation, under another load, on a finer grid.
 
-use palkki::scene::{Foundation, LinearLoad, Load, PointLoad, Scene, SceneError};
+use palkki::scene::{LinearLoad, Load, PointLoad, Scene, SceneError};
 use palkki::state::{ContactState, Nodes, SupportForce};
+
+use crate::draft::scaled;
 
 /// Sizes of the faults that have one: shares of what they change.
 pub const SIZES: [f64; 12] = [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
@@ -243,19 +245,7 @@ pub const FAULTS: [Fault; 41] = [
 ///
 /// A [`SceneError`] if the depths overflow.
 pub fn scaled_ground(scene: &Scene, share: f64) -> Result<Scene, SceneError> {
-    let factor = 1.0 + share;
-    let foundation = scene.foundation().map(|foundation| match foundation {
-        Foundation::Flat { depth } => Foundation::Flat { depth: depth * factor },
-        Foundation::Polynomial { coefficients } => {
-            Foundation::Polynomial { coefficients: coefficients.iter().map(|c| c * factor).collect() }
-        }
-        &Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-            Foundation::Cosine { mean: mean * factor, amplitude: amplitude * factor, wavelength, phase }
-        }
-        Foundation::Polyline { points } => {
-            Foundation::Polyline { points: points.iter().map(|p| [p[0], p[1] * factor]).collect() }
-        }
-    });
+    let foundation = scene.foundation().map(|foundation| scaled(foundation, 1.0, 1.0 + share));
     Scene::new(scene.beam().clone(), scene.load().clone(), foundation)
 }
 

@@ -18,4 +18,4 @@ mod truth;
 pub use answers::{FAULTS, Fault, SIZES, every_second, scaled_ground, scaled_load};
 pub use closed::Closed;
 pub use contacts::{CONTACT_FAULTS, ContactFault};
-pub use truth::{Certified, Distance, FalseBound, THEORY, Truth};
+pub use truth::{Certified, Cubics, Distance, FalseBound, THEORY, Truth};

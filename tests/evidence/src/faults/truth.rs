@@ -6,6 +6,7 @@ use palkki::state::{Contact, ContactState, Nodes};
 use palkki::theory::{self, Exact, TheoryError};
 
 use super::Closed;
+use crate::compare::{apart, largest, magnitude};
 
 /// Closed forms and beam theory: the latter is right to twelve digits of the largest deflection, of the energy and of the
 /// reactions where it is certified; one digit less is believed.
@@ -75,7 +76,7 @@ impl<'a> Truth<'a> {
         Ok(Self {
             scene,
             contacts: state.contacts.clone(),
-            deflection: state.deflection.max.abs().max(state.deflection.min.abs()),
+            deflection: magnitude(&state.deflection),
             solved: exact.solved,
             energy: state.energy,
             reactions: state.supports.iter().map(|support| Some(support.force)).collect(),
@@ -163,17 +164,12 @@ impl<'a> Truth<'a> {
         let parts = (PER_INTERVAL * intervals).max(PLACES.next_multiple_of(intervals));
         #[expect(clippy::cast_precision_loss, reason = "thousands of places")]
         let places = (1..parts).map(|k| length * (k as f64 / parts as f64)).chain([at]);
-        let drawn = Drawn::of(self.scene, nodes);
+        let drawn = Cubics::of(self.scene, nodes);
         let differences = places.map(|x| (x, drawn.at(x) - self.at(x)));
         let Some(about) = turns_about else { return largest(differences.map(|(_, d)| d)) };
         let differences: Vec<(f64, f64)> = differences.collect();
         best_turn(&differences, about)
     }
-}
-
-/// The largest magnitude; infinite if one of them is no number.
-fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    values.fold(0.0, |most: f64, d| if d.is_nan() { f64::INFINITY } else { most.max(d.abs()) })
 }
 
 /// The least value over `φ` of `max |d(x) − φ (x − about)|`, by thirds: it is a convex function of `φ`.
@@ -194,7 +190,8 @@ fn best_turn(differences: &[(f64, f64)], about: f64) -> f64 {
 
 /// The deflection that nodal values have: the cubics between the nodes, and between nodes and the supports at the ends. The judge
 /// has its own.
-struct Drawn {
+#[derive(Debug)]
+pub struct Cubics {
     /// Place, deflection and moment.
     nodes: Vec<[f64; 3]>,
     /// Places and slopes where the beam is built in.
@@ -202,9 +199,10 @@ struct Drawn {
     stiffness: f64,
 }
 
-impl Drawn {
+impl Cubics {
     /// Supports that are no nodes are added, with the deflection that they ask and no moment.
-    fn of(scene: &Scene, given: &Nodes) -> Self {
+    #[must_use]
+    pub fn of(scene: &Scene, given: &Nodes) -> Self {
         let mut nodes: Vec<[f64; 3]> = (0..given.x.len().min(given.deflection.len()).min(given.moment.len()))
             .map(|k| [given.x[k], given.deflection[k], given.moment[k]])
             .collect();
@@ -219,8 +217,9 @@ impl Drawn {
         Self { nodes, built_in, stiffness: scene.beam().bending_stiffness() }
     }
 
-    /// At `x`, no number beyond the nodes.
-    fn at(&self, x: f64) -> f64 {
+    /// `v(x)` \[length\]; no number beyond the nodes.
+    #[must_use]
+    pub fn at(&self, x: f64) -> f64 {
         let after = self.nodes.partition_point(|node| node[0] <= x).min(self.nodes.len().saturating_sub(1));
         let Some(cell) = after.checked_sub(1).and_then(|before| self.nodes.get(before..=after)) else {
             return f64::NAN;
@@ -295,13 +294,4 @@ impl Distance {
 
 fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
-}
-
-fn apart(a: &[f64], b: &[f64]) -> f64 {
-    if a.len() != b.len() {
-        return f64::INFINITY;
-    }
-    // Equal first: both may be infinite, as clearances without a foundation are.
-    let difference = |(a, b): (&f64, &f64)| if a.total_cmp(b).is_eq() { 0.0 } else { (a - b).abs() };
-    a.iter().zip(b).map(difference).fold(0.0, |most, d| if d.is_nan() { f64::INFINITY } else { most.max(d) })
 }

@@ -1,8 +1,10 @@
 //! Scenes at the edges of what numbers can say: the ends of their range, borders between regimes, points that all but coincide.
 
+use palkki::scene::Foundation;
+
+use crate::draft::{Draft, Units};
 use crate::random::Random;
 
-use super::draft::{Draft, Ground};
 use super::scenes::{beam_with_loads, ordinary, power, sag, ties};
 
 /// A number from anywhere: mostly a power of ten, sometimes one of those that are special.
@@ -25,7 +27,8 @@ pub(super) fn extreme(random: &mut Random) -> Draft {
             let exponent = i32::try_from(random.below(2 * usize::try_from(most).unwrap_or(1) + 1)).unwrap_or(0) - most;
             2.0_f64.powi(exponent)
         };
-        draft = draft.in_units(two(random, 250), two(random, 400), two(random, 250));
+        let (length, force, depth) = (two(random, 250), two(random, 400), two(random, 250));
+        draft = draft.in_units(Units { length, depth, force });
     }
     for _ in 0..random.below(4) {
         let value = anything(random);
@@ -33,19 +36,21 @@ pub(super) fn extreme(random: &mut Random) -> Draft {
             (0, _) => draft.length = value,
             (1, _) => draft.stiffness = value.abs(),
             (2, _) => draft.uniform = value,
-            (3, _) => draft.linear.iter_mut().for_each(|part| part[3] = value),
-            (4, _) => draft.point.iter_mut().for_each(|part| part[1] = value),
-            (_, Ground::Flat(depth)) => *depth = value.abs(),
-            (_, Ground::Polynomial(c)) => {
+            (3, _) => draft.linear.iter_mut().for_each(|part| part.end = value),
+            (4, _) => draft.point.iter_mut().for_each(|part| part.force = value),
+            (_, Some(Foundation::Flat { depth })) => *depth = value.abs(),
+            (_, Some(Foundation::Polynomial { coefficients: c })) => {
                 let i = random.below(c.len());
                 c[i] = value;
             }
-            (_, Ground::Cosine(c)) => c[random.below(4)] = value.abs(),
-            (_, Ground::Points(points)) => {
+            (_, Some(Foundation::Cosine { mean, amplitude, wavelength, phase })) => {
+                *[mean, amplitude, wavelength, phase][random.below(4)] = value.abs();
+            }
+            (_, Some(Foundation::Polyline { points })) => {
                 let i = random.below(points.len());
                 points[i][1] = value;
             }
-            (_, Ground::None) => draft.ground = Ground::Flat(value.abs()),
+            (_, None) => draft.ground = Some(Foundation::Flat { depth: value.abs() }),
         }
     }
     draft
@@ -67,18 +72,16 @@ pub(super) fn borders(random: &mut Random) -> Draft {
     let half = 0.5 * length;
     let c = unit * 16.0 / (5.0 * length * length * length);
     let ground = match random.below(4) {
-        0 | 1 => Ground::Flat(depth),
+        0 | 1 => Foundation::Flat { depth },
         // The free deflection itself, q (l³x − 2lx³ + x⁴)/24EI: contact everywhere, without pressure.
-        2 => Ground::Polynomial(vec![
-            depth * random.pick(&[0.0, 1e-12, 1e-15]),
-            5.0 * c * length * length,
-            0.0,
-            -10.0 * c,
-            5.0 * c / length,
-        ]),
-        _ => Ground::Points(vec![[0.0, depth], [half, depth], [length, depth]]),
+        2 => {
+            let lowest = depth * random.pick(&[0.0, 1e-12, 1e-15]);
+            let coefficients = vec![lowest, 5.0 * c * length * length, 0.0, -10.0 * c, 5.0 * c / length];
+            Foundation::Polynomial { coefficients }
+        }
+        _ => Foundation::Polyline { points: vec![[0.0, depth], [half, depth], [length, depth]] },
     };
-    Draft { length, stiffness, uniform, linear: Vec::new(), point: Vec::new(), ground, ..Draft::default() }
+    Draft { length, stiffness, uniform, ground: Some(ground), ..Draft::default() }
 }
 
 /// A wavelength, as a share of the beam: a tenth to a hundredth, and now and then a thousandth, which takes theory seconds.
@@ -104,16 +107,22 @@ pub(super) fn spiky(random: &mut Random) -> Draft {
                 };
             }
             points.push([l, depth]);
-            Ground::Points(points)
+            Foundation::Polyline { points }
         }
-        1 => Ground::Cosine([2.0 * depth, depth * power(random, -9.0, 0.0), l * short(random), anything(random)]),
+        1 => Foundation::Cosine {
+            mean: 2.0 * depth,
+            amplitude: depth * power(random, -9.0, 0.0),
+            wavelength: l * short(random),
+            phase: anything(random),
+        },
         2 => {
             // Needles up from far below.
             let count = u32::try_from(2 + random.below(20)).unwrap_or(2);
             let place = |k: u32| l * (f64::from(k) / f64::from(count));
             let top =
                 |random: &mut Random, k: u32| if k % 2 == 1 { depth * random.between(-0.5, 1.0) } else { 1e3 * depth };
-            Ground::Points((0..=count).map(|k| [place(k), if k == count { depth } else { top(random, k) }]).collect())
+            let points = (0..=count).map(|k| [place(k), if k == count { depth } else { top(random, k) }]).collect();
+            Foundation::Polyline { points }
         }
         _ => {
             // A Chebyshev-like polynomial with cancelling coefficients.
@@ -123,8 +132,8 @@ pub(super) fn spiky(random: &mut Random) -> Draft {
                 c.push(if k % 2 == 0 { unit } else { -unit });
                 unit *= random.between(0.3, 2.5) / l;
             }
-            Ground::Polynomial(c)
+            Foundation::Polynomial { coefficients: c }
         }
     };
-    Draft { ground, ..draft }
+    Draft { ground: Some(ground), ..draft }
 }

@@ -1,12 +1,12 @@
 //! Beams on any supports and with own shapes, and bodies that merely lie there, up to the border at which they turn over.
 
-use palkki::scene::Support;
+use palkki::scene::{Foundation, PointLoad, Support};
 
 use crate::authority::rational::number;
 use crate::authority::statics::resultant_and_moment;
+use crate::draft::Draft;
 use crate::random::Random;
 
-use super::draft::{Draft, Ground};
 use super::near::beside;
 use super::scenes::{ground, ordinary, power, rough, sag, ties};
 
@@ -18,21 +18,16 @@ fn beam(random: &mut Random) -> Draft {
     }
 }
 
-/// A place at which something is: an end, a load, a point of the ground.
+/// A place at which something is.
 fn place(random: &mut Random, draft: &Draft) -> f64 {
-    let mut places = vec![0.0, draft.length];
-    places.extend(draft.point.iter().map(|p| p[0]));
-    places.extend(draft.linear.iter().flat_map(|q| [q[0], q[1]]));
-    if let Ground::Points(points) = &draft.ground {
-        places.extend(points.iter().map(|p| p[0]));
-    }
+    let places = draft.places();
     places[random.below(places.len())]
 }
 
 /// A support on the ground, above it, at the level of the unloaded beam, anywhere; now and then below the ground.
 fn support(random: &mut Random, draft: &Draft, at: f64) -> Support {
     let unit = sag(draft) * power(random, -3.0, 0.0);
-    let depth = |profile: &Ground| profile.profile().map(|profile| profile.sides(at)[random.below(2)]);
+    let depth = |profile: &Option<Foundation>| profile.as_ref().map(|profile| profile.sides(at)[random.below(2)]);
     let [ground, own] = [&draft.ground, &draft.shape].map(depth);
     let level = match random.below(6) {
         0 | 1 => ground.map_or(0.0, |[depth, _]| depth),
@@ -81,7 +76,7 @@ pub(super) fn supported(random: &mut Random) -> Draft {
 pub(super) fn shaped(random: &mut Random) -> Draft {
     let mut draft = beam(random);
     let rise = sag(&draft) * power(random, -5.0, 0.3);
-    draft.shape = ground(random, draft.length, rise);
+    draft.shape = Some(ground(random, draft.length, rise));
     let count = random.below(5);
     if !random.once_in(3) {
         draft.supports = Some(supports(random, &draft, count));
@@ -94,7 +89,7 @@ pub(super) fn lying(random: &mut Random) -> Draft {
     let mut draft = beam(random);
     if random.once_in(3) {
         let rise = sag(&draft) * power(random, -5.0, 0.3);
-        draft.shape = ground(random, draft.length, rise);
+        draft.shape = Some(ground(random, draft.length, rise));
     }
     let mut held = if random.once_in(3) { supports(random, &draft, 1) } else { Vec::new() };
     held.iter_mut().for_each(|support| support.slope = None);
@@ -114,12 +109,13 @@ pub(super) fn margins(random: &mut Random) -> Draft {
         // A weight just above that place, and nothing else.
         (draft.uniform, draft.linear, draft.point) = (0.0, Vec::new(), Vec::new());
     }
-    draft.point.push([about, draft.length]);
+    draft.point.push(PointLoad { at: about, force: draft.length });
     let far = if about < 0.5 * draft.length { draft.length } else { 0.0 };
-    let moment = draft.load().and_then(|load| Some((resultant_and_moment(&load, draft.length, about)?, load)));
+    let moment = draft.load().ok().and_then(|load| Some((resultant_and_moment(&load, draft.length, about)?, load)));
     if let Some(([_, moment], load)) = moment {
         let share = random.pick(&[0.0, 0.0, 1e-15, 1e-13, 1e-9, 1e-3]) * random.pick(&[1.0, -1.0]);
-        draft.point.push([far, share * load.magnitude(draft.length) - number(&moment) / (far - about)]);
+        let force = share * load.magnitude(draft.length) - number(&moment) / (far - about);
+        draft.point.push(PointLoad { at: far, force });
     }
     draft
 }

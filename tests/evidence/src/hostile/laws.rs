@@ -14,8 +14,9 @@ use palkki::{Settings, Witness};
 use crate::authority::rational::number;
 use crate::authority::statics::resultant_and_moment;
 
-use super::draft::Draft;
 use super::trial::Trial;
+use crate::compare::magnitude;
+use crate::draft::Draft;
 
 /// Share of the forces to which a certified answer is in balance: what the judge of a discretised answer asks.
 const BALANCE: f64 = 1e-9;
@@ -47,7 +48,7 @@ fn sizes(scene: &Scene, state: &ContactState) -> (f64, f64) {
     let contacts: f64 = state.contacts.iter().map(|c| c.force.abs()).sum();
     let reactions: f64 = state.supports.iter().map(|s| s.force.abs()).sum();
     let load = scene.load().magnitude(length);
-    let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
+    let deflection = magnitude(&state.deflection);
     let profiles = scene.foundation().into_iter().chain(scene.beam().shape());
     let idle = if load == 0.0 { profiles.map(|profile| profile.magnitude(length)).fold(0.0, f64::max) } else { 0.0 };
     let force = load.max(contacts).max(reactions).max(idle / flexibility(scene));
@@ -119,14 +120,14 @@ fn turning(scene: &Scene, state: &ContactState) -> Option<f64> {
 
 /// Nothing pulls at the nodes of a certified answer, nothing is inside the ground, and clearances are what deflections leave.
 pub(super) fn lies_on_ground(trial: &mut Trial, who: &str, draft: &Draft, scene: &Scene, state: &ContactState) {
-    let (Some(nodes), Some(ground)) = (&state.nodes, draft.ground.profile()) else { return };
-    let own = draft.shape.profile();
+    let (Some(nodes), Some(ground)) = (&state.nodes, &draft.ground) else { return };
+    let own = draft.shape.as_ref();
     let (force, size) = sizes(scene, state);
     for (i, x) in nodes.x.iter().enumerate() {
         let x = x.clamp(0.0, draft.length);
-        let (depth, rise) = (ground.depth(x), own.as_ref().map_or(0.0, |own| own.depth(x)));
+        let (depth, rise) = (ground.depth(x), own.map_or(0.0, |own| own.depth(x)));
         let clearance = depth - rise - nodes.deflection[i];
-        let rounding = 1e3 * f64::EPSILON * (ground.magnitude_at(x) + own.as_ref().map_or(0.0, |o| o.magnitude_at(x)));
+        let rounding = 1e3 * f64::EPSILON * (ground.magnitude_at(x) + own.map_or(0.0, |o| o.magnitude_at(x)));
         let off = (clearance - nodes.clearance[i]).abs();
         if exceeds(off, BALANCE * size + rounding) || exceeds(-clearance, BALANCE * size + rounding) {
             trial.wrong.push(format!("{who}: certified, but the clearance at {x} is {clearance:e}"));

@@ -1,7 +1,6 @@
 //! Runs of the whole program on random and adversarial scenes, each from its seed: what comes out is right, or is not certified.
 //! The acceptance suite makes the first few, `cargo xtask hostile` as many as it is asked for.
 
-mod draft;
 mod edges;
 mod held;
 mod laws;

@@ -1,10 +1,12 @@
 //! Scenes of numbers that are close together, or far larger than what they add up to: places that nearly coincide, bumps that
 //! tie, polynomials of high degree, waves without number.
 
+use palkki::scene::{Foundation, PointLoad};
+
+use crate::draft::Draft;
 use crate::extremes::chebyshev;
 use crate::random::Random;
 
-use super::draft::{Draft, Ground};
 use super::scenes::{beam_with_loads, ordinary, power, rough, sag, ties};
 
 /// One unit in the last place up or down, or a share of the length.
@@ -29,27 +31,23 @@ pub(super) fn coincident(random: &mut Random) -> Draft {
     };
     let length = draft.length;
     if draft.point.is_empty() {
-        draft.point.push([random.between(0.0, length), length * random.between(-0.3, 0.7)]);
+        draft.point.push(PointLoad { at: random.between(0.0, length), force: length * random.between(-0.3, 0.7) });
     }
-    let mut places = vec![0.0, length];
-    places.extend(draft.point.iter().map(|p| p[0]));
-    places.extend(draft.linear.iter().flat_map(|part| [part[0], part[1]]));
-    if let Ground::Points(points) = &draft.ground {
-        // Mostly these.
-        places.extend(points.iter().chain(points).chain(points).map(|p| p[0]));
-    }
+    let mut places = draft.places();
+    // Mostly points of the ground.
+    places.extend(draft.points().iter().chain(draft.points()).map(|p| p[0]));
     let place = |random: &mut Random| {
         let x = places[random.below(places.len())];
         beside(random, x, length)
     };
     for point in &mut draft.point {
-        point[0] = place(random);
+        point.at = place(random);
     }
     for part in &mut draft.linear {
         let moved = place(random);
-        let end = random.below(2);
-        part[end] = moved;
-        (part[0], part[1]) = (part[0].min(part[1]), part[0].max(part[1]));
+        let end = if random.below(2) == 0 { &mut part.from } else { &mut part.to };
+        *end = moved;
+        (part.from, part.to) = (part.from.min(part.to), part.from.max(part.to));
     }
     draft
 }
@@ -68,9 +66,12 @@ pub(super) fn bumps(random: &mut Random) -> Draft {
                 1 => depth * if k < count { 1.0 + tie } else { 1.0 },
                 _ => 3.0 * depth,
             };
-            Ground::Points((0..=2 * count).map(|k| [place(k), height(k)]).collect())
+            Foundation::Polyline { points: (0..=2 * count).map(|k| [place(k), height(k)]).collect() }
         }
-        1 => Ground::Cosine([2.0 * depth, depth, l / f64::from(count) * (1.0 + tie), 0.0]),
+        1 => {
+            let wavelength = l / f64::from(count) * (1.0 + tie);
+            Foundation::Cosine { mean: 2.0 * depth, amplitude: depth, wavelength, phase: 0.0 }
+        }
         _ => {
             // Two bumps at the roots of (x − a)² (x − b)², one of them lower by a line through the other.
             let (a, b) = (l * random.between(0.1, 0.4), l * random.between(0.6, 0.9));
@@ -80,10 +81,10 @@ pub(super) fn bumps(random: &mut Random) -> Draft {
             let mut c: Vec<f64> = square.iter().map(|c| 16.0 * c * unit).collect();
             c[0] += depth;
             c[1] += tie * depth / l;
-            Ground::Polynomial(c)
+            Foundation::Polynomial { coefficients: c }
         }
     };
-    Draft { ground, ..draft }
+    Draft { ground: Some(ground), ..draft }
 }
 
 /// A sum of Chebyshev's polynomials up to a degree from 10 to 20, in powers of the place.
@@ -92,7 +93,8 @@ pub(super) fn high_degree(random: &mut Random) -> Draft {
     // Coefficients without rounding, half of the time.
     if random.once_in(2) {
         draft.length = random.pick(&[1.0, 8.0, 1024.0]);
-        (draft.linear, draft.point) = (Vec::new(), vec![[random.between(0.0, draft.length), draft.length]]);
+        let load = PointLoad { at: random.between(0.0, draft.length), force: draft.length };
+        (draft.linear, draft.point) = (Vec::new(), vec![load]);
     }
     let degree = 10 + random.below(11);
     let depth = sag(&draft) * power(random, -4.0, 1.0);
@@ -108,7 +110,7 @@ pub(super) fn high_degree(random: &mut Random) -> Draft {
         *c /= unit;
         unit *= draft.length;
     }
-    Draft { ground: Ground::Polynomial(sum), ..draft }
+    Draft { ground: Some(Foundation::Polynomial { coefficients: sum }), ..draft }
 }
 
 /// Waves by the dozen, and now and then by the hundred and the thousand, which takes theory seconds.
@@ -118,5 +120,7 @@ pub(super) fn waves(random: &mut Random) -> Draft {
     let most = if random.once_in(50) { 3.0 } else { 2.0 };
     let wavelength = draft.length / power(random, 1.0, most);
     let amplitude = depth * power(random, -6.0, 0.0);
-    Draft { ground: Ground::Cosine([depth + amplitude, amplitude, wavelength, random.between(0.0, 6.3)]), ..draft }
+    let phase = random.between(0.0, 6.3);
+    let ground = Foundation::Cosine { mean: depth + amplitude, amplitude, wavelength, phase };
+    Draft { ground: Some(ground), ..draft }
 }

@@ -8,8 +8,8 @@ use palkki::scene::{Balance, Quantity, Scene, SceneError, Support, Unheld};
 use crate::authority::RBig;
 use crate::authority::statics::{exactly, resultant_and_moment};
 
-use super::draft::Draft;
 use super::trial::Trial;
+use crate::draft::Draft;
 
 /// What loads and ground do to a beam that its supports may leave free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +23,7 @@ enum Statics {
 
 /// The statics of a draft in fractions; [`None`] if its loads are none.
 fn statics(draft: &Draft) -> Option<Statics> {
-    let (load, length, grounded) = (draft.load()?, draft.length, draft.ground.profile().is_some());
+    let (load, length, grounded) = (draft.load().ok()?, draft.length, draft.ground.is_some());
     let within = exactly(5.0 * f64::EPSILON * load.magnitude(length) * length)?;
     let sign = |value: &RBig| match value {
         value if *value <= within && -value <= within => Ordering::Equal,
@@ -52,7 +52,7 @@ pub(super) fn accepted(trial: &mut Trial, draft: &Draft, scene: &Scene) {
     /// Of the depth of the ground: far more than what is level but for rounding.
     const CLEARLY: f64 = 1e-9;
     let supports = draft.all_supports();
-    if let Some(ground) = draft.ground.profile() {
+    if let Some(ground) = &draft.ground {
         for Support { at, level, .. } in &supports {
             if ground.depth(*at) < level - CLEARLY * (level.abs() + ground.magnitude(draft.length)) {
                 trial.wrong.push(format!("a support at {at} below the ground is accepted"));
@@ -93,7 +93,7 @@ fn so(draft: &Draft, error: &SceneError) -> bool {
     const NEAR: f64 = 5e-10;
     let supports = draft.all_supports();
     let at_support = |at: f64| supports.iter().find(|s| (s.at - at).abs() <= 0.0);
-    let ground = draft.ground.profile();
+    let ground = draft.ground.as_ref();
     match *error {
         SceneError::OutsideBeam { quantity: Quantity::SupportAt(i), value, length } => {
             let named = supports.get(i).is_some_and(|s| (s.at - value).abs() <= 0.0);
@@ -111,7 +111,7 @@ fn so(draft: &Draft, error: &SceneError) -> bool {
         SceneError::RisesAtBuiltIn { at, .. } => at_support(at).is_some_and(|s| s.slope.is_some() && ground.is_some()),
         SceneError::ValleyAtSupport { at, .. } => at_support(at).is_some_and(|s| s.slope.is_none() && ground.is_some()),
         SceneError::CornerAtBuiltIn { at } => {
-            at_support(at).is_some_and(|s| s.slope.is_some()) && draft.shape.profile().is_some()
+            at_support(at).is_some_and(|s| s.slope.is_some()) && draft.shape.is_some()
         }
         SceneError::Unheld(_) => matches!(statics(draft), None | Some(Statics::Falls | Statics::Border)),
         _ => true,

@@ -1,8 +1,10 @@
 //! Random and adversarial scenes: by families, each with its own idea of what could go wrong.
 
+use palkki::scene::{Foundation, LinearLoad, PointLoad};
+
+use crate::draft::Draft;
 use crate::random::Random;
 
-use super::draft::{Draft, Ground};
 use super::edges::{borders, extreme, spiky};
 use super::held::{crowded, lying, margins, shaped, supported};
 use super::near::{bumps, coincident, high_degree, waves};
@@ -107,8 +109,8 @@ pub(super) fn power(random: &mut Random, least: f64, most: f64) -> f64 {
 /// A deflection that the load can cause, to measure depths by.
 pub(super) fn sag(draft: &Draft) -> f64 {
     let Draft { length, stiffness, uniform, linear, point, .. } = draft;
-    let parts: f64 = linear.iter().map(|p| (p[1] - p[0]).abs() * p[2].abs().max(p[3].abs())).sum();
-    let load = uniform.abs() * length + parts + point.iter().map(|p| p[1].abs()).sum::<f64>();
+    let parts: f64 = linear.iter().map(|p| (p.to - p.from).abs() * p.start.abs().max(p.end.abs())).sum();
+    let load = uniform.abs() * length + parts + point.iter().map(|p| p.force.abs()).sum::<f64>();
     5.0 / 384.0 * load * length * length * length / stiffness
 }
 
@@ -117,11 +119,13 @@ pub(super) fn beam_with_loads(random: &mut Random, parts: usize) -> Draft {
     let stiffness = power(random, -2.0, 4.0);
     let linear = (0..random.below(parts)).map(|_| {
         let (a, b) = (random.between(0.0, length), random.between(0.0, length));
-        [a.min(b), a.max(b), random.between(-1.0, 3.0), random.between(-1.0, 3.0)]
+        let (start, end) = (random.between(-1.0, 3.0), random.between(-1.0, 3.0));
+        LinearLoad { from: a.min(b), to: a.max(b), start, end }
     });
     let linear = linear.collect();
-    let point =
-        (0..random.below(parts)).map(|_| [random.between(0.0, length), length * random.between(-0.3, 0.7)]).collect();
+    let point = (0..random.below(parts))
+        .map(|_| PointLoad { at: random.between(0.0, length), force: length * random.between(-0.3, 0.7) })
+        .collect();
     let uniform = random.pick(&[0.0, 1.0, 1.0, 1.0, -0.5]);
     Draft { length, stiffness, uniform, linear, point, ..Draft::default() }
 }
@@ -141,19 +145,20 @@ fn polynomial(random: &mut Random, l: f64, depth: f64, count: usize, spread: f64
 }
 
 /// A foundation of depths around `depth`, not above the supports.
-pub(super) fn ground(random: &mut Random, l: f64, depth: f64) -> Ground {
+pub(super) fn ground(random: &mut Random, l: f64, depth: f64) -> Foundation {
     match random.below(5) {
-        0 => Ground::Flat(depth),
+        0 => Foundation::Flat { depth },
         1 => {
             let amplitude = depth * random.between(0.0, 1.0);
-            Ground::Cosine([depth + amplitude, amplitude, l * power(random, -1.2, 0.5), random.between(0.0, 6.3)])
+            let (wavelength, phase) = (l * power(random, -1.2, 0.5), random.between(0.0, 6.3));
+            Foundation::Cosine { mean: depth + amplitude, amplitude, wavelength, phase }
         }
         2 => {
             let count = 1 + random.below(7);
             let (mut c, end) = polynomial(random, l, depth, count, 3.0);
             // Both ends are raised to the line of the supports, or left deeper.
             c[0] += depth * random.between(0.0, 1.0) - end.min(0.0);
-            Ground::Polynomial(c)
+            Foundation::Polynomial { coefficients: c }
         }
         steps => {
             let mut places: Vec<f64> = (0..random.below(9)).map(|_| random.between(0.02 * l, 0.98 * l)).collect();
@@ -166,7 +171,7 @@ pub(super) fn ground(random: &mut Random, l: f64, depth: f64) -> Ground {
                 }
             }
             points.push([l, depth * random.between(0.0, 2.0)]);
-            Ground::Points(points)
+            Foundation::Polyline { points }
         }
     }
 }
@@ -174,7 +179,7 @@ pub(super) fn ground(random: &mut Random, l: f64, depth: f64) -> Ground {
 pub(super) fn ordinary(random: &mut Random) -> Draft {
     let draft = beam_with_loads(random, 3);
     let depth = sag(&draft) * power(random, -3.0, 0.3);
-    Draft { ground: ground(random, draft.length, depth), ..draft }
+    Draft { ground: Some(ground(random, draft.length, depth)), ..draft }
 }
 
 pub(super) fn ties(random: &mut Random) -> Draft {
@@ -187,22 +192,24 @@ pub(super) fn ties(random: &mut Random) -> Draft {
     let linear = (0..random.below(3)).map(|_| {
         let from = random.below(parts);
         let to = from + 1 + random.below(parts - from);
-        [place(from), place(to), random.pick(&[-1.0, 0.0, 1.0]), random.pick(&[-1.0, 0.0, 1.0, 2.0])]
+        let (start, end) = (random.pick(&[-1.0, 0.0, 1.0]), random.pick(&[-1.0, 0.0, 1.0, 2.0]));
+        LinearLoad { from: place(from), to: place(to), start, end }
     });
     let linear = linear.collect();
     let point = (0..random.below(3))
-        .map(|_| [place(random.below(parts + 1)), length * random.pick(&[-0.5, 0.5, 1.0])])
+        .map(|_| PointLoad { at: place(random.below(parts + 1)), force: length * random.pick(&[-0.5, 0.5, 1.0]) })
         .collect();
     let unit = length * length * length * length / 384.0 / stiffness * random.pick(&[1e-6, 0.01, 0.5, 1.0]);
     let ground = match random.below(5) {
-        0 => Ground::Flat(unit * random.pick(&[0.0, 1.0, 5.0])),
+        0 => Foundation::Flat { depth: unit * random.pick(&[0.0, 1.0, 5.0]) },
         1 => {
             let wavelength = length * random.pick(&[0.25, 0.5, 1.0, 2.0]);
-            Ground::Cosine([unit * random.pick(&[1.0, 1.5]), unit * random.pick(&[1.0, -1.0]), wavelength, 0.0])
+            let (mean, amplitude) = (unit * random.pick(&[1.0, 1.5]), unit * random.pick(&[1.0, -1.0]));
+            Foundation::Cosine { mean, amplitude, wavelength, phase: 0.0 }
         }
         2 => {
             let c = unit * random.pick(&[4.0, -4.0, 1.0]) / (length * length);
-            Ground::Polynomial(vec![unit * random.pick(&[0.0, 1.0]), c * length, -c])
+            Foundation::Polynomial { coefficients: vec![unit * random.pick(&[0.0, 1.0]), c * length, -c] }
         }
         _ => {
             let mut points = Vec::new();
@@ -219,10 +226,10 @@ pub(super) fn ties(random: &mut Random) -> Draft {
                     points.push([place(k), unit * random.pick(&[-0.5, 0.0, 0.5, 1.0])]);
                 }
             }
-            Ground::Points(points)
+            Foundation::Polyline { points }
         }
     };
-    Draft { length, stiffness, uniform, linear, point, ground, ..Draft::default() }
+    Draft { length, stiffness, uniform, linear, point, ground: Some(ground), ..Draft::default() }
 }
 
 pub(super) fn rough(random: &mut Random) -> Draft {
@@ -231,20 +238,24 @@ pub(super) fn rough(random: &mut Random) -> Draft {
     let depth = sag(&draft) * power(random, -7.0, 0.0);
     let amplitude = depth * power(random, -4.0, 0.0);
     let ground = match random.below(3) {
-        0 => Ground::Cosine([depth, amplitude, l * power(random, -2.0, -0.7), random.between(0.0, 6.3)]),
+        0 => {
+            let (wavelength, phase) = (l * power(random, -2.0, -0.7), random.between(0.0, 6.3));
+            Foundation::Cosine { mean: depth, amplitude, wavelength, phase }
+        }
         1 => {
             let count = 5 + random.below(8);
             let (mut c, end) = polynomial(random, l, depth, count, 9.0);
             c[0] += depth * random.between(0.0, 1.0) - end;
-            Ground::Polynomial(c)
+            Foundation::Polynomial { coefficients: c }
         }
         _ => {
             let count = u32::try_from(10 + random.below(190)).unwrap_or(10);
             let place = |k: u32| l * (f64::from(k) / f64::from(count));
-            Ground::Points((0..=count).map(|k| [place(k), depth + amplitude * random.between(-1.0, 1.0)]).collect())
+            let points = (0..=count).map(|k| [place(k), depth + amplitude * random.between(-1.0, 1.0)]).collect();
+            Foundation::Polyline { points }
         }
     };
-    Draft { ground, ..draft }
+    Draft { ground: Some(ground), ..draft }
 }
 
 fn lifting(random: &mut Random) -> Draft {
@@ -255,21 +266,20 @@ fn lifting(random: &mut Random) -> Draft {
         1 => {
             // In balance with itself.
             (draft.uniform, draft.linear) = (0.0, Vec::new());
-            draft.point = vec![[0.25 * l, 1.0], [0.5 * l, -2.0], [0.75 * l, 1.0]];
+            draft = draft.with_points(&[(0.25 * l, 1.0), (0.5 * l, -2.0), (0.75 * l, 1.0)]);
         }
-        2 => draft.point = vec![[0.0, l], [l, -l], [random.between(0.0, l), random.between(-l, l)]],
+        2 => draft = draft.with_points(&[(0.0, l), (l, -l), (random.between(0.0, l), random.between(-l, l))]),
         // No load at all: only the foundation can bend the beam.
         _ => (draft.uniform, draft.linear, draft.point) = (0.0, Vec::new(), Vec::new()),
     }
     let depth = sag(&draft).max(power(random, -6.0, 0.0));
-    draft.ground = match random.below(3) {
+    let ground = match random.below(3) {
         0 => ground(random, l, depth),
-        1 => Ground::Points(vec![
-            [0.0, 0.0],
-            [random.between(0.1 * l, 0.9 * l), -depth],
-            [l, random.pick(&[0.0, depth])],
-        ]),
-        _ => Ground::Polynomial(vec![0.0, -depth / l, depth / (l * l)]),
+        1 => {
+            let crest = [random.between(0.1 * l, 0.9 * l), -depth];
+            Foundation::Polyline { points: vec![[0.0, 0.0], crest, [l, random.pick(&[0.0, depth])]] }
+        }
+        _ => Foundation::Polynomial { coefficients: vec![0.0, -depth / l, depth / (l * l)] },
     };
-    draft
+    Draft { ground: Some(ground), ..draft }
 }

@@ -2,6 +2,7 @@
 //! their laws.
 
 use crate::definition::violated;
+use crate::draft::Draft;
 use crate::random::Random;
 use palkki::route::{Method, Solver};
 use palkki::scene::file::{FileError, ReadProblem, parse};
@@ -10,7 +11,6 @@ use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Refusal, Verdict};
 use palkki::{Settings, solve_raw};
 
-use super::draft::Draft;
 use super::laws::{THEORY, balanced, judge, lies_on_ground, name, overlap, same, turns_above_ground, within};
 use super::refusals::{accepted, refused};
 use super::scenes::Family;

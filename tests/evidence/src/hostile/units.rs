@@ -1,12 +1,12 @@
 //! A scene in other units has the same answer, to the bit where the units are powers of two.
 
+use crate::draft::{Draft, Units};
 use crate::random::Random;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
 use palkki::{Settings, solve_raw};
 
-use super::draft::Draft;
 use super::laws::name;
 use super::trial::{Trial, read};
 
@@ -21,8 +21,8 @@ pub(super) fn in_other_units(
 ) {
     let mut unit = || random.pick(&[0.25, 8.0, 1024.0, 0.000_976_562_5]);
     let (length, force, depth) = (unit(), unit(), unit());
-    let there = draft.in_units(length, force, depth);
-    let back = there.in_units(1.0 / length, 1.0 / force, 1.0 / depth);
+    let there = draft.in_units(Units { length, depth, force });
+    let back = there.in_units(Units { length: 1.0 / length, depth: 1.0 / depth, force: 1.0 / force });
     // Subnormal numbers lose bits on the way.
     if back.text() != draft.text() {
         return;

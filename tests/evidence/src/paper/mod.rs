@@ -20,13 +20,13 @@ use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
 use palkki::theory::{self, FlatSolution};
 
 /// Length `l` of the example.
-const LENGTH: f64 = 10.0;
+pub(crate) const LENGTH: f64 = 10.0;
 /// Bending stiffness `EI`.
-const STIFFNESS: f64 = 500.0 / 384.0;
+pub(crate) const STIFFNESS: f64 = 500.0 / 384.0;
 /// Depth `u₀` of the flat foundation.
 const DEPTH: f64 = 1.0;
 /// Uniform load `q₀`.
-const UNIFORM: f64 = 1.0;
+pub(crate) const UNIFORM: f64 = 1.0;
 
 /// Intervals of Figures 4, 7 and 8.
 pub const INTERVALS: usize = 30;

@@ -33,10 +33,9 @@ impl Run {
         let request = Request::new(Method::Force, Solver::ActiveSet, ten_to(exponent));
         let found = adapt(scene, &Request { most_intervals: MOST, ..request })?;
         let nodes = nodes_of(&found.solution.state)?;
-        let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v - exact.deflection(x)).abs());
+        let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x));
         // The same size as that of the certified error.
-        let deflection = found.solution.state.deflection;
-        let truth = apart.fold(0.0, f64::max) / deflection.max.max(-deflection.min);
+        let truth = largest(apart) / magnitude(&found.solution.state.deflection);
         Ok(Self { exponent, found, truth })
     }
 

@@ -11,10 +11,11 @@ use palkki::plot::{Axis, Figure, Layer, Panel, Style};
 use palkki::qp::Dense;
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
-use palkki_evidence::faults::{THEORY, Truth};
+use palkki_evidence::faults::Truth;
 use palkki_evidence::paper;
 
 use super::prelude::*;
+use crate::certificates::answers::{self, Row};
 
 /// Grids of the table.
 const GRIDS: [usize; 3] = [30, 100, 300];
@@ -26,8 +27,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (mut held, mut sharp) = (0, 0);
     for (_, scene) in scenes::all(study.root)? {
         let mut row = row![scene.title()].to_vec();
+        let known = Truth::of(&scene)?;
         for intervals in GRIDS {
-            let [truth, certified] = errors(&scene, intervals)?;
+            let Row { truth, certified, .. } = answers::row("", &known, Method::Force, Solver::ActiveSet, intervals)?;
             data.push(row![scene.title(), intervals, scientific(truth, 2), scientific(certified, 2)]);
             row.extend([if truth == 0.0 { "0".to_owned() } else { cell(Some(truth), 2) }, cell(Some(certified), 2)]);
             held += usize::from(truth <= certified);
@@ -48,17 +50,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         first_stiff => power_of_ten(first_stiff),
     };
     Ok(Evidence::new(values).data("bounds", data).figures([drawn(&springs, first_stiff)?]))
-}
-
-/// The force method with the active set on one grid: how far its deflection is from beam theory, and how far it can be, over
-/// the largest deflection.
-fn errors(scene: &Scene, intervals: usize) -> Result<[f64; 2], Cause> {
-    let truth = Truth::of(scene)?;
-    let state = on_grid(scene, Method::Force, Solver::ActiveSet, intervals)?.state;
-    let found = state.nodes.as_ref().and_then(|nodes| truth.nodes(nodes)).ok_or("an answer has nodes")?;
-    let [error, certified] = [found.error, found.certificate.deflection_error].map(|e| e / truth.deflection);
-    // Digits of an error that is rounding differ between machines.
-    Ok([if error < THEORY { 0.0 } else { error }, certified])
 }
 
 /// Violations below this share are rounding.

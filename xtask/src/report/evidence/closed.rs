@@ -42,7 +42,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 /// The largest difference of the reactions and of the contact force, over the load.
 fn difference(scene: &Scene, exact: &Exact, closed: &Closed) -> f64 {
     let reactions = [exact.state.reactions.left, exact.state.reactions.right];
-    let of = |name: &str, found: &[f64]| worst_difference(closed.of(name).unwrap_or_default(), found);
+    let of = |name: &str, found: &[f64]| apart_if_any(closed.of(name).unwrap_or_default(), found);
     of(REACTIONS, &reactions).max(of(CONTACT, &[exact.state.contact_force()])) / load(scene)
 }
 

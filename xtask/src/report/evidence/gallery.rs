@@ -1,9 +1,10 @@
 //! The gallery: the exact solution of every scene file as a card, and all of them on one sheet.
 
-pub(super) mod card;
+mod card;
 
-use palkki::plot::{Curves, curves, sheet};
+use palkki::plot::{Curves, sheet};
 use palkki::state::Regime;
+use palkki::theory::Exact;
 use palkki::verdict::{Demand, Verdict};
 
 use super::prelude::*;
@@ -12,15 +13,14 @@ use crate::report::files;
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let header = ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "unit of force"];
     let mut overview = Table::new(header);
-    let (mut cards, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut cards, mut figures, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut residual, mut certified) = (0.0_f64, 0);
     for (name, scene) in scenes::all(study.root)? {
-        let exact = theory::solve(&scene)?;
-        let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
-        residual = residual.max(exact.residual);
-        certified += usize::from(verdict.status == Status::Certified);
-        unknowns.push(exact.unknowns);
-        let state = &exact.state;
+        let shown = shown(study, scenes::GALLERY, &name, &scene)?;
+        residual = residual.max(shown.exact.residual);
+        certified += usize::from(shown.certified);
+        unknowns.push(shown.exact.unknowns);
+        let state = &shown.exact.state;
         let force = load(&scene);
         let regime = match state.regime {
             Regime::None => "none",
@@ -31,12 +31,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
         let unit = scene.units().force.clone().unwrap_or_else(|| "any".to_owned());
         let link = format!("[{}](#{name})", scene.title());
-        overview.push(row![link, regime, exact.unknowns, left, right, contact, unit]);
-
-        let story = story(&files::text(study.root, &format!("report/scenes/{name}.toml"))?);
-        cards.push(card::card(&name, &scene, &exact, &verdict, story)?);
-        let drawn = Curves::exact(&scene, &exact);
-        solved.push((name, scene, drawn));
+        overview.push(row![link, regime, shown.exact.unknowns, left, right, contact, unit]);
+        cards.push(shown.card);
+        figures.push((format!("scene-{name}"), shown.figure));
+        solved.push((name, scene, shown.curves));
     }
     let values = context! {
         count => cards.len(),
@@ -47,11 +45,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         overview,
         cards,
     };
-    let mut evidence = Evidence::new(values);
-    for (name, scene, drawn) in &solved {
-        let svg = curves(scene, drawn, "exact solution")?;
-        evidence = evidence.figure(&format!("scene-{name}"), svg, table(drawn));
-    }
+    let evidence = Evidence::new(values);
+    let evidence =
+        figures.into_iter().fold(evidence, |evidence, (name, (svg, data))| evidence.figure(&name, svg, data));
     let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
     let svg = sheet(
         "The gallery: the exact solution of every scene",
@@ -65,8 +61,33 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     Ok(evidence.figure("sheet", svg, Table::new(["scene", "x", "contact_force"]).rows(forces)))
 }
 
+/// A scene that is solved and judged, with its card and its figure.
+pub(super) struct Shown {
+    pub(super) exact: Exact,
+    pub(super) certified: bool,
+    pub(super) card: Value,
+    curves: Curves,
+    /// The drawing, and the numbers that it draws.
+    pub(super) figure: (String, Table),
+}
+
+/// A scene of some directory as a page shows it.
+pub(super) fn shown(study: &Study<'_>, directory: &str, name: &str, scene: &Scene) -> Result<Shown, Cause> {
+    let exact = theory::solve(scene)?;
+    let verdict = Verdict::of_exact(scene, &exact, &Demand::default());
+    let story = story(&files::text(study.root, &format!("{directory}/{name}.toml"))?);
+    let curves = Curves::exact(scene, &exact);
+    Ok(Shown {
+        certified: verdict.status == Status::Certified,
+        card: card::card(name, scene, &exact, &verdict, story)?,
+        figure: (palkki::plot::curves(scene, &curves, "exact solution")?, table(&curves)),
+        curves,
+        exact,
+    })
+}
+
 /// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.
-pub(super) fn table(curves: &Curves) -> Table {
+fn table(curves: &Curves) -> Table {
     /// Places to which the numbers are printed.
     const PLACES: usize = 5;
     let number = |value: f64| if value.is_finite() { fixed(value, PLACES) } else { String::new() };
@@ -86,7 +107,7 @@ fn value_of(value: f64, scale: f64, digits: usize) -> String {
 }
 
 /// The comment at the head of a scene file.
-pub(super) fn story(text: &str) -> String {
+fn story(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim).collect();
     lines.join(" ")
 }

@@ -1,14 +1,10 @@
 //! What holds a beam: scenes with supports of every kind, and with none.
 
-use palkki::plot::{Curves, curves};
 use palkki::scene::{Beam, Load, PointLoad};
 use palkki::theory::Exact;
-use palkki::verdict::{Demand, Verdict};
 
-use super::gallery::card;
-use super::gallery::{story, table};
+use super::gallery::shown;
 use super::prelude::*;
-use crate::report::files;
 
 /// Grids of the table of methods.
 const GRIDS: [usize; 2] = [30, 300];
@@ -25,19 +21,16 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (mut cards, mut figures, mut certified) = (Vec::new(), Vec::new(), 0);
     let (mut stands, mut neutral) = (Value::UNDEFINED, Value::UNDEFINED);
     for (name, scene) in scenes::held(study.root)? {
-        let exact = theory::solve(&scene)?;
-        let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
-        certified += usize::from(verdict.status == Status::Certified);
+        let shown = shown(study, scenes::HELD, &name, &scene)?;
+        certified += usize::from(shown.certified);
         match name.as_str() {
-            "table-edge" => stands = standing(&scene, &exact)?,
-            "balanced" => neutral = standing(&scene, &exact)?,
+            "table-edge" => stands = standing(&scene, &shown.exact)?,
+            "balanced" => neutral = standing(&scene, &shown.exact)?,
             _ => {}
         }
-        errors.push(error_row(&name, &scene, &exact)?);
-        let story = story(&files::text(study.root, &format!("report/scenes/held/{name}.toml"))?);
-        cards.push(card::card(&name, &scene, &exact, &verdict, story)?);
-        let drawn = Curves::exact(&scene, &exact);
-        figures.push((name, curves(&scene, &drawn, "exact solution")?, table(&drawn)));
+        errors.push(error_row(&name, &scene, &shown.exact)?);
+        cards.push(shown.card);
+        figures.push((format!("held-{name}"), shown.figure));
     }
     let evidence = Evidence::new(context! {
         count => cards.len(),
@@ -48,8 +41,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         neutral,
         refusals => refusals()?,
     });
-    let figures = figures.into_iter();
-    Ok(figures.fold(evidence, |evidence, (name, svg, data)| evidence.figure(&format!("held-{name}"), svg, data)))
+    Ok(figures.into_iter().fold(evidence, |evidence, (name, (svg, data))| evidence.figure(&name, svg, data)))
 }
 
 /// The force and the displacement method are the same problem: their energies differ by rounding, which grows with the

@@ -2,6 +2,7 @@
 //! is computed again each time.
 
 use std::collections::BTreeSet;
+use std::fmt::Debug;
 
 use palkki_evidence::faults::SIZES;
 
@@ -53,16 +54,22 @@ fn names<'a>(rows: &'a [Row], prefix: &str) -> BTreeSet<&'a str> {
     rows.iter().map(|row| row.scene.as_str()).filter(|name| name.starts_with(prefix)).collect()
 }
 
+/// Puts rows that were computed again into their places.
+fn renew<R: Debug>(path: &str, rows: &mut [R], again: Vec<R>, same: impl Fn(&R, &R) -> bool) -> Result<(), Cause> {
+    for row in again {
+        match rows.iter_mut().find(|stored| same(stored, &row)) {
+            Some(stored) => *stored = row,
+            None => return Err(format!("{path} lacks {row:?}: `cargo xtask certificates`").into()),
+        }
+    }
+    Ok(())
+}
+
 /// The rows of the file, those of the gallery on coarse grids computed again.
 fn answers(study: &Study<'_>) -> Result<Vec<Row>, Cause> {
     let (_, mut rows): (_, Vec<Row>) = data::read(study.root, answers::PATH)?;
     for subject in certificates::gallery(study.root)? {
-        for row in answers::rows(&subject, &answers::AGAIN)? {
-            let stored = rows.iter_mut().find(|stored| stored.key() == row.key());
-            let stored =
-                stored.ok_or_else(|| format!("{} lacks {:?}: `cargo xtask certificates`", answers::PATH, row.key()))?;
-            *stored = row;
-        }
+        renew(answers::PATH, &mut rows, answers::rows(&subject, &answers::AGAIN)?, |a, b| a.key() == b.key())?;
     }
     let expected = names(&rows, "").len() * answers::GRIDS.len() * Method::ALL.len() * Solver::ALL.len();
     if rows.len() != expected {
@@ -77,12 +84,8 @@ fn broken(study: &Study<'_>) -> Result<(Value, String), Cause> {
     let all = certificates::gallery(study.root)?;
     let (_, mut rows): (_, Vec<faults::Row>) = data::read(study.root, faults::PATH)?;
     for subject in all.iter().filter(|subject| subject.name == faults::AGAIN) {
-        for row in faults::rows(subject, &all)? {
-            let stored = rows.iter_mut().find(|stored| stored.scene == row.scene && stored.fault == row.fault);
-            let stored =
-                stored.ok_or_else(|| format!("{} lacks {}: `cargo xtask certificates`", faults::PATH, row.fault))?;
-            *stored = row;
-        }
+        let same = |a: &faults::Row, b: &faults::Row| a.scene == b.scene && a.fault == b.fault;
+        renew(faults::PATH, &mut rows, faults::rows(subject, &all)?, same)?;
     }
     if let Some(row) = rows.iter().find(|row| 0 < row.exceptions) {
         return Err(format!("a certificate guaranteed what is not so: {row:?}").into());

@@ -5,19 +5,19 @@ use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, PlotError, S
 use palkki_evidence::extremes::Ground;
 
 use super::prelude::*;
-use crate::measure::scale::{LOADS, Line, Route, Scale};
+use crate::measure::plan::Route;
+use crate::measure::scale::{LOADS, Line, ROUTES, Scale, patience};
 
-const EXACT: Route = Route::Exact;
-const ACTIVE_SET: Route = Route::Force(Solver::ActiveSet);
-const INTERIOR_POINT: Route = Route::Force(Solver::Clarabel);
-const ROUTES: [Route; 3] = [EXACT, ACTIVE_SET, INTERIOR_POINT];
+const EXACT: Route = ROUTES[0];
+const ACTIVE_SET: Route = ROUTES[1];
+const INTERIOR_POINT: Route = ROUTES[2];
 
 /// A route in tables and figures: its name, and its look; the exact solution is blue, as everything is that is computed.
 fn look(route: Route) -> (&'static str, Style) {
     let (name, color, marker, dash) = match route {
         EXACT => ("exact", Color::BLUE, Marker::Circle, Dash::Solid),
         INTERIOR_POINT => ("clarabel", Color::GREEN, Marker::Triangle, Dash::DashDot),
-        Route::Force(_) => ("active set", Color::VERMILLION, Marker::Square, Dash::Dashed),
+        _ => ("active set", Color::VERMILLION, Marker::Square, Dash::Dashed),
     };
     (name, Style { color, dash: Some(dash), marker: Some(marker), width: 5 })
 }
@@ -105,7 +105,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         date => scale.description("date"),
         processor => scale.description("machine"),
         compiler => scale.description("compiler"),
-        patience => [EXACT.patience(), INTERIOR_POINT.patience()],
+        patience => [EXACT, INTERIOR_POINT].map(patience),
         most,
         surveys => largest().count(),
         solved => largest().filter(|survey| survey.solved(EXACT).is_some()).count(),

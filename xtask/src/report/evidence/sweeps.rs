@@ -23,7 +23,7 @@ struct Case {
     title: &'static str,
 }
 
-const EXAMPLE: [&str; 2] = ["report/scenes", "heinisuo-1984"];
+const EXAMPLE: [&str; 2] = [scenes::GALLERY, "heinisuo-1984"];
 
 const HOIST: Case = Case {
     name: "sweep-hoist",
@@ -35,7 +35,7 @@ const HOIST: Case = Case {
 };
 const SURVEY: Case = Case {
     name: "sweep-survey",
-    scene: ["report/scenes", "survey"],
+    scene: [scenes::GALLERY, "survey"],
     vary: "load.point[0].at",
     range: [0.0, 12.0],
     steps: 601,
@@ -310,7 +310,7 @@ fn tolerances(study: &Study<'_>) -> Result<Value, Cause> {
             }
             let off = (found.state.reactions.left - reaction).abs();
             farthest = farthest.max(off);
-            if worst_difference(&places(&found), &places(&exact)) <= SAME {
+            if apart_if_any(&places(&found), &places(&exact)) <= SAME {
                 (same, kept) = (same.max(off), kept + 1);
             }
         }

@@ -6,6 +6,7 @@ use palkki::solvers::Solver;
 use palkki::{Settings, solve_raw, theory};
 
 use super::{Claim, Verdict, bound};
+use crate::compare::apart_if_any;
 use crate::paper::{DEPTH, INTERVALS, LENGTH, UNIFORM, beam};
 
 /// Beam and load of the example on other supports, with a shape of its own, over another foundation.
@@ -49,13 +50,13 @@ pub fn curved_beam() -> Result<Curved, SceneError> {
     for supports in [vec![], vec![Support::simple(0.0), Support::simple(LENGTH)]] {
         let curved = scene_on(supports.clone(), Some(shape()), Foundation::Flat { depth: DEPTH })?;
         let straight = scene_on(supports, None, hollow())?;
-        found.exact = found.exact.max(difference(&numbers(&curved), &numbers(&straight)));
+        found.exact = found.exact.max(apart_if_any(&numbers(&curved), &numbers(&straight)));
         for method in Method::ALL {
             let settings = Settings::new(method, Solver::ActiveSet, INTERVALS);
             let [curved, straight] = [solve_raw(&curved, &settings)?, solve_raw(&straight, &settings)?];
             found.contact_force = curved.state.contact_force();
             let [a, b] = [curved, straight].map(|answer| answer.state.nodes.unwrap_or_default().contact_force);
-            found.nodal = found.nodal.max(difference(&a, &b) / (UNIFORM * LENGTH));
+            found.nodal = found.nodal.max(apart_if_any(&a, &b) / (UNIFORM * LENGTH));
         }
     }
     Ok(found)
@@ -74,14 +75,6 @@ fn numbers(scene: &Scene) -> Vec<f64> {
         [c.from / LENGTH, c.to / LENGTH, c.force / load, left / load, right / load]
     });
     supports.chain(contacts).collect()
-}
-
-/// The largest difference of two lists; infinite if they are not of one length, or empty.
-fn difference(a: &[f64], b: &[f64]) -> f64 {
-    if a.len() != b.len() || a.is_empty() {
-        return f64::INFINITY;
-    }
-    a.iter().zip(b).fold(0.0, |worst: f64, (a, b)| worst.max((a - b).abs()))
 }
 
 impl Curved {

@@ -11,6 +11,7 @@ use palkki::state::Contact;
 use palkki::{Settings, solve_raw};
 
 use super::{Claim, Verdict, bound};
+use crate::compare::apart;
 use crate::paper::uneven::{Unevenness, scenes};
 use crate::paper::{INTERVALS, PRINTED_USEFUL_INTERVALS, example, theory};
 
@@ -63,12 +64,9 @@ fn differences(scene: &Scene) -> Result<(f64, f64), SceneError> {
         method.nodal(&discrete, x, gradient)
     };
     let (a, b) = (nodal(Method::Displacement), nodal(Method::Force));
-    // Not `max`, which would overlook what is no number.
-    let worst = |most: f64, d: f64| if d <= most { most } else { d };
-    let most = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| (x - y).abs()).fold(0.0, worst);
     let largest = b.deflection.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let total = scaled.scene.load().magnitude(scaled.scene.beam().length());
-    Ok((most(&a.deflection, &b.deflection) / largest, most(&a.contact_force, &b.contact_force) / total))
+    Ok((apart(&a.deflection, &b.deflection) / largest, apart(&a.contact_force, &b.contact_force) / total))
 }
 
 /// The largest entry of `K C − I` on a grid of the example.
@@ -197,10 +195,7 @@ fn digits(intervals: usize) -> Result<Digits, SceneError> {
     };
     let (stiffness, flexibility) = (with_matrix(Method::Displacement), with_matrix(Method::Force));
     let reference = forces(Method::Force.qp(&discrete).stationary(&touches).ok(), true);
-    let error = |forces: Vec<f64>| {
-        let worst = forces.iter().zip(&reference).map(|(a, b)| (a - b).abs());
-        worst.fold(0.0, |worst: f64, e| if e.is_nan() { f64::INFINITY } else { worst.max(e) }) / total
-    };
+    let error = |forces: Vec<f64>| apart(&forces, &reference) / total;
     let eigenvalues = stiffness.matrix.symmetric_eigenvalues();
     let least = flexibility.matrix.symmetric_eigenvalues().max().recip();
     Ok(Digits {

@@ -1,5 +1,6 @@
 //! What a digit costs: the quickest solved run for each number of correct digits, solver by solver.
 
+use palkki::adaptive::observed_order;
 use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
 
 use super::{SOLVERS, ended, milliseconds};
@@ -90,8 +91,10 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
 fn one_digit(front: &[Point<'_>]) -> Option<[f64; 2]> {
     let fitted: Vec<&Point<'_>> = front.iter().filter(|point| (2.0..9.0).contains(&point.digits)).collect();
     let factor = |of: &dyn Fn(&Line) -> f64| {
-        let points: Vec<[f64; 2]> = fitted.iter().map(|p| [p.digits, of(p.line).log10()]).collect();
-        slope(&points).map(|slope| 10.0_f64.powf(slope))
+        let pairs: Vec<(f64, f64)> = fitted.iter().filter_map(|p| Some((p.line.worst()?, of(p.line)))).collect();
+        // One digit is a tenth of the error. Two points prove nothing.
+        let order = if pairs.len() < 3 { f64::NAN } else { observed_order(&pairs) };
+        Some(10.0_f64.powf(-order)).filter(|factor| factor.is_finite())
     };
     Some([factor(&milliseconds)?, factor(&|line| as_number(line.intervals))?])
 }
@@ -108,19 +111,6 @@ fn sentence(store: &Store) -> Option<String> {
         "**With the active set one more correct digit costs** {time} times the time and {intervals} times the intervals on flat ground, and \
          {crest_time} and {crest_intervals} times on smooth crests; the exact solution is accurate to rounding."
     ))
-}
-
-/// Slope of the line that is fitted to points by least squares; none through fewer than three.
-fn slope(points: &[[f64; 2]]) -> Option<f64> {
-    if points.len() < 3 {
-        return None;
-    }
-    let n = as_number(points.len());
-    let mean = |k: usize| points.iter().map(|p| p[k]).sum::<f64>() / n;
-    let (x, y) = (mean(0), mean(1));
-    let covariance: f64 = points.iter().map(|p| (p[0] - x) * (p[1] - y)).sum();
-    let variance: f64 = points.iter().map(|p| (p[0] - x) * (p[0] - x)).sum();
-    Some(covariance / variance).filter(|slope| slope.is_finite())
 }
 
 /// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
@@ -163,11 +153,6 @@ mod tests {
         assert!(readme.lines().any(|line| line == sentence), "README.md lacks the line\n{sentence}");
     }
 
-    #[test]
-    fn a_slope_is_fitted_by_least_squares() {
-        assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0], [2.0, 5.0]]), Some(2.0));
-        assert_eq!(slope(&[[0.0, 1.0], [1.0, 3.0]]), None, "two points prove nothing");
-    }
     #[test]
     fn a_price_has_a_panel_for_each_ground() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

@@ -21,13 +21,7 @@ struct Row {
 }
 
 /// The card of a scene.
-pub(in crate::report::evidence) fn card(
-    name: &str,
-    scene: &Scene,
-    exact: &Exact,
-    verdict: &Verdict,
-    story: String,
-) -> Result<Value, Cause> {
+pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, story: String) -> Result<Value, Cause> {
     let reference = closed(scene);
     let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
@@ -72,7 +66,7 @@ fn places(size: f64) -> usize {
 /// How far the values of a row are from their closed form; none if they have none, an error if they are not the same.
 fn of_closed(row: &Row, scene: &str, reference: Option<&Closed>) -> Result<Option<f64>, Cause> {
     let Some(values) = reference.and_then(|closed| closed.of(&row.name)) else { return Ok(None) };
-    let (difference, allowed) = (worst_difference(&row.values, values), AGREES * row.scale);
+    let (difference, allowed) = (apart_if_any(&row.values, values), AGREES * row.scale);
     if allowed < difference {
         let quantity = &row.name;
         let message = format!("beam theory differs from the closed form by {difference:e} in {quantity} of {scene}");
@@ -89,8 +83,8 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     let [of_length, of_force] = [&scene.units().length, &scene.units().force].map(label);
     let of_moment = if of_force.is_empty() { String::new() } else { format!("{of_force}·{of_length}") };
     let force = load(scene);
-    let moment = state.moment.max.abs().max(state.moment.min.abs());
-    let deflection = state.deflection.max.abs().max(state.deflection.min.abs());
+    let moment = magnitude(&state.moment);
+    let deflection = magnitude(&state.deflection);
     let certificate = verdict.certificate.as_ref();
     let mut rows = Vec::new();
     let mut row = |name: String, unit: &str, values: &[f64], scale: f64, proven: Option<f64>| {

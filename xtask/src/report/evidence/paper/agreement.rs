@@ -48,7 +48,7 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     for run in &runs {
         let (authority, method, solver) = (of(run), run.method, run.solver);
         let reaction = run.outcome.state.reactions.left;
-        let error = worst_difference(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
+        let error = apart_if_any(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
         let share = error / tolerances.of(solver);
         worst = worst.max(share);
         agree += usize::from(share <= 1.0);

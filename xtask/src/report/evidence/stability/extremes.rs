@@ -1,7 +1,7 @@
 //! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
 
 use palkki::route::RawSolution;
-use palkki_evidence::extremes::{Extreme, POWERS, Truth, borders, deep, sizes, units};
+use palkki_evidence::extremes::{Extreme, Known, POWERS, borders, deep, sizes, units};
 
 use crate::report::evidence::prelude::*;
 use crate::report::evidence::verdict_map::{self, Tone};
@@ -139,12 +139,12 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict,
         return Ok(Verdict::NotSolved);
     }
     let reference = run(Solver::ActiveSet)?;
-    let truth = Truth {
+    let known = Known {
         reactions: [reference.state.reactions.left, reference.state.reactions.right],
         contact_force: reference.state.contact_force(),
         energy: None,
     };
-    let beside = Extreme { truth, ..extreme.clone() };
+    let beside = Extreme { known, ..extreme.clone() };
     let same = !reference.solved || beside.error(&outcome.state) <= SAME;
     let near = extreme.error(&outcome.state) <= extreme.allowance();
     Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
