@@ -19,7 +19,7 @@ const KNOWN: f64 = 4.0;
 /// What the largest `|v|` over all cells lies between, apart by a share [`SHARP`] as far as rounding allows. Where the beam
 /// follows a plateau all values are the largest, and no halving would tell them apart: their own uncertainty ends that.
 pub(crate) fn largest(cells: impl Iterator<Item = ([f64; 2], Polynomial)> + Clone) -> Interval {
-    let mut reached = cells.clone().fold(0.0, |most: f64, (_, v)| most.max(v.at(Interval::ZERO).least_magnitude()));
+    let mut reached = cells.clone().fold(0.0, |most: f64, (_, v)| most.max(least_magnitude(v.at(Interval::ZERO))));
     let mut bound = 0.0_f64;
     let mut open = Vec::new();
     for ([from, to], v) in cells {
@@ -38,11 +38,16 @@ pub(crate) fn largest(cells: impl Iterator<Item = ([f64; 2], Polynomial)> + Clon
             // Half of the upper bound of the width: parts overlap by rounding and leave nothing out.
             let half = Interval::exact(width.hi()) / number(2);
             let right = v.shifted(half);
-            reached = reached.max(right.at(Interval::ZERO).least_magnitude());
+            reached = reached.max(least_magnitude(right.at(Interval::ZERO)));
             open.extend([(v, half), (right, half)]);
         }
     }
     Interval::between(reached, bound)
+}
+
+/// The smallest magnitude in an interval.
+pub(super) fn least_magnitude(interval: Interval) -> f64 {
+    interval.lo().max(-interval.hi()).max(0.0)
 }
 
 #[cfg(test)]

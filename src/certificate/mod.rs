@@ -111,12 +111,13 @@ fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R
 fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
     /// Where there is no foundation it is out of reach.
     const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
+    const STRAIGHT: Foundation = Foundation::Flat { depth: 0.0 };
     let (stiffness, length) = (scene.beam().bending_stiffness(), scene.beam().length());
     let given = [scene.foundation(), scene.beam().shape()];
     let fewer = given.map(|profile| profile.and_then(Foundation::without_collinear_points));
     let [ground, shape] = [0, 1].map(|k| fewer[k].as_ref().or(given[k]));
     let profile = |given| EnclosedFoundation::on(given, length);
-    let gap = EnclosedGap { ground: profile(ground.unwrap_or(&NONE)), shape: shape.map(profile) };
+    let gap = EnclosedGap { ground: profile(ground.unwrap_or(&NONE)), shape: profile(shape.unwrap_or(&STRAIGHT)) };
     let (load, supports) = (EnclosedLoad::of(scene), EnclosedSupport::of(scene, &gap));
     let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {

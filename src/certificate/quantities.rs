@@ -6,6 +6,7 @@ use super::kernel::interval::Interval;
 use super::kernel::load::EnclosedLoad;
 use super::kernel::polynomial::number;
 use super::kernel::proof::{Pair, Piece};
+use super::largest::least_magnitude;
 use crate::scene::Load;
 
 /// `J(v) = ½∫EI v''² dx − ∫q v dx − Σ P v` of a deflection, (17) with point loads. Pieces end where the load changes.
@@ -52,7 +53,7 @@ pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Option
         let mut turns = Interval::ZERO;
         for side in [0, 1] {
             let share = if given[1 - side] && supports[k].slope.is_none() { 6 } else { 24 };
-            let c = Interval::exact(clear[side].least_magnitude());
+            let c = Interval::exact(least_magnitude(clear[side]));
             let turn = number(share) * Interval::exact(enclosed.stiffness) * Interval::exact(pair.gap) / (c * c * c);
             match (given[side], c.lo() <= 0.0) {
                 (true, _) => {}

@@ -21,18 +21,18 @@ const MOST_PARTS: usize = 200;
 const SMALLEST_PART: f64 = 1.0 / 8.0;
 
 /// The ends of a span: nodes, or free ends of the beam.
-pub(crate) type Ends<'a> = [Option<&'a ContactNode>; 2];
+type Ends<'a> = [Option<&'a ContactNode>; 2];
 
 /// The power of the distance from an end of a span in `φ`.
-pub(crate) fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
+fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
     let Some(node) = end else { return 0 };
     let built_in = enclosed.support(node.x).is_some_and(|s| s.slope.is_some());
     let ends = node.x <= 0.0 || enclosed.length <= node.x;
     if ends && !built_in && matches!(node.slope, Slope::Free(_)) { 1 } else { 2 }
 }
 
-/// `α`, not negative; [`None`] if no lift of this shape is enough.
-pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) -> Option<f64> {
+/// `α φ` about the left end of the span, zero where it is clear; [`None`] if no lift of this shape is enough.
+pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) -> Option<Polynomial> {
     // From each node to the middle, or to the free end.
     let middle = match ends {
         [None, _] => span.from,
@@ -42,109 +42,83 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) ->
     let mut breaks = enclosed.gap.breaks(span.from, span.to);
     breaks.push(middle);
     let curve = span.curve(breaks, enclosed.load, enclosed.stiffness);
-    let width = |[from, to]: [f64; 2]| Interval::exact(to) - Interval::exact(from);
-    // The clearance about that end of a cell that is nearer to the node.
-    let from_the_left = curve.iter().take_while(|(cell, _)| cell[0] < middle).map(|(cell, v)| {
-        let [from, to] = *cell;
-        (from, width(*cell), enclosed.gap.cell(from, to).minus(v))
-    });
+    // The clearance about that end of a cell that is nearer to the node, and seen from there.
+    let from_the_left = curve
+        .iter()
+        .take_while(|(cell, _)| cell[0] < middle)
+        .map(|(cell, v)| (cell[0], cell[1], enclosed.gap.about(cell[0], *cell).minus(v)));
     let [v, slope, curvature, third] = span.end;
-    let at_end = [v, -slope, curvature / number(2), -third / number(6)];
+    let at_end = [v, slope, curvature / number(2), third / number(6)];
     let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
-        let [from, to] = *cell;
-        let v = v.shifted(width(*cell)).mirrored();
-        let v = if span.to <= to { v.known(&at_end) } else { v };
-        (to, width(*cell), enclosed.gap.mirrored_cell(from, to).minus(&v))
+        let v = v.shifted(Interval::exact(cell[1]) - Interval::exact(cell[0]));
+        let v = if span.to <= cell[1] { v.known(&at_end) } else { v };
+        (cell[1], cell[0], enclosed.gap.about(cell[1], *cell).minus(&v).mirrored())
     });
     let powers = ends.map(|end| power(enclosed, end));
-    let mut most = 0.0_f64;
-    if let Some(node) = ends[0] {
-        most = most.max(beside(enclosed, span, node, powers, from_the_left)?);
-    }
-    if let Some(node) = ends[1] {
-        most = most.max(beside(enclosed, span, node, [powers[1], powers[0]], from_the_right)?);
-    }
-    most.is_finite().then_some(most)
+    let [about_left, about_right] = [powers, [powers[1], powers[0]]].map(|powers| shape(span, powers));
+    let left = ends[0].map_or(Some(0.0), |node| beside(enclosed, node, false, about_left, from_the_left))?;
+    let right = ends[1].map_or(Some(0.0), |node| beside(enclosed, node, true, about_right, from_the_right))?;
+    Some(about_left.times(Interval::exact(left.max(right))))
 }
 
-/// `α` for cells from a node to the middle of its span, with the powers of `φ` at this node and at the other end.
+/// `α` for cells on the left or the right side of a node, with `φ` and the clearance as seen from there.
 fn beside(
     enclosed: &EnclosedScene<'_>,
-    span: &Span,
     node: &ContactNode,
-    powers: [usize; 2],
-    cells: impl Iterator<Item = (f64, Interval, Polynomial)>,
+    from_the_left: bool,
+    shape: Polynomial,
+    cells: impl Iterator<Item = (f64, f64, Polynomial)>,
 ) -> Option<f64> {
-    let length = Interval::exact(span.to) - Interval::exact(span.from);
+    let apart = |a: f64, b: f64| Interval::exact(a.max(b)) - Interval::exact(a.min(b));
     let mut most = 0.0;
-    let mut before: Option<(Interval, Polynomial)> = None;
-    for (near, width, clearance) in cells {
-        let order = if before.is_none() { enclosed.order(node, span.to <= node.x) } else { 0 };
-        let clearance = match before {
-            // What vanishes at the node is small beside it, also behind the end of a short cell.
-            Some((width, ref before)) if enclosed.gap.is_smooth_at(near) => {
-                clearance.known(&[before.at(width), before.derivative().at(width)])
-            }
-            Some(_) => clearance,
-            None => clearance.vanishing(order),
-        };
-        let [less, more] = [near.min(node.x), near.max(node.x)].map(Interval::exact);
-        let distance = if before.is_none() { Interval::ZERO } else { more - less };
-        let powers = [order, powers[0], powers[1]];
-        let part = Part { clearance: clearance.divided(order), width, distance, whole: width.hi(), length, powers };
+    let mut order = enclosed.order(node, from_the_left);
+    // What vanishes at the node is small beside it, also behind the end of a short cell.
+    let mut known = vec![Interval::ZERO; order];
+    for (near, far, clearance) in cells {
+        let (width, distance) = (apart(near, far), apart(near, node.x));
+        let clearance = clearance.known(&known);
+        let [quotient, shape] = [clearance, shape].map(|of| of.divided(order));
+        let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
         most = part.lift(most, &mut MOST_PARTS.clone())?;
-        before = Some((width, clearance));
+        order = 0;
+        known.clear();
+        if enclosed.gap.is_smooth_at(far) {
+            known.extend([clearance.at(width), clearance.derivative().at(width)]);
+        }
     }
     Some(most)
 }
 
-/// `φ` about the left end of the span, with its powers at both ends.
-pub(crate) fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
+/// `φ` about the left end of the span, with its powers at both ends; and with these exchanged, seen from the right end.
+fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
     const BINOMIALS: [&[f64]; 3] = [&[1.0], &[1.0, -1.0], &[1.0, -2.0, 1.0]];
-    let per = Interval::exact(1.0) / (Interval::exact(span.to) - Interval::exact(span.from));
-    let mut factor = Interval::exact(1.0);
     let mut coefficients = vec![Interval::ZERO; powers[0]];
-    for order in 0..powers[0] + powers[1] + 1 {
-        if powers[0] <= order {
-            coefficients.push(Interval::exact(BINOMIALS[powers[1]][order - powers[0]]) * factor);
-        }
-        factor = if order == 0 { per } else { factor * per };
-    }
-    Polynomial::new(&coefficients)
+    coefficients.extend(BINOMIALS[powers[1]].iter().copied().map(Interval::exact));
+    let length = Interval::exact(span.to) - Interval::exact(span.from);
+    Polynomial::new(&coefficients).scaled(Interval::exact(1.0) / length)
 }
 
-/// A part of a cell: the clearance over a power `order` of the distance from a contact node.
+/// A part of a cell: the clearance, from its beginning, and `φ`, from a contact node, both over a power of the distance from there.
 #[derive(Clone, Copy)]
 struct Part {
     clearance: Polynomial,
+    shape: Polynomial,
     width: Interval,
     distance: Interval,
-    /// Width of the cell, and length of the span.
+    /// Width of the cell.
     whole: f64,
-    length: Interval,
-    /// The order, and the powers of `φ` at this node and at the other one.
-    powers: [usize; 3],
 }
 
 impl Part {
-    /// The least value of `φ` over that power.
-    fn least(&self) -> f64 {
-        let [order, own, other] = self.powers;
-        let per = Interval::exact(1.0) / self.length;
-        let rest = (self.length - (self.distance + self.width)) * per;
-        let least = |base: Interval, times: usize| {
-            (0..times).fold(Interval::exact(1.0), |product, _| product * Interval::exact(base.lo().max(0.0)))
-        };
-        (least(per, own) * least(self.distance, own - order) * least(rest, other)).lo()
-    }
-
     /// `α` for this part if that is more than the `most` of others, and otherwise that.
     fn lift(&self, most: f64, parts: &mut usize) -> Option<f64> {
         let lowest = self.clearance.range(self.width).lo();
         if 0.0 <= lowest {
             return Some(most);
         }
-        let enough = (Interval::exact(-lowest) / Interval::exact(self.least())).hi();
+        let least = self.shape.shifted(self.distance).range(self.width).lo();
+        // No bound, if `φ` may vanish.
+        let enough = (Interval::exact(-lowest) / Interval::exact(least.max(0.0))).hi();
         if enough <= most {
             return Some(most);
         }

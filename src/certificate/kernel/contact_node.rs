@@ -73,17 +73,17 @@ impl EnclosedSupport {
     pub(crate) fn of(scene: &Scene, gap: &EnclosedGap<'_>) -> Vec<Self> {
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
-            let own = gap.shape.map_or([Interval::ZERO; 4], |shape| shape.jet(x, false));
+            let own = gap.shape.jet(x, false);
             let [meets, grounded] = [held.meets, held.grounded].map(|[left, right]| {
                 // Behind a step that goes down there is no ground at the level of the support.
                 [left && gap.ground.is_upper(x, true), right && gap.ground.is_upper(x, false)]
             });
-            let deflection = Interval::exact(given.level) - own[0];
             let slope = given.slope.map(|slope| {
                 let side = [0, 1].into_iter().find(|side| grounded[*side]);
                 side.map_or(Interval::exact(slope) - own[1], |side| gap.jet(x, side == 0)[1])
             });
-            let deflection = if meets[0] || meets[1] { gap.depth(x) } else { deflection };
+            let ground = meets[0] || meets[1];
+            let deflection = if ground { gap.depth(x) } else { Interval::exact(given.level) - own[0] };
             let is_fixed = slope.is_some() || (grounded == [true; 2] && gap.is_smooth_at(x));
             Self { x, deflection, slope, meets, grounded, is_fixed }
         });
@@ -113,14 +113,10 @@ impl EnclosedScene<'_> {
     /// `v` and `v'` of the beam at a node.
     pub(crate) fn end(&self, node: &ContactNode) -> [Interval; 2] {
         let support = self.support(node.x);
-        let [v, slope] = match node.slope {
-            Slope::Free(slope) => {
-                [support.map_or_else(|| self.gap.depth(node.x), |s| s.deflection), Interval::exact(slope)]
-            }
-            Slope::OfGround { from_the_left } => {
-                let [g, slope, ..] = self.gap.jet(node.x, from_the_left);
-                [support.map_or(g, |s| s.deflection), slope]
-            }
+        let v = support.map_or_else(|| self.gap.depth(node.x), |s| s.deflection);
+        let slope = match node.slope {
+            Slope::Free(slope) => Interval::exact(slope),
+            Slope::OfGround { from_the_left } => self.gap.jet(node.x, from_the_left)[1],
         };
         [v, support.and_then(|s| s.slope).unwrap_or(slope)]
     }
@@ -138,4 +134,4 @@ impl EnclosedScene<'_> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -14,7 +14,7 @@
 use super::hold::OUTWARDS;
 use super::interval::Interval;
 use super::load::cells;
-use super::polynomial::{Polynomial, number};
+use super::polynomial::number;
 use super::proof::{Pair, Piece};
 
 // Report: certificate
@@ -61,27 +61,6 @@ pub(crate) struct Part {
     pub(crate) fourth: f64,
 }
 
-/// A piece of `v̂`, with `v̂''` and the largest `|v̂''''|`.
-struct Admissible<'a> {
-    piece: &'a Piece,
-    bent: Polynomial,
-    fourth: f64,
-}
-
-impl<'a> Admissible<'a> {
-    fn of(piece: &'a Piece) -> Self {
-        let bent = piece.v.derivative().derivative();
-        let width = Interval::exact(piece.to) - Interval::exact(piece.from);
-        Self { piece, bent, fourth: bent.derivative().derivative().range(width).magnitude() }
-    }
-
-    /// `v̂` and `v̂''`.
-    fn at(&self, x: f64) -> [Interval; 2] {
-        let s = Interval::exact(x) - Interval::exact(self.piece.from);
-        [self.piece.v.at(s), self.bent.at(s)]
-    }
-}
-
 /// A bound on what lies between two values, from what there is at least of its second derivative in magnitude.
 fn bow(at_ends: [f64; 2], width: f64, second: f64) -> f64 {
     at_ends[0].max(at_ends[1]) + 0.125 * width * width * second
@@ -91,36 +70,40 @@ fn bow(at_ends: [f64; 2], width: f64, second: f64) -> f64 {
 /// judged.
 pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64, length: f64) -> Error {
     let factor = factor(pair.gap, stiffness);
-    let mut pieces = pair.pieces.iter().map(Admissible::of).peekable();
+    let mut parts = parts.peekable();
     let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
     let mut reached = 0.0;
-    // What is known of v̂ where the last part ended.
-    let mut known: Option<[Interval; 2]> = None;
-    for Part { ends: [a, b], values, fourth } in parts {
-        if !(a <= reached && reached < b) {
-            return Error::UNKNOWN;
+    for Piece { from, to, v, .. } in &pair.pieces {
+        let bent = v.derivative().derivative();
+        let at = |x: f64| {
+            let s = Interval::exact(x) - Interval::exact(*from);
+            [v.at(s), bent.at(s)]
+        };
+        let most_fourth =
+            bent.derivative().derivative().range(Interval::exact(*to) - Interval::exact(*from)).magnitude();
+        let mut left = at(reached);
+        while let Some(Part { ends: [a, b], values, fourth }) = parts.next_if(|part| part.ends[1] <= *to) {
+            if !(*from <= a && a <= reached && reached <= a && a < b) {
+                return Error::UNKNOWN;
+            }
+            let right = at(b);
+            let off = |k: usize| [(left[k] - values[0][k]).magnitude(), (right[k] - values[1][k]).magnitude()];
+            let own = |k: usize| values.map(|end| end[k].magnitude());
+            let width = b - a;
+            let apart = bow(off(0), width, bow(off(1), width, most_fourth + fourth));
+            let bound = (on_part(pair, factor, [a, b]) + apart) * OUTWARDS + f64::MIN_POSITIVE;
+            let size = bow(own(0), width, bow(own(1), width, fourth)) * OUTWARDS + f64::MIN_POSITIVE;
+            if bound.is_nan() || size.is_nan() {
+                return Error::UNKNOWN;
+            }
+            error.size = error.size.max(size);
+            if error.most < bound {
+                (error.most, error.at) = (bound, 0.5 * (a + b));
+            }
+            (reached, left) = (b, right);
         }
-        while pieces.next_if(|piece| piece.piece.to <= a).is_some() {
-            known = None;
-        }
-        let Some(piece) = pieces.peek().filter(|p| p.piece.from <= a && b <= p.piece.to) else { return Error::UNKNOWN };
-        let [left, right] = [known.filter(|_| reached <= a).unwrap_or_else(|| piece.at(a)), piece.at(b)];
-        let off = |k: usize| [(left[k] - values[0][k]).magnitude(), (right[k] - values[1][k]).magnitude()];
-        let own = |k: usize| values.map(|end| end[k].magnitude());
-        let width = b - a;
-        let apart = bow(off(0), width, bow(off(1), width, piece.fourth + fourth));
-        let bound = (on_part(pair, factor, [a, b]) + apart) * OUTWARDS + f64::MIN_POSITIVE;
-        let size = bow(own(0), width, bow(own(1), width, fourth)) * OUTWARDS + f64::MIN_POSITIVE;
-        if bound.is_nan() || size.is_nan() {
-            return Error::UNKNOWN;
-        }
-        error.size = error.size.max(size);
-        if error.most < bound {
-            (error.most, error.at) = (bound, 0.5 * (a + b));
-        }
-        (reached, known) = (b, Some(right));
     }
-    if length <= reached { error } else { Error::UNKNOWN }
+    if length <= reached && parts.peek().is_none() { error } else { Error::UNKNOWN }
 }
 
 /// The same for the deflection that the places of a witness make, off which `v̂` was lifted: the bound.

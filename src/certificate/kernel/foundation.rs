@@ -28,16 +28,8 @@ impl<'a> EnclosedFoundation<'a> {
         Self { given, length }
     }
 
-    /// Ends of cells strictly between two places.
+    /// Ends of cells strictly between two places, that of a step twice.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
-        let steps = |step: f64| {
-            let step = step.max(self.length / MOST_CELLS);
-            let first = (from / step).floor() + 1.0;
-            (0..)
-                .map(move |k| (first + f64::from(k)) * step)
-                .skip_while(move |x| *x <= from)
-                .take_while(move |x| *x < to)
-        };
         match self.given {
             Foundation::Flat { .. } => Vec::new(),
             Foundation::Polynomial { coefficients } => {
@@ -45,19 +37,20 @@ impl<'a> EnclosedFoundation<'a> {
                     long_degree(coefficients).map_or(1, |d| MOST_CELLS_OF_A_POLYNOMIAL.min(CELLS_PER_DEGREE * d));
                 cuts(self.length, parts).filter(|x| from < *x && *x < to).collect()
             }
-            Foundation::Cosine { wavelength, .. } => steps(wavelength / CELLS_IN_A_WAVE).collect(),
+            Foundation::Cosine { wavelength, .. } => {
+                let step = (wavelength / CELLS_IN_A_WAVE).max(self.length / MOST_CELLS);
+                let steps = (0..).map(|k| ((from / step).floor() + f64::from(k)) * step);
+                steps.skip_while(|x| *x <= from).take_while(|x| *x < to).collect()
+            }
             Foundation::Polyline { points } => {
                 let first = points.partition_point(|p| p[0] <= from);
-                let inside = points[first..].iter().map(|p| p[0]).take_while(|x| *x < to);
-                let mut breaks: Vec<f64> = inside.collect();
-                breaks.dedup();
-                breaks
+                points[first..].iter().map(|p| p[0]).take_while(|x| *x < to).collect()
             }
         }
     }
 
-    /// `u(origin + s)` between two places without a break between them.
-    fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
+    /// `u(origin + s)` between two places without a break between them, on which the origin is.
+    pub(crate) fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
         match self.given {
             Foundation::Flat { depth } => Polynomial::new(&[Interval::exact(*depth)]),
             Foundation::Polynomial { coefficients } => of_polynomial(coefficients, origin, [from, to]),
@@ -66,16 +59,6 @@ impl<'a> EnclosedFoundation<'a> {
             }
             Foundation::Polyline { points } => segment(points, from, origin),
         }
-    }
-
-    /// `u(from + s)` for `0 ≤ s ≤ to − from`.
-    pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
-        self.about(from, [from, to])
-    }
-
-    /// `u(to − s)` for `0 ≤ s ≤ to − from`.
-    pub(crate) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
-        self.about(to, [from, to]).mirrored()
     }
 
     /// The depth and its first three derivatives at a place, at a point of a polyline on one of its sides.
@@ -131,41 +114,26 @@ fn segment(points: &[[f64; 2]], from: f64, origin: f64) -> Polynomial {
     let [left, right] = [points[after - 1], points[after]];
     let [[x, u], [end, depth]] = [left, right].map(|p| p.map(Interval::exact));
     let slope = (depth - u) / (end - x);
-    // What is given is known without rounding: the points, and a level stretch.
-    if (right[1] - left[1]).abs() <= 0.0 {
-        return Polynomial::new(&[u]);
-    }
-    let value = if origin == left[0] {
-        u
-    } else if origin == right[0] {
-        depth
-    } else {
-        u + slope * (Interval::exact(origin) - x)
-    };
+    // What is given is known without rounding: the points, of which this is the other one, and a level stretch.
+    let value = if origin == right[0] { depth } else { u + slope * (Interval::exact(origin) - x) };
     Polynomial::new(&[value, slope])
 }
 
 /// Taylor's polynomial about an origin, for a cell. Terms beyond those that are kept become the remainder of Lagrange: the last
 /// coefficient is then that of Taylor's polynomial at any place of the cell.
 fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial {
-    let exact: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
-    let Some(degree) = long_degree(given) else {
-        let mut shifted = exact[..given.len().min(TERMS)].to_vec();
-        shift(&mut shifted, Interval::exact(origin), TERMS);
-        return Polynomial::new(&shifted);
-    };
-    let given = &given[..=degree];
-    let mut taylor = expanded(given, origin, given.len().min(EXPANDED));
-    let last = taylor.len() - 1;
+    let given = &given[..given.iter().rposition(|&c| c != 0.0).map_or(0, |degree| degree + 1)];
+    let cell = Interval::between(from, to);
+    let mut taylor = expanded(given, origin, EXPANDED);
     if taylor.len() < given.len() {
         // Of terms so high next to nothing is left over a cell.
-        let mut anywhere = exact[..given.len()].to_vec();
-        shift(&mut anywhere, Interval::between(from, to), taylor.len());
-        taylor[last] = anywhere[last];
+        let mut anywhere: Vec<Interval> = given.iter().map(|&c| Interval::exact(c)).collect();
+        shift(&mut anywhere, cell, EXPANDED);
+        taylor[EXPANDED - 1] = anywhere[EXPANDED - 1];
     }
     if TERMS < taylor.len() {
         let mut anywhere = taylor.clone();
-        shift(&mut anywhere, Interval::between(from, to) - Interval::exact(origin), TERMS);
+        shift(&mut anywhere, cell - Interval::exact(origin), TERMS);
         taylor[TERMS - 1] = anywhere[TERMS - 1];
     }
     Polynomial::new(&taylor)
@@ -176,16 +144,12 @@ fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomi
     let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
     let wave_number = Interval::TAU / Interval::exact(wavelength);
     let mut factor = Interval::exact(amplitude);
-    let mut coefficients = [Interval::ZERO; TERMS];
+    let mut coefficients = [Interval::around_zero(1.0); TERMS];
+    for (c, derivative) in coefficients[..TERMS - 1].iter_mut().zip([cos, -sin, -cos, sin].into_iter().cycle()) {
+        *c = derivative;
+    }
     for (j, c) in coefficients.iter_mut().enumerate() {
-        let value = match j % 4 {
-            _ if j == TERMS - 1 => Interval::around_zero(1.0),
-            0 => cos,
-            1 => -sin,
-            2 => -cos,
-            _ => sin,
-        };
-        *c = factor * value;
+        *c = factor * *c;
         factor = factor * wave_number / number(j + 1);
     }
     coefficients[0] = coefficients[0] + Interval::exact(mean);

@@ -4,57 +4,50 @@ use super::foundation::EnclosedFoundation;
 use super::interval::Interval;
 use super::polynomial::Polynomial;
 
-/// The gap. Of a straight beam it is the depth of the foundation, without a subtraction.
+/// The gap. The shape of a straight beam is zero, which is subtracted without rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnclosedGap<'a> {
     pub(crate) ground: EnclosedFoundation<'a>,
-    pub(crate) shape: Option<EnclosedFoundation<'a>>,
+    pub(crate) shape: EnclosedFoundation<'a>,
 }
 
 impl EnclosedGap<'_> {
-    /// Ends of cells strictly between two places, of ground and shape, in any order.
+    /// Ends of cells strictly between two places, of ground and shape, in any order, and some of them twice.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let mut breaks = self.ground.breaks(from, to);
-        breaks.extend(self.shape.iter().flat_map(|shape| shape.breaks(from, to)));
+        breaks.extend(self.shape.breaks(from, to));
         breaks
     }
 
-    fn less(&self, ground: Polynomial, shape: impl Fn(&EnclosedFoundation<'_>) -> Polynomial) -> Polynomial {
-        self.shape.as_ref().map_or(ground, |own| ground.minus(&shape(own)))
+    /// `g(origin + s)` between two places without a break between them, on which the origin is.
+    pub(crate) fn about(&self, origin: f64, cell: [f64; 2]) -> Polynomial {
+        self.ground.about(origin, cell).minus(&self.shape.about(origin, cell))
     }
 
     /// `g(from + s)` for `0 ≤ s ≤ to − from`; there is no break between the two places.
     pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
-        self.less(self.ground.cell(from, to), |shape| shape.cell(from, to))
-    }
-
-    /// `g(to − s)` for `0 ≤ s ≤ to − from`.
-    pub(crate) fn mirrored_cell(&self, from: f64, to: f64) -> Polynomial {
-        self.less(self.ground.mirrored_cell(from, to), |shape| shape.mirrored_cell(from, to))
+        self.about(from, [from, to])
     }
 
     /// The gap and its first three derivatives at a place, on one of its sides.
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
-        let [mut jet, own] =
-            [Some(self.ground), self.shape].map(|p| p.map_or([Interval::ZERO; 4], |p| p.jet(x, from_the_left)));
-        jet.iter_mut().zip(own).for_each(|(g, own)| *g = *g - own);
-        jet
+        let [ground, own] = [self.ground, self.shape].map(|profile| profile.jet(x, from_the_left));
+        [0, 1, 2, 3].map(|order| ground[order] - own[order])
     }
 
     /// `g(x)`, at a step the smaller of the two.
     pub(crate) fn depth(&self, x: f64) -> Interval {
-        let depth = self.ground.depth(x);
-        self.shape.map_or(depth, |shape| depth - shape.depth(x))
+        self.ground.depth(x) - self.shape.depth(x)
     }
 
     /// False at the points of a polyline.
     pub(crate) fn is_smooth_at(&self, x: f64) -> bool {
-        self.ground.is_smooth_at(x) && self.shape.is_none_or(|shape| shape.is_smooth_at(x))
+        self.ground.is_smooth_at(x) && self.shape.is_smooth_at(x)
     }
 
     /// True if it is one smooth curve between two places.
     pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
-        self.ground.is_smooth_between(from, to) && self.shape.is_none_or(|shape| shape.is_smooth_between(from, to))
+        self.ground.is_smooth_between(from, to) && self.shape.is_smooth_between(from, to)
     }
 }
 
@@ -70,7 +63,7 @@ mod tests {
         let ground = Foundation::Polynomial { coefficients: vec![1.0, 0.5] };
         let shape = Foundation::Polynomial { coefficients: vec![0.0, 0.25, 0.125] };
         let [ground, shape] = [&ground, &shape].map(|profile| EnclosedFoundation::on(profile, LENGTH));
-        let gap = EnclosedGap { ground, shape: Some(shape) };
+        let gap = EnclosedGap { ground, shape };
         let close = |found: Interval, expected: f64| {
             assert!(found.lo() <= expected && expected <= found.hi(), "{found:?} for {expected}");
             assert!(found.hi() - found.lo() <= 1e-13, "{found:?}");
@@ -79,7 +72,7 @@ mod tests {
             let expected = 1.0 + 0.25 * x - 0.125 * x * x;
             close(gap.depth(x), expected);
             close(gap.cell(0.5, 3.5).at(Interval::exact(x - 0.5)), expected);
-            close(gap.mirrored_cell(0.5, 3.5).at(Interval::exact(3.5 - x)), expected);
+            close(gap.about(3.5, [0.5, 3.5]).at(Interval::exact(x - 3.5)), expected);
             for from_the_left in [false, true] {
                 let [value, slope, bend, third] = gap.jet(x, from_the_left);
                 close(value, expected);
@@ -88,6 +81,9 @@ mod tests {
                 close(third, 0.0);
             }
         }
-        close(EnclosedGap { ground, shape: None }.depth(2.0), 2.0);
+        let straight = Foundation::Flat { depth: 0.0 };
+        let straight = EnclosedGap { ground, shape: EnclosedFoundation::on(&straight, LENGTH) };
+        assert_eq!(straight.depth(2.0), ground.depth(2.0), "nothing is rounded");
+        assert_eq!(straight.cell(0.5, 3.5).coefficients(), ground.about(0.5, [0.5, 3.5]).coefficients());
     }
 }

@@ -23,18 +23,21 @@
 /// More than a dozen roundings of a sum of products without cancellation (Higham 2002, section 3.1).
 pub(crate) const OUTWARDS: f64 = 1.0 + 32.0 * f64::EPSILON;
 
-/// A part of the beam, mostly a single place, somewhere on which `|v̂ − v*|` is at most `off`.
+/// A part of the beam, mostly a single place, on which contact presses with a force of at least `presses`, and somewhere on which
+/// `|v̂ − v*|` is at most `off`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
     pub(crate) from: f64,
     pub(crate) to: f64,
+    /// Infinite for a support, which exerts whatever it has to.
+    pub(crate) presses: f64,
     pub(crate) off: f64,
 }
 
 impl Place {
     /// Where the deflection is known.
     pub(crate) fn at(x: f64) -> Self {
-        Self { from: x, to: x, off: 0.0 }
+        Self { from: x, to: x, presses: f64::INFINITY, off: 0.0 }
     }
 }
 
@@ -152,7 +155,7 @@ mod tests {
     fn over_parts_the_worst_counts() {
         let places = [[1.0, 1.25], [4.0, 4.5]];
         let off = [0.25, 0.75];
-        let [left, right] = [0, 1].map(|k| Place { from: places[k][0], to: places[k][1], off: off[k] });
+        let [left, right] = [0, 1].map(|k| Place { to: places[k][1], off: off[k], ..Place::at(places[k][0]) });
         let hold = Hold(left, right);
         for part in [[0.0, 0.5], [0.5, 1.5], [1.5, 1.75], [2.5, 2.75], [3.75, 4.25], [4.25, 5.0], [9.0, 10.0]] {
             let (mut lever, mut shift) = (0.0_f64, 0.0_f64);
@@ -188,7 +191,7 @@ mod tests {
         let built_in = Hold(Place::at(2.0), Place::at(2.0));
         reached(built_in.share([3.0, 4.0], 0.5, 0.125), 0.5);
         reached(built_in.lever_of_couple([3.0, 4.0]), 6.0_f64.sqrt());
-        let wide = Hold(Place { from: 1.0, to: 2.0, off: 0.5 }, Place { from: 5.0, to: 5.5, off: 0.5 });
+        let wide = Hold(Place { to: 2.0, off: 0.5, ..Place::at(1.0) }, Place { to: 5.5, off: 0.5, ..Place::at(5.0) });
         // The worst places: far apart for a couple, close together for a share.
         reached(wide.lever_of_couple([6.0, 7.0]), (4.5_f64 + 3.0 * 2.0).sqrt());
         reached(wide.share([6.0, 7.0], 0.5, 0.125), 0.5 + (0.5 * 2.0 + 0.125) / 3.0);

@@ -10,6 +10,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All numbers from `lo` to `hi`.
+#[must_use]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     lo: f64,
@@ -25,19 +26,16 @@ impl Interval {
     pub(crate) const TAU: Self = Self { lo: std::f64::consts::TAU, hi: 6.283_185_307_179_587 };
 
     /// A number, exactly; NaN could be any.
-    #[must_use]
     pub fn exact(value: f64) -> Self {
         Self::between(value, value)
     }
 
     /// From `lo` to `hi`, in this order; NaN leaves that side open.
-    #[must_use]
     pub fn between(lo: f64, hi: f64) -> Self {
         Self { lo: if lo.is_nan() { f64::NEG_INFINITY } else { lo }, hi: if hi.is_nan() { f64::INFINITY } else { hi } }
     }
 
     /// `−radius … radius`.
-    #[must_use]
     pub fn around_zero(radius: f64) -> Self {
         Self::between(-radius.abs(), radius.abs())
     }
@@ -84,12 +82,6 @@ impl Interval {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// The smallest magnitude in it.
-    #[must_use]
-    pub fn least_magnitude(self) -> f64 {
-        self.lo.max(-self.hi).max(0.0)
-    }
-
     /// True for zero itself.
     #[must_use]
     pub fn is_zero(self) -> bool {
@@ -103,40 +95,31 @@ impl Interval {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// True if `value` lies in it.
-    #[must_use]
-    pub fn contains(self, value: f64) -> bool {
-        self.lo <= value && value <= self.hi
-    }
-
     /// The smallest interval that holds both.
-    #[must_use]
     pub fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// What of it is not negative: a better enclosure of a number that is not.
+    pub(crate) fn not_negative(self) -> Self {
+        self.meet(Self::between(0.0, f64::INFINITY))
+    }
+
     /// The square, which is not the product of two different numbers of the interval.
-    #[must_use]
     pub fn square(self) -> Self {
-        if self.is_zero() {
-            return Self::ZERO;
-        }
-        let (most, least) = (self.magnitude(), self.least_magnitude());
-        Self::between((least * least).next_down().max(0.0), (most * most).next_up())
+        (self * self).not_negative()
     }
 
     /// The square root of what in it is not negative.
-    #[must_use]
     pub fn sqrt(self) -> Self {
         if self.is_zero() {
             return Self::ZERO;
         }
         let root = |x: f64| x.max(0.0).sqrt();
-        Self::between(root(self.lo).next_down().max(0.0), root(self.hi).next_up())
+        Self::outward(root(self.lo), root(self.hi)).not_negative()
     }
 
     /// `cos(2π turns + phase)` and `sin(2π turns + phase)`.
-    #[must_use]
     pub fn cos_sin(turns: Self, phase: Self) -> [Self; 2] {
         let angle = Self::TAU * turns + phase;
         let middle = angle.middle();
@@ -150,7 +133,6 @@ impl Interval {
     }
 
     /// What lies in both: of two enclosures of one number a better one.
-    #[must_use]
     pub fn meet(self, other: Self) -> Self {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
@@ -175,10 +157,11 @@ impl Sub for Interval {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        if other.is_zero() {
-            return self;
+        // A number less itself is exact, too.
+        if self == other && self.hi <= self.lo && self.is_finite() {
+            return Self::ZERO;
         }
-        Self::outward(self.lo - other.hi, self.hi - other.lo)
+        self + -other
     }
 }
 
@@ -208,6 +191,9 @@ impl Div for Interval {
     fn div(self, other: Self) -> Self {
         if other.lo <= 0.0 && 0.0 <= other.hi {
             return Self::WHOLE;
+        }
+        if self.is_zero() {
+            return Self::ZERO;
         }
         Self::of_corners([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
     }

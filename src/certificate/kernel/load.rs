@@ -22,14 +22,12 @@ impl EnclosedLoad {
         ends.sort_by(f64::total_cmp);
         ends.dedup();
         // From left to right, each part is looked at only on the pieces that it acts on.
-        let mut parts: Vec<_> = load.linear().iter().enumerate().collect();
-        parts.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
-        let (mut next, mut acting) = (parts.into_iter().peekable(), Vec::<(usize, &LinearLoad)>::new());
+        let mut parts: Vec<&LinearLoad> = load.linear().iter().collect();
+        parts.sort_by(|a, b| a.from.total_cmp(&b.from));
+        let (mut next, mut acting) = (parts.into_iter().peekable(), Vec::new());
         let line_from = |x: f64| {
-            acting.retain(|(_, q)| x < q.to);
-            acting.extend(std::iter::from_fn(|| next.next_if(|(_, q)| q.from <= x)));
-            // They add up in the order in which they are given, which rounding depends on.
-            acting.sort_by_key(|part| part.0);
+            acting.retain(|q: &&LinearLoad| x < q.to);
+            acting.extend(std::iter::from_fn(|| next.next_if(|q| q.from <= x)));
             line(load.uniform(), &acting, x)
         };
         let lines = ends[..ends.len() - 1].iter().copied().map(line_from).collect();
@@ -50,9 +48,6 @@ impl EnclosedLoad {
     pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
         let piece = self.ends.partition_point(|x| *x <= from.max(0.0).min(to)).clamp(1, self.lines.len()) - 1;
         let [start, slope] = self.lines[piece];
-        if slope == Interval::ZERO {
-            return Polynomial::new(&[start]);
-        }
         Polynomial::new(&[start + slope * (Interval::exact(from) - Interval::exact(self.ends[piece])), slope])
     }
 
@@ -76,17 +71,13 @@ pub(crate) fn one_at_a_place(mut forces: Vec<(f64, Interval)>) -> Vec<(f64, Inte
 }
 
 /// All distributed loads on a piece that begins at `from`: `q` there, and its slope.
-fn line(uniform: f64, acting: &[(usize, &LinearLoad)], from: f64) -> [Interval; 2] {
-    let mut sum = [Interval::exact(uniform), Interval::ZERO];
-    for (_, q) in acting {
+fn line(uniform: f64, acting: &[&LinearLoad], from: f64) -> [Interval; 2] {
+    acting.iter().fold([Interval::exact(uniform), Interval::ZERO], |[sum, slopes], q| {
         let rise = Interval::exact(q.end) - Interval::exact(q.start);
         let slope = rise / (Interval::exact(q.to) - Interval::exact(q.from));
-        sum[0] = sum[0] + Interval::exact(q.start) + slope * (Interval::exact(from) - Interval::exact(q.from));
-        if 0.0 < (q.end - q.start).abs() {
-            sum[1] = sum[1] + slope;
-        }
-    }
-    sum
+        let there = Interval::exact(q.start) + slope * (Interval::exact(from) - Interval::exact(q.from));
+        [sum + there, slopes + slope]
+    })
 }
 
 /// Cells between two places: pairs of neighbouring ends, with all `breaks` among them.

@@ -56,12 +56,6 @@ impl Polynomial {
         derivative
     }
 
-    /// The same, of which the coefficients below `order` are known to vanish.
-    pub(crate) fn vanishing(mut self, order: usize) -> Self {
-        self.coefficients[..order].fill(Interval::ZERO);
-        self
-    }
-
     /// The same, of which the first coefficients are known in another way, too.
     pub(crate) fn known(mut self, first: &[Interval]) -> Self {
         for (c, known) in self.coefficients[..self.terms].iter_mut().zip(first) {
@@ -93,6 +87,17 @@ impl Polynomial {
         shifted
     }
 
+    /// The polynomial of `s` that this one is of `k s`.
+    pub(crate) fn scaled(&self, k: Interval) -> Self {
+        let mut scaled = *self;
+        let mut power = Interval::exact(1.0);
+        for c in &mut scaled.coefficients[..self.terms] {
+            *c = *c * power;
+            power = power * k;
+        }
+        scaled
+    }
+
     /// `∫₀^w f g`.
     pub(crate) fn integral_of_product(&self, other: &Self, width: Interval) -> Interval {
         let (f, g) = (self.coefficients(), other.coefficients());
@@ -110,26 +115,19 @@ impl Polynomial {
 
     /// `∫₀^w f²`, not negative.
     pub(crate) fn integral_of_square(&self, width: Interval) -> Interval {
-        let integral = self.integral_of_product(self, width);
-        Interval::between(integral.lo().max(0.0), integral.hi().max(0.0))
+        self.integral_of_product(self, width).not_negative()
     }
 
     /// All values for `0 ≤ s ≤ w`: between the least and the greatest Bernstein coefficient,
     /// `b_i = Σ_{j ≤ i} C(i, j) / C(d, j) c_j w^j`.
     pub(crate) fn range(&self, width: Interval) -> Interval {
-        let mut scaled = self.coefficients;
-        let mut power = Interval::exact(1.0);
-        for c in &mut scaled[..self.terms] {
-            *c = *c * power;
-            power = power * width;
-        }
         let Some(degree) = self.terms.checked_sub(1) else { return Interval::ZERO };
-        // c_j / C(d, j), then sums as in Pascal's triangle.
-        for (j, c) in scaled[..self.terms].iter_mut().enumerate() {
+        // w^j c_j / C(d, j), then sums as in Pascal's triangle.
+        let mut row = self.scaled(width).coefficients;
+        for (j, c) in row[..self.terms].iter_mut().enumerate() {
             *c = *c / binomial(degree, j);
         }
-        let mut range = scaled[0];
-        let mut row = scaled;
+        let mut range = row[0];
         for left in (1..=degree).rev() {
             // Forward: row[j] ← row[j] + row[j + 1]; after i rounds row[0] = Σ C(i, j) c_j / C(d, j).
             for j in 0..left {
@@ -155,7 +153,7 @@ pub(crate) fn shift(coefficients: &mut [Interval], s: Interval, terms: usize) {
 /// a number and an interval that holds what it is off by, so that what is lost is of the size of the square of a rounding.
 pub(crate) fn expanded(given: &[f64], x: f64, terms: usize) -> Vec<Interval> {
     let mut taylor: Vec<(f64, Interval)> = given.iter().map(|&c| (c, Interval::ZERO)).collect();
-    for start in 0..terms {
+    for start in 0..terms.min(given.len()) {
         for j in (start..taylor.len() - 1).rev() {
             taylor[j] = carried(taylor[j + 1], x, taylor[j]);
         }
@@ -163,19 +161,17 @@ pub(crate) fn expanded(given: &[f64], x: f64, terms: usize) -> Vec<Interval> {
     taylor.into_iter().take(terms).map(|(c, off)| Interval::exact(c) + off).collect()
 }
 
-/// `a x + b`, rounded, and what it is off by.
+/// `a x + b`, rounded, and what it is off by: anything, if it leaves the range of `f64`, where the rest is no number.
 fn carried((a, a_off): (f64, Interval), x: f64, (b, b_off): (f64, Interval)) -> (f64, Interval) {
     let product = a * x;
     let sum = product + b;
-    if !sum.is_finite() {
-        return (0.0, Interval::WHOLE);
-    }
     // What the product rounds off is a number, unless it is below the range of normal ones; what a sum rounds off always is
     // (Knuth).
     let lost = libm::fma(a, x, -product);
     let part = sum - product;
     let rest = (product - (sum - part)) + (b - part);
-    let lost = Interval::between(lost.next_down(), lost.next_up());
+    let exact = Interval::exact(a) * Interval::exact(x) - Interval::exact(product);
+    let lost = exact.meet(Interval::between(lost.next_down(), lost.next_up()));
     (sum, a_off * Interval::exact(x) + b_off + lost + Interval::exact(rest))
 }
 

@@ -70,7 +70,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     // Part i is that to the left of node i.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans: Vec<Option<Span>> = (0..=nodes.len()).map(|i| enclosed.span(ends(i)[0], ends(i)[1])).collect();
-    let moments: Vec<Moments> = (0..nodes.len()).map(|i| Moments::at(enclosed, nodes, &spans, i)).collect();
+    let moments: Vec<_> = (0..nodes.len()).map(|i| moments(enclosed, nodes, &spans, i)).collect();
     let mut gap = Interval::ZERO;
     let (mut lifts, mut lifted) = (Interval::ZERO, 0.0_f64);
     let mut cut_off = TensionCutOff::default();
@@ -88,7 +88,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         };
         let length = Interval::exact(span.to) - Interval::exact(span.from);
         if let [Some(_), Some(_)] = ends(i) {
-            let moments = [moments[i - 1].beside[1], moments[i].beside[0]];
+            let moments = [moments[i - 1].0[1], moments[i].0[0]];
             let r = [stiffness * span.start[2] + moments[0], stiffness * span.end[2] + moments[1]];
             // Not from the third derivative, of which rounding is larger by the square of a short span.
             let shear = (moments[1] - moments[0] + span.loaded[0]) / length;
@@ -98,15 +98,11 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             shears.push([span.start, span.end].map(|jet| -(stiffness * jet[3])));
         }
         let mut curve = span.curve(Vec::new(), enclosed.load, enclosed.stiffness);
-        let alpha = clearance::lift(enclosed, span, ends(i))?;
-        if 0.0 < alpha {
-            let powers = ends(i).map(|end| clearance::power(enclosed, end));
-            let lift = clearance::shape(span, powers).times(Interval::exact(alpha));
-            lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
-            lifted = lifted.max(lift.range(length).magnitude());
-            for ([from, _], v) in &mut curve {
-                *v = v.minus(&lift.shifted(Interval::exact(*from) - Interval::exact(span.from)));
-            }
+        let lift = clearance::lift(enclosed, span, ends(i))?;
+        lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
+        lifted = lifted.max(lift.range(length).magnitude());
+        for ([from, _], v) in &mut curve {
+            *v = v.minus(&lift.shifted(Interval::exact(*from) - Interval::exact(span.from)));
         }
         pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
     }
@@ -116,49 +112,43 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     // The place above which the loads are in balance, if that is all that carries the beam.
     let turns_about = enclosed.balanced_at.filter(|_| matches!(nodes, [node] if enclosed.balanced_at == Some(node.x)));
     let mut couples = 0.0;
-    for ((node, &force), moments) in nodes.iter().zip(&forces).zip(&moments) {
+    for ((node, &force), &(_, jump)) in nodes.iter().zip(&forces).zip(&moments) {
         let support = enclosed.support(node.x);
         if support.is_none() {
             cut_off.force(node.x, force);
         }
-        // What the beam is built in exerts any couple, and loads in balance need none.
-        if moments.may_differ && turns_about.is_none() && support.is_none_or(|s| s.slope.is_none()) {
-            let jump = moments.beside[1] - moments.beside[0];
-            let made = [true, false].map(|left| support.is_some() && enclosed.order(node, left) == 2);
-            cut_off.couple(node.x, jump, made);
+        // Loads in balance need no couple, and what the beam is built in exerts any.
+        if turns_about.is_none() {
+            let made = |left: bool| support.is_some_and(|s| s.slope.is_some() || enclosed.order(node, left) == 2);
+            cut_off.couple(node.x, jump, [true, false].map(made));
             couples += jump.magnitude();
         }
     }
     let mut holds = held(enclosed, turns_about);
     let (mut moved, mut opened) = (TensionCutOff::default(), Interval::ZERO);
-    let mut presses = None;
     if holds.is_empty() {
         let mut carriers = carriers(enclosed, nodes, &forces);
-        let two = widest(&mut carriers).or_else(|| {
-            let (place, force) = *carriers.iter().find(|(place, _)| place.to <= place.from)?;
-            let sides = sides(enclosed, &pieces, place.from, couples / force)?;
-            moved.force(place.from, Interval::exact(-force));
-            opened = Interval::exact(force) * Interval::exact(sides[0].off);
-            // Half of it, but for the rounding of the two places.
-            Some(sides.map(|place| (place, 0.25 * force)))
-        })?;
-        holds.push(Hold(two[0].0, two[1].0));
-        presses = Some(two.map(|(_, force)| force));
+        holds.push(widest(&mut carriers).or_else(|| {
+            let place = carriers.iter().find(|place| place.to <= place.from)?;
+            let sides = sides(enclosed, &pieces, place, couples)?;
+            moved.force(place.from, Interval::exact(-place.presses));
+            opened = Interval::exact(place.presses) * Interval::exact(sides.0.off);
+            Some(sides)
+        })?);
     }
     let [moment, share] = cut_off.carried(&holds, enclosed.stiffness);
     let correction = lifts.sqrt() + moment + moved.carried(&holds, enclosed.stiffness)[0];
     let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + correction;
     // Without correction the square would only add rounding.
     let gap = (if correction.is_zero() { gap } else { root.square() / number(2) } + opened).hi();
-    if let (Some(presses), [Hold(left, right)]) = (presses, &mut holds[..]) {
-        for (place, force) in [left, right].into_iter().zip(presses).filter(|(_, force)| force.is_finite()) {
-            // What is cut off is taken from it.
-            let remains = (Interval::exact(force) - share).lo();
-            if remains <= 0.0 {
-                return None;
-            }
-            place.off = place.off.max((Interval::exact(gap) / Interval::exact(remains)).hi());
+    for place in holds.iter_mut().flat_map(|Hold(left, right)| [left, right]).filter(|place| place.presses.is_finite())
+    {
+        // What is cut off is taken from it.
+        let remains = (Interval::exact(place.presses) - share).lo();
+        if remains <= 0.0 {
+            return None;
         }
+        place.off = place.off.max((Interval::exact(gap) / Interval::exact(remains)).hi());
     }
     let corrected = Interval::around_zero(share.hi());
     let supports = nodes.iter().zip(forces).filter(|(node, _)| enclosed.support(node.x).is_some());
@@ -181,59 +171,59 @@ fn held(enclosed: &EnclosedScene<'_>, turns_about: Option<f64>) -> Vec<Hold> {
     two.chain(one.chain(turns_about).map(twice)).collect()
 }
 
-/// Where the beam is carried, with what presses there at least: single nodes, parts of zones, and loads that stand in them. What is
-/// taken from a part is taken in proportion to what presses there: the mean of what single places would give, of which the
-/// worst is counted. A support exerts whatever it has to.
-fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<(Place, f64)> {
-    let mut carriers: Vec<(Place, f64)> = nodes
-        .iter()
-        .zip(forces)
-        .map(|(node, force)| (Place::at(node.x), enclosed.support(node.x).map_or(force.lo(), |_| f64::INFINITY)))
-        .collect();
+/// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
+/// proportion to what presses there: the mean of what single places would give, of which the worst is counted.
+fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<Place> {
+    let carried = |(x, force): (f64, Interval)| match enclosed.support(x) {
+        Some(_) => Place::at(x),
+        None => Place { presses: force.lo(), ..Place::at(x) },
+    };
+    let mut carriers: Vec<Place> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
     for (from, to) in nodes.windows(2).filter(|w| w[0].lies).map(|w| (w[0].x, w[1].x)) {
         let breaks = enclosed.load.breaks(from, to);
-        carriers.extend(breaks.iter().filter_map(|&x| Some((Place::at(x), enclosed.load.point(x)?.lo()))));
+        carriers.extend(breaks.iter().filter_map(|&x| Some(carried((x, enclosed.load.point(x)?)))));
         carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| outer_thirds(enclosed, cell)));
     }
-    carriers.into_iter().filter(|(_, force)| 0.0 < *force).collect()
+    carriers.retain(|place| 0.0 < place.presses);
+    carriers
 }
 
 /// The outer thirds of a part of a zone without a break of the load, with what presses on them at least: the load, and what the
 /// shear of the beam that follows the ground changes by.
-fn outer_thirds(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> [(Place, f64); 2] {
+fn outer_thirds(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2]) -> [Place; 2] {
     let third = (to - from) / 3.0;
     [[from, from + third], [to - third, to]].map(|[from, to]| {
         let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
         let width = Interval::exact(to) - Interval::exact(from);
         let one = Polynomial::new(&[Interval::exact(1.0)]);
         let load = enclosed.load.cell(from, to).integral_of_product(&one, width);
-        (Place { from, to, off: 0.0 }, (Interval::exact(enclosed.stiffness) * (start - end) + load).lo())
+        Place { from, to, presses: (Interval::exact(enclosed.stiffness) * (start - end) + load).lo(), off: 0.0 }
     })
 }
 
-/// Of places with what presses there the two that hold the beam best: strongly, and far apart.
-fn widest(carriers: &mut [(Place, f64)]) -> Option<[(Place, f64); 2]> {
+/// Of places that press the two that hold the beam best: strongly, and far apart.
+fn widest(carriers: &mut [Place]) -> Option<Hold> {
     /// Of the strongest places.
     const MOST: usize = 64;
-    carriers.sort_by(|a, b| b.1.total_cmp(&a.1));
+    carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));
     let strongest = &carriers[..carriers.len().min(MOST)];
-    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| [*a, *b]));
-    let worth = |[a, b]: &[(Place, f64); 2]| (b.0.from - a.0.to) * a.1.min(b.1);
-    pairs.filter(|[a, b]| a.0.to < b.0.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
+    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| Hold(*a, *b)));
+    let worth = |Hold(a, b): &Hold| (b.from - a.to) * a.presses.min(b.presses);
+    pairs.filter(|Hold(a, b)| a.to < b.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
-/// The two sides of the single place that carries a beam, at each of which about one half of the force presses as well: where the beam is
-/// tangent to the ground they are so near that the gap is hardly open there,
+/// The two sides of the single place that carries a beam. A force that presses there may as well press in two halves, one on each
+/// side. The halves then balance the given couple, too, if they are far enough apart. Where the beam is tangent to the
+/// ground the gap on both sides is small, and smaller the nearer they are:
 ///
 /// ```text
 /// g − v̂ ≤ ½ s² max (g − v̂)''     at the distance s from a place where g = v̂ and g' = v̂'
 /// ```
-///
-/// and so far that the halves balance a couple, given as a share of the force.
-fn sides(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, couple: f64) -> Option<[Place; 2]> {
+fn sides(enclosed: &EnclosedScene<'_>, pieces: &[Piece], place: &Place, couple: f64) -> Option<Hold> {
     /// Of the length of the beam.
     const NEAR: f64 = 1.0 / 274_877_906_944.0;
-    let far = (NEAR * enclosed.length).max(16.0 * couple);
+    let (x, force) = (place.from, place.presses);
+    let far = (NEAR * enclosed.length).max(16.0 * (couple / force));
     let [left, right] = [x - far, x + far];
     let on_beam = 0.0 <= left && left < x && x < right && right <= enclosed.length;
     // On smooth ground a beam that touches it inside is tangent to it: of any other none was found to be clear.
@@ -249,7 +239,9 @@ fn sides(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, couple: f64) ->
     }
     let width = Interval::exact(right) - Interval::exact(left);
     let off = (width.square() * Interval::exact(bend) / number(2)).hi();
-    Some([left, right].map(|x| Place { off, ..Place::at(x) }))
+    // Half of the force, but for the rounding of the two places.
+    let [left, right] = [left, right].map(|x| Place { presses: 0.25 * force, off, ..Place::at(x) });
+    Some(Hold(left, right))
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where
@@ -267,37 +259,37 @@ fn is_complete(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> bool {
     in_order && inside && supports == enclosed.supports.len() && meet
 }
 
-/// `M` beside a node, on its left and on its right side.
-struct Moments {
-    beside: [Interval; 2],
-    /// Where only continuity is asked for they do not.
-    may_differ: bool,
-}
-
-impl Moments {
-    /// At node `i`, with part `i` of the beam on its left and part `i + 1` on its right side. Beside a zone, an overhang and no beam
-    /// only one moment is possible; between two spans any is, and a number between theirs is taken.
-    fn at(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], spans: &[Option<Span>], i: usize) -> Self {
-        let node = &nodes[i];
-        let outside = [i == 0, i + 1 == nodes.len()];
-        let given = [0, 1].map(|side| outside[side] || spans[i + side].is_none());
-        let curvature = [0, 1].map(|side| match &spans[i + side] {
+/// `M` beside node `i`, on its left and on its right side, and its jump. Part `i` of the beam is on the left and part `i + 1` on the
+/// right. Beside a zone, an overhang and no beam only one moment is possible. Between two spans any is, and where none but
+/// the same on both sides is admissible, a number between theirs is taken.
+fn moments(
+    enclosed: &EnclosedScene<'_>,
+    nodes: &[ContactNode],
+    spans: &[Option<Span>],
+    i: usize,
+) -> ([Interval; 2], Interval) {
+    let node = &nodes[i];
+    let outside = [i == 0, i + 1 == nodes.len()];
+    let given = [0, 1].map(|side| outside[side] || spans[i + side].is_none());
+    let own = [0, 1].map(|side| {
+        let curvature = match &spans[i + side] {
             Some(span) => [span.end, span.start][side][2],
             None if outside[side] => Interval::ZERO,
             None => enclosed.gap.jet(node.x, side == 0)[2],
-        });
-        let own = curvature.map(|curvature| -(Interval::exact(enclosed.stiffness) * curvature));
-        let held =
-            enclosed.support(node.x).is_some_and(|s| s.slope.is_some() || matches!(node.slope, Slope::OfGround { .. }));
-        let may_differ = held || given == [true; 2];
-        let beside = match given {
-            _ if may_differ => own,
-            [true, _] => [own[0]; 2],
-            [_, true] => [own[1]; 2],
-            _ => [Interval::exact(-0.5 * enclosed.stiffness * (curvature[0].middle() + curvature[1].middle())); 2],
         };
-        Self { beside, may_differ }
+        -(Interval::exact(enclosed.stiffness) * curvature)
+    });
+    let held =
+        enclosed.support(node.x).is_some_and(|s| s.slope.is_some() || matches!(node.slope, Slope::OfGround { .. }));
+    if held || given == [true; 2] {
+        return (own, own[1] - own[0]);
     }
+    let continuous = match given {
+        [true, _] => own[0],
+        [_, true] => own[1],
+        _ => Interval::exact(0.5 * (own[0].middle() + own[1].middle())),
+    };
+    ([continuous; 2], Interval::ZERO)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::certificate::in_intervals;
+use crate::certificate::kernel::contact_node::tests::{Kind, node};
 use crate::scene::{Balance, Beam, Foundation, Load, Scene};
 
 const LENGTH: f64 = 20.0;
@@ -9,23 +10,6 @@ const STIFFNESS: f64 = 70.0;
 const LOAD: f64 = 3.0;
 /// Places along a span.
 const PLACES: u32 = 400;
-
-/// What a node is made of.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Support,
-    Corner,
-    Touch,
-    Start,
-    End,
-}
-
-fn node(kind: Kind, x: f64, slope: f64) -> ContactNode {
-    let from_the_left = kind == Kind::End;
-    let free = matches!(kind, Kind::Support | Kind::Corner);
-    let slope = if free { Slope::Free(slope) } else { Slope::OfGround { from_the_left } };
-    ContactNode { x, slope, lies: kind == Kind::Start }
-}
 
 /// `φ`, from its formula.
 fn phi(s: f64, length: f64, left: ContactNode, right: ContactNode) -> f64 {
@@ -50,7 +34,10 @@ fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) ->
             let v = curve[0].1.at(Interval::exact(s)).middle();
             needed = needed.max((v - foundation.depth(left.x + s)) / phi(s, span.to - span.from, left, right));
         }
-        (lift(enclosed, &span, [Some(&left), Some(&right)]), needed)
+        let middle = 0.5 * (span.to - span.from);
+        let there = phi(middle, span.to - span.from, left, right);
+        let lift = lift(enclosed, &span, [Some(&left), Some(&right)]);
+        (lift.map(|lift| lift.at(Interval::exact(middle)).hi() / there), needed)
     })
 }
 

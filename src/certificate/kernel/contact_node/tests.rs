@@ -9,6 +9,28 @@ const LENGTH: f64 = 20.0;
 const OWN: f64 = 0.125;
 const GROUND: [f64; 2] = [-0.25, 0.5];
 
+/// What a node is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in super::super) enum Kind {
+    Support,
+    Corner,
+    Touch,
+    Start,
+    End,
+}
+
+/// A node of some kind, with its slope where that is its own.
+pub(in super::super) fn node(kind: Kind, x: f64, slope: f64) -> ContactNode {
+    let from_the_left = kind == Kind::End;
+    let free = matches!(kind, Kind::Support | Kind::Corner);
+    let slope = if free { Slope::Free(slope) } else { Slope::OfGround { from_the_left } };
+    ContactNode { x, slope, lies: kind == Kind::Start }
+}
+
+fn contains(interval: Interval, value: f64) -> bool {
+    interval.lo() <= value && value <= interval.hi()
+}
+
 /// What becomes of a support at a kink of the ground, at its level or at another one, and the order at its two sides.
 fn at_kink(slope: Option<f64>, above: f64, node: Slope) -> (EnclosedSupport, [usize; 2]) {
     let x = 8.0;
@@ -32,12 +54,12 @@ fn a_support_has_the_deflection_and_the_slope_of_ground_that_it_meets() {
         let (support, found) = at_kink(Some(slope), 0.0, free);
         assert_eq!(found, order, "built in at {slope}");
         let is = support.slope.expect("built in");
-        assert!(is.contains(slope - OWN) && is.hi() - is.lo() < 1e-15, "{is:?}, not {}", slope - OWN);
-        assert!(support.deflection.contains(2.0 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
+        assert!(contains(is, slope - OWN) && is.hi() - is.lo() < 1e-15, "{is:?}, not {}", slope - OWN);
+        assert!(contains(support.deflection, 2.0 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
         // Above the ground it meets nothing, whatever its slope.
         let (support, found) = at_kink(Some(slope), 0.5, free);
         assert_eq!(found, [0, 0], "above the ground, built in at {slope}");
-        assert!(support.deflection.contains(1.5 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
+        assert!(contains(support.deflection, 1.5 - 0.25 - 8.0 * OWN), "{:?}", support.deflection);
     }
     for (slope, order) in [
         (free, [1, 1]),

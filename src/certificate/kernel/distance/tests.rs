@@ -3,6 +3,7 @@
 use super::*;
 use crate::certificate::judged::{Cell, NARROW, parts};
 use crate::certificate::kernel::hold::{Hold, Place};
+use crate::certificate::kernel::polynomial::Polynomial;
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;

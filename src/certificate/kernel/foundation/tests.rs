@@ -25,6 +25,11 @@ fn encloses(cell: &Polynomial, s: f64, value: f64, slack: f64) {
     assert!(range.lo() - slack <= value && value <= range.hi() + slack, "{value} at {s}, not in {range:?}");
 }
 
+/// `u(from + s)` and `u(to − s)`.
+fn from_both_ends(ground: &EnclosedFoundation<'_>, from: f64, to: f64) -> [Polynomial; 2] {
+    [ground.about(from, [from, to]), ground.about(to, [from, to]).mirrored()]
+}
+
 /// The last coefficient is that of Lagrange's remainder, anywhere in the cell: these cells are so wide that the one at their
 /// origin would be off by hundreds.
 #[test]
@@ -32,7 +37,7 @@ fn cells_of_a_long_polynomial_enclose_it() {
     let foundation = long();
     let ground = EnclosedFoundation::on(&foundation, LENGTH);
     for (from, to) in [(7.0, 9.0), (8.0, 12.0), (3.0, 8.0), (6.0, 11.0)] {
-        let (cell, mirrored) = (ground.cell(from, to), ground.mirrored_cell(from, to));
+        let [cell, mirrored] = from_both_ends(&ground, from, to);
         for k in 0..=20 {
             let s = (to - from) * f64::from(k) / 20.0;
             // Quarters to the twelfth power are exact.
@@ -68,7 +73,7 @@ fn cells_of_a_long_polynomial_are_sharp() {
     ends.extend(ground.breaks(0.0, 8.0));
     ends.push(8.0);
     for cell in ends.windows(2) {
-        let (enclosed, mirrored) = (ground.cell(cell[0], cell[1]), ground.mirrored_cell(cell[0], cell[1]));
+        let [enclosed, mirrored] = from_both_ends(&ground, cell[0], cell[1]);
         for x in [cell[0], 0.5 * (cell[0] + cell[1]), cell[1]] {
             encloses(&enclosed, x - cell[0], chebyshev(x), ROUNDING);
             encloses(&mirrored, cell[1] - x, chebyshev(x), ROUNDING);
@@ -88,13 +93,14 @@ fn cells_of_a_cosine_enclose_it() {
     let ground = EnclosedFoundation::on(&foundation, LENGTH);
     let depth = |x: f64| mean + amplitude * libm::cos(std::f64::consts::TAU * x / wavelength + phase);
     for (from, to) in [(1.0, 9.0), (2.0, 2.25)] {
+        let [cell, mirrored] = from_both_ends(&ground, from, to);
         for k in 0..=8 {
             let s = (to - from) * f64::from(k) / 8.0;
-            encloses(&ground.cell(from, to), s, depth(from + s), ROUNDING);
-            encloses(&ground.mirrored_cell(from, to), s, depth(to - s), ROUNDING);
+            encloses(&cell, s, depth(from + s), ROUNDING);
+            encloses(&mirrored, s, depth(to - s), ROUNDING);
         }
     }
-    let range = ground.cell(2.0, 2.25).at(Interval::exact(0.25));
+    let range = ground.about(2.0, [2.0, 2.25]).at(Interval::exact(0.25));
     assert!(range.hi() - range.lo() <= 20.0 * ROUNDING, "{range:?}");
 }
 
@@ -135,7 +141,7 @@ fn a_polyline_is_what_its_points_say() {
     let foundation = survey();
     let ground = EnclosedFoundation::on(&foundation, LENGTH);
     assert_eq!(ground.breaks(1.0, 5.0), [2.0, 3.0, 4.0]);
-    assert_eq!(ground.breaks(4.5, 6.0), [5.0]);
+    assert_eq!(ground.breaks(4.5, 6.0), [5.0, 5.0]);
     for (x, expected) in [(0.5, true), (1.0, false), (4.0, false), (4.5, true), (5.0, false)] {
         assert_eq!(ground.is_smooth_at(x), expected, "at {x}");
     }
@@ -158,12 +164,12 @@ fn a_polyline_is_what_its_points_say() {
     }
     assert!(ground.is_upper(4.5, true), "there is no step");
     // From one depth to its opposite is not level.
-    encloses(&ground.cell(8.0, LENGTH), 4.0, 0.0, 0.0);
-    encloses(&ground.cell(12.0, LENGTH), 4.0, -3.5, 0.0);
-    encloses(&ground.mirrored_cell(12.0, LENGTH), 4.0, 0.0, 0.0);
+    encloses(&ground.about(8.0, [8.0, LENGTH]), 4.0, 0.0, 0.0);
+    encloses(&ground.about(12.0, [12.0, LENGTH]), 4.0, -3.5, 0.0);
+    encloses(&ground.about(LENGTH, [12.0, LENGTH]), -4.0, 0.0, 0.0);
     assert_eq!(
-        ground.cell(0.5, 1.0).coefficients(),
-        [Interval::exact(2.0)],
+        ground.about(0.5, [0.5, 1.0]).coefficients(),
+        [Interval::exact(2.0), Interval::ZERO],
         "a level stretch is level without rounding"
     );
 }

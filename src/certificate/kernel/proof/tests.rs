@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::certificate::in_intervals;
+use crate::certificate::kernel::contact_node::tests::{Kind, node};
 use crate::certificate::quantities::energy;
 use crate::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene, Support};
 
@@ -11,23 +12,6 @@ const LOAD: f64 = 3.0;
 const DEPTH: f64 = 0.4;
 /// Both energies are sums of some dozens of roundings, and the gap is what is left of them.
 const ROUNDING: f64 = 1e-12;
-
-/// What a node is made of.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    Support,
-    Corner,
-    Touch,
-    Start,
-    End,
-}
-
-fn node(kind: Kind, x: f64, slope: f64) -> ContactNode {
-    let from_the_left = kind == Kind::End;
-    let free = matches!(kind, Kind::Support | Kind::Corner);
-    let slope = if free { Slope::Free(slope) } else { Slope::OfGround { from_the_left } };
-    ContactNode { x, slope, lies: kind == Kind::Start }
-}
 
 /// The pair of nodes above a foundation, and what it is a pair of: its energy.
 fn pair_of(scene: &Scene, nodes: &[ContactNode]) -> Option<(Pair, Interval)> {
@@ -128,7 +112,7 @@ fn what_pulls_counts_in_the_gap() {
         // The reactions of the moments that are left, and of those that pull, wherever they are.
         let [reaction, pull] = [0.5 * (LOAD * LENGTH + point), 48.0 * STIFFNESS * down / CUBE];
         for bracket in pair.reactions {
-            assert!(bracket.contains(reaction), "{reaction} in {bracket:?}");
+            assert!((bracket.lo()..=bracket.hi()).contains(&reaction), "{reaction} in {bracket:?}");
             let width = bracket.hi() - bracket.lo();
             assert!((2.0 * pull..2.1 * pull).contains(&width), "{width} for a pull of {pull}");
         }
@@ -262,7 +246,8 @@ fn outer_thirds_press_with_what_lies_on_them() {
     let scene = Scene::new(beam, load, Some(curved)).expect("well posed");
     let thirds = in_intervals(&scene, Balance::Held, |enclosed| outer_thirds(enclosed, [4.0, 16.0]));
     let expected = 4.0 * (LOAD - 24e-3 * STIFFNESS);
-    for ((place, force), [from, to]) in thirds.into_iter().zip([[4.0, 8.0], [12.0, 16.0]]) {
+    for (place, [from, to]) in thirds.into_iter().zip([[4.0, 8.0], [12.0, 16.0]]) {
+        let force = place.presses;
         assert!(
             place.from.total_cmp(&from).is_eq() && place.to.total_cmp(&to).is_eq() && place.off <= 0.0,
             "{place:?}"
@@ -274,17 +259,17 @@ fn outer_thirds_press_with_what_lies_on_them() {
 /// Of places that press those two hold a beam that are strong and far apart; parts that overlap do not.
 #[test]
 fn the_widest_of_the_strongest_places_hold() {
-    let part = |from: f64, to: f64| Place { from, to, off: 0.0 };
+    let part = |from: f64, to: f64, presses: f64| Place { from, to, presses, off: 0.0 };
     // Distance by the weaker force: (9 − 1) · 1 for the first two, (4 − 3) · 9 for the others.
-    let mut presses = vec![(part(0.0, 1.0), 1.0), (part(9.0, 9.0), 1.0), (part(4.0, 4.0), 9.0), (part(0.5, 3.0), 9.0)];
-    let held = |presses: &mut [(Place, f64)], left: f64, right: f64| {
-        let Some([(first, _), (last, _)]) = widest(presses) else { return false };
+    let mut presses = vec![part(0.0, 1.0, 1.0), part(9.0, 9.0, 1.0), part(4.0, 4.0, 9.0), part(0.5, 3.0, 9.0)];
+    let held = |presses: &mut [Place], left: f64, right: f64| {
+        let Some(Hold(first, last)) = widest(presses) else { return false };
         first.from.total_cmp(&left).is_eq() && last.from.total_cmp(&right).is_eq()
     };
     assert!(held(&mut presses, 0.5, 4.0));
-    presses.iter_mut().filter(|p| p.1 < 2.0).for_each(|p| p.1 = 1.25);
+    presses.iter_mut().filter(|p| p.presses < 2.0).for_each(|p| p.presses = 1.25);
     assert!(held(&mut presses, 0.0, 9.0));
-    assert!(widest(&mut [(part(0.0, 2.0), 1.0), (part(1.0, 3.0), 1.0)]).is_none(), "no two places are apart");
+    assert!(widest(&mut [part(0.0, 2.0, 1.0), part(1.0, 3.0, 1.0)]).is_none(), "no two places are apart");
 }
 
 /// A point load above a support goes into it and bends nothing.
