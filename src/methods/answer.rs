@@ -82,7 +82,7 @@ pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
 pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let (nodes, sizes, supports) = (discrete.nodes(), discrete.sizes(), discrete.supports().all().to_vec());
     let mut loads = std::mem::take(&mut discrete.loads);
-    let mut energy = elastic_energy(&mut loads[nodes.clone()], &nodal);
+    let mut energy = take_contact_forces(&mut loads[nodes.clone()], &nodal);
     let discrete = discrete.basic(loads);
     let &Discrete { grid, intervals, spacing, stiffness, .. } = &discrete;
     let carried = held_beam::on_supports(&discrete, nodal.discretisation);
@@ -166,9 +166,10 @@ fn sizes_of_contact(sizes: Sizes, stiffness: f64, length: f64) -> Sizes {
     Sizes { x: sizes.x.max(rounded), ..sizes }
 }
 
-/// `t = q − p` in place of the loads, and `½ tᵀv − qᵀv`: since half the work of all forces and couples is the energy of bending, it
-/// is `J(v)` but for what supports add. Summed in blocks: one sum over a fine grid would lose digits that the answer has.
-fn elastic_energy(loads: &mut [f64], nodal: &Nodal) -> f64 {
+/// Takes the contact forces from the loads, `t = q − p`, and returns `½ tᵀv − qᵀv`: since half the work of all forces and couples is
+/// the energy of bending, it is `J(v)` but for what supports add. Summed in blocks: one sum over a fine grid would lose digits that
+/// the answer has.
+fn take_contact_forces(loads: &mut [f64], nodal: &Nodal) -> f64 {
     let mut energy = 0.0;
     let answers = nodal.contact_force.chunks(BLOCK).zip(nodal.deflection.chunks(BLOCK));
     for (loads, (forces, deflection)) in loads.chunks_mut(BLOCK).zip(answers) {

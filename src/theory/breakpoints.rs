@@ -18,8 +18,7 @@ const COSINE_DEGREE: usize = 19;
 const BEAM_TERMS: usize = 6;
 
 impl PiecewiseScene {
-    /// Profile, supports and load of a dimensionless scene. Without a foundation clearances are measured from the line at depth
-    /// 0, and asked of nobody.
+    /// Profile, supports and load of a dimensionless scene.
     pub(super) fn new(scene: &Scene) -> Self {
         const NONE: Foundation = Foundation::Flat { depth: 0.0 };
         let foundation = scene.foundation().unwrap_or(&NONE);
@@ -49,6 +48,7 @@ impl PiecewiseScene {
             resultant: load.resultant(length) / stiffness,
             total_load: load.magnitude(length) / stiffness,
             magnitude: within_reach(foundation, length) + own_size,
+            founded: scene.foundation().is_some(),
             free_ends: [0.0, length].map(|end| scene.beam().supports().iter().all(|s| s.at < end || end < s.at)),
             supports: scene.held().iter().map(|held| at_support(foundation, own, length, &places, held)).collect(),
             tension: Vec::new(),

@@ -1,8 +1,8 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::bernstein::lowest_below;
-use super::forces::{forces, moments, pulling_couple, unbalanced};
-use super::list::{Beside, Kind, List, Unknown, Zone};
+use super::forces::{force_beside, forces, moments, pulling_couple, unbalanced};
+use super::list::{Beside, Kind, List, Node, Unknown, Zone};
 use super::newton;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
@@ -27,20 +27,12 @@ pub(super) struct Checked {
     pub(super) worst: f64,
 }
 
-impl Checked {
-    /// What is left where there is no foundation: no penetration is a fault, and the equations still have to hold.
-    pub(super) fn forget_ground(&mut self) {
-        self.faults.retain(|(_, fault)| !matches!(fault, Violation::Penetration { .. }));
-        if self.faults.is_empty() {
-            self.worst = 0.0;
-        }
-    }
-}
-
-/// A violation below this is rounding: conditions are met to 12 digits of the largest deflection, force and moment.
+/// A violation below this is rounding: conditions are met to 12 digits of the largest deflection and moment, and of the forces and
+/// bends beside a contact that may not pull or be bent too much. Forces elsewhere say nothing of its rounding: between two supports
+/// that all but meet they may be 10¹⁷ times as large.
 pub(super) const TOLERANCE: f64 = 1e-12;
 
-/// Deflections, forces and moments are measured against their largest, but at least against this part of what the loads
+/// Deflections, forces and moments are measured against these, but at least against this part of what the loads
 /// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
 const AT_REST: f64 = 1e-3;
 
@@ -68,17 +60,26 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     let forces = forces(given, list, &spans);
     let moments = moments(given, list, &spans);
     let scale = Scale::of(given, &pieces, &forces);
-    for (i, (&force, node)) in forces.iter().zip(&list.nodes).enumerate().filter(|(_, (_, n))| n.support().is_none()) {
-        judge.measure(-force, scale.force, i, Violation::Tension { at: node.x, force: -force });
+    // Where a span is too short to be resolved, what is near it has no digits, and only forces that are large anywhere are faults.
+    let resolved = judge.equations(given, list, &spans, &scale);
+    // A NaN is no force that presses.
+    let presses = |node: &Node, force: f64| node.support().is_some() || 0.0 <= force;
+    for (i, (node, &force)) in list.nodes.iter().zip(&forces).enumerate().filter(|(_, (n, f))| !presses(n, **f)) {
+        let pulls = Violation::Tension { at: node.x, force: -force };
+        let most = if resolved { force_beside(&spans, i).max(AT_REST * given.total_load) } else { scale.force };
+        judge.measure(-force, most, i, pulls);
     }
     for (i, span) in &spans {
-        judge.bends(list, *i, span, &scale);
+        judge.bends(given, list, *i, span);
+        if !given.founded {
+            continue;
+        }
         let (at, depth) = penetration(given, &pieces, span, &scale).unwrap_or((span.a.x, 0.0));
         judge.measure(depth, scale.depth_at(given, at), *i, Violation::Penetration { at, depth });
         judge.turns_at_supports(given, list, *i, span, &scale);
     }
     for zone in list.zones() {
-        judge.pulls(given, zone, &scale);
+        judge.pulls(given, zone);
     }
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
         let (at, jump) = (node.x, right - left);
@@ -103,7 +104,6 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     }
     let force = unbalanced(given, list, &forces);
     judge.measure(BALANCE * force.abs(), scale.force, 0, Violation::Unbalanced { force });
-    judge.equations(given, list, &spans, &scale);
     let Judge { faults, worst } = judge;
     Checked { pieces, spans, forces, moments, faults, worst }
 }
@@ -173,13 +173,15 @@ impl Judge {
         }
     }
 
-    /// At the smooth points beside span `i` the beam is bent no more than the profile.
-    fn bends(&mut self, list: &List, i: usize, span: &Span, scale: &Scale) {
+    /// At the smooth points beside span `i` the beam is bent no more than the profile, as a share of how both are bent there.
+    fn bends(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span) {
+        let bends = [span.at_a[2], span.at_b[2], span.beam_a[2], span.beam_b[2]];
+        let most = bends.iter().fold(moment_at_rest(given), |most, bend| most.max(bend.abs()));
         for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(i), span.at_b[2])] {
             let point =
                 node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.kind == Kind::Smooth);
             if let Some((i, node)) = point {
-                self.measure(-bend, scale.moment, i, Violation::CurvatureGap { at: node.x, moment: -bend });
+                self.measure(-bend, most, i, Violation::CurvatureGap { at: node.x, moment: -bend });
             }
         }
     }
@@ -202,28 +204,30 @@ impl Judge {
         }
     }
 
-    /// A zone pulls nowhere; where it might is known ([`PiecewiseScene::tension`]).
-    fn pulls(&mut self, given: &PiecewiseScene, Zone { node, from, to }: Zone, scale: &Scale) {
+    /// A zone pulls nowhere; where it might is known ([`PiecewiseScene::tension`]). Pressure is a share of the load on the beam.
+    fn pulls(&mut self, given: &PiecewiseScene, Zone { node, from, to }: Zone) {
         for &(lo, hi) in given.tension_between(from, to) {
             let (lo, hi) = (lo.max(from), hi.min(to));
             let pull = mean_pull(given, lo, hi);
-            self.measure(pull, scale.force / given.length, node, Violation::Pull { from: lo, to: hi });
+            self.measure(pull, given.total_load / given.length, node, Violation::Pull { from: lo, to: hi });
         }
     }
 
-    /// The equations of the list hold, and its spans are long enough for them to have an answer.
-    fn equations(&mut self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], scale: &Scale) {
+    /// The equations of the list hold, and its spans are long enough for them to have an answer: false if one is not.
+    fn equations(&mut self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], scale: &Scale) -> bool {
         let newton::Residual { jump, step, crowded } = newton::residual(given, list, spans);
         let fixed = (0..list.nodes.len()).all(|i| list.unknown(given, i) != Some(Unknown::Place));
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
         self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
         let (part, span) = crowded;
-        if CROWDED < part {
-            let from = span.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
-            let to = list.nodes.get(span).map_or(given.length, |n| n.x);
-            self.faults.push((span, Violation::Unresolved { from, to }));
-            self.worst = self.worst.max(part);
+        if part <= CROWDED {
+            return true;
         }
+        let from = span.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
+        let to = list.nodes.get(span).map_or(given.length, |n| n.x);
+        self.faults.push((span, Violation::Unresolved { from, to }));
+        self.worst = self.worst.max(part);
+        false
     }
 }
 
@@ -253,7 +257,12 @@ fn penetration(given: &PiecewiseScene, pieces: &[Piece], span: &Span, scale: &Sc
     worst
 }
 
-/// What violations are measured against.
+/// The least curvature that bends are measured against.
+fn moment_at_rest(given: &PiecewiseScene) -> f64 {
+    AT_REST * given.total_load * given.length / 8.0
+}
+
+/// What violations are measured against that belong to the whole beam.
 struct Scale {
     /// Largest deflection.
     deflection: f64,
@@ -280,7 +289,7 @@ impl Scale {
         // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
         let (l, load) = (given.length, AT_REST * given.total_load);
         let deflection = depth.max(load * l * l * l / 384.0);
-        Self { deflection, force: force.max(moment / l).max(load), moment: moment.max(load * l / 8.0) }
+        Self { deflection, force: force.max(moment / l).max(load), moment: moment.max(moment_at_rest(given)) }
     }
 
     /// Largest deflection, or the rounding of the profile if that is larger, beside a support, where the profile may be known far

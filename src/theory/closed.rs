@@ -6,24 +6,6 @@
 //! ```text
 //! EI h'''' = −q,      h = R s³ / (6 EI) − q s⁴ / (24 EI)         R the concentrated force at the lift-off point
 //! ```
-//!
-//! **A flat foundation**, the paper's own reference solution, **and a parabolic dish or crest.** The foundation `u = u₀ + 4 rise x (l − x)/l²` has the curvature `w = u'' = −8 rise/l²`, which is zero if it is
-//! flat. A zone is pressed with `q`, since `u'''' = 0`. Let `s` be the distance from a lift-off point towards its support and
-//! `h = u − v` the clearance over the length `a` that is lifted off, with `h = h' = h'' = 0` at the lift-off point and the
-//! concentrated force `R` there; at the support `v'' = 0`, so `h'' = w`, and `h = u₀`:
-//!
-//! ```text
-//! h = R s³/(6 EI) − q s⁴/(24 EI),     R a/EI − q a²/(2 EI) = w,     R a³/(6 EI) − q a⁴/(24 EI) = u₀
-//! R = q a/2 + EI w/a,     q a⁴/(24 EI) + w a²/6 = u₀,     T = q a − R = q a/2 − EI w/a,     M = x (T − q x/2)
-//! J = q² a⁵/(30 EI) + EI w² (l/2 − 2a/3) − q l (u₀ + 2 rise/3)
-//! ```
-//!
-//! a quadratic equation for `a²`, on flat ground `a⁴ = 24 EI u₀/q`. It needs `a ≤ l/2`. Beyond that the beam touches at
-//! mid-span only, with the force that brings the free beam back to the foundation, until that vanishes and the beam is free:
-//!
-//! ```text
-//! F = 5 q l/8 − 48 EI (u₀ + rise)/l³,     T = (q l − F)/2,     J = −q² l⁵/(240 EI) + F² l³/(96 EI)
-//! ```
 
 use crate::state::Regime;
 
@@ -58,6 +40,22 @@ pub fn flat(length: f64, bending_stiffness: f64, depth: f64, load: f64) -> FlatS
 
 /// The same above `u = depth + 4 rise x (l − x)/l²`, `depth` ≥ 0: a dish for `rise` > 0, a crest for `rise` < 0, under a
 /// uniform `load` ≥ 0. A crest that starts at the supports (`depth` = 0) would clamp the beam and has no closed form here.
+///
+/// With the curvature `w = u'' = −8 rise/l²` of the foundation a zone is pressed with `q`, since `u'''' = 0`. Beside it the beam is
+/// lifted off over the length `a`; at the support `v'' = 0`, so `h'' = w`, and `h = u₀`:
+///
+/// ```text
+/// R a/EI − q a²/(2 EI) = w,     R a³/(6 EI) − q a⁴/(24 EI) = u₀
+/// R = q a/2 + EI w/a,     q a⁴/(24 EI) + w a²/6 = u₀,     T = q a − R = q a/2 − EI w/a,     M = x (T − q x/2)
+/// J = q² a⁵/(30 EI) + EI w² (l/2 − 2a/3) − q l (u₀ + 2 rise/3)
+/// ```
+///
+/// a quadratic equation for `a²`, on flat ground `a⁴ = 24 EI u₀/q`. It needs `a ≤ l/2`. Beyond that the beam touches at mid-span
+/// only, with the force that brings the free beam back to the foundation, until that vanishes and the beam is free:
+///
+/// ```text
+/// F = 5 q l/8 − 48 EI (u₀ + rise)/l³,     T = (q l − F)/2,     J = −q² l⁵/(240 EI) + F² l³/(96 EI)
+/// ```
 #[must_use]
 pub fn parabola(length: f64, bending_stiffness: f64, depth: f64, rise: f64, load: f64) -> FlatSolution {
     let (l, ei, q) = (length, bending_stiffness, load);

@@ -1,6 +1,6 @@
 //! From one scene to a scene beside it: the list of contacts goes with it, and is right there or fails in a way that can be named.
 
-use super::check::{Checked, check};
+use super::check::check;
 use super::exact::Exact;
 use super::list::{Beside, Kind, List, Node};
 use super::margin::{Margin, failing};
@@ -26,7 +26,7 @@ impl Exact {
     #[must_use]
     pub fn failing(&self, scene: &Scene) -> Option<Vec<Margin>> {
         let (given, list) = self.kept(scene)?;
-        Some(failing(&given, &list, &checked(scene, &given, &list), &self.pattern().pulls))
+        Some(failing(&given, &list, &check(&given, &list), &self.pattern().pulls))
     }
 
     /// This solution with its contacts moved to where they are in `scene` and kept as they are, if that is an answer there, with
@@ -36,13 +36,13 @@ impl Exact {
     pub fn moved(&self, scene: &Scene) -> Option<Self> {
         let scaled = scene.scaled().ok()?;
         let (given, list) = self.kept(scene)?;
-        let checked = checked(scene, &given, &list);
+        let checked = check(&given, &list);
         if !checked.faults.is_empty() || !failing(&given, &list, &checked, &self.pattern().pulls).is_empty() {
             return None;
         }
         let found = Found { list, checked, steps: 0, lists: 1, converged: true };
         let stiffness = scaled.scene.beam().bending_stiffness();
-        Some(Self::new(given, found, scaled.scale, stiffness, scene.foundation().is_some()))
+        Some(Self::new(given, found, scaled.scale, stiffness))
     }
 
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
@@ -78,15 +78,6 @@ impl Exact {
         let ordered = list.nodes.windows(2).all(|pair| pair[0].x < pair[1].x);
         ordered.then_some(list)
     }
-}
-
-/// What a list violates; without a foundation nothing.
-fn checked(scene: &Scene, given: &PiecewiseScene, list: &List) -> Checked {
-    let mut checked = check(given, list);
-    if scene.foundation().is_none() {
-        checked.faults.clear();
-    }
-    checked
 }
 
 /// A node in another scene, with the units of places and slopes of the one in those of the other.

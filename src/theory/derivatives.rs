@@ -248,7 +248,7 @@ impl Exact {
         let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
         let contacts = &self.state.contacts;
         let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
-        let touches = |span| self.is_above_ground() && lowest(given, span).is_some_and(|least| small(least, size));
+        let touches = |span| given.founded && lowest(given, span).is_some_and(|least| small(least, size));
         at_node || short || unloaded || self.spans.iter().any(|(_, span)| touches(span))
     }
 }

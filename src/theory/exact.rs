@@ -26,7 +26,7 @@ pub struct Exact {
     pub iterations: usize,
     /// Lists of contacts that were tried.
     pub lists: usize,
-    /// Worst violation of any condition, relative to the largest deflection, force or moment.
+    /// Worst violation of any condition, relative to the largest deflection and moment, or to the forces beside a contact.
     pub residual: f64,
     /// What the answer violates; empty if it is solved.
     pub violations: Vec<Violation>,
@@ -42,7 +42,6 @@ pub struct Exact {
     pieces: Vec<Piece>,
     pub(super) scale: Scale,
     pub(super) stiffness: f64,
-    founded: bool,
 }
 
 impl Exact {
@@ -53,7 +52,7 @@ impl Exact {
     }
 
     /// From the search's result.
-    pub(super) fn new(given: PiecewiseScene, found: Found, scale: Scale, stiffness: f64, founded: bool) -> Self {
+    pub(super) fn new(given: PiecewiseScene, found: Found, scale: Scale, stiffness: f64) -> Self {
         let state = summary::state(&given, &found, &scale, stiffness);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
@@ -79,7 +78,6 @@ impl Exact {
             given,
             scale,
             stiffness,
-            founded,
         }
     }
 
@@ -132,7 +130,7 @@ impl Exact {
     /// Clearance `h = u − v` \[length\]; at a step the smaller one; infinite without a foundation.
     #[must_use]
     pub fn clearance(&self, x: f64) -> f64 {
-        if !self.founded {
+        if !self.given.founded {
             return f64::INFINITY;
         }
         let [left, right] = [false, true].map(|right| {
@@ -148,7 +146,7 @@ impl Exact {
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         let (piece, _) = self.piece(x, true);
-        if piece.state.is_some() || !self.founded {
+        if piece.state.is_some() || !self.given.founded {
             return 0.0;
         }
         let at = (x / self.scale.length).max(piece.lo).min(piece.hi);
@@ -174,11 +172,6 @@ impl Exact {
             self.given.energy_rule.integral(piece.lo, piece.hi, |x| f(derivatives(&taylor, x - piece.anchor)))
         };
         self.pieces.iter().map(of).sum()
-    }
-
-    /// True if there is a foundation.
-    pub(super) fn is_above_ground(&self) -> bool {
-        self.founded
     }
 
     /// The piece at `x`, of two the left or the right one, and the distance from its anchor.

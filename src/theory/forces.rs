@@ -46,6 +46,17 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
     forces
 }
 
+/// The largest shear force in the spans to the left and to the right of a node, and the largest that the moments at the ends of these
+/// could make by themselves: the numbers whose rounding a concentrated force carries.
+pub(super) fn force_beside(spans: &[(usize, Span)], node: usize) -> f64 {
+    let beside = [node, node + 1].into_iter().filter_map(|i| spans.binary_search_by_key(&i, |(right, _)| *right).ok());
+    beside.fold(0.0, |most: f64, i| {
+        let (_, span) = &spans[i];
+        let of_moments = (span.beam_a[2].abs() + span.beam_b[2].abs()) / span.length();
+        most.max(of_moments).max(span.beam_a[3].abs()).max(span.beam_b[3].abs())
+    })
+}
+
 /// Moments `−v''` just to the left and just to the right of the nodes, with nothing beyond the ends of the beam.
 pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<[f64; 2]> {
     let of_zone = |zone: bool, cell: usize, x: f64| if zone { -given.derivative(cell, x, 2) } else { 0.0 };
@@ -68,16 +79,7 @@ pub(super) fn moments(given: &PiecewiseScene, list: &List, spans: &[(usize, Span
 /// `∫ q − u'''' dx` over the inside of a zone, with the point loads there.
 pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
     let (first, last) = (given.cell_from(from), given.cell_to(to));
-    let mut sum = 0.0;
-    for cell in first..=last.max(first) {
-        let c = &given.cells[cell];
-        let (lo, hi) = (c.lo.max(from), c.hi.min(to));
-        if lo < hi {
-            sum += 0.5 * (given.load(cell, lo) + given.load(cell, hi)) * (hi - lo);
-        }
-    }
-    sum += given.breakpoints_inside(from, to).map(|j| given.breakpoints[j].force).sum::<f64>();
-    sum + given.derivative(first, from, 3) - given.derivative(last, to, 3)
+    given.load_inside(from, to) + given.derivative(first, from, 3) - given.derivative(last, to, 3)
 }
 
 /// What is left of the load when reactions and contact forces are taken off.

@@ -238,7 +238,7 @@ impl Samples {
         let mut builder = Builder { given, samples: self, guess, nodes: Vec::new(), clamped: false };
         let last = self.x.len() - 1;
         // A run of touching samples falls apart at every break of the profile.
-        let (mut first, mut beside_edge) = (None, false);
+        let mut first = None;
         for i in 0..=last + 1 {
             let touches = i <= last && guess.touches[i];
             let breakpoint = if i <= last { self.breakpoint(given, i) } else { None };
@@ -250,7 +250,7 @@ impl Samples {
             }
             let edge = at_break.filter(|&breakpoint| touches && given.is_edge(breakpoint));
             if let Some(first) = first.take() {
-                builder.add(first..i, beside_edge || edge.is_some());
+                builder.add(first..i);
             }
             if let Some(breakpoint) = edge {
                 builder.nodes.push(edge_node(given, breakpoint));
@@ -258,7 +258,6 @@ impl Samples {
             if let Some(support) = breakpoint.and_then(|breakpoint| given.support_at(breakpoint)) {
                 builder.add_support(support);
             }
-            beside_edge = edge.is_some();
         }
         normalised(given, List { nodes: builder.nodes })
     }
@@ -282,7 +281,7 @@ impl Builder<'_> {
     }
 
     /// Adds a point or a zone for a run of touching samples on one smooth piece of the profile.
-    fn add(&mut self, run: Range<usize>, beside_edge: bool) {
+    fn add(&mut self, run: Range<usize>) {
         let (given, x) = (self.given, &self.samples.x);
         let last = x.len() - 1;
         let grounded = |i: Option<usize>, side: usize| {
@@ -313,8 +312,7 @@ impl Builder<'_> {
             self.nodes.push(edge_node(given, 0));
         } else if at_tip[1] {
             self.nodes.push(edge_node(given, given.cells.len()));
-        } else if !beside_edge {
-            // Otherwise it is the force of the edge that spreads to its neighbours.
+        } else {
             let place = self.point(run);
             self.nodes.push(Node::new(Kind::Smooth, place, given.cell_from(place)));
         }

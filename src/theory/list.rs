@@ -143,7 +143,8 @@ impl List {
         let slope = match node.kind {
             Kind::Edge(_) => beside().unwrap_or(node.slope),
             Kind::Support(..) => node.held_slope(given).or_else(beside).unwrap_or(node.slope),
-            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => given.derivative(cell, node.x, 1),
+            // Of the piece on which the node lies, which may end just there.
+            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => given.derivative(node.cell, node.x, 1),
         };
         Span::overhang(given, node.end(given, cell, Hinged::No), slope, at_left)
     }

@@ -17,8 +17,8 @@ use super::piecewise::PiecewiseScene;
 use super::search::Found;
 
 /// The beam in its position with the slope nearest to zero, and the interval of slopes; [`None`] if it does not rest on this
-/// place alone. `about` is the place, `grounded` says whether there is a foundation.
-pub(super) fn balanced(given: &PiecewiseScene, about: f64, grounded: bool) -> Option<(Found, [f64; 2])> {
+/// place, `about`, alone.
+pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, [f64; 2])> {
     let node = match given.supports.len() {
         0 => edge_node(given, given.breakpoint_at(about)?),
         _ => support_node(given, 0, [Beside::Apart; 2]),
@@ -27,16 +27,13 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64, grounded: bool) -> Op
         return None;
     }
     let level = List { nodes: vec![Node { slope: 0.0, ..node }] };
-    let slopes = if grounded { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
+    let slopes = if given.founded { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
     if slopes[1] < slopes[0] {
         return None;
     }
     let slope = 0.0_f64.max(slopes[0]).min(slopes[1]);
     let list = List { nodes: vec![Node { slope, ..node }] };
-    let mut checked = check(given, &list);
-    if !grounded {
-        checked.forget_ground();
-    }
+    let checked = check(given, &list);
     let found = Found { list, checked, steps: 0, lists: 1, converged: true };
     found.solved().then_some((found, slopes))
 }

@@ -88,10 +88,6 @@ impl Normal<'_> {
             Kind::ZoneStart => {
                 self.inside = true;
                 match self.nodes.last_mut() {
-                    // Two zones that meet are one.
-                    Some(last) if last.kind == Kind::ZoneEnd => {
-                        self.nodes.pop();
-                    }
                     // A zone that starts in the last digits beside a support where the ground starts as well.
                     Some(Node { kind: Kind::Support(index, beside), .. }) => {
                         if given.supports[*index].grounded[1] {
@@ -178,7 +174,6 @@ impl Normal<'_> {
                 _ => edge_node(given, 0),
             };
         }
-        self.reach_the_ends();
         self.close_short_tips();
         List { nodes: self.nodes }
     }
@@ -198,32 +193,6 @@ impl Normal<'_> {
             self.nodes.pop();
             self.nodes.pop();
             self.nodes.push(edge_node(given, given.cells.len()));
-        }
-    }
-
-    /// A zone on straight ground beside an overhang that only presses it down reaches the free end.
-    fn reach_the_ends(&mut self) {
-        let given = self.given;
-        let pulled = |end: usize| given.breakpoints[end].force < 0.0;
-        let pressed = |from: f64, to: f64| given.tension_between(from, to).next().is_none();
-        let [_, last] = given.cells_beside(given.cells.len());
-        if given.is_flat_end(0)
-            && let Some(first) = self.nodes.first_mut()
-            && first.kind == Kind::ZoneStart
-            && given.cells[first.cell].shape == given.cells[0].shape
-            && pressed(0.0, first.x)
-            && !pulled(0)
-        {
-            *first = Node::new(Kind::Tip, 0.0, 0);
-        }
-        if given.is_flat_end(given.cells.len())
-            && let Some(end) = self.nodes.last_mut()
-            && end.kind == Kind::ZoneEnd
-            && given.cells[end.cell].shape == given.cells[last].shape
-            && pressed(end.x, given.length)
-            && !pulled(given.cells.len())
-        {
-            *end = Node::new(Kind::Tip, given.length, last);
         }
     }
 }

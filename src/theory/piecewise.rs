@@ -80,6 +80,8 @@ pub(super) struct PiecewiseScene {
     pub(super) total_load: f64,
     /// The size of depths that carries their rounding where a beam may touch.
     pub(super) magnitude: f64,
+    /// True if there is ground below the beam. Without it clearances are those above the line at depth 0, and nothing is asked of them.
+    pub(super) founded: bool,
     /// From left to right.
     pub(super) supports: Vec<AtSupport>,
     /// True for an end of the beam, left and right, without a support.
@@ -115,6 +117,20 @@ impl PiecewiseScene {
     pub(super) fn load(&self, cell: usize, x: f64) -> f64 {
         let c = &self.cells[cell];
         c.load + c.load_slope * (x - c.lo)
+    }
+
+    /// The resultant of the loads between `from` and `to`, without point loads at these two.
+    pub(super) fn load_inside(&self, from: f64, to: f64) -> f64 {
+        let (first, last) = (self.cell_from(from), self.cell_to(to));
+        let mut sum = 0.0;
+        for cell in first..=last {
+            let c = &self.cells[cell];
+            let (lo, hi) = (c.lo.max(from), c.hi.min(to));
+            if lo < hi {
+                sum += 0.5 * (self.load(cell, lo) + self.load(cell, hi)) * (hi - lo);
+            }
+        }
+        sum + self.breakpoints_inside(from, to).map(|j| self.breakpoints[j].force).sum::<f64>()
     }
 
     /// `u'''' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
@@ -192,11 +208,6 @@ impl PiecewiseScene {
         let from = next.checked_sub(1).map_or(0.0, |i| at(&self.supports[i]));
         let to = self.supports.get(next).map_or(self.length, at);
         (shape.checked_sub(1).map_or(0.0, end).max(from), end(shape).min(to))
-    }
-
-    /// True if the beam lies on two simple supports at its ends and nothing else, the paper's.
-    pub(super) fn is_simple(&self) -> bool {
-        self.supports.len() == 2 && self.free_ends == [false; 2] && self.supports.iter().all(|s| s.slope.is_none())
     }
 
     /// The size of depths that carries their rounding at `x`: of one polynomial what adds up to it there.

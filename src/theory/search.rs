@@ -25,6 +25,8 @@ const MOST_SAMPLES: usize = 200_000;
 const MULTIPLE: usize = 10;
 /// Lists at most that come from one guess.
 const ROUNDS: usize = 10;
+/// Lists at most that come from the list of a scene beside this one: after a step of a sweep it is the same, or a repair or two away.
+const ROUNDS_FROM_NEAR: usize = 3;
 /// Lists that have no fewer faults than one before, after which a finer guess is better; one for which Newton's method does
 /// not converge counts three times.
 const STRIKES: usize = 6;
@@ -36,9 +38,9 @@ pub(super) struct Found {
     pub(super) list: List,
     /// What follows from it.
     pub(super) checked: Checked,
-    /// Newton steps of all attempts together.
+    /// Newton steps, those of lists that were tried before included.
     pub(super) steps: usize,
-    /// Lists that were tried.
+    /// Lists that were tried, this one included.
     pub(super) lists: usize,
     /// True if Newton's method converged for the list.
     pub(super) converged: bool,
@@ -50,16 +52,17 @@ impl Found {
         self.checked.faults.is_empty() && self.converged
     }
 
-    /// The better of two: one that is solved, one that converged, the one that violates less.
+    /// The better of two: one that is solved, one that converged, the one that violates less. The work is that of both.
     pub(super) fn better(self, other: Self) -> Self {
         let rank = |f: &Self| u8::from(f.solved()) + u8::from(f.converged);
         let better = rank(&self).cmp(&rank(&other)).then(other.checked.worst.total_cmp(&self.checked.worst));
-        if better.is_lt() { other } else { self }
+        let (steps, lists) = (self.steps + other.steps, self.lists + other.lists);
+        Self { steps, lists, ..if better.is_lt() { other } else { self } }
     }
 }
 
 /// The beam without contact.
-pub(super) fn free(given: &PiecewiseScene) -> Found {
+fn free(given: &PiecewiseScene) -> Found {
     let mut list = List::free(given);
     // Slopes over inner supports are unknown even so.
     let run = newton::solve(given, &mut list);
@@ -67,38 +70,21 @@ pub(super) fn free(given: &PiecewiseScene) -> Found {
     Found { list, checked, steps: run.steps, lists: 1, converged: run.converged }
 }
 
-/// The exact solution above a foundation, beside one with the contacts of `list`: after a step of a sweep a list is the same, or
-/// a repair or two away. Otherwise everything is looked for.
-pub(super) fn search_from(given: &PiecewiseScene, mut list: List) -> Found {
-    /// Lists that are tried.
-    const ROUNDS: usize = 3;
-    let (mut steps, mut lists) = (0, 0);
-    for _ in 0..ROUNDS {
-        let run = newton::solve(given, &mut list);
-        list = normalised(given, list);
-        let checked = check(given, &list);
-        (steps, lists) = (steps + run.steps, lists + 1);
-        let found = Found { list, checked, steps, lists, converged: run.converged };
-        if found.solved() {
-            return found;
-        }
-        list = repaired(given, &found.list, &found.checked);
-        if list == found.list {
-            break;
-        }
-    }
-    let found = search(given);
-    Found { steps: steps + found.steps, lists: lists + found.lists, ..found }
-}
-
-/// The exact solution above a foundation.
+/// The exact solution, looked for from a list `near` it first, if there is one.
 ///
 /// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
 /// piece of the scene.
-pub(super) fn search(given: &PiecewiseScene) -> Found {
+pub(super) fn search(given: &PiecewiseScene, near: Option<List>) -> Found {
     let mut best = free(given);
-    if best.solved() {
+    if best.solved() || !given.founded {
         return best;
+    }
+    let mut places = Vec::new();
+    if let Some(list) = near {
+        best = with_repairs(given, list, ROUNDS_FROM_NEAR, best, &mut places);
+        if best.solved() {
+            return best;
+        }
     }
     let mut samples = Samples::first(given, LINKS);
     let mut guess = samples.chain(given);
@@ -107,10 +93,7 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
         guess = samples.chain(given);
     }
     let mut left = MULTIPLE * samples.count() + MOST_SAMPLES;
-    let mut steps = best.steps;
-    let mut lists = 1;
     let guesses = if given.cells.len() <= LONG { GUESSES } else { GUESSES_OF_LONG };
-    let mut places = Vec::new();
     for turn in 0..guesses {
         if 0 < turn {
             samples = samples.refined(given, &guess.touches, &places);
@@ -120,37 +103,50 @@ pub(super) fn search(given: &PiecewiseScene) -> Found {
             left -= samples.count();
             guess = samples.chain(given);
         }
-        let mut list = samples.list(given, &guess);
         places.clear();
-        let (mut strikes, mut fewest) = (0, usize::MAX);
-        for _ in 0..ROUNDS {
-            let run = newton::solve(given, &mut list);
-            let solved = list.nodes.len();
-            list = normalised(given, list);
-            // Without the nodes that made no sense the equations are others. On the paper's supports the next guess has them.
-            let unsolved = !given.is_simple() && list.nodes.len() != solved;
-            let checked = check(given, &list);
-            (steps, lists) = (steps + run.steps, lists + 1);
-            let found = Found { list, checked, steps, lists, converged: run.converged };
-            if found.solved() {
-                return found;
-            }
-            let next = repaired(given, &found.list, &found.checked);
-            let faults = found.checked.faults.len();
-            strikes += match (fewest <= faults, run.converged) {
-                (true, true) => 1,
-                (true, false) => 3,
-                _ => 0,
-            };
-            fewest = fewest.min(faults);
-            let ends = next == found.list && !unsolved || STRIKES <= strikes;
-            places.extend(found.checked.faults.iter().filter_map(|(_, fault)| fault.place()));
-            best = best.better(found);
-            if ends {
-                break;
-            }
-            list = next;
+        best = with_repairs(given, samples.list(given, &guess), ROUNDS, best, &mut places);
+        if best.solved() {
+            break;
         }
     }
-    Found { steps, lists, ..best }
+    best
+}
+
+/// The best of what was found before and of up to `rounds` lists, each with the faults of the one before repaired, `list` the first
+/// of them; `places` are where the faults were.
+fn with_repairs(
+    given: &PiecewiseScene,
+    mut list: List,
+    rounds: usize,
+    mut best: Found,
+    places: &mut Vec<f64>,
+) -> Found {
+    let (mut strikes, mut fewest) = (0, usize::MAX);
+    for _ in 0..rounds {
+        let run = newton::solve(given, &mut list);
+        let solved = list.clone();
+        list = normalised(given, list);
+        // Without the nodes that made no sense the equations are others: Newton's method has not solved them.
+        let changed = list != solved;
+        let checked = check(given, &list);
+        let found = Found { list, checked, steps: run.steps, lists: 1, converged: run.converged && !changed };
+        if found.solved() {
+            return best.better(found);
+        }
+        list = repaired(given, &found.list, &found.checked);
+        let faults = found.checked.faults.len();
+        strikes += match (fewest <= faults, run.converged) {
+            (true, true) => 1,
+            (true, false) => 3,
+            _ => 0,
+        };
+        fewest = fewest.min(faults);
+        let ends = list == found.list && !changed || STRIKES <= strikes;
+        places.extend(found.checked.faults.iter().filter_map(|(_, fault)| fault.place()));
+        best = best.better(found);
+        if ends {
+            break;
+        }
+    }
+    best
 }

@@ -102,15 +102,7 @@ impl Change {
         match self {
             Self::Uniform(q) => q * (to - from),
             Self::Force(at, p) if from < at && at < to => p,
-            Self::Unload => {
-                let cells = given.cells.iter().enumerate();
-                let spread = cells.map(|(i, c)| {
-                    let (lo, hi) = (c.lo.max(from), c.hi.min(to));
-                    if lo < hi { 0.5 * (given.load(i, lo) + given.load(i, hi)) * (hi - lo) } else { 0.0 }
-                });
-                let points = given.breakpoints_inside(from, to).map(|i| given.breakpoints[i].force);
-                -(spread.sum::<f64>() + points.sum::<f64>())
-            }
+            Self::Unload => -given.load_inside(from, to),
             _ => 0.0,
         }
     }

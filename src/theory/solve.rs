@@ -2,10 +2,9 @@
 
 use super::breakpoints::MOST_CELLS;
 use super::exact::Exact;
-use super::list::List;
 use super::neutral;
 use super::piecewise::PiecewiseScene;
-use super::search::{self, Found};
+use super::search::search;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
@@ -95,24 +94,14 @@ pub(super) fn solve_from(scene: &Scene, near: Option<&Exact>) -> Result<Exact, T
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);
-    let (found, slopes) =
-        found(&given, &scaled.balance, foundation.is_some(), near.and_then(|near| near.list_in(&given, &scaled.scale)));
-    let exact = Exact::new(given, found, scaled.scale, stiffness, foundation.is_some());
+    let neutral = match scaled.balance {
+        Balance::Neutral { about, .. } => neutral::balanced(&given, about),
+        _ => None,
+    };
+    let (found, slopes) = match neutral {
+        Some((found, slopes)) => (found, Some(slopes)),
+        None => (search(&given, near.and_then(|near| near.list_in(&given, &scaled.scale))), None),
+    };
+    let exact = Exact::new(given, found, scaled.scale, stiffness);
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
-}
-
-/// The solution of a dimensionless scene, looked for from a list `near` it if there is one, and between which slopes it may turn where its position is not certain.
-fn found(given: &PiecewiseScene, balance: &Balance, grounded: bool, near: Option<List>) -> (Found, Option<[f64; 2]>) {
-    if let Balance::Neutral { about, .. } = *balance
-        && let Some((found, slopes)) = neutral::balanced(given, about, grounded)
-    {
-        return (found, Some(slopes));
-    }
-    if grounded {
-        let found = near.map_or_else(|| search::search(given), |list| search::search_from(given, list));
-        return (found, None);
-    }
-    let mut found = search::free(given);
-    found.checked.forget_ground();
-    (found, None)
 }

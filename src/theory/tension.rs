@@ -93,9 +93,6 @@ pub(super) fn zones_between(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Vec
     };
     let mut start = from;
     for &(lo, hi) in given.tension_between(from, to) {
-        if hi < start {
-            continue;
-        }
         let inside = start < lo && hi < to;
         let [end, next] = if inside { gap_around(given, [lo, hi], [start, to]) } else { [lo, hi] };
         add(start, end);
