@@ -148,7 +148,7 @@ pub enum Refusal {
     NoAnswer,
     /// It violates conditions of beam theory.
     #[error(
-        "it violates a condition of beam theory by {residual:.1e}, relative to the largest deflection, force or moment"
+        "it violates a condition of beam theory by {residual:.1e}, relative to the largest deflection or moment, or to forces beside it"
     )]
     Theory {
         /// The worst violation.

@@ -140,6 +140,20 @@ pub(super) fn lies_on_ground(trial: &mut Trial, who: &str, draft: &Draft, scene:
     }
 }
 
+/// No contact of a solved beam pulls, as a share of the load and of the shear beside it, whatever the forces are elsewhere.
+pub(super) fn presses(trial: &mut Trial, who: &str, scene: &Scene, exact: &Exact) {
+    let load = scene.load().magnitude(scene.beam().length());
+    for contact in &exact.state.contacts {
+        let [from, to] = contact.end_forces.unwrap_or([contact.force; 2]);
+        for (x, force) in [(contact.from, from), (contact.to, to)] {
+            let beside = exact.shear(x).into_iter().fold(load, |most, shear| most.max(shear.abs()));
+            if exceeds(-force, THEORY * beside) {
+                trial.wrong.push(format!("{who}: solved, but a contact pulls by {:e} of {beside:e} at {x}", -force));
+            }
+        }
+    }
+}
+
 /// Every position that is said to be one of rest is above the ground.
 pub(super) fn turns_above_ground(trial: &mut Trial, who: &str, scene: &Scene, exact: &Exact) {
     let Some(Motion { about, slope }) = exact.state.standing.and_then(|standing| standing.motion) else { return };

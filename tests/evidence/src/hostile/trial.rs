@@ -11,7 +11,7 @@ use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Refusal, Verdict};
 use palkki::{Settings, solve_raw};
 
-use super::laws::{THEORY, balanced, judge, lies_on_ground, name, overlap, same, turns_above_ground, within};
+use super::laws::{THEORY, balanced, judge, lies_on_ground, name, overlap, presses, same, turns_above_ground, within};
 use super::refusals::{accepted, refused};
 use super::scenes::Family;
 use super::units::in_other_units;
@@ -91,6 +91,7 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
     });
     if let Some(exact) = exact.as_ref().filter(|exact| exact.solved) {
         balanced(&mut trial, "theory", &scene, &exact.state);
+        presses(&mut trial, "theory", &scene, exact);
         turns_above_ground(&mut trial, "theory", &scene, exact);
         if Family::THIRD.contains(&family) && trial.certified {
             let violated =
