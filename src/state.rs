@@ -127,6 +127,12 @@ impl Extremes {
     /// not the one that rounding favours.
     const EQUAL: f64 = 1e-12;
 
+    /// The largest magnitude, `max(|max|, |min|)`.
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        self.max.abs().max(self.min.abs())
+    }
+
     /// Extremes of `(place, value)` pairs from left to right; zero at 0 if there are none.
     ///
     /// Where the extreme value holds over a stretch, the middle of the first such stretch is named, otherwise its first place.
@@ -159,7 +165,7 @@ impl Extremes {
     /// With one more value, if it lies clearly beyond those seen.
     #[must_use]
     pub fn beyond(self, at: f64, value: f64) -> Self {
-        let equal = Self::EQUAL * self.max.abs().max(self.min.abs());
+        let equal = Self::EQUAL * self.magnitude();
         if self.max + equal < value {
             Self { max: value, max_at: at, ..self }
         } else if value < self.min - equal {

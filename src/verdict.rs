@@ -232,7 +232,7 @@ impl Verdict {
             residual => Some(Refusal::Residual { residual, most: demand.residual }),
         };
         let certificate = certificate(&raw.state, witness);
-        let size = largest(&raw.state);
+        let size = raw.state.deflection.magnitude();
         Self::new(witness.scene(), certificate, size, own, demand.error, raw.solver_reports_success)
     }
 
@@ -247,7 +247,7 @@ impl Verdict {
             Some(Refusal::Theory { residual: exact.residual })
         };
         let most = demand.error.min(EXACT);
-        let size = largest(&exact.state);
+        let size = exact.state.deflection.magnitude();
         Self::new(scene, certificate, size, own, most, exact.converged)
     }
 
@@ -333,7 +333,7 @@ fn flaw(certificate: &Certificate) -> Option<Refusal> {
 fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
     let Certificate { deflection: judged, deflection_at_least: least, deflection_error: error, .. } = *certificate;
     let Certificate { energy_lower: lower, energy_upper: upper, .. } = *certificate;
-    let own = largest(state);
+    let own = state.deflection.magnitude();
     // A bound of more than half the deflection recognises nothing. A beam at rest moves by the rounding of what its loads would
     // do to it, `P l³ / 48 EI`, and of zero outwards.
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
@@ -354,15 +354,10 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
 fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
     let depth = |x: f64| scene.gap(x).abs();
     let held: f64 = state.contacts.iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
-    scene.load().magnitude(scene.beam().length()) * largest(state) + held
+    scene.load().magnitude(scene.beam().length()) * state.deflection.magnitude() + held
 }
 
 /// Not true of NaN.
 fn within(value: f64, most: f64) -> bool {
     value <= most
-}
-
-/// The largest magnitude of the deflection.
-fn largest(state: &ContactState) -> f64 {
-    state.deflection.max.abs().max(state.deflection.min.abs())
 }

@@ -123,7 +123,7 @@ fn extremes(name: &str, e: &Extremes, unit: &Option<String>, units: &UnitLabels)
     for value in [e.max, e.max_at, e.min, e.min_at] {
         finite("an extreme or its place", value)?;
     }
-    let most = e.max.abs().max(e.min.abs());
+    let most = e.magnitude();
     let mut notes = Vec::new();
     if VISIBLE * most < e.max {
         notes.push(extreme(name, e.max_at, e.max, unit, units));

@@ -110,14 +110,6 @@ impl Grid {
         }
     }
 
-    /// The places of the interior nodes, `x_1 … x_n`.
-    #[must_use]
-    pub fn interior_places(&self) -> Vec<f64> {
-        let mut places = vec![0.0; self.interior()];
-        self.places(1, &mut places);
-        places
-    }
-
     /// Gaps `g_i` below the undeflected beam at the interior nodes.
     #[must_use]
     pub fn gaps(&self, scene: &Scene) -> Vec<f64> {

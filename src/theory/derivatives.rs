@@ -233,7 +233,7 @@ impl Exact {
         let moments = self.spans.iter().flat_map(|(_, span)| [span.beam_a[2], span.beam_b[2]]);
         let bent =
             moments.fold(0.0, |most: f64, moment| most.max(moment.abs())).max(largest * given.length * AT_A_CHANGE);
-        let size = self.state.deflection.max.abs().max(self.state.deflection.min.abs()) / self.scale.depth;
+        let size = self.state.deflection.magnitude() / self.scale.depth;
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
         let at_node = nodes.iter().enumerate().any(|(i, node)| match node.kind {
             Kind::Smooth => small(self.forces[i], largest) || small(bend(&self.spans, i), bent),

@@ -10,7 +10,6 @@ use palkki::theory::{self, Exact};
 use palkki::{Settings, solve_raw};
 
 use super::{of_forces, places};
-use palkki_evidence::compare::magnitude;
 use palkki_evidence::random::{self, Random};
 
 /// Theory is certified to twelve digits of the largest numbers that the scene has.
@@ -66,7 +65,7 @@ fn caused(scene: &Scene, forces: &[(f64, f64)], x: f64) -> f64 {
 /// Units in which rounding of theory is small: of the energy and of the deflection.
 fn units(scene: &Scene, exact: &Exact) -> [f64; 2] {
     let scale = scene.scaled().expect("the scene can be scaled").scale;
-    let size = magnitude(&exact.state.deflection);
+    let size = exact.state.deflection.magnitude();
     [exact.state.energy.abs().max(scale.energy()), size.max(scale.depth)]
 }
 

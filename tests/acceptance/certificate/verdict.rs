@@ -5,7 +5,6 @@ use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::text::share_at_most;
 use palkki::verdict::{Demand, Refusal, USABLE, Verdict};
 use palkki::{Settings, Witness, solve_raw, theory};
-use palkki_evidence::compare::magnitude;
 use palkki_evidence::paper::example;
 use palkki_evidence::random;
 
@@ -97,7 +96,7 @@ fn exact_answers_are_certain_to_a_millionth() {
         let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
         if verdict.status == Status::Certified {
             assert!(verdict.error <= 1e-6, "{}: {verdict}", scene.title());
-            let size = magnitude(&exact.state.deflection);
+            let size = exact.state.deflection.magnitude();
             let bound = verdict.certificate.expect("certified").deflection_error;
             // A beam that does not move has a bound that is the square root of the smallest number there is.
             let at_rest = size == 0.0 && bound <= 1e-140 * scene.beam().length();

@@ -5,7 +5,6 @@ use palkki::certificate::{ContactLoad, Judged, certify};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::theory;
-use palkki_evidence::compare::magnitude;
 
 use super::{of_forces, places, true_error};
 use crate::scenes::{nodes, report, run};
@@ -38,7 +37,7 @@ fn check(what: &str, scene: &Scene, forces: &[f64]) {
     let forces_at: Vec<(f64, f64)> = nodes.x.iter().copied().zip(forces.iter().copied()).collect();
     let witness = places(&forces_at);
     let truth = theory::solve(scene).expect("theory has an answer");
-    let size = magnitude(&truth.state.deflection);
+    let size = truth.state.deflection.magnitude();
     let certificate = certify(scene, Judged::Nodes(nodes), &witness).expect("the scene can be scaled");
     let error = true_error(scene, nodes, |x| truth.deflection(x));
     assert!(error <= certificate.deflection_error + THEORY * size, "{what}: {error} for {certificate:?}");

@@ -4,7 +4,7 @@ use palkki::adaptive::{Adapted, End, Request, adapt};
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::Scene;
 use palkki::theory;
-use palkki_evidence::compare::{largest, magnitude};
+use palkki_evidence::compare::largest;
 
 use crate::scenes;
 
@@ -13,7 +13,7 @@ fn true_error(scene: &Scene, adapted: &Adapted) -> f64 {
     let exact = theory::solve(scene).expect("the scenes of the report have exact solutions");
     let nodes = adapted.solution.state.nodes.as_ref().expect("a discretised state has nodes");
     let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x));
-    largest(apart) / magnitude(&adapted.solution.state.deflection)
+    largest(apart) / adapted.solution.state.deflection.magnitude()
 }
 
 /// Solves a scene of the report to an error that has to be reached.

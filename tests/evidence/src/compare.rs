@@ -1,7 +1,5 @@
 //! Differences, of which none is overlooked: what is no number counts as infinitely far.
 
-use palkki::state::Extremes;
-
 /// The largest magnitude; infinite if one of them is no number.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |most: f64, v| if v.is_nan() { f64::INFINITY } else { most.max(v.abs()) })
@@ -20,12 +18,6 @@ pub fn apart(a: &[f64], b: &[f64]) -> f64 {
 #[must_use]
 pub fn apart_if_any(a: &[f64], b: &[f64]) -> f64 {
     if a.is_empty() { f64::INFINITY } else { apart(a, b) }
-}
-
-/// The largest magnitude between two extremes.
-#[must_use]
-pub fn magnitude(extremes: &Extremes) -> f64 {
-    extremes.max.abs().max(extremes.min.abs())
 }
 
 #[cfg(test)]

@@ -13,8 +13,6 @@
 use palkki::scene::{Foundation, Scene};
 use palkki::theory::Exact;
 
-use crate::compare::magnitude;
-
 /// Parts into which a beam is cut at the most.
 const MOST_PARTS: u32 = 10_000;
 
@@ -77,8 +75,8 @@ pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
     let mut wrong = Vec::new();
     let state = &exact.state;
-    let deflection = magnitude(&state.deflection).max(1e-3 * size(scene));
-    let moment = magnitude(&state.moment).max(1e-3 * scene.load().magnitude(length) * length);
+    let deflection = state.deflection.magnitude().max(1e-3 * size(scene));
+    let moment = state.moment.magnitude().max(1e-3 * scene.load().magnitude(length) * length);
     let force = moment / length;
     // A unit in the last place of a moment bends the beam by so much.
     let deflection = deflection.max(f64::EPSILON * moment * length * length / stiffness / most);

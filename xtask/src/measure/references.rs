@@ -21,7 +21,7 @@ use super::plan::{Job, Route};
 use crate::Cause;
 use palkki_evidence::authority::number::{Fixed, Number};
 use palkki_evidence::authority::{forward, given};
-use palkki_evidence::compare::{apart, largest, magnitude};
+use palkki_evidence::compare::{apart, largest};
 
 /// Relative errors of end reaction, resultant of the largest contact, deflection (the worst node, over the largest
 /// deflection) and energy; no finite numbers where there is no reference or no answer.
@@ -90,7 +90,7 @@ impl References {
         let place = |i: usize| self.length * (i + 1) as f64 / (deflection.len() + 1) as f64;
         let worst = largest(deflection.iter().enumerate().map(|(i, v)| v - self.exact.deflection(place(i))));
         let [reaction, energy] = [(reaction, state.reactions.left), (energy, state.energy)].map(|(f, e)| share(f, e));
-        [reaction, share(contact, resultant), worst / magnitude(&state.deflection), energy]
+        [reaction, share(contact, resultant), worst / state.deflection.magnitude(), energy]
     }
 
     /// The contact that is the largest one by beam theory.

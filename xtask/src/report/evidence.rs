@@ -42,7 +42,7 @@ mod prelude {
     pub(super) use palkki::route::{Method, Solver, Status};
     pub(super) use palkki::scene::{Foundation, Scene};
     pub(super) use palkki::theory;
-    pub(super) use palkki_evidence::compare::{apart_if_any, largest, magnitude};
+    pub(super) use palkki_evidence::compare::{apart_if_any, largest};
 
     pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes};
     pub(super) use crate::table::{Table, row};

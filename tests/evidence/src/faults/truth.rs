@@ -6,7 +6,7 @@ use palkki::state::{Contact, ContactState, Nodes};
 use palkki::theory::{self, Exact, TheoryError};
 
 use super::Closed;
-use crate::compare::{apart, largest, magnitude};
+use crate::compare::{apart, largest};
 
 /// Closed forms and beam theory: the latter is right to twelve digits of the largest deflection, of the energy and of the
 /// reactions where it is certified; one digit less is believed.
@@ -76,7 +76,7 @@ impl<'a> Truth<'a> {
         Ok(Self {
             scene,
             contacts: state.contacts.clone(),
-            deflection: magnitude(&state.deflection),
+            deflection: state.deflection.magnitude(),
             solved: exact.solved,
             energy: state.energy,
             reactions: state.supports.iter().map(|support| Some(support.force)).collect(),

@@ -15,7 +15,6 @@ use crate::authority::rational::number;
 use crate::authority::statics::resultant_and_moment;
 
 use super::trial::Trial;
-use crate::compare::magnitude;
 use crate::draft::Draft;
 
 /// Share of the forces to which a certified answer is in balance: what the judge of a discretised answer asks.
@@ -48,7 +47,7 @@ fn sizes(scene: &Scene, state: &ContactState) -> (f64, f64) {
     let contacts: f64 = state.contacts.iter().map(|c| c.force.abs()).sum();
     let reactions: f64 = state.supports.iter().map(|s| s.force.abs()).sum();
     let load = scene.load().magnitude(length);
-    let deflection = magnitude(&state.deflection);
+    let deflection = state.deflection.magnitude();
     let profiles = scene.foundation().into_iter().chain(scene.beam().shape());
     let idle = if load == 0.0 { profiles.map(|profile| profile.magnitude(length)).fold(0.0, f64::max) } else { 0.0 };
     let force = load.max(contacts).max(reactions).max(idle / flexibility(scene));

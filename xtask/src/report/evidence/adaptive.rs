@@ -35,7 +35,7 @@ impl Run {
         let nodes = nodes_of(&found.solution.state)?;
         let apart = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x));
         // The same size as that of the certified error.
-        let truth = largest(apart) / magnitude(&found.solution.state.deflection);
+        let truth = largest(apart) / found.solution.state.deflection.magnitude();
         Ok(Self { exponent, found, truth })
     }
 

@@ -83,8 +83,8 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     let [of_length, of_force] = [&scene.units().length, &scene.units().force].map(label);
     let of_moment = if of_force.is_empty() { String::new() } else { format!("{of_force}·{of_length}") };
     let force = load(scene);
-    let moment = magnitude(&state.moment);
-    let deflection = magnitude(&state.deflection);
+    let moment = state.moment.magnitude();
+    let deflection = state.deflection.magnitude();
     let certificate = verdict.certificate.as_ref();
     let mut rows = Vec::new();
     let mut row = |name: String, unit: &str, values: &[f64], scale: f64, proven: Option<f64>| {
