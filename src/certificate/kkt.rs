@@ -6,7 +6,7 @@
 
 use super::nodal_beam::{self, NodalBeam, Station};
 use crate::scene::{Grid, Held, Scene, is_same_place};
-use crate::state::{ContactState, Reactions, SupportForce};
+use crate::state::{ContactState, Nodes, Reactions, SupportForce};
 
 /// Nodes that are compared together: few enough for the nearest cache.
 const BATCH: usize = 256;
@@ -51,43 +51,10 @@ impl Kkt {
     /// all supports among them: all nodes but the ends of the beam that have a support.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
-        let nodes = state.nodes.as_ref()?;
+        let bent = BentBeam::of(scene, state)?;
+        let BentBeam { nodes, grid, first, ref stations, ref said, ref beam, .. } = bent;
         let (x, v, h, p, moment) = (&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment);
-        if [x, v, h, moment].iter().any(|list| list.len() != p.len()) {
-            return None;
-        }
-        let (held, length) = (scene.held(), scene.beam().length());
-        let [left, right] = [0.0, length].map(|end| usize::from(held.iter().any(|s| is_same_place(s.at, end, length))));
-        let (grid, first) = (Grid::uniform(scene, (p.len() + left + right).checked_sub(1)?).ok()?, left);
-        let mut stations = nodal_beam::supports(&grid, &held)?;
-        let said: Vec<SupportForce> = held.iter().map(|held| said_of(state, held, length)).collect::<Option<_>>()?;
-        nodal_beam::stand(&mut stations, first, p, v);
-
-        let mut forces = grid.nodal_loads(scene.load());
-        let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
-        forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
-        let said_at = |node: usize| {
-            held.iter().zip(&said).find(|(held, _)| grid.node_at(held.at) == Some(node)).map(|(_, said)| said)
-        };
-        // What presses at a station counts as what it exerts.
-        let mut exerted = Vec::with_capacity(stations.len());
-        for &Station { node, .. } in &stations {
-            exerted.push(if let Some(said) = said_at(node) {
-                said.force
-            } else {
-                grid.loads(scene.load(), node, &mut forces[node..=node]);
-                p[node - first]
-            });
-        }
-        let caused = NodalBeam::of(scene, grid, forces, &stations, nodes.discretisation)?;
-
-        let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
-        let deepest = largest(v.iter().map(|v| v.abs()));
-        let idle =
-            if load == 0.0 { within_reach(&grid.gaps_at(scene, first..first + p.len())).max(deepest) } else { 0.0 };
-        let force = nonzero(load.max(contact).max(idle / flexibility));
-        // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
-        let depth = nonzero(deepest.max(idle).max(ROUNDING * flexibility * force));
+        let [force, depth] = bent.sizes(scene);
 
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
@@ -110,22 +77,23 @@ impl Kkt {
             });
             worst = largest_each(worst, rows);
         };
-        caused.walk(&mut compare);
+        beam.walk(&mut compare);
         // Beside a support in which the beam is built in either moment will do.
         let nearer =
             |said: f64, [left, right]: [f64; 2]| if (said - left).abs() < (said - right).abs() { left } else { right };
-        for (station, (_, moments)) in stations.iter().zip(&caused.stations) {
+        for (station, (_, moments)) in stations.iter().zip(&beam.stations) {
             if let Some(&said) = station.node.checked_sub(first).and_then(|i| moment.get(i)) {
                 compare(station.node, &[nearer(said, *moments)], &[station.deflection]);
             }
         }
         let [penetration, tension, complementarity, elastic, moments, clearances, out_of_place] = worst;
-        let balance = exerted.iter().zip(&caused.stations).map(|(said, (force, _))| said - force);
+        let balance = bent.exerted.iter().zip(&beam.stations).map(|(said, (force, _))| said - force);
         let Reactions { left, right } = state.reactions;
+        let said_at = |node: usize| stations.iter().zip(said).find(|(station, _)| station.node == node)?.1.as_ref();
         let ends = [(0, left), (grid.intervals(), right)]
             .map(|(node, reaction)| reaction - said_at(node).map_or(0.0, |said| said.force));
-        let couples = stations.iter().zip(&caused.stations).filter_map(|(station, (_, moments))| {
-            let said = said_at(station.node)?.moment?;
+        let couples = said.iter().zip(&beam.stations).filter_map(|(said, (_, moments))| {
+            let said = said.as_ref()?.moment?;
             Some((said - nearer(said, *moments)).abs())
         });
         Some(Self {
@@ -134,9 +102,9 @@ impl Kkt {
             complementarity,
             equilibrium: largest([elastic / depth, largest(balance.chain(ends).map(f64::abs)) / force]),
             record: largest([
-                moments.max(largest(couples)) / (force * length),
+                moments.max(largest(couples)) / (force * scene.beam().length()),
                 clearances / depth,
-                out_of_place / length,
+                out_of_place / scene.beam().length(),
             ]),
         })
     }
@@ -151,6 +119,77 @@ impl Kkt {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.residual() <= CERTIFIED_RESIDUAL
+    }
+}
+
+/// The beam that the loads and the contact forces of a state bend, beside what the state says.
+struct BentBeam<'a> {
+    nodes: &'a Nodes,
+    grid: Grid,
+    /// The node of the grid that is the first of the state.
+    first: usize,
+    stations: Vec<Station>,
+    /// What the state says of the support at each station, where there is one, and of the force that holds the beam there.
+    said: Vec<Option<SupportForce>>,
+    exerted: Vec<f64>,
+    beam: NodalBeam,
+    /// Sums of the magnitudes of all loads and of all contact forces \[force\].
+    load: f64,
+    contact: f64,
+}
+
+impl<'a> BentBeam<'a> {
+    /// [`None`] if the nodes of the state are not those of a grid with all supports among them, or if the state does not say of
+    /// each support what it exerts.
+    fn of(scene: &Scene, state: &'a ContactState) -> Option<Self> {
+        let nodes = state.nodes.as_ref()?;
+        let p = &nodes.contact_force;
+        if [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.moment].iter().any(|list| list.len() != p.len()) {
+            return None;
+        }
+        let (held, length) = (scene.held(), scene.beam().length());
+        let [left, right] = [0.0, length].map(|end| usize::from(held.iter().any(|s| is_same_place(s.at, end, length))));
+        let (grid, first) = (Grid::uniform(scene, (p.len() + left + right).checked_sub(1)?).ok()?, left);
+        let mut stations = nodal_beam::supports(&grid, &held)?;
+        let supports: Vec<SupportForce> =
+            held.iter().map(|held| said_of(state, held, length)).collect::<Option<_>>()?;
+        nodal_beam::stand(&mut stations, first, p, &nodes.deflection);
+
+        let mut forces = grid.nodal_loads(scene.load());
+        let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
+        forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
+        let said_at = |station: &Station| {
+            let mut supports = held.iter().zip(&supports);
+            supports.find(|(held, _)| grid.node_at(held.at) == Some(station.node)).map(|(_, said)| *said)
+        };
+        let said: Vec<Option<SupportForce>> = stations.iter().map(said_at).collect();
+        // What presses at a station counts as what it exerts.
+        let mut exerted = Vec::with_capacity(stations.len());
+        for (&Station { node, .. }, said) in stations.iter().zip(&said) {
+            exerted.push(if let Some(said) = said {
+                said.force
+            } else {
+                grid.loads(scene.load(), node, &mut forces[node..=node]);
+                p[node - first]
+            });
+        }
+        let beam = NodalBeam::of(scene, grid, forces, &stations, nodes.discretisation)?;
+        Some(Self { nodes, grid, first, stations, said, exerted, beam, load, contact })
+    }
+
+    /// `P` and `D`, by which forces and lengths are measured.
+    fn sizes(&self, scene: &Scene) -> [f64; 2] {
+        let length = scene.beam().length();
+        let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
+        let deepest = largest(self.nodes.deflection.iter().map(|v| v.abs()));
+        let idle = if self.load == 0.0 {
+            within_reach(&self.grid.gaps_at(scene, self.first..self.first + self.nodes.x.len())).max(deepest)
+        } else {
+            0.0
+        };
+        let force = nonzero(self.load.max(self.contact).max(idle / flexibility));
+        // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
+        [force, nonzero(deepest.max(idle).max(ROUNDING * flexibility * force))]
     }
 }
 

@@ -184,8 +184,7 @@ fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Inter
         carriers.extend(breaks.iter().filter_map(|&x| Some(carried((x, enclosed.load.point(x)?)))));
         carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| outer_thirds(enclosed, cell)));
     }
-    carriers.retain(|place| 0.0 < place.presses);
-    carriers
+    carriers.into_iter().filter(|place| 0.0 < place.presses).collect()
 }
 
 /// The outer thirds of a part of a zone without a break of the load, with what presses on them at least: the load, and what the
