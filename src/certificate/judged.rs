@@ -83,7 +83,6 @@ fn divided(pieces: &[Piece], [a, b]: [f64; 2], length: f64) -> Vec<f64> {
     if NARROW * length < b - a {
         let parts = ((b - a) / (NARROW * length)).ceil().max(PARTS);
         places.extend((1..).map(f64::from).take_while(|k| *k < parts).map(|k| a + (b - a) * (k / parts)));
-        places.retain(|x| a < *x && *x < b);
         places.sort_by(f64::total_cmp);
         places.dedup();
     }
