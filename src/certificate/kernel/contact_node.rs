@@ -82,8 +82,9 @@ impl EnclosedSupport {
                 let side = [0, 1].into_iter().find(|side| grounded[*side]);
                 side.map_or(Interval::exact(slope) - own[1], |side| gap.jet(x, side == 0)[1])
             });
-            let ground = meets[0] || meets[1];
-            let deflection = if ground { gap.depth(x) } else { Interval::exact(given.level) - own[0] };
+            let level = Interval::exact(given.level) - own[0];
+            // Ground at the level of the support may be beside it by a rounding: the beam is at one of them.
+            let deflection = if meets[0] || meets[1] { level.hull(gap.depth(x)) } else { level };
             let is_fixed = slope.is_some() || (grounded == [true; 2] && gap.is_smooth_at(x));
             Self { x, deflection, slope, meets, grounded, is_fixed }
         });
