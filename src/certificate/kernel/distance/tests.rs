@@ -199,6 +199,17 @@ fn no_number_is_no_bound() {
     }
 }
 
+/// Where `v̂` is of any bend, over a width of which the square is below the range of numbers, the bound is none, whatever is judged.
+#[test]
+fn where_a_bound_is_no_number_it_is_none() {
+    let narrow = 1e-170;
+    let wild = piece([0.0, narrow], &[0.0, 0.0, 0.0, 0.0, f64::INFINITY]);
+    let pair = pair(vec![wild, piece([narrow, LENGTH], &[])]);
+    let zero = [[Interval::ZERO; 2]; 2];
+    let judged = [[0.0, narrow], [narrow, LENGTH]].map(|ends| Part { ends, values: zero, fourth: 0.0 });
+    assert!(of(&pair, judged.into_iter(), STIFFNESS, LENGTH).most.is_infinite());
+}
+
 /// Pieces and cells that do not go all the way, or leave a part out, bound nothing.
 #[test]
 fn what_ends_on_the_way_is_not_judged() {

@@ -49,6 +49,25 @@ fn cells_of_a_long_polynomial_enclose_it() {
     }
 }
 
+/// `(x/8)^d`, of which the first two dozen terms are expanded: over a cell so wide the others are most of it, or a part.
+#[test]
+fn cells_of_a_very_long_polynomial_enclose_it() {
+    for degree in [24, 40] {
+        let mut coefficients = vec![0.0; degree];
+        let power = |x: f64| (0..degree).fold(1.0, |product, _| product * (0.125 * x));
+        coefficients.push(power(1.0));
+        let foundation = Foundation::Polynomial { coefficients };
+        let ground = EnclosedFoundation::on(&foundation, LENGTH);
+        let (from, to) = (1.0, 15.0);
+        let [cell, mirrored] = from_both_ends(&ground, from, to);
+        for s in (0..=14).map(f64::from) {
+            for (cell, x) in [(&cell, from + s), (&mirrored, to - s)] {
+                encloses(cell, s, power(x), 1e-14 * power(x));
+            }
+        }
+    }
+}
+
 /// `T_20(x/4 − 1)`, the terms of which add up to `10¹⁵`: cells enclose what its recurrence gives, to some roundings of 1.
 #[test]
 fn cells_of_a_long_polynomial_are_sharp() {
