@@ -80,8 +80,8 @@ impl Repair<'_> {
         }
     }
 
-    /// A zone that reaches a free end lifts off before, if it pulls there or the ground is bent; in a hollow, which bends the other way than the
-    /// overhang, the end of the beam touches besides.
+    /// A zone that reaches a free end lifts off before it, if it pulls there or the ground is bent. In a hollow, which bends the
+    /// other way than the overhang, the end of the beam touches besides.
     fn lift_tip(&mut self, i: usize) {
         let (given, nodes) = (self.given, &self.list.nodes);
         let Some(&tip) = nodes.get(i).filter(|node| node.kind == Kind::Tip) else { return };
