@@ -76,11 +76,11 @@ impl Sweep<'_> {
                 last = None;
                 continue;
             }
-            let before = || if is_first { self.at(from - past, None) } else { None };
-            let Some(left) = last.take().or_else(before).or_else(|| self.at(from, None)) else { continue };
-            let mut right = self.at(to, Some(&left));
+            let before = || if is_first { self.at(from - past, &[]) } else { None };
+            let Some(left) = last.take().or_else(before).or_else(|| self.at(from, &[])) else { continue };
+            let mut right = self.at(to, &[&left]);
             if is_last || right.as_ref().is_some_and(|right| !right.is_like(&left)) {
-                right = self.at(to + past, Some(&left)).or(right);
+                right = self.at(to + past, &[&left]).or(right);
             }
             if let Some(right) = &right {
                 self.all_between(&left, right, &mut roots);
@@ -129,9 +129,10 @@ impl Sweep<'_> {
         (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
     }
 
-    /// The answer at a value, if there is one.
-    fn at(&self, value: f64, near: Option<&At>) -> Option<At> {
-        let (_, exact) = self.answer(value, near.map(|near| &near.exact)).ok()?;
+    /// The answer at a value, if there is one, searched for from answers at values nearby.
+    fn at(&self, value: f64, near: &[&At]) -> Option<At> {
+        let near: Vec<&Exact> = near.iter().map(|near| &near.exact).collect();
+        let (_, exact) = self.answer(value, &near).ok()?;
         exact.solved.then_some(At { value, exact })
     }
 
@@ -166,7 +167,7 @@ impl Sweep<'_> {
         }
         let count = self.places_inside(left.value, right.value);
         let place = |i: u32| left.value + (right.value - left.value) * ((f64::from(i) - PAST) / f64::from(count + 1));
-        let answers = (1..=count).filter_map(|i| self.at(place(i), Some(left)));
+        let answers = (1..=count).filter_map(|i| self.at(place(i), &[left]));
         let unlike = answers.chain([right.clone()]).find(|middle| !middle.is_like(left));
         if let Some(middle) = unlike {
             self.all_between(left, &middle, events);
@@ -193,7 +194,7 @@ impl Sweep<'_> {
             }
             let inside = |share: f64| left.value + share * (right.value - left.value);
             let narrow = self.is_narrow(left.value, right.value);
-            let middle = SHARES.into_iter().filter(|_| !narrow).find_map(|share| self.at(inside(share), Some(&left)));
+            let middle = SHARES.into_iter().filter(|_| !narrow).find_map(|share| self.at(inside(share), &[&left]));
             let Some(middle) = middle else {
                 events.push(Root { value: inside(0.5), before: left, after: right });
                 break;
@@ -224,15 +225,14 @@ impl Sweep<'_> {
         };
         let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
         // Beyond it they are others, and as near to it as may be those of `to`.
-        let beyond = |value: f64, towards: &At| {
+        let beyond = |value: f64| {
             let inside = 0.0 < (to.value - value) * step;
-            let after = if inside { self.at(value, Some(towards))? } else { to.clone() };
+            let after = if inside { self.at(value, &[from, to])? } else { to.clone() };
             (!after.is_like(from)).then_some(after)
         };
         FARTHER.into_iter().find_map(|farther| {
             sides.iter().find_map(|(value, near)| {
-                let after = value + step * farther;
-                let after = beyond(after, from).or_else(|| beyond(after, to))?;
+                let after = beyond(value + step * farther)?;
                 Some(Root { value: *value, before: near.clone(), after })
             })
         })

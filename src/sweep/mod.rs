@@ -155,13 +155,10 @@ impl<'a> Sweep<'a> {
             .collect()
     }
 
-    /// The answer for a value, searched for from that of a value nearby.
-    fn answer(&self, value: f64, near: Option<&Exact>) -> Result<(Scene, Exact), TheoryError> {
+    /// The answer for a value, searched for from those of values nearby.
+    fn answer(&self, value: f64, near: &[&Exact]) -> Result<(Scene, Exact), TheoryError> {
         let scene = self.scene(value)?;
-        let exact = match near {
-            Some(near) => near.continued(&scene)?,
-            None => theory::solve(&scene)?,
-        };
+        let exact = theory::solve_near(&scene, near)?;
         Ok((scene, exact))
     }
 }
@@ -188,7 +185,8 @@ impl Walk<'_> {
     ///
     /// [`SweepError::Invalid`].
     pub fn solve(&mut self, value: f64) -> Result<Step, SweepError> {
-        match self.sweep.answer(value, self.last.as_ref().map(|(_, exact)| exact)) {
+        let near = self.last.as_ref().map(|(_, exact)| exact);
+        match self.sweep.answer(value, near.as_slice()) {
             Ok((scene, exact)) => Ok(Step { value, scene, exact }),
             Err(error) => Err(SweepError::Invalid {
                 quantity: self.sweep.quantity,

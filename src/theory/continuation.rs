@@ -7,20 +7,9 @@ use super::margin::{Margin, failing};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
-use super::solve::{TheoryError, solve_from};
 use crate::scene::{Scale, Scene};
 
 impl Exact {
-    /// The exact solution of a scene that differs from that of this solution in numbers only: the same as [`super::solve`] finds,
-    /// and sooner, as the contacts of this solution are where the search starts.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`super::solve`].
-    pub fn continued(&self, scene: &Scene) -> Result<Self, TheoryError> {
-        solve_from(scene, self.solved.then_some(self))
-    }
-
     /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: a [`Margin`] for each
     /// condition that can be followed from one scene to the other. [`None`] if there are no such contacts there.
     #[must_use]
@@ -31,7 +20,7 @@ impl Exact {
 
     /// This solution with its contacts moved to where they are in `scene` and kept as they are, if that is an answer there, with
     /// supports that pull and press as they did. Where contacts carry nothing, or too little to count, one answer has several lists
-    /// of them, and this one may be another than [`Exact::continued`] finds.
+    /// of them, and this one may be another than [`solve_near`](super::solve_near) finds.
     #[must_use]
     pub fn moved(&self, scene: &Scene) -> Option<Self> {
         let scaled = scene.scaled().ok()?;

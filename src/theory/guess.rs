@@ -259,7 +259,7 @@ impl Samples {
                 builder.add_support(support);
             }
         }
-        normalised(given, List { nodes: builder.nodes })
+        normalised(given, &builder.nodes)
     }
 }
 

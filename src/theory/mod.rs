@@ -56,5 +56,5 @@ pub use derivatives::{By, ContactDerivative, Derivative, Spread};
 pub use exact::{Exact, Sample};
 pub use margin::Margin;
 pub use pattern::{Pattern, Touch, ZoneEnd};
-pub use solve::{TheoryError, solve};
+pub use solve::{TheoryError, solve, solve_near};
 pub use violation::Violation;

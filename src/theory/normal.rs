@@ -5,15 +5,15 @@ use super::piecewise::PiecewiseScene;
 
 /// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them. Supports stay.
-pub(super) fn normalised(given: &PiecewiseScene, list: List) -> List {
+pub(super) fn normalised(given: &PiecewiseScene, nodes: &[Node]) -> List {
     let mut normal = Normal {
         given,
         closed: 1e-11 * given.length,
         least: 16.0 * f64::EPSILON * given.length,
-        nodes: Vec::with_capacity(list.nodes.len()),
+        nodes: Vec::with_capacity(nodes.len()),
         inside: false,
     };
-    for node in list.nodes {
+    for &node in nodes {
         match node.kind {
             Kind::Support(index, beside) => normal.add_support(index, beside, node),
             Kind::Tip if node.x <= 0.0 => {

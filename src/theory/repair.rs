@@ -29,7 +29,7 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked) -
     let kept = list.nodes.iter().zip(keep).filter(|(node, kept)| *kept || node.support().is_some());
     let mut nodes: Vec<Node> = kept.map(|(node, _)| *node).chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-    normalised(given, List { nodes })
+    normalised(given, &nodes)
 }
 
 /// A list and what becomes of it.

@@ -70,17 +70,17 @@ fn free(given: &PiecewiseScene) -> Found {
     Found { list, checked, steps: run.steps, lists: 1, converged: run.converged }
 }
 
-/// The exact solution, looked for from a list `near` it first, if there is one.
+/// The exact solution, looked for from lists `near` it first, in turn.
 ///
 /// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
 /// piece of the scene.
-pub(super) fn search(given: &PiecewiseScene, near: Option<List>) -> Found {
+pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Found {
     let mut best = free(given);
     if best.solved() || !given.founded {
         return best;
     }
     let mut places = Vec::new();
-    if let Some(list) = near {
+    for list in near {
         best = with_repairs(given, list, ROUNDS_FROM_NEAR, best, &mut places);
         if best.solved() {
             return best;
@@ -124,12 +124,11 @@ fn with_repairs(
     let (mut strikes, mut fewest) = (0, usize::MAX);
     for _ in 0..rounds {
         let run = newton::solve(given, &mut list);
-        let solved = list.clone();
-        list = normalised(given, list);
+        let normal = normalised(given, &list.nodes);
         // Without the nodes that made no sense the equations are others: Newton's method has not solved them.
-        let changed = list != solved;
-        let checked = check(given, &list);
-        let found = Found { list, checked, steps: run.steps, lists: 1, converged: run.converged && !changed };
+        let changed = normal != list;
+        let checked = check(given, &normal);
+        let found = Found { list: normal, checked, steps: run.steps, lists: 1, converged: run.converged && !changed };
         if found.solved() {
             return best.better(found);
         }

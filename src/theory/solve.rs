@@ -64,12 +64,16 @@ const BYTES_PER_POINT: usize = 2000;
 ///
 /// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
-    solve_from(scene, None)
+    solve_near(scene, &[])
 }
 
-/// The same, with the list of contacts of a scene beside this one to start from; where that leads to no answer soon, it is looked
-/// for as usual.
-pub(super) fn solve_from(scene: &Scene, near: Option<&Exact>) -> Result<Exact, TheoryError> {
+/// The exact solution of a scene that differs from those of `near` in numbers only: the same as [`solve`] finds, and sooner, as
+/// their contacts are where the search starts, in turn.
+///
+/// # Errors
+///
+/// Those of [`solve`].
+pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> {
     let scaled = scene.scaled()?;
     let foundation = scaled.scene.foundation();
     let own = scaled.scene.beam().shape().filter(|_| foundation.is_some());
@@ -100,7 +104,10 @@ pub(super) fn solve_from(scene: &Scene, near: Option<&Exact>) -> Result<Exact, T
     };
     let (found, slopes) = match neutral {
         Some((found, slopes)) => (found, Some(slopes)),
-        None => (search(&given, near.and_then(|near| near.list_in(&given, &scaled.scale))), None),
+        None => {
+            let near = near.iter().filter(|near| near.solved);
+            (search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale))), None)
+        }
     };
     let exact = Exact::new(given, found, scaled.scale, stiffness);
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
