@@ -21,7 +21,7 @@
 //!
 //! ```
 //! use palkki::Witness;
-//! use palkki::certificate::{ContactLoad, Judged, certify};
+//! use palkki::certificate::{ContactLoad, Judged};
 //! use palkki::route::Status;
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
 //! use palkki::verdict::Verdict;
@@ -32,7 +32,7 @@
 //! let forces = ContactLoad::new(10.0, vec![(2.4, 1.45), (3.2, 0.9), (4.1, 0.9), (5.0, 1.1), (5.9, 0.9), (6.8, 0.9), (7.6, 1.45)])?;
 //! // Bounds are proven from a list of contacts: that of beam theory, if it has one.
 //! let witness = Witness::of(&scene);
-//! let certificate = certify(&scene, Judged::Forces(&forces), witness.contacts(7, &[]))?;
+//! let certificate = witness.judge(Judged::Forces(&forces), &[])?;
 //! assert!(certificate.energy_lower <= certificate.energy_upper);
 //! let verdict = Verdict::of_forces(&scene, certificate);
 //! assert_eq!(verdict.status, Status::NotCertified, "{verdict}");
@@ -314,7 +314,7 @@ pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certif
     if nodes.contact_force.iter().any(|force| !force.is_finite()) {
         return None;
     }
-    certify(witness.scene(), Judged::Nodes(nodes), witness.contacts(nodes.x.len(), &state.contacts)).ok()
+    witness.judge(Judged::Nodes(nodes), &state.contacts).ok()
 }
 
 /// What is wrong with a certificate itself.

@@ -1,4 +1,4 @@
-//! The witness of a scene: the contacts from which its certificates are proven, found once for all answers.
+//! The witness of a scene: the contacts from which its certificates are proven, found and proven once for all answers.
 //!
 //! A certificate is as true with any witness and as sharp as its witness is right ([`crate::certificate`]). The exact contacts
 //! come from beam theory. Looking for them may cost no more than in proportion to the solve that is certified; where it would,
@@ -7,7 +7,8 @@
 
 use std::sync::OnceLock;
 
-use crate::scene::{Foundation, Scene};
+use crate::certificate::{Certificate, Judged, Proof, certify};
+use crate::scene::{Foundation, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
 
@@ -22,7 +23,7 @@ const PER_NODE: usize = 20;
 #[derive(Debug)]
 pub struct Witness<'a> {
     scene: &'a Scene,
-    theory: OnceLock<Option<Vec<Contact>>>,
+    theory: OnceLock<Option<Proof>>,
 }
 
 impl<'a> Witness<'a> {
@@ -37,7 +38,7 @@ impl<'a> Witness<'a> {
     pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
         let witness = Self::of(scene);
         // Nothing was found before.
-        let _ = witness.theory.set(solved(exact));
+        let _ = witness.theory.set(proof(scene, exact));
         witness
     }
 
@@ -47,23 +48,29 @@ impl<'a> Witness<'a> {
         self.scene
     }
 
-    /// The contacts for the certificate of an answer on so many nodes: those of beam theory, if they are worth the search, and
-    /// otherwise the answer's own.
-    #[must_use]
-    pub fn contacts<'s>(&'s self, nodes: usize, own: &'s [Contact]) -> &'s [Contact] {
-        let found = match self.theory.get() {
-            None if points(self.scene) <= ALWAYS + PER_NODE * nodes => {
-                self.theory.get_or_init(|| theory::solve(self.scene).ok().as_ref().and_then(solved))
-            }
-            found => found.unwrap_or(&None),
+    /// Bounds for a deflection, proven from the contacts of beam theory if they are worth the search, and otherwise from its `own`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`certify`].
+    pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
+        let proven = match self.theory.get() {
+            None if points(self.scene) <= ALWAYS + PER_NODE * judged.places() => self
+                .theory
+                .get_or_init(|| theory::solve(self.scene).ok().and_then(|exact| proof(self.scene, &exact)))
+                .as_ref(),
+            found => found.and_then(Option::as_ref),
         };
-        found.as_deref().unwrap_or(own)
+        match proven {
+            Some(proof) => Ok(proof.judge(judged)),
+            None => certify(self.scene, judged, own),
+        }
     }
 }
 
-/// The contacts of an exact solution.
-fn solved(exact: &Exact) -> Option<Vec<Contact>> {
-    (exact.solved).then(|| exact.state.contacts.clone())
+/// What the contacts of an exact solution prove.
+fn proof(scene: &Scene, exact: &Exact) -> Option<Proof> {
+    exact.solved.then(|| Proof::of(scene, &exact.state.contacts).ok()).flatten()
 }
 
 /// What beam theory has to look at.
@@ -77,7 +84,9 @@ fn points(scene: &Scene) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::route::{Method, Solver};
     use crate::scene::{Beam, Load};
+    use crate::{Settings, solve_raw};
 
     /// Level ground with one point that carries the beam, in so many points.
     fn survey(points: u32) -> Scene {
@@ -93,18 +102,23 @@ mod tests {
     #[test]
     fn the_search_is_in_proportion_to_the_solve() {
         let own = [Contact::at(0.25, 1.0)];
+        // Whether a deflection on so many intervals is judged from the right contacts.
+        let exactly = |witness: &Witness<'_>, intervals: usize| {
+            let settings = Settings::new(Method::Force, Solver::ActiveSet, intervals);
+            let raw = solve_raw(witness.scene(), &settings).expect("an answer");
+            let nodes = raw.state.nodes.expect("it has nodes");
+            witness.judge(Judged::Nodes(&nodes), &own).expect("in range").contacts_proven
+        };
         let small = survey(100);
-        let exact = [0.5, 0.5];
-        let places = |contacts: &[Contact]| contacts.iter().map(|c| [c.from, c.to]).collect::<Vec<_>>();
-        assert_eq!(places(Witness::of(&small).contacts(0, &own)), [exact]);
+        assert!(exactly(&Witness::of(&small), 2));
         let large = survey(6_000);
         let witness = Witness::of(&large);
-        assert_eq!(places(witness.contacts(30, &own)), [[0.25; 2]], "too few nodes");
-        assert_eq!(places(witness.contacts(300, &own)), [exact], "enough");
-        assert_eq!(places(witness.contacts(30, &own)), [exact], "it is found already");
-        let mut solution = theory::solve(&small).expect("theory has an answer");
-        assert_eq!(places(Witness::known(&large, &solution).contacts(30, &own)), [exact]);
+        assert!(!exactly(&witness, 30), "too few nodes");
+        assert!(exactly(&witness, 300), "enough");
+        assert!(exactly(&witness, 30), "it is found already");
+        let mut solution = theory::solve(&large).expect("theory has an answer");
+        assert!(exactly(&Witness::known(&large, &solution), 30));
         solution.solved = false;
-        assert_eq!(places(Witness::known(&large, &solution).contacts(300, &own)), [[0.25; 2]], "not solved");
+        assert!(!exactly(&Witness::known(&large, &solution), 300), "not solved");
     }
 }

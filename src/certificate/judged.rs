@@ -20,6 +20,17 @@ pub enum Judged<'a> {
     Witness,
 }
 
+impl Judged<'_> {
+    /// At how many places it was computed.
+    pub(crate) fn places(&self) -> usize {
+        match self {
+            Self::Nodes(nodes) => nodes.x.len(),
+            Self::Forces(forces) => forces.pressing.len() + forces.pulling.len(),
+            Self::Witness => 0,
+        }
+    }
+}
+
 /// No part of the beam that is compared at once is wider than this share of it, and a cell that is wider has at least
 /// [`PARTS`]: of what its values between the ends of parts are too large by, a sixty-fourth remains.
 pub(super) const NARROW: f64 = 1.0 / 2048.0;

@@ -66,39 +66,85 @@ use self::quantities::{energy, reactions};
 use crate::scene::{Balance, Foundation, Scale, Scaled, Scene, SceneError};
 use crate::state::Contact;
 
-/// Bounds for a deflection, proven from a witness: the contacts of the beam, from anybody. Only their places count, and where
-/// one of them has a length it is a zone. A witness that is wrong makes the bounds wide, and never wrong.
+/// Bounds for one deflection, proven from a witness: see [`Proof`].
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
+/// Those of [`Proof::of`].
 pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result<Certificate, SceneError> {
-    enclosed(scene, |enclosed, scaled| {
-        let scale = &scaled.scale;
-        let Some(pair) = pair(enclosed, witness, scale) else { return Certificate::unknown(enclosed.supports.len()) };
-        let EnclosedScene { stiffness, length, .. } = *enclosed;
-        let known = |known: Option<_>| known.unwrap_or((Error::UNKNOWN, 0.0));
-        let (error, least) = known(match judged {
-            Judged::Nodes(nodes) => judged::cubics(nodes, scale, enclosed).map(|cubics| {
-                (distance::of(&pair, judged::parts(&pair.pieces, cubics, length), stiffness, length), 0.0)
-            }),
-            Judged::Forces(forces) => contact_load::deflection(&forces.scaled(scale), enclosed, &[]).map(|caused| {
-                let cells = caused.iter().copied().map(judged::Cell::of);
-                let error = distance::of(&pair, judged::parts(&pair.pieces, cells, length), stiffness, length);
-                let size = largest(caused.iter().copied());
-                (Error { size: error.size.min(size.hi()), ..error }, size.lo())
-            }),
-            Judged::Witness => {
-                Some(distance::of_witness(&pair, stiffness, length)).filter(|most| most.is_finite()).map(|most| {
-                    let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
-                    // What was lifted is not the deflection that the places make.
-                    let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
-                    (Error { most, at: 0.5 * length, size: size.hi() }, least)
-                })
-            }
+    Ok(Proof::of(scene, witness)?.judge(judged))
+}
+
+/// What a witness proves of a scene, for any number of deflections that are judged by it.
+#[derive(Debug)]
+pub struct Proof {
+    scaled: Scaled,
+    pair: Option<Pair>,
+    /// What is known whatever deflection is judged.
+    known: Certificate,
+}
+
+impl Proof {
+    /// From a witness: the contacts of the beam, from anybody. Only their places count, and where one of them has a length it
+    /// is a zone. A witness that is wrong makes the bounds wide, and never wrong.
+    ///
+    /// # Errors
+    ///
+    /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
+    pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
+        let scaled = scene.scaled()?;
+        let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
+            let pair = pair(enclosed, witness, &scaled.scale);
+            let unknown = Certificate::unknown(enclosed.supports.len());
+            let known = pair.as_ref().map_or(unknown, |pair| Certificate::of_any(enclosed, &scaled, pair));
+            (pair, known)
         });
-        Certificate::new(enclosed, scaled, &pair, error, least)
-    })
+        Ok(Self { scaled, pair, known })
+    }
+
+    /// Bounds for a deflection.
+    #[must_use]
+    pub fn judge(&self, judged: Judged<'_>) -> Certificate {
+        let (scene, scale) = (&self.scaled.scene, &self.scaled.scale);
+        let known = self.pair.as_ref().and_then(|pair| {
+            in_intervals(scene, self.scaled.balance, |enclosed| distance(enclosed, scale, pair, judged))
+        });
+        let certificate = self.known.clone();
+        let Some((error, least)) = known else { return certificate };
+        Certificate {
+            // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place.
+            deflection_error: error.most.max(0.5 * f64::EPSILON * error.size) * scale.depth,
+            deflection_error_at: error.at * scale.length,
+            deflection: error.size * scale.depth,
+            deflection_at_least: least * scale.depth,
+            ..certificate
+        }
+    }
+}
+
+/// How far a deflection is from the true one, and how large it is at least; [`None`] if nothing is known.
+fn distance(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, judged: Judged<'_>) -> Option<(Error, f64)> {
+    let EnclosedScene { stiffness, length, .. } = *enclosed;
+    match judged {
+        Judged::Nodes(nodes) => {
+            let cells = judged::parts(&pair.pieces, judged::cubics(nodes, scale, enclosed)?, length);
+            Some((distance::of(pair, cells, stiffness, length), 0.0))
+        }
+        Judged::Forces(forces) => {
+            let caused = contact_load::deflection(&forces.scaled(scale), enclosed, &[])?;
+            let cells = caused.iter().copied().map(judged::Cell::of);
+            let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length);
+            let size = largest(caused.iter().copied());
+            Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
+        }
+        Judged::Witness => {
+            let most = Some(distance::of_witness(pair, stiffness, length)).filter(|most| most.is_finite())?;
+            let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
+            // What was lifted is not the deflection that the places make.
+            let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
+            Some((Error { most, at: 0.5 * length, size: size.hi() }, least))
+        }
+    }
 }
 
 /// What `act` says of a scene that is made dimensionless and enclosed in intervals.
@@ -199,8 +245,8 @@ impl Certificate {
         }
     }
 
-    /// From what was proven, dimensionless. All factors are powers of two: only exponents change.
-    fn new(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, error: Error, least: f64) -> Self {
+    /// What was proven of any deflection. All factors are powers of two: only exponents change.
+    fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
         let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness);
         let gap = pair.gap;
@@ -212,16 +258,12 @@ impl Certificate {
             energy_lower: energies[0] * scale.energy(),
             energy_upper: energies[1] * scale.energy(),
             gap: gap * scale.energy(),
-            // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place.
-            deflection_error: error.most.max(0.5 * f64::EPSILON * error.size) * scale.depth,
-            deflection_error_at: error.at * scale.length,
             best_deflection_error: distance::anywhere(pair, enclosed.stiffness, enclosed.length) * scale.depth,
-            deflection: error.size * scale.depth,
-            deflection_at_least: least * scale.depth,
             up_to_a_turn: pair.turns_about.map(|x| x * scale.length),
             reactions: reactions(enclosed, pair).into_iter().map(|bracket| bracket.map(force)).collect(),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
             contacts_proven: is_sharp(enclosed, pair),
+            ..Self::unknown(enclosed.supports.len())
         }
     }
 }

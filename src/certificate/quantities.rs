@@ -46,10 +46,10 @@ pub(crate) fn reactions(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Option
         let before = k.checked_sub(1).map(|k| supports[k].x);
         let after = supports.get(k + 1).map(|support| support.x);
         let ends = [before.unwrap_or(0.0), after.unwrap_or(enclosed.length)];
-        let clear = ends.map(|end| Interval::exact(clear_from(enclosed, pair, x, end)) - Interval::exact(x));
-        let given = [(before, 0), (after, 1)].map(|(next, side)| {
-            next.is_none() && (ends[side] - clear_from(enclosed, pair, x, ends[side])).abs() <= 0.0
-        });
+        let reached = ends.map(|end| clear_from(enclosed, pair, x, end));
+        let clear = reached.map(|reached| Interval::exact(reached) - Interval::exact(x));
+        let given =
+            [(before, 0), (after, 1)].map(|(next, side)| next.is_none() && (ends[side] - reached[side]).abs() <= 0.0);
         let mut turns = Interval::ZERO;
         for side in [0, 1] {
             let share = if given[1 - side] && supports[k].slope.is_none() { 6 } else { 24 };

@@ -2,7 +2,7 @@
 
 use palkki::Witness;
 use palkki::certificate::{
-    Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
+    Certificate, ContactLoad, Judged, Lumped, Violation, ViolationKind, violations, violations_at_nodes,
 };
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
@@ -43,10 +43,9 @@ impl Finding {
         let own: Vec<Contact> =
             rows.iter().filter(|row| 0.0 < row.1).map(|&(x, force)| Contact::at(x, force)).collect();
         let witness = Witness::of(scene);
-        let contacts = witness.contacts(rows.len(), &own);
         if arguments.load == LoadArgument::Nodal {
             let lumped = lumped.map_err(|error| Failure::NotLumped { path: forces.clone(), error })?;
-            let certificate = certify(scene, Judged::Nodes(&lumped.nodes), contacts).map_err(|e| input.error(e))?;
+            let certificate = witness.judge(Judged::Nodes(&lumped.nodes), &own).map_err(|e| input.error(e))?;
             let violations = violations_at_nodes(&lumped);
             let intervals = Some(lumped.intervals());
             let verdict = Verdict::of_forces(scene, certificate.clone());
@@ -57,7 +56,7 @@ impl Finding {
             let name = forces.display().to_string();
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))
         })?;
-        let certificate = certify(scene, Judged::Forces(&load), contacts).map_err(|error| input.error(error))?;
+        let certificate = witness.judge(Judged::Forces(&load), &own).map_err(|error| input.error(error))?;
         let violations = violations(scene, &load).map_err(|error| input.error(error))?;
         let verdict = Verdict::of_forces(scene, certificate.clone());
         let refused = verdict.status != Status::Certified;
