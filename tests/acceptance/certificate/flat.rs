@@ -61,6 +61,6 @@ fn every_route_on_coarse_grids() {
 
 #[test]
 fn every_route_on_finer_grids() {
-    check(100, &Solver::ALL);
+    check(60, &Solver::ALL);
     check(300, &[Solver::ActiveSet, Solver::FourStep, Solver::Clarabel]);
 }

@@ -38,7 +38,9 @@ fn every_method_and_solver_comes_to_the_same_answer_without_it() {
     let (mut compared, mut asked) = (0, 0);
     for (k, scene) in all().iter().enumerate().filter(|(_, scene)| scene.foundation().is_some()) {
         let scaled = scene.scaled().expect("numbers in range");
-        for intervals in [10, 170, 1000] {
+        // On a thousand intervals the start takes all unknowns for free, which is slow: on every second scene.
+        let grids = if k.is_multiple_of(2) { [10, 170, 1000].as_slice() } else { &[10, 170] };
+        for &intervals in grids {
             let discrete = Discrete::new(&scaled.scene, intervals).expect("enough intervals");
             for method in Method::ALL {
                 let qp = method.qp(&discrete);
