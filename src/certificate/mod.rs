@@ -2,7 +2,7 @@
 //!
 //! The judge is no contestant: it uses no method and no solver, only the scene, the answer and a list of contacts from anybody.
 //!
-//! [`certify`] proves two-sided bounds for the continuous beam.
+//! [`certify`] proves two-sided bounds for the continuous beam; [`Proof`] does it once for any number of answers.
 //! With the gap `g = u − w0` below the undeflected beam and supports that ask `v(x_s) = d_s`, and where the beam is built in
 //! `v'(x_s) = φ_s`: for any deflection `v̂ ≤ g` that its supports hold, and any contact load `p ≥ 0` with support forces `R` of
 //! any sign and their moment field `M` (`M'' = p + Σ R_s δ − q`, couples where the beam is built in, `M = M' = 0` beyond both ends),

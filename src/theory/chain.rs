@@ -124,7 +124,8 @@ impl Chain<'_> {
             return Guess { touches, force: vec![0.0; n] };
         }
         for _ in 0..STEPS {
-            let mu = rows.iter().filter(|r| !r.held).map(|r| r.s * r.p).sum::<f64>() / count;
+            // At a support `p` and `dp` stay zero.
+            let mu = rows.iter().map(|r| r.s * r.p).sum::<f64>() / count;
             let off = residuals(&mut rows);
             if mu <= enough && off <= 1e-6 * unit_force {
                 break;
@@ -136,8 +137,7 @@ impl Chain<'_> {
                 row.dp = -row.p - row.p / row.s * row.step[0];
                 longest = limited(longest, row);
             }
-            let contacts = rows.iter().filter(|row| !row.held);
-            let ahead = contacts.map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
+            let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
             let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
             // From here on `dp` holds what the contact condition asks for, over `s`.
             for row in rows.iter_mut().filter(|row| !row.held) {
@@ -151,7 +151,8 @@ impl Chain<'_> {
             }
             // Short of the border, where the next system would be singular.
             let step = 0.995 * longest;
-            if !step.is_finite() || rows.iter().any(|r| !(r.step[0] + r.step[1] + r.dp).is_finite()) {
+            let moved: f64 = rows.iter().map(|r| r.step[0] + r.step[1] + r.dp).sum();
+            if !(step * moved).is_finite() {
                 break;
             }
             for (row, touches) in rows.iter_mut().zip(&mut touches) {
