@@ -19,9 +19,9 @@ pub struct Event {
     pub what: String,
 }
 
-/// Beside an event the answer is looked at so far from it, as a share of the range; farther, by tens, where its kind is not decided.
+/// Beside an event the answer is looked at so far from it, as a share of the range; farther, by hundreds, where its kind is not decided.
 const BESIDE: f64 = 1e-10;
-const FARTHER: [f64; 7] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
+const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
 
 /// Events between two rows, at most: more are no events but rounding.
 const MOST_EVENTS: usize = 1000;
@@ -90,9 +90,10 @@ impl Sweep<'_> {
         let [start, end] = self.range;
         roots.retain_mut(|root| {
             let inside = root.value.max(start.min(end)).min(start.max(end));
-            let is_inside = self.is_narrow(root.value, inside);
+            let outside = (root.value - inside).abs();
             root.value = inside;
-            is_inside
+            // One at an end may come out beyond it.
+            outside <= BESIDE * (end - start).abs()
         });
         self.described(roots)
     }
