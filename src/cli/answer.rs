@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use palkki::adaptive::{End, Request, Search, Trial, most_intervals};
+use palkki::route::Status;
 use palkki::state::Nodes;
 use palkki::theory::{self, TheoryError};
 use palkki::verdict::{Demand, Refusal};
@@ -141,6 +142,11 @@ impl Answer {
             }
             _ => verdict.to_string(),
         }
+    }
+
+    /// Whether it passed our own check.
+    pub(super) fn is_certified(&self) -> bool {
+        self.solution.verdict.status == Status::Certified
     }
 
     /// The values at the nodes of a grid.

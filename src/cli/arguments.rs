@@ -219,23 +219,43 @@ pub(super) struct Sweep {
     pub(super) plot: Option<PathBuf>,
 }
 
-/// `--steps`.
-pub(super) fn steps(text: &str) -> Result<usize, String> {
-    let not = |what: &str| Err(format!("the number of steps must be {what}, but is {text}"));
+/// A count of something, at least 2 and at most so many.
+fn count(of: &str, most: usize, text: &str) -> Result<usize, String> {
+    let not = |what: &str| Err(format!("the number of {of} must be {what}, but is {text}"));
     match text.parse::<usize>() {
         Ok(..2) => not("at least 2"),
-        Ok(number) if number <= MOST_STEPS => Ok(number),
+        Ok(number) if number <= most => Ok(number),
         Err(error) if *error.kind() != std::num::IntErrorKind::PosOverflow => not("a whole number, at least 2"),
-        _ => not(&format!("at most {MOST_STEPS}")),
+        _ => not(&format!("at most {most}")),
     }
+}
+
+/// `--steps`.
+fn steps(text: &str) -> Result<usize, String> {
+    count("steps", MOST_STEPS, text)
+}
+
+/// `--intervals`.
+fn intervals(text: &str) -> Result<usize, String> {
+    count("intervals", MOST_INTERVALS, text)
+}
+
+/// A positive, finite number; `what` it is.
+fn positive(what: &str, text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
+        _ => Err(format!("the {what} must be a positive, finite number, but is {text}")),
+    }
+}
+
+/// `--tolerance`.
+fn tolerance(text: &str) -> Result<f64, String> {
+    positive("tolerance", text)
 }
 
 /// `--depth-tolerance`.
 fn depth_tolerance(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
-        _ => Err(format!("the tolerance of the depth must be a positive, finite number, but is {text}")),
-    }
+    positive("tolerance of the depth", text)
 }
 
 /// A finite number.
@@ -328,43 +348,10 @@ impl ValueEnum for SolverArgument {
 }
 
 /// `--load` of `certify`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum LoadArgument {
+    /// distributed along the beam, as in the scene; FORCES may lie anywhere
     Distributed,
+    /// lumped at the nodes of equal intervals; FORCES has every inner node, with 0 where nothing touches
     Nodal,
-}
-
-impl ValueEnum for LoadArgument {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Distributed, Self::Nodal]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(match self {
-            Self::Distributed => PossibleValue::new("distributed")
-                .help("distributed along the beam, as in the scene; FORCES may lie anywhere"),
-            Self::Nodal => PossibleValue::new("nodal").help(
-                "lumped at the nodes of equal intervals; FORCES has every inner node, with 0 where nothing touches",
-            ),
-        })
-    }
-}
-
-/// `--intervals`.
-pub(super) fn intervals(text: &str) -> Result<usize, String> {
-    let not = |what: &str| Err(format!("the number of intervals must be {what}, but is {text}"));
-    match text.parse::<usize>() {
-        Ok(..2) => not("at least 2"),
-        Ok(number) if number <= MOST_INTERVALS => Ok(number),
-        Err(error) if *error.kind() != std::num::IntErrorKind::PosOverflow => not("a whole number, at least 2"),
-        _ => not(&format!("at most {MOST_INTERVALS}")),
-    }
-}
-
-/// `--tolerance`.
-pub(super) fn tolerance(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if 0.0 < number && number < f64::INFINITY => Ok(number),
-        _ => Err(format!("the tolerance must be a positive, finite number, but is {text}")),
-    }
 }

@@ -79,10 +79,10 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
         || "distributed".to_owned(),
         |intervals| format!("lumped at the nodes of {intervals} equal intervals"),
     );
-    text += &list(&[("status", status), ("load", load), (&labels.force("forces cut off"), cut)]);
+    text += &list(&[("status", status), ("load", load), (&labels.force.name("forces cut off"), cut)]);
     text += &bounds(&finding.certificate, &labels);
     let best = magnitude_at_most(finding.certificate.best_deflection_error);
-    text += &list(&[(&labels.length("error of the best deflection found"), best)]);
+    text += &list(&[(&labels.length.name("error of the best deflection found"), best)]);
     let hint = finding.perhaps.map_or_else(String::new, |intervals| {
         format!(
             "\nHint: the forces lie at the nodes of {intervals} equal intervals. If the load was lumped there as well, use --load nodal.\n"
@@ -96,16 +96,16 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
         .iter()
         .map(|v| {
             let what = match v.kind {
-                ViolationKind::Tension => labels.force("a force pulls"),
-                ViolationKind::Penetration => labels.length("the beam is in the foundation"),
-                ViolationKind::Complementarity => labels.length("a force acts across a clearance"),
-                ViolationKind::Balance => labels.force("the forces do not balance the loads"),
+                ViolationKind::Tension => labels.force.name("a force pulls"),
+                ViolationKind::Penetration => labels.length.name("the beam is in the foundation"),
+                ViolationKind::Complementarity => labels.length.name("a force acts across a clearance"),
+                ViolationKind::Balance => labels.force.name("the forces do not balance the loads"),
             };
             vec![what, magnitude(v.amount), magnitude(v.relative), result(v.at)]
         })
         .collect();
     let title = if finding.intervals.is_some() { "Violations at the nodes" } else { "Violations" };
     let title = format!("{title}, the worst of each kind");
-    text += &table(&title, &["", "amount", "relative", &labels.length("at")], &rows);
+    text += &table(&title, &["", "amount", "relative", &labels.length.name("at")], &rows);
     text + &hint
 }

@@ -145,7 +145,7 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
         .collect();
     let labels = Labels::of(input.scene.units());
     let at_left = input.scene.beam().supports().first().is_none_or(|support| support.at == 0.0);
-    let reaction = labels.force(if at_left { "left reaction" } else { "first reaction" });
+    let reaction = labels.force.name(if at_left { "left reaction" } else { "first reaction" });
     let header = [
         "method",
         "solver",
@@ -186,6 +186,5 @@ fn not_tried(comparison: &Comparison) -> String {
         .filter(|answer| !answer.solution.has_answer())
         .map(|answer| (format!("{}/{}", answer.method, answer.solver), answer.solution.solver_status.clone()))
         .collect();
-    let lines: Vec<(&str, String)> = lines.iter().map(|(route, why)| (route.as_str(), why.clone())).collect();
     if lines.is_empty() { String::new() } else { format!("\n{}", list(&lines)) }
 }

@@ -1,57 +1,66 @@
 //! What is given, in words: the scene as the program understood it, before any answer.
 
-use palkki::scene::{Foundation, Scene, Support, Units};
+use palkki::scene::{Foundation, Scene, Support};
 use palkki::text::result;
+
+use super::table::Labels;
 
 /// Lines `(name, value)`: beam, supports and own shape where they are not the paper's, loads and foundation.
 pub(super) fn given(scene: &Scene) -> Vec<(&'static str, String)> {
-    let unit = Unit(scene.units());
+    let labels = Labels::of(scene.units());
     let beam = format!(
         "length {}, bending stiffness {}",
-        unit.length(scene.beam().length()),
-        unit.of(scene.beam().bending_stiffness(), |force, length| format!("{force} {length}²")),
+        labels.length.value(scene.beam().length()),
+        labels.bending_stiffness.value(scene.beam().bending_stiffness()),
     );
     let mut lines = vec![("beam", beam)];
     if !scene.beam().is_simple() {
-        lines.push(("supports", supports(scene, &unit)));
+        lines.push(("supports", supports(scene, &labels)));
     }
     if let Some(shape) = scene.beam().shape() {
-        lines.push(("own shape", profile(shape, "w", &unit)));
+        lines.push(("own shape", profile(shape, "w", &labels)));
     }
-    let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", &unit));
-    lines.extend([("load", load(scene, &unit)), ("foundation", ground)]);
+    let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", &labels));
+    lines.extend([("load", load(scene, &labels)), ("foundation", ground)]);
     lines
 }
 
-fn supports(scene: &Scene, unit: &Unit<'_>) -> String {
+fn supports(scene: &Scene, labels: &Labels) -> String {
     let one = |support: &Support| {
-        let level =
-            if support.level == 0.0 { String::new() } else { format!(", level {}", unit.length(support.level)) };
+        let level = if support.level == 0.0 {
+            String::new()
+        } else {
+            format!(", level {}", labels.length.value(support.level))
+        };
         let slope = support.slope.map_or_else(String::new, |slope| format!(", built in at slope {}", result(slope)));
-        format!("at {}{level}{slope}", unit.length(support.at))
+        format!("at {}{level}{slope}", labels.length.value(support.at))
     };
     let all: Vec<String> = scene.beam().supports().iter().map(one).collect();
     if all.is_empty() { "none".to_owned() } else { all.join("; ") }
 }
 
-fn load(scene: &Scene, unit: &Unit<'_>) -> String {
+fn load(scene: &Scene, labels: &Labels) -> String {
     let load = scene.load();
     let mut parts = Vec::new();
     if load.uniform() != 0.0 {
-        parts.push(format!("uniform {}", unit.density(load.uniform())));
+        parts.push(format!("uniform {}", labels.density.value(load.uniform())));
     }
     parts.extend(load.linear().iter().map(|part| {
-        let ends = [part.start, part.end].map(|q| unit.density(q));
-        format!("linear {} to {} from {} to {}", ends[0], ends[1], result(part.from), unit.length(part.to))
+        let ends = [part.start, part.end].map(|q| labels.density.value(q));
+        format!("linear {} to {} from {} to {}", ends[0], ends[1], result(part.from), labels.length.value(part.to))
     }));
-    parts.extend(load.point().iter().map(|part| format!("{} at {}", unit.force(part.force), unit.length(part.at))));
+    parts.extend(
+        load.point()
+            .iter()
+            .map(|part| format!("{} at {}", labels.force.value(part.force), labels.length.value(part.at))),
+    );
     if parts.is_empty() { "none".to_owned() } else { parts.join("; ") }
 }
 
 /// A profile in words; `name` is what its polynomial is called.
-fn profile(profile: &Foundation, name: &str, unit: &Unit<'_>) -> String {
+fn profile(profile: &Foundation, name: &str, labels: &Labels) -> String {
     match profile {
-        Foundation::Flat { depth } => format!("flat, depth {}", unit.length(*depth)),
+        Foundation::Flat { depth } => format!("flat, depth {}", labels.length.value(*depth)),
         Foundation::Polynomial { coefficients } => {
             let terms = coefficients.iter().enumerate().map(|(power, c)| match power {
                 0 => result(*c),
@@ -62,41 +71,21 @@ fn profile(profile: &Foundation, name: &str, unit: &Unit<'_>) -> String {
         }
         Foundation::Cosine { mean, amplitude, wavelength, phase } => format!(
             "cosine, mean {}, amplitude {}, wavelength {}, phase {}",
-            unit.length(*mean),
-            unit.length(*amplitude),
-            unit.length(*wavelength),
+            labels.length.value(*mean),
+            labels.length.value(*amplitude),
+            labels.length.value(*wavelength),
             result(*phase)
         ),
         Foundation::Polyline { points } => {
             let depths = points.iter().map(|p| p[1]);
             let (least, most) =
                 depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), u| (least.min(u), most.max(u)));
-            format!("polyline of {} points, depths from {} to {}", points.len(), result(least), unit.length(most))
+            format!(
+                "polyline of {} points, depths from {} to {}",
+                points.len(),
+                result(least),
+                labels.length.value(most)
+            )
         }
     }
-}
-
-/// Numbers with the labels of the scene, where it has them.
-struct Unit<'a>(&'a Units);
-
-impl Unit<'_> {
-    fn length(&self, value: f64) -> String {
-        labelled(value, self.0.length.clone())
-    }
-
-    fn force(&self, value: f64) -> String {
-        labelled(value, self.0.force.clone())
-    }
-
-    fn density(&self, value: f64) -> String {
-        self.of(value, |force, length| format!("{force}/{length}"))
-    }
-
-    fn of(&self, value: f64, label: impl Fn(&str, &str) -> String) -> String {
-        labelled(value, self.0.force.as_deref().zip(self.0.length.as_deref()).map(|(f, l)| label(f, l)))
-    }
-}
-
-fn labelled(value: f64, label: Option<String>) -> String {
-    label.map_or_else(|| result(value), |label| format!("{} {label}", result(value)))
 }

@@ -84,7 +84,6 @@ impl Local {
                 row
             };
             let rows: Vec<Row> = derivatives.iter().map(row).collect();
-            let header: Vec<&str> = header.iter().map(String::as_str).collect();
             text += &table("Derivatives; --format json has those of each contact", &header, &rows);
         }
         if let Some(known) = &self.depth_tolerance {
@@ -93,14 +92,16 @@ impl Local {
             text += &format!("\nIf each depth may be off by {}\n", magnitude(known.tolerance));
             let mut lines = vec![
                 ("guaranteed: the beam touches".to_owned(), known.guaranteed.contact.name().to_owned()),
-                (format!("guaranteed: {} at least", labels.moment("energy J*")), lower.map_or_else(none, at_least)),
-                (format!("guaranteed: {} at most", labels.moment("energy J*")), upper.map_or_else(none, at_most)),
+                (
+                    format!("guaranteed: {} at least", labels.moment.name("energy J*")),
+                    lower.map_or_else(none, at_least),
+                ),
+                (format!("guaranteed: {} at most", labels.moment.name("energy J*")), upper.map_or_else(none, at_most)),
             ];
             for (i, spread) in known.estimates.iter().flat_map(|spread| spread.supports.iter().enumerate()) {
-                let name = labels.force(&format!("force of support {}", i + 1));
+                let name = labels.force.name(&format!("force of support {}", i + 1));
                 lines.push((format!("estimate: {name} off by"), magnitude(*spread)));
             }
-            let lines: Vec<(&str, String)> = lines.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
             text += &list(&lines);
         }
         text

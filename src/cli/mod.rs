@@ -22,8 +22,10 @@ mod sweep;
 mod table;
 mod text;
 
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 use palkki::adaptive::Request;
 use palkki::plot::{self, Curves};
@@ -36,7 +38,7 @@ use self::arguments::{Arguments, Command, Common, Format, Solve};
 use self::files::Files;
 use self::input::Input;
 use self::local::Local;
-use self::output::{Failure, Stream};
+use self::output::Failure;
 
 const CERTIFIED: u8 = 0;
 const NOT_CERTIFIED: u8 = 1;
@@ -79,31 +81,65 @@ fn finish_with_message(message: &clap::Error) -> ExitCode {
     ExitCode::from(code)
 }
 
-fn solve(arguments: &Solve) -> Result<u8, Failure> {
-    let route = arguments.route()?;
-    let input = Input::read(&arguments.common.scene)?;
+/// What a subcommand comes to.
+struct Outcome<'a> {
+    /// What is printed.
+    text: String,
+    /// The files that may be asked for.
+    files: Vec<Option<(&'a PathBuf, String)>>,
+    /// Whether there is an answer that passed our own check; of a sweep, whether all did.
+    is_certified: bool,
+}
+
+/// Reads the scene, does the work, writes the files that go to `places` and prints the answer; the code is that of the answer.
+/// `what` is said if the work takes long.
+fn run_on_scene<'a>(
+    scene: &Path,
+    what: String,
+    places: &[&Option<PathBuf>],
+    work: impl FnOnce(&Input) -> Result<Outcome<'a>, Failure>,
+) -> Result<u8, Failure> {
+    let input = Input::read(scene)?;
     let mut files = Files::default();
     // Before the work, so that a bad name is not found out about after it.
-    for path in [&arguments.csv, &arguments.plot].into_iter().flatten() {
+    for path in places.iter().copied().flatten() {
         files.reserve(path, &input)?;
     }
-    let scene = arguments.common.scene.display();
-    let answer = busy::telling(format!("solving {scene}"), || Answer::of(&input, route))?;
-    if let Some(path) = &arguments.csv {
-        files.stage(path, csv::table(&input.scene, &answer))?;
+    let outcome = busy::telling(what, || work(&input))?;
+    for (path, text) in outcome.files.into_iter().flatten() {
+        files.stage(path, text)?;
     }
-    if let Some(path) = &arguments.plot {
-        files.stage(path, figure(&input, &answer)?)?;
-    }
-    let local = Local::of(&input.scene, &answer, arguments);
-    let text = match arguments.common.format {
-        Format::Text => text::solve(&input, &answer, arguments.nodes) + &local.text(&input),
-        Format::Json => json::solve(&input, &answer, arguments.nodes, &local),
-    };
     let stream = files.stream_of_answer();
     files.publish()?;
-    output::print(stream, &text)?;
-    Ok(if answer.solution.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+    output::print(stream, &outcome.text)?;
+    Ok(if outcome.is_certified { CERTIFIED } else { NOT_CERTIFIED })
+}
+
+impl Common {
+    /// What is printed, as a table or as JSON.
+    fn shown(&self, text: impl FnOnce() -> String, json: impl FnOnce() -> String) -> String {
+        match self.format {
+            Format::Text => text(),
+            Format::Json => json(),
+        }
+    }
+}
+
+fn solve(arguments: &Solve) -> Result<u8, Failure> {
+    let Solve { common, csv, plot, nodes, .. } = arguments;
+    let route = arguments.route()?;
+    let what = format!("solving {}", common.scene.display());
+    run_on_scene(&common.scene, what, &[csv, plot], |input| {
+        let answer = Answer::of(input, route)?;
+        let local = Local::of(&input.scene, &answer, arguments);
+        let csv = csv.as_ref().map(|path| (path, csv::table(&input.scene, &answer)));
+        let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, figure(input, &answer)?))).transpose()?;
+        let text = common.shown(
+            || text::solve(input, &answer, *nodes) + &local.text(input),
+            || json::solve(input, &answer, *nodes, &local),
+        );
+        Ok(Outcome { text, files: vec![csv, plot], is_certified: answer.is_certified() })
+    })
 }
 
 /// The figure of `--plot`.
@@ -120,89 +156,69 @@ fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
 }
 
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
-    let Common { scene, format } = &arguments.common;
-    let input = Input::read(scene)?;
-    let what = format!("comparing all routes for {} on {} intervals", scene.display(), arguments.intervals);
-    let comparison = busy::telling(what, || compare::Comparison::of(&input, arguments.intervals))?;
-    output::print(
-        Stream::Output,
-        &match format {
-            Format::Text => compare::text(&input, &comparison),
-            Format::Json => json::compare(&input, &comparison),
-        },
-    )?;
-    let certified = comparison.routes.iter().any(|route| route.answer.solution.verdict.status == Status::Certified);
-    Ok(if certified { CERTIFIED } else { NOT_CERTIFIED })
+    let arguments::Compare { common, intervals } = arguments;
+    let what = format!("comparing all routes for {} on {intervals} intervals", common.scene.display());
+    run_on_scene(&common.scene, what, &[], |input| {
+        let found = compare::Comparison::of(input, *intervals)?;
+        let text = common.shown(|| compare::text(input, &found), || json::compare(input, &found));
+        Ok(Outcome {
+            text,
+            files: Vec::new(),
+            is_certified: found.routes.iter().any(|route| route.answer.is_certified()),
+        })
+    })
 }
 
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
-    let Common { scene, format } = &arguments.common;
-    let input = Input::read(scene)?;
+    let common = &arguments.common;
     let what = format!("certifying {}", arguments.forces.display());
-    let finding = busy::telling(what, || certify::Finding::of(&input, arguments))?;
-    output::print(
-        Stream::Output,
-        &match format {
-            Format::Text => certify::text(&input, &finding),
-            Format::Json => json::certify(&input, &finding),
-        },
-    )?;
-    Ok(if finding.verdict.status == Status::Certified { CERTIFIED } else { NOT_CERTIFIED })
+    run_on_scene(&common.scene, what, &[], |input| {
+        let found = certify::Finding::of(input, arguments)?;
+        let text = common.shown(|| certify::text(input, &found), || json::certify(input, &found));
+        Ok(Outcome { text, files: Vec::new(), is_certified: found.verdict.status == Status::Certified })
+    })
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
-    let arguments::Sweep { common: Common { scene, format }, vary, from, to, steps, csv, plot } = arguments;
-    let input = Input::read(scene)?;
-    let varied = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
-    let mut files = Files::default();
-    for path in [csv, plot].into_iter().flatten() {
-        files.reserve(path, &input)?;
-    }
-    let what = format!("sweeping {} for {}", varied.quantity(), scene.display());
-    let swept = busy::telling(what, || sweep::Swept::of(&varied, input.scene.beam().length()))?;
-    if let Some(path) = csv {
-        files.stage(path, swept.csv())?;
-    }
-    if let Some(path) = plot {
-        files.stage(path, swept.figure(&input)?)?;
-    }
-    let text = match format {
-        Format::Text => swept.text(&input),
-        Format::Json => swept.json(&input),
-    };
-    let stream = files.stream_of_answer();
-    files.publish()?;
-    output::print(stream, &text)?;
-    Ok(if swept.is_certified() { CERTIFIED } else { NOT_CERTIFIED })
+    let arguments::Sweep { common, vary, from, to, steps, csv, plot } = arguments;
+    let what = format!("sweeping {vary} for {}", common.scene.display());
+    run_on_scene(&common.scene, what, &[csv, plot], |input| {
+        let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
+        let swept = sweep::Swept::of(&sweep, input.scene.beam().length())?;
+        let csv = csv.as_ref().map(|path| (path, swept.csv()));
+        let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, swept.figure(input)?))).transpose()?;
+        let text = common.shown(|| swept.text(input), || swept.json(input));
+        Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
+    })
 }
 
 impl Solve {
     /// The route that the arguments ask for; an option that would have no effect is refused.
     fn route(&self) -> Result<Route, Failure> {
-        let refuse = |option: &str| {
-            let message = format!("--{option} belongs to a discretised method; --method exact has no use for it");
-            Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message })
-        };
+        let refused = |message| Failure::Usage { command: "solve", kind: ErrorKind::ArgumentConflict, message };
+        let asked = |options: &[(&'static str, bool)]| options.iter().find(|(_, asked)| *asked).map(|(name, _)| *name);
         let Some(method) = self.method.discretised() else {
-            return match self {
-                Self { solver: Some(_), .. } => refuse("solver"),
-                Self { intervals: Some(_), .. } => refuse("intervals"),
-                Self { nodes: true, .. } => refuse("nodes"),
-                _ => Ok(Route::Exact(self.tolerance.map_or_else(Demand::default, Demand::of_error))),
+            let of_grids =
+                [("solver", self.solver.is_some()), ("intervals", self.intervals.is_some()), ("nodes", self.nodes)];
+            return match asked(&of_grids) {
+                Some(option) => Err(refused(format!(
+                    "--{option} belongs to a discretised method; --method exact has no use for it"
+                ))),
+                None => Ok(Route::Exact(self.tolerance.map_or_else(Demand::default, Demand::of_error))),
             };
         };
         let of_theory = [("derivatives", self.derivatives), ("depth-tolerance", self.depth_tolerance.is_some())];
-        if let Some((option, _)) = of_theory.into_iter().find(|(_, asked)| *asked) {
-            let message = format!("--{option} belongs to --method exact; a discretised method has no use for it");
-            return Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message });
+        if let Some(option) = asked(&of_theory) {
+            return Err(refused(format!(
+                "--{option} belongs to --method exact; a discretised method has no use for it"
+            )));
         }
         let written = [("nodes", self.nodes), ("csv", self.csv.is_some()), ("plot", self.plot.is_some())];
         if let Some(intervals) = self.intervals.filter(|intervals| arguments::MOST_INTERVALS_WRITTEN < *intervals)
-            && let Some((option, _)) = written.into_iter().find(|(_, asked)| *asked)
+            && let Some(option) = asked(&written)
         {
             let most = arguments::MOST_INTERVALS_WRITTEN;
-            let message = format!("--{option} takes at most {most} intervals, but --intervals is {intervals}");
-            return Err(Failure::Usage { command: "solve", kind: clap::error::ErrorKind::ArgumentConflict, message });
+            return Err(refused(format!("--{option} takes at most {most} intervals, but --intervals is {intervals}")));
         }
         let solver = self.solver.map_or(arguments::DEFAULT_SOLVER, |solver| solver.0);
         if let Self { intervals: None, tolerance: Some(error), .. } = *self {

@@ -3,7 +3,6 @@
 use std::time::Instant;
 
 use palkki::plot;
-use palkki::route::Status;
 use palkki::scene::Quantity;
 use palkki::state::Contact;
 use palkki::sweep::{Event, Sweep};
@@ -57,7 +56,7 @@ impl Swept {
 
     /// Whether every answer is certified.
     pub(super) fn is_certified(&self) -> bool {
-        self.rows.iter().all(|(_, answer)| answer.solution.verdict.status == Status::Certified)
+        self.rows.iter().all(|(_, answer)| answer.is_certified())
     }
 
     pub(super) fn json(&self, input: &Input) -> String {
@@ -71,7 +70,7 @@ impl Swept {
 
     pub(super) fn text(&self, input: &Input) -> String {
         let labels = Labels::of(input.scene.units());
-        let certified = self.rows.iter().filter(|(_, a)| a.solution.verdict.status == Status::Certified).count();
+        let certified = self.rows.iter().filter(|(_, answer)| answer.is_certified()).count();
         let ends = [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| result(row.0)));
         let [rows, events] = self.seconds.map(palkki::text::magnitude);
         let mut text = heading(input) + &list(&given(&input.scene)) + "\n";
@@ -84,21 +83,20 @@ impl Swept {
             text += "\nEvents: none found\n";
         } else {
             text += "\nEvents\n";
-            let lines: Vec<_> =
-                self.events.iter().map(|event| (significant(event.value, DIGITS), event.what.clone())).collect();
-            text += &list(&lines.iter().map(|(value, what)| (value.as_str(), what.clone())).collect::<Vec<_>>());
+            let lines = self.events.iter().map(|event| (significant(event.value, DIGITS), event.what.clone()));
+            text += &list(&lines.collect::<Vec<_>>());
         }
         let header = [
             self.quantity.to_string(),
             "status".to_owned(),
             "regime".to_owned(),
             "contacts".to_owned(),
-            labels.force("contact"),
-            labels.force("left"),
-            labels.force("right"),
-            labels.length("deflection"),
-            labels.moment("moment"),
-            labels.moment("least moment"),
+            labels.force.name("contact"),
+            labels.force.name("left"),
+            labels.force.name("right"),
+            labels.length.name("deflection"),
+            labels.moment.name("moment"),
+            labels.moment.name("least moment"),
         ];
         let step = self.rows.len().div_ceil(SHOWN).max(1);
         let last = self.rows.len() - 1;
@@ -108,7 +106,7 @@ impl Swept {
             all if all == self.rows.len() => "Answers".to_owned(),
             some => format!("Answers, {some} of {}; --csv and --format json have all", self.rows.len()),
         };
-        text + &table(&title, &header.each_ref().map(String::as_str), &rows)
+        text + &table(&title, &header, &rows)
     }
 
     /// One row for each value. Supports and contacts are numbered from left to right; contacts that a row does not have are empty.

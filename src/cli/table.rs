@@ -1,16 +1,18 @@
-//! Tables and lists as text, and the names of quantities in them.
+//! Tables and lists as text, and the labels of units in them.
 
 use std::fmt::Write as _;
 
 use palkki::scene::Units;
+use palkki::text::result;
 
 /// Cells of a table.
 pub(super) type Row = Vec<String>;
 
 /// Names and what they have, line by line.
-pub(super) fn list(lines: &[(&str, String)]) -> String {
-    let width = lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    lines.iter().fold(String::new(), |mut text, (name, value)| {
+pub(super) fn list(lines: &[(impl AsRef<str>, String)]) -> String {
+    let lines = || lines.iter().map(|(name, value)| (name.as_ref(), value));
+    let width = lines().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    lines().fold(String::new(), |mut text, (name, value)| {
         // Writing to a string does not fail.
         let _ = writeln!(text, "  {name:width$}  {value}");
         text
@@ -18,8 +20,8 @@ pub(super) fn list(lines: &[(&str, String)]) -> String {
 }
 
 /// A table with a title: columns of words are set flush left, columns with numbers flush right.
-pub(super) fn table(title: &str, header: &[&str], rows: &[Row]) -> String {
-    let header: Row = header.iter().map(|&cell| cell.to_owned()).collect();
+pub(super) fn table(title: &str, header: &[impl AsRef<str>], rows: &[Row]) -> String {
+    let header: Row = header.iter().map(|cell| cell.as_ref().to_owned()).collect();
     let lines = || std::iter::once(&header).chain(rows);
     let widths: Vec<usize> = (0..header.len())
         .map(|column| lines().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0))
@@ -42,36 +44,42 @@ pub(super) fn table(title: &str, header: &[&str], rows: &[Row]) -> String {
     text
 }
 
-/// Names of quantities with the labels of their units.
+/// The label of a unit, if the scene has one.
+pub(super) struct Label(Option<String>);
+
+impl Label {
+    /// The name of a quantity, `moment [kN m]`.
+    pub(super) fn name(&self, name: &str) -> String {
+        self.0.as_ref().map_or_else(|| name.to_owned(), |label| format!("{name} [{label}]"))
+    }
+
+    /// A value, `2.5 kN m`.
+    pub(super) fn value(&self, value: f64) -> String {
+        self.0.as_ref().map_or_else(|| result(value), |label| format!("{} {label}", result(value)))
+    }
+}
+
+/// The labels of a scene.
 pub(super) struct Labels {
-    length: Option<String>,
-    force: Option<String>,
+    pub(super) length: Label,
+    pub(super) force: Label,
+    /// Of a distributed load, or of a support that gives: force over length.
+    pub(super) density: Label,
+    pub(super) moment: Label,
+    pub(super) bending_stiffness: Label,
 }
 
 impl Labels {
-    pub(super) fn of(units: &Units) -> Self {
-        Self { length: units.length.clone(), force: units.force.clone() }
+    pub(super) fn of(Units { length, force }: &Units) -> Self {
+        let of_both = |label: fn(&str, &str) -> String| {
+            Label(force.as_deref().zip(length.as_deref()).map(|(force, length)| label(force, length)))
+        };
+        Self {
+            length: Label(length.clone()),
+            force: Label(force.clone()),
+            density: of_both(|force, length| format!("{force}/{length}")),
+            moment: of_both(|force, length| format!("{force} {length}")),
+            bending_stiffness: of_both(|force, length| format!("{force} {length}²")),
+        }
     }
-
-    pub(super) fn length(&self, name: &str) -> String {
-        with_unit(name, self.length.clone())
-    }
-
-    pub(super) fn force(&self, name: &str) -> String {
-        with_unit(name, self.force.clone())
-    }
-
-    pub(super) fn stiffness(&self, name: &str) -> String {
-        let unit = self.force.as_ref().zip(self.length.as_ref()).map(|(force, length)| format!("{force}/{length}"));
-        with_unit(name, unit)
-    }
-
-    pub(super) fn moment(&self, name: &str) -> String {
-        let unit = self.force.as_ref().zip(self.length.as_ref()).map(|(force, length)| format!("{force} {length}"));
-        with_unit(name, unit)
-    }
-}
-
-fn with_unit(name: &str, unit: Option<String>) -> String {
-    unit.map_or_else(|| name.to_owned(), |unit| format!("{name} [{unit}]"))
 }

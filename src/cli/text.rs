@@ -22,18 +22,18 @@ const COARSE: &str = "These bounds hold and are coarse: no list of contacts was 
 /// What is guaranteed, rounded so that it stays so.
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
-    let mut rows = vec![bracket(labels.moment("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
+    let mut rows = vec![bracket(labels.moment.name("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
     for (k, reaction) in certificate.reactions.iter().enumerate() {
         let name = match (certificate.reactions.len(), k) {
             (2, 0) => "left reaction".to_owned(),
             (2, _) => "right reaction".to_owned(),
             _ => format!("force of support {}", k + 1),
         };
-        rows.extend(reaction.map(|reaction| bracket(labels.force(&name), reaction)));
+        rows.extend(reaction.map(|reaction| bracket(labels.force.name(&name), reaction)));
     }
-    rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.stiffness("stiffness D"), stiffness)));
+    rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.density.name("stiffness D"), stiffness)));
     let error = magnitude_at_most(certificate.deflection_error);
-    rows.push(vec![labels.length("error of the deflection"), String::new(), error]);
+    rows.push(vec![labels.length.name("error of the deflection"), String::new(), error]);
     let mut table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
@@ -128,14 +128,14 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     rows.extend([("contact".to_owned(), contact, "up"), ("what remains".to_owned(), remains, "")]);
     let rows: Vec<Row> =
         rows.into_iter().map(|(name, value, way)| vec![name.clone(), shown(&name, value), way.to_owned()]).collect();
-    let mut text = table("Equilibrium", &["", &labels.force("force"), ""], &rows);
+    let mut text = table("Equilibrium", &["", &labels.force.name("force"), ""], &rows);
     let moments: Vec<Row> = state
         .supports
         .iter()
         .filter_map(|support| Some(vec![support_at(support.at, beam.length()), result(support.moment?)]))
         .collect();
     if !moments.is_empty() {
-        text += &table("Built in", &["", &labels.moment("moment")], &moments);
+        text += &table("Built in", &["", &labels.moment.name("moment")], &moments);
     }
     if let Some(standing) = &state.standing {
         text += &stands(standing, labels);
@@ -156,13 +156,13 @@ fn support_at(at: f64, length: f64) -> String {
 fn stands(standing: &Standing, labels: &Labels) -> String {
     let Standing { resultant, margin, motion } = standing;
     let mut rows: Vec<Row> = vec![
-        vec![labels.force("resultant of the loads"), result(resultant.force)],
-        vec![labels.length("its place"), result(resultant.at)],
+        vec![labels.force.name("resultant of the loads"), result(resultant.force)],
+        vec![labels.length.name("its place"), result(resultant.at)],
         vec!["margin against overturning".to_owned(), result(*margin)],
     ];
     if let Some(Motion { about, slope: [least, most] }) = motion {
         let end = |slope: &Option<f64>| slope.map_or_else(|| "any".to_owned(), result);
-        rows.push(vec![labels.length("free to turn about"), result(*about)]);
+        rows.push(vec![labels.length.name("free to turn about"), result(*about)]);
         rows.push(vec!["with slopes there".to_owned(), format!("from {} to {}", end(least), end(most))]);
     }
     table("How it stands", &["", ""], &rows)
@@ -192,8 +192,8 @@ fn contacts(contacts: &[Contact], labels: &Labels) -> String {
             row
         })
         .collect();
-    let (from, to, force) = (labels.length("from"), labels.length("to"), labels.force("force"));
-    let at_ends = [labels.force("force at from"), labels.force("force at to")];
+    let (from, to, force) = (labels.length.name("from"), labels.length.name("to"), labels.force.name("force"));
+    let at_ends = [labels.force.name("force at from"), labels.force.name("force at to")];
     let mut header = vec!["", &from, &to, &force];
     if ends {
         header.extend(at_ends.iter().map(String::as_str));
@@ -208,10 +208,10 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
             .map(|(which, value, at)| vec![format!("{which} {name}"), result(value), result(at)])
     };
     let mut rows = Vec::new();
-    rows.extend(lines(&labels.length("deflection"), &state.deflection));
-    rows.extend(lines(&labels.moment("moment"), &state.moment));
-    rows.push(vec![labels.moment("energy J"), result(state.energy), String::new()]);
-    table("Extremes", &["", "value", &labels.length("at")], &rows)
+    rows.extend(lines(&labels.length.name("deflection"), &state.deflection));
+    rows.extend(lines(&labels.moment.name("moment"), &state.moment));
+    rows.push(vec![labels.moment.name("energy J"), result(state.energy), String::new()]);
+    table("Extremes", &["", "value", &labels.length.name("at")], &rows)
 }
 
 fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
@@ -226,11 +226,11 @@ fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
         .collect();
     let header = [
         "node".to_owned(),
-        labels.length("x"),
-        labels.length("deflection"),
-        labels.length("clearance"),
-        labels.force("contact force"),
-        labels.moment("moment"),
+        labels.length.name("x"),
+        labels.length.name("deflection"),
+        labels.length.name("clearance"),
+        labels.force.name("contact force"),
+        labels.moment.name("moment"),
     ];
-    table("Nodes", &header.each_ref().map(String::as_str), &rows)
+    table("Nodes", &header, &rows)
 }

@@ -39,6 +39,11 @@ impl Axis {
         }
     }
 
+    /// An axis along a beam from one place to another, with room for the marks of supports.
+    pub fn along(label: impl Into<String>, ends: [f64; 2]) -> Self {
+        Self { padding: 0.03, ..Self::new(label).including(&ends) }
+    }
+
     /// An axis of names, one for each row or column of a map.
     pub fn named(label: impl Into<String>, names: Vec<String>) -> Self {
         Self { names, padding: 0.0, ..Self::new(label) }

@@ -60,6 +60,17 @@ impl<'a> Canvas<'a> {
         Ok(())
     }
 
+    /// Lines of one look.
+    pub(super) fn lines(
+        &mut self,
+        lines: &[impl AsRef<[Point]>],
+        color: Color,
+        width: u32,
+        dash: Dash,
+    ) -> Result<(), PlotError> {
+        lines.iter().try_for_each(|line| self.line(line.as_ref(), color, width, dash))
+    }
+
     /// A filled polygon.
     pub(super) fn fill(&mut self, points: &[Point], color: Color, opacity: f64) -> Result<(), PlotError> {
         done(self.backend.fill_polygon(pixels(&simplified(points)?)?, &rgb(color).mix(opacity)))
@@ -90,12 +101,12 @@ impl<'a> Canvas<'a> {
                 self.fill(&[[x, y - 1.4 * R], [x + 1.4 * R, y], [x, y + 1.4 * R], [x - 1.4 * R, y]], color, 1.0)
             }
             Marker::Cross => {
-                self.line(&[[x - R, y - R], [x + R, y + R]], color, 6, Dash::Solid)?;
-                self.line(&[[x - R, y + R], [x + R, y - R]], color, 6, Dash::Solid)
+                let strokes = [[[x - R, y - R], [x + R, y + R]], [[x - R, y + R], [x + R, y - R]]];
+                self.lines(&strokes, color, 6, Dash::Solid)
             }
             Marker::Plus => {
-                self.line(&[[x - 1.2 * R, y], [x + 1.2 * R, y]], color, 6, Dash::Solid)?;
-                self.line(&[[x, y - 1.2 * R], [x, y + 1.2 * R]], color, 6, Dash::Solid)
+                let strokes = [[[x - 1.2 * R, y], [x + 1.2 * R, y]], [[x, y - 1.2 * R], [x, y + 1.2 * R]]];
+                self.lines(&strokes, color, 6, Dash::Solid)
             }
             Marker::Star => {
                 /// Directions of the ten corners in tenths of a turn from the top, for an outer radius of one.
@@ -213,9 +224,6 @@ fn pixels(points: &[Point]) -> Result<Vec<(i32, i32)>, PlotError> {
 /// A place on the drawing, `[right, down]`.
 pub(super) type Point = [f64; 2];
 
-/// Distance of the points that stand for a line when labels are placed.
-pub(super) const INK: f64 = 9.0;
-
 /// How far a line may pass beside a point that is left out \[drawing units\].
 const BESIDE: f64 = 0.6;
 
@@ -284,22 +292,6 @@ pub(super) fn dashes(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
         strokes.push(stroke);
     }
     strokes
-}
-
-/// Points along a line, at most `step` apart: what a label should not cover.
-pub(super) fn sampled(line: &[Point], step: f64) -> Vec<Point> {
-    let mut points: Vec<Point> = line.first().copied().into_iter().collect();
-    for pair in line.windows(2) {
-        let ([x, y], [to_x, to_y]) = (pair[0], pair[1]);
-        let distance = libm::hypot(to_x - x, to_y - y);
-        let mut done = step;
-        while done < distance {
-            points.push([x + (to_x - x) * done / distance, y + (to_y - y) * done / distance]);
-            done += step;
-        }
-        points.push([to_x, to_y]);
-    }
-    points
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A beam in its final position as curves and forces: what a figure of it needs, wherever it comes from.
 
 use super::layer::Place;
-use super::{PlotError, same_length};
+use super::{PlotError, SAMPLES, same_length};
 use crate::scene::Scene;
 use crate::state::{ContactState, Extremes, Nodes, SupportForce};
 use crate::theory::Exact;
@@ -187,14 +187,11 @@ fn resultant(nodes: &Nodes, range: std::ops::Range<usize>) -> PointForce {
     PointForce { at, force }
 }
 
-/// Equal intervals between samples; a drawing is 2400 units wide.
-const INTERVALS: u32 = 600;
-
 impl Curves {
     /// The exact solution of a scene as a figure needs it.
     #[must_use]
     pub fn exact(scene: &Scene, exact: &Exact) -> Self {
-        let samples = exact.samples(scene, INTERVALS);
+        let samples = exact.samples(scene, SAMPLES);
         let state = &exact.state;
         let zones = state.contacts.iter().filter(|c| c.from < c.to);
         let pressure = zones

@@ -1,9 +1,9 @@
 //! From a layer to lines on the drawing; a load is a block for what is distributed, and arrows for point loads.
 
 use super::axis::Axes;
-use super::canvas::{Align, Canvas, INK, Point, SHAFT, TEXT, Type, sampled, text_width};
-use super::label::{Frame, Label, Labels, apart};
-use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place, Reference, SupportKind};
+use super::canvas::{Align, Canvas, Point, SHAFT, TEXT, Type, text_width};
+use super::label::{Frame, INK, Label, Labels, apart, sampled};
+use super::layer::{Arrows, Cell, Divisions, LABEL_ROW, Layer, LoadSketch, Place, SupportKind};
 use super::palette::{Color, Dash, Style};
 use super::{PlotError, count, finite};
 
@@ -23,22 +23,15 @@ pub(super) fn draw(
         Layer::Band { from, to, color } => band(canvas, &placed(from, axes), &placed(to, axes), *color, labels),
         Layer::Arrows(layer) => arrows(canvas, layer, axes, labels),
         Layer::Foundation { points } => foundation(canvas, &placed(points, axes), frame, labels),
-        Layer::Zones { intervals, level } => {
-            for &[from, to] in intervals {
-                zone(canvas, axes.place([from, *level]), axes.place([to, *level]))?;
-            }
-            Ok(())
-        }
-        Layer::Reference { at, text } => reference(canvas, *at, text, axes, frame, labels),
         Layer::Divisions(all) => divisions(canvas, all, axes, frame, labels),
-        Layer::Note { at, text, dot } => {
+        Layer::Note { at, text, color, dot } => {
             let at = axes.place(*at);
             if *dot {
-                canvas.disc(at, 10.0, Color::BLACK)?;
+                canvas.disc(at, 10.0, *color)?;
             }
             // In the upper half of the frame there is more room below the point.
-            let below = at[1] < 0.5 * (frame.top + frame.bottom);
-            labels.ask(Label { below, ..Label::new(text, at, Color::BLACK) });
+            let below = *dot && at[1] < 0.5 * (frame.top + frame.bottom);
+            labels.ask(Label { below, ..Label::new(text, at, *color) });
             Ok(())
         }
         Layer::Supports(supports) => {
@@ -128,11 +121,8 @@ fn area(canvas: &mut Canvas, line: &[Point], base: f64, color: Color, labels: &m
 fn band(canvas: &mut Canvas, from: &[Point], to: &[Point], color: Color, labels: &mut Labels) -> Result<(), PlotError> {
     let outline: Vec<Point> = from.iter().chain(to.iter().rev()).copied().collect();
     canvas.fill(&outline, color, 0.25)?;
-    for line in [from, to] {
-        canvas.line(line, color, 6, Dash::Solid)?;
-        labels.avoid(sampled(line, INK));
-    }
-    Ok(())
+    labels.avoid([from, to].iter().flat_map(|line| sampled(line, INK)));
+    canvas.lines(&[from, to], color, 6, Dash::Solid)
 }
 
 /// Dotted lines down the frame. Their labels stand a little apart in rows at the top, each with a stroke to its line.
@@ -182,59 +172,27 @@ fn closed(line: &[Point], base: f64) -> Vec<Point> {
     line.iter().copied().chain(line.last().map(|p| [p[0], base])).chain(line.first().map(|p| [p[0], base])).collect()
 }
 
-/// A dotted line across the frame.
-fn reference(
-    canvas: &mut Canvas,
-    at: Reference,
-    text: &str,
-    axes: &Axes,
-    frame: &Frame,
-    labels: &mut Labels,
-) -> Result<(), PlotError> {
-    let (line, near) = match at {
-        Reference::X(x) => {
-            let x = axes.x.place(x);
-            ([[x, frame.top], [x, frame.bottom]], [x, frame.top + 0.7 * TEXT])
-        }
-        Reference::Y(y) => {
-            let y = axes.y.place(y);
-            ([[frame.left, y], [frame.right, y]], [frame.right - 400.0, y])
-        }
-    };
-    canvas.line(&line, Color::GRAY, 4, Dash::Dotted)?;
-    labels.avoid(sampled(&line, INK));
-    labels.ask(Label::new(text, near, Color::GRAY));
-    Ok(())
-}
-
 /// Ground below a line, with short strokes along it as on a drawing board.
 fn foundation(canvas: &mut Canvas, line: &[Point], frame: &Frame, labels: &mut Labels) -> Result<(), PlotError> {
     let Some(first) = line.first() else { return Ok(()) };
     canvas.fill(&closed(line, frame.bottom), Color::GROUND, 1.0)?;
     let mut x = first[0] + 24.0;
+    let mut strokes = Vec::new();
     for pair in line.windows(2) {
         let ([from, y], [to, to_y]) = (pair[0], pair[1]);
         while from <= x && x < to {
             let depth = y + (to_y - y) * (x - from) / (to - from);
             if depth + 26.0 < frame.bottom {
-                let stroke = [[x, depth], [x - 20.0, depth + 26.0]];
-                canvas.line(&stroke, Color::GRAY, 3, Dash::Solid)?;
-                labels.avoid(sampled(&stroke, INK));
+                strokes.push([[x, depth], [x - 20.0, depth + 26.0]]);
             }
             x += 40.0;
         }
     }
+    canvas.lines(&strokes, Color::GRAY, 3, Dash::Solid)?;
+    labels.avoid(strokes.iter().flat_map(|stroke| sampled(stroke, INK)));
     canvas.line(line, Color::BLACK, 4, Dash::Solid)?;
     labels.avoid(sampled(line, INK));
     Ok(())
-}
-
-fn zone(canvas: &mut Canvas, from: Point, to: Point) -> Result<(), PlotError> {
-    if to[0] - from[0] < 14.0 {
-        canvas.disc([0.5 * (from[0] + to[0]), from[1]], 13.0, Color::VERMILLION)
-    } else {
-        canvas.line(&[from, to], Color::VERMILLION, 16, Dash::Solid)
-    }
 }
 
 fn support(canvas: &mut Canvas, [x, y]: Point, kind: SupportKind) -> Result<(), PlotError> {
@@ -258,7 +216,7 @@ fn walls(canvas: &mut Canvas, [x, y]: Point, ends: [bool; 2]) -> Result<(), Plot
     const CLEAR: f64 = 12.0;
     /// Length of the strokes, and their distance.
     const STROKE: f64 = 16.0;
-    let strokes = |from: f64, to: f64| {
+    let along = |from: f64, to: f64| {
         let count = 5_u32;
         (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
     };
@@ -269,16 +227,15 @@ fn walls(canvas: &mut Canvas, [x, y]: Point, ends: [bool; 2]) -> Result<(), Plot
             for side in [-1.0, 1.0] {
                 let level = y + side * CLEAR;
                 canvas.line(&[[x - WIDTH, level], [x + WIDTH, level]], Color::BLACK, 5, Dash::Solid)?;
-                for at in strokes(x - WIDTH, x + WIDTH) {
-                    canvas.line(&[[at, level], [at - STROKE, level + side * STROKE]], Color::BLACK, 3, Dash::Solid)?;
-                }
+                let strokes = along(x - WIDTH, x + WIDTH).map(|at| [[at, level], [at - STROKE, level + side * STROKE]]);
+                canvas.lines(&strokes.collect::<Vec<_>>(), Color::BLACK, 3, Dash::Solid)?;
             }
             return Ok(());
         }
     };
     canvas.line(&[[x, y - HEIGHT], [x, y + HEIGHT]], Color::BLACK, 6, Dash::Solid)?;
-    strokes(y - HEIGHT, y + HEIGHT)
-        .try_for_each(|at| canvas.line(&[[x, at], [x + outwards, at + STROKE]], Color::BLACK, 3, Dash::Solid))
+    let strokes = along(y - HEIGHT, y + HEIGHT).map(|at| [[x, at], [x + outwards, at + STROKE]]);
+    canvas.lines(&strokes.collect::<Vec<_>>(), Color::BLACK, 3, Dash::Solid)
 }
 
 fn distributed(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &mut Labels) -> Result<(), PlotError> {

@@ -23,9 +23,8 @@ pub struct Figure {
     pub notes: Vec<String>,
 }
 
-/// Around the figure, and between the lines of its title \[drawing units\].
-pub(super) const MARGIN: f64 = 40.0;
-const TITLE_LINE: f64 = 74.0;
+/// Around the figure \[drawing units\].
+const MARGIN: f64 = 40.0;
 
 impl Figure {
     /// A figure with its panels one below the other.
@@ -49,8 +48,8 @@ impl Figure {
             return Err(PlotError::Empty { what: "a figure" });
         }
         let sheet = f64::from(WIDTH);
-        let heading = Heading::of(&self.title);
-        let mut top = heading.bottom + 0.7 * MARGIN;
+        let title = Words::title(&self.title);
+        let mut top = title.bottom + 0.7 * MARGIN;
         let rows = self.rows()?;
         let mut places = Vec::new();
         for row in &rows {
@@ -65,9 +64,9 @@ impl Figure {
             }
             top += height;
         }
-        let notes = Notes::of(&self.notes, top);
+        let notes = Words::notes(&self.notes, top);
         document(&self.title, &self.description, whole(notes.bottom), |canvas| {
-            heading.draw(canvas)?;
+            title.draw(canvas)?;
             for (layout, corner) in places {
                 layout.draw(canvas, corner)?;
             }
@@ -91,37 +90,26 @@ impl Figure {
     }
 }
 
-/// A title in as many lines as it needs, and where it ends.
-pub(super) struct Heading {
-    lines: Vec<String>,
-    pub(super) bottom: f64,
-}
-
-impl Heading {
-    pub(super) fn of(title: &str) -> Self {
-        let lines = wrapped(title, f64::from(WIDTH) - 2.0 * MARGIN, Type::TITLE);
-        let bottom = MARGIN + TITLE_LINE * count(lines.len());
-        Self { lines, bottom }
-    }
-
-    pub(super) fn draw(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
-        for (i, line) in self.lines.iter().enumerate() {
-            let y = MARGIN + TITLE_LINE * (count(i) + 0.5);
-            canvas.text(line, [MARGIN, y], Align::Left, Type::TITLE)?;
-        }
-        Ok(())
-    }
-}
-
-/// Notes in one column, or in two where there are many, and where they end.
-struct Notes {
-    /// Lines with their places.
+/// Lines of words, each with its place, and where the last one ends.
+struct Words {
+    kind: Type,
     lines: Vec<(String, Point)>,
     bottom: f64,
 }
 
-impl Notes {
-    fn of(notes: &[String], top: f64) -> Self {
+impl Words {
+    /// The title in as many lines as it needs.
+    fn title(title: &str) -> Self {
+        const LINE: f64 = 74.0;
+        let lines = wrapped(title, f64::from(WIDTH) - 2.0 * MARGIN, Type::TITLE);
+        let bottom = MARGIN + LINE * count(lines.len());
+        let place = |i: usize| [MARGIN, MARGIN + LINE * (count(i) + 0.5)];
+        let lines = lines.into_iter().enumerate().map(|(i, line)| (line, place(i))).collect();
+        Self { kind: Type::TITLE, lines, bottom }
+    }
+
+    /// Notes in one column, or in two where there are many.
+    fn notes(notes: &[String], top: f64) -> Self {
         /// More notes than this stand in two columns.
         const ONE_COLUMN: usize = 8;
         const LINE: f64 = 1.3 * NOTE.size;
@@ -142,11 +130,11 @@ impl Notes {
             }
             bottom = bottom.max(y);
         }
-        Self { lines, bottom: if notes.is_empty() { top } else { bottom + MARGIN } }
+        Self { kind: NOTE, lines, bottom: if notes.is_empty() { top } else { bottom + MARGIN } }
     }
 
     fn draw(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
-        self.lines.iter().try_for_each(|(line, at)| canvas.text(line, *at, Align::Left, NOTE))
+        self.lines.iter().try_for_each(|(line, at)| canvas.text(line, *at, Align::Left, self.kind))
     }
 }
 
@@ -155,18 +143,18 @@ const NOTE: Type = Type { size: 38.0, ..Type::PLAIN };
 
 /// A height in whole drawing units.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what a u32 holds")]
-pub(super) fn whole(height: f64) -> u32 {
+fn whole(height: f64) -> u32 {
     height.ceil().clamp(1.0, 1e6) as u32
 }
 
 /// Width of every drawing \[drawing units\]; places are whole units, so there are many.
-pub(super) const WIDTH: u32 = 2400;
+const WIDTH: u32 = 2400;
 
 /// Drawing units for one pixel of the nominal size.
 const UNITS_PER_PIXEL: u32 = 3;
 
 /// A drawing of `height` as a document that stands alone.
-pub(super) fn document(
+fn document(
     title: &str,
     description: &str,
     height: u32,

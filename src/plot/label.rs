@@ -72,6 +72,9 @@ pub(super) struct Labels {
     ink: Vec<Point>,
 }
 
+/// Distance of the points that stand for a line when labels are placed.
+pub(super) const INK: f64 = 9.0;
+
 /// Distances between a point and its label, the nearest first.
 const RINGS: [f64; 6] = [12.0, 30.0, 60.0, 100.0, 150.0, 210.0];
 
@@ -210,6 +213,22 @@ pub(super) fn apart(wanted: &[f64], [low, high]: [f64; 2], distance: f64) -> Vec
         places.extend((0..n).map(|k| first + distance * (count(k) + 0.5)));
     }
     places
+}
+
+/// Points along a line, at most `step` apart: what a label should not cover.
+pub(super) fn sampled(line: &[Point], step: f64) -> Vec<Point> {
+    let mut points: Vec<Point> = line.first().copied().into_iter().collect();
+    for pair in line.windows(2) {
+        let ([x, y], [to_x, to_y]) = (pair[0], pair[1]);
+        let distance = libm::hypot(to_x - x, to_y - y);
+        let mut done = step;
+        while done < distance {
+            points.push([x + (to_x - x) * done / distance, y + (to_y - y) * done / distance]);
+            done += step;
+        }
+        points.push([to_x, to_y]);
+    }
+    points
 }
 
 /// `value` between `lo` and `hi`; in the middle if there is nothing between them.

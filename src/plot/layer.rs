@@ -45,20 +45,6 @@ pub enum Layer {
         /// The line.
         points: Vec<Place>,
     },
-    /// Stretches of contact as thick bars; a single point of contact is a dot.
-    Zones {
-        /// From, to.
-        intervals: Vec<[f64; 2]>,
-        /// Height at which they lie.
-        level: f64,
-    },
-    /// A dotted line across the panel.
-    Reference {
-        /// Where it crosses.
-        at: Reference,
-        /// Text beside it.
-        text: String,
-    },
     /// Dotted lines down the panel, with labels at its top, and what holds between them.
     Divisions(Divisions),
     /// Words at a point.
@@ -67,6 +53,8 @@ pub enum Layer {
         at: Place,
         /// The words.
         text: String,
+        /// Their colour.
+        color: Color,
         /// Whether the point gets a dot.
         dot: bool,
     },
@@ -146,15 +134,6 @@ pub enum SupportKind {
     },
 }
 
-/// Where a reference line crosses the panel.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Reference {
-    /// A vertical line at this `x`.
-    X(f64),
-    /// A horizontal line at this `y`.
-    Y(f64),
-}
-
 /// Forces as arrows whose length is read on the force axis of the panel, or on its vertical axis if it has none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arrows {
@@ -207,6 +186,17 @@ impl Layer {
         Self::named(points, style, "")
     }
 
+    /// The line of the supports, from one place to another.
+    #[must_use]
+    pub fn zero_line([from, to]: [f64; 2]) -> Self {
+        Self::line(vec![[from, 0.0], [to, 0.0]], Style { width: 3, ..Style::solid(Color::BLACK) })
+    }
+
+    /// Words at a point, without a dot.
+    pub fn words(at: Place, color: Color, text: impl Into<String>) -> Self {
+        Self::Note { at, text: text.into(), color, dot: false }
+    }
+
     /// Two simple supports at the ends of a beam from 0 to `length`, at level 0.
     #[must_use]
     pub fn simple_supports(length: f64) -> Self {
@@ -235,9 +225,6 @@ impl Layer {
                 [divisions.lines.iter().map(|line| &line.0).chain(ends).copied().collect(), Vec::new()]
             }
             Self::Arrows(arrows) => of(&arrows.arrows.iter().map(|a| a.at).collect::<Vec<_>>()),
-            Self::Zones { intervals, level } => [intervals.iter().flatten().copied().collect(), vec![*level]],
-            Self::Reference { at: Reference::X(x), .. } => [vec![*x], Vec::new()],
-            Self::Reference { at: Reference::Y(y), .. } => [Vec::new(), vec![*y]],
             Self::Note { at, .. } => of(&[*at]),
             Self::Supports(supports) => of(&supports.iter().map(|support| support.at).collect::<Vec<_>>()),
             Self::Cells(cells) => of(&cells.iter().map(|cell| cell.at).collect::<Vec<_>>()),

@@ -41,8 +41,8 @@ pub use crate::text::significant;
 pub use axis::Axis;
 pub use curves::{Curves, PointForce};
 pub use figure::Figure;
-pub use layer::{Arrow, Arrows, Cell, Divisions, Layer, LoadSketch, Place, Reference, SupportKind, SupportMark};
-pub use palette::{Color, Dash, Marker, Style};
+pub use layer::{Arrow, Arrows, Cell, Divisions, Layer, LoadSketch, Place, SupportKind, SupportMark};
+pub use palette::{Color, Dash, Marker, Style, dark_rules};
 pub use panel::Panel;
 pub use solution::{curves, sheet};
 pub use sweep::sweep;
@@ -108,6 +108,9 @@ fn same_length(what: &'static str, values: &[f64], places: &[f64]) -> Result<(),
 fn count(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
+
+/// Equal intervals between the places at which a smooth line is drawn; a drawing is 2400 units wide.
+const SAMPLES: u32 = 600;
 
 /// Digits of a value that is written beside the point that it belongs to.
 const DIGITS: usize = 4;

@@ -3,6 +3,8 @@
 //! The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), without their yellow, which is too
 //! light for a line on white.
 
+use std::fmt;
+
 /// A colour: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Color(pub u8, pub u8, pub u8);
@@ -23,13 +25,21 @@ const DARK: [(Color, &str); 12] = [
     (Color::GROUND, "#3B352C"),
 ];
 
-/// Style rules that turn a figure dark.
-pub(super) fn dark_rules() -> String {
-    let rule = |(Color(red, green, blue), dark): (Color, &str)| {
-        let color = format!("#{red:02X}{green:02X}{blue:02X}");
+/// Style rules that turn a figure dark: each figure has them, under what its surroundings prefer.
+#[must_use]
+pub fn dark_rules() -> String {
+    let rule = |(color, dark): (Color, &str)| {
         format!("[fill=\"{color}\"]{{fill:{dark}}}[stroke=\"{color}\"]{{stroke:{dark}}}")
     };
     DARK.map(rule).concat()
+}
+
+/// As SVG has it, `#D55E00`.
+impl fmt::Display for Color {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(red, green, blue) = self;
+        write!(f, "#{red:02X}{green:02X}{blue:02X}")
+    }
 }
 
 impl Color {

@@ -1,8 +1,8 @@
 //! What is given, as it is drawn: the foundation below the beam, the loads above it, and units.
 
-use super::DIGITS;
 use super::curves::Curves;
 use super::layer::{Layer, LoadSketch, Place, SupportKind, SupportMark};
+use super::{DIGITS, SAMPLES};
 use crate::scene::{Foundation, Scene, Support, Units};
 use crate::text::significant;
 
@@ -21,8 +21,6 @@ pub(super) struct Ground {
 const DEEPEST: f64 = 4.0;
 
 pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
-    /// Places at which a smooth foundation is drawn; a drawing is 2400 units wide.
-    const SAMPLES: u32 = 600;
     let length = scene.beam().length();
     let even = (0..=SAMPLES).map(|i| length * f64::from(i) / f64::from(SAMPLES));
     let line: Vec<Place> = match scene.foundation() {

@@ -5,7 +5,7 @@ use super::canvas::TEXT;
 use super::curves::{Curves, PointForce};
 use super::figure::Figure;
 use super::layer::{Arrow, Arrows, Layer, Place};
-use super::palette::{Color, Dash, Style};
+use super::palette::{Color, Dash, Marker, Style};
 use super::panel::Panel;
 use super::sketch::{Ground, UnitLabels, foundation_line, sketch, support_marks, with_unit};
 use super::{PlotError, finite, same_length};
@@ -40,8 +40,8 @@ pub fn curves(scene: &Scene, curves: &Curves, subtitle: &str) -> Result<String, 
     Figure::new(title, description(curves, &foundation, &units), panels).svg()
 }
 
-/// Small pictures of many solutions, four in a row: ground, beam, contact zones as thick lines and concentrated contact forces
-/// as arrows, all without numbers.
+/// Small pictures of many solutions, four in a row: ground, beam, contact zones as thick lines, contact points as dots, and
+/// concentrated contact forces as arrows, all without numbers.
 ///
 /// # Errors
 ///
@@ -107,13 +107,13 @@ fn zip(x: &[f64], y: &[f64]) -> Vec<Place> {
 }
 
 fn along(scene: &Scene, units: &UnitLabels) -> Axis {
-    Axis { padding: 0.03, ..Axis::new("").unit(units.length.clone()).including(&[0.0, scene.beam().length()]) }
+    Axis::along("", [0.0, scene.beam().length()]).unit(units.length.clone())
 }
 
 /// An extreme, labelled with its value and its place.
 fn extreme(name: &str, at: f64, value: f64, unit: &Option<String>, units: &UnitLabels) -> Layer {
     let text = format!("{name} = {} at x = {}", with_unit(value, unit), with_unit(at, &units.length));
-    Layer::Note { at: [at, value], text, dot: true }
+    Layer::Note { at: [at, value], text, color: Color::BLACK, dot: true }
 }
 
 /// Labels for both extremes, each only if it stands out from zero.
@@ -134,12 +134,6 @@ fn extremes(name: &str, e: &Extremes, unit: &Option<String>, units: &UnitLabels)
     Ok(notes)
 }
 
-fn zero_line(scene: &Scene) -> Layer {
-    let points = vec![[0.0, 0.0], [scene.beam().length(), 0.0]];
-    let style = Style { width: 3, ..Style::solid(Color::BLACK) };
-    Layer::line(points, style)
-}
-
 /// Room for ground below the lowest line; none where the ground is cut off, which would look like its end.
 fn footroom(ground: &Ground) -> f64 {
     if ground.below.is_empty() { 40.0 } else { 0.0 }
@@ -154,7 +148,7 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
     let y = Axis::new(words).unit(units.length.clone()).down().including(&[0.0]);
     let mut panel = Panel::new(along(scene, units), y).tall(640.0);
     panel.layers.extend(ground.pieces.iter().map(|points| Layer::Foundation { points: points.clone() }));
-    let below = ground.below.iter().map(|(at, text)| Layer::Note { at: *at, text: text.clone(), dot: false });
+    let below = ground.below.iter().map(|(at, text)| Layer::words(*at, Color::BLACK, text.as_str()));
     panel.layers.extend(below);
     let sketch = sketch(scene, curves, units);
     let load = !sketch.is_empty();
@@ -176,11 +170,13 @@ fn shape(scene: &Scene, curves: &Curves, ground: &Ground, units: &UnitLabels) ->
         let style = Style { width: 4, dash: Some(Dash::Dashed), ..Style::solid(Color::GRAY) };
         panel = panel.with(Layer::named(unloaded, style, "unloaded"));
     }
-    let raised = |note: Layer| match (note, scene.beam().shape()) {
-        (Layer::Note { at: [x, v], text, dot }, Some(shape)) => Layer::Note { at: [x, shape.depth(x) + v], text, dot },
-        (note, _) => note,
-    };
-    panel.layers.extend(extremes("v", &curves.deflection_extremes, &units.length, units)?.into_iter().map(raised));
+    let mut notes = extremes("v", &curves.deflection_extremes, &units.length, units)?;
+    for note in &mut notes {
+        if let (Layer::Note { at: [x, y], .. }, Some(shape)) = (note, scene.beam().shape()) {
+            *y += shape.depth(*x);
+        }
+    }
+    panel.layers.extend(notes);
     Ok(panel)
 }
 
@@ -189,24 +185,42 @@ fn small(name: &str, scene: &Scene, curves: &Curves) -> Panel {
     let length = scene.beam().length();
     let beam = curves.axis();
     let ground = foundation_line(scene, curves);
-    let x = Axis { padding: 0.04, ..Axis::new("").bare().including(&[0.0, length]) };
-    let mut panel = Panel::new(x, Axis::new(name).bare().down().including(&[0.0]))
+    let mut panel = Panel::new(Axis::along("", [0.0, length]).bare(), Axis::new(name).bare().down().including(&[0.0]))
         .tall(310.0)
         .room(150.0, footroom(&ground))
         .forces(Axis::new("").bare());
     panel.layers.extend(ground.pieces.into_iter().map(|points| Layer::Foundation { points }));
-    let at = |x: f64| beam.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1]);
-    let zone = |&[from, to]: &[f64; 2]| -> Vec<Place> {
-        let inside = beam.iter().copied().filter(|p| from < p[0] && p[0] < to);
-        std::iter::once([from, at(from)]).chain(inside).chain([[to, at(to)]]).collect()
-    };
+    let at = |x: f64| height(&beam, x);
     let forces = curves.point_forces.iter();
     let arrows = forces.map(|f| Arrow { at: [f.at, at(f.at)], force: f.force, text: String::new(), optional: true });
     let arrows = Arrows { arrows: arrows.collect(), color: Color::VERMILLION, dash: Dash::Solid };
-    let thick = |width: u32, color: Color| Style { width, ..Style::solid(color) };
     panel = panel.with(support_marks(scene));
-    panel.layers.extend(curves.contacts.iter().map(zone).map(|zone| Layer::line(zone, thick(18, Color::VERMILLION))));
-    panel.with(Layer::line(beam, thick(7, Color::BLACK))).with(Layer::Arrows(arrows))
+    panel.layers.extend(touching(&beam, curves));
+    panel.with(Layer::line(beam, Style { width: 7, ..Style::solid(Color::BLACK) })).with(Layer::Arrows(arrows))
+}
+
+/// How high a line is at `x`, or at the first of its points beyond.
+fn height(line: &[Place], x: f64) -> f64 {
+    line.iter().find(|p| x <= p[0]).map_or(0.0, |p| p[1])
+}
+
+/// Where the beam touches, thick along a line; a dot where that would be too short to be seen.
+fn touching(line: &[Place], curves: &Curves) -> Vec<Layer> {
+    /// The shortest zone that is drawn as such, over the length of the beam.
+    const SHORTEST: f64 = 0.006;
+    let length = curves.x.last().copied().unwrap_or_default();
+    let zone = |&[from, to]: &[f64; 2]| {
+        if to - from < SHORTEST * length {
+            let middle = 0.5 * (from + to);
+            let dot = Style::marks(Color::VERMILLION, Marker::Circle);
+            return Layer::line(vec![[middle, height(line, middle)]], dot);
+        }
+        let inside = line.iter().copied().filter(|p| from < p[0] && p[0] < to);
+        let ends = [from, to].map(|x| [x, height(line, x)]);
+        let points = std::iter::once(ends[0]).chain(inside).chain([ends[1]]).collect();
+        Layer::line(points, Style { width: 16, ..Style::solid(Color::VERMILLION) })
+    };
+    curves.contacts.iter().map(zone).collect()
 }
 
 /// No panel where there is no foundation; a second one where the beam leaves the ground so little between its contacts that
@@ -223,11 +237,12 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
     finite("a clearance above a foundation", most.max)?;
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
         let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
-        let panel = Panel::new(along(scene, units), y)
+        let touching = touching(&points, curves);
+        let mut panel = Panel::new(along(scene, units), y)
             .tall(380.0)
             .room(84.0, 20.0)
-            .with(Layer::line(points, Style::solid(Color::BLUE)))
-            .with(Layer::Zones { intervals: curves.contacts.clone(), level: 0.0 });
+            .with(Layer::line(points, Style::solid(Color::BLUE)));
+        panel.layers.extend(touching);
         // A beam that lies on the ground from end to end has no clearance to name.
         let note = extreme("h", at, value, &units.length, units);
         if value == 0.0 { panel } else { panel.with(note) }
@@ -269,7 +284,7 @@ fn forces(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Panel {
     let layer = |arrows: Vec<Arrow>, color: Color| Layer::Arrows(Arrows { arrows, color, dash: Dash::Solid });
     let supports = curves.supports.iter().map(|support| arrow(support.at, support.force, false, units)).collect();
     panel
-        .with(zero_line(scene))
+        .with(Layer::zero_line([0.0, scene.beam().length()]))
         .with(layer(contact_arrows(&curves.point_forces, units), Color::VERMILLION))
         .with(layer(supports, Color::BLACK))
 }
@@ -302,7 +317,7 @@ fn diagram(
 ) -> Result<Panel, PlotError> {
     let unit = y.unit.clone();
     let mut panel = Panel::new(along(scene, units), y.including(&[0.0])).tall(470.0).room(84.0, 84.0);
-    panel = panel.with(zero_line(scene)).with(Layer::Area { points, level: 0.0, color });
+    panel = panel.with(Layer::zero_line([0.0, scene.beam().length()])).with(Layer::Area { points, level: 0.0, color });
     panel.layers.extend(extremes(name, e, &unit, units)?);
     Ok(panel)
 }

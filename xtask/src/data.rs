@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Serialize, Serializer};
 
 use crate::Cause;
 use crate::report::files;
@@ -44,19 +44,6 @@ pub(crate) fn three_digits<S: Serializer>(value: &f64, serializer: S) -> Result<
 /// Numbers with a power of ten and no more digits than they need.
 pub(crate) fn power<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(&format_args!("{value:e}"))
-}
-
-/// Words whose commas are semicolons in the file: `#[serde(with = "data::words")]`.
-pub(crate) mod words {
-    use super::{Deserialize, Deserializer, Serializer};
-
-    pub(crate) fn serialize<S: Serializer>(words: &str, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&words.replace(',', ";"))
-    }
-
-    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
-        String::deserialize(deserializer).map(|words| words.replace(';', ","))
-    }
 }
 
 /// As many significant digits as a measurement has, and no number for what is none.
@@ -100,10 +87,9 @@ impl<R: Row> Measurements<R> {
         Ok((text, Self { path: root.join(R::PATH), described, lines }))
     }
 
-    /// What a comment says.
-    pub(crate) fn description(&self, name: &str) -> &str {
-        let found = self.described.iter().find_map(|line| line.strip_prefix(name)?.strip_prefix(": "));
-        found.unwrap_or("unknown")
+    /// Where they come from, for templates: `commit`, `date`, `machine`, `compiler` and `libraries`.
+    pub(crate) fn provenance(&self) -> minijinja::Value {
+        minijinja::Value::from_pairs(self.described.iter().filter_map(|line| line.split_once(": ")))
     }
 
     /// Opens the file to go on with it. With `fresh` what is `wanted` is forgotten, and everything if the file comes from
@@ -149,8 +135,9 @@ impl<R: Row> Measurements<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Deserialize, read};
-    use crate::scratch::Scratch;
+    use serde::Deserialize;
+
+    use super::{files, read};
 
     #[derive(Debug, PartialEq, Deserialize)]
     struct Line {
@@ -160,10 +147,10 @@ mod tests {
 
     #[test]
     fn broken_files_are_refused_with_their_name() {
-        let scratch = Scratch::new("broken");
+        let scratch = tempfile::tempdir().expect("a directory for temporary files");
         let lines = |text: &str| {
-            scratch.put("a.csv", text);
-            read::<Line>(&scratch.0, "a.csv").map(|(_, lines)| lines).map_err(|error| error.to_string())
+            files::replace(&scratch.path().join("a.csv"), text).expect("it can be written");
+            read::<Line>(scratch.path(), "a.csv").map(|(_, lines)| lines).map_err(|error| error.to_string())
         };
         let line = Line { route: "force".to_owned(), error: None };
         assert_eq!(lines("# date: x\nroute,error\nforce,\n"), Ok(vec![line]), "no number is none");
@@ -177,7 +164,7 @@ mod tests {
             assert!(found.as_ref().is_err_and(|error| error.starts_with("a.csv: ")), "{what}: {found:?}");
         }
         assert!(
-            read::<Line>(&scratch.0, "b.csv").is_err_and(|error| error.to_string().starts_with("b.csv: ")),
+            read::<Line>(scratch.path(), "b.csv").is_err_and(|error| error.to_string().starts_with("b.csv: ")),
             "no file"
         );
     }

@@ -4,9 +4,10 @@
 use std::path::Path;
 
 use palkki_evidence::hostile::{Count, Tally, seeds};
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{Cause, data, tell, workers};
+use crate::{Cause, data, tell};
 
 /// Where the counts are, below the root.
 pub(crate) const PATH: &str = "report/data/hostile.csv";
@@ -73,12 +74,13 @@ pub(crate) fn run(root: &Path, runs: u64) -> Result<(), Cause> {
     // Panics are counted, and their messages are in the way.
     std::panic::set_hook(Box::new(|_| ()));
     let pieces: Vec<u64> = (0..runs.div_ceil(PIECE)).collect();
-    let parts = workers::each(&pieces, |piece| {
+    let parts = pieces.par_iter().with_max_len(1).map(|piece| {
         let mut tally = Tally::default();
         seeds(piece * PIECE..runs.min((piece + 1) * PIECE)).for_each(|seed| tally.run(seed));
         tell(&format!("piece {} of {}", piece + 1, pieces.len()));
         tally
     });
+    let parts: Vec<Tally> = parts.collect();
     drop(std::panic::take_hook());
     let mut tally = Tally::default();
     parts.into_iter().for_each(|part| tally.join(part));

@@ -8,11 +8,8 @@ mod hostile;
 mod measure;
 mod report;
 mod scenes;
-#[cfg(test)]
-mod scratch;
 mod table;
 mod text;
-mod workers;
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::{Cause, data};
+
 /// Cells of a row, each printed as it is.
 macro_rules! row {
     ($($cell:expr),* $(,)?) => { [$($cell.to_string()),*] };
@@ -43,11 +45,9 @@ impl Table {
         self
     }
 
-    /// As comma-separated values; a comma inside a cell becomes a semicolon.
-    pub(crate) fn csv(&self) -> String {
-        let line =
-            |row: &Vec<String>| row.iter().map(|cell| cell.replace(',', ";")).collect::<Vec<_>>().join(",") + "\n";
-        std::iter::once(&self.header).chain(&self.rows).map(line).collect()
+    /// As comma-separated values.
+    pub(crate) fn csv(&self) -> Result<String, Cause> {
+        data::text(&std::iter::once(&self.header).chain(&self.rows).collect::<Vec<_>>())
     }
 }
 
@@ -93,8 +93,9 @@ mod tests {
     }
 
     #[test]
-    fn values_are_separated_by_commas_alone() {
+    fn a_comma_in_a_cell_is_quoted() {
         let table = Table::new(["x", "y"]).rows([row!["0.00", "a, b"], row!["0.00", 1], row![0.5, 2]]);
-        assert_eq!(table.one_a_place().csv(), "x,y\n0.00,a; b\n0.5,2\n");
+        assert_eq!(table.one_a_place().csv().expect("text"), "x,y\n0.00,\"a, b\"\n0.5,2\n");
+        assert!(Table::new(["x"]).rows([["1", "2"]]).csv().is_err(), "a cell too many");
     }
 }

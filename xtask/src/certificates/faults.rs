@@ -47,7 +47,6 @@ const HEAVIER: &str = "the answer for so much more load";
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) scene: String,
-    #[serde(with = "data::words")]
     pub(crate) fault: String,
     /// All answers with this fault.
     answers: usize,

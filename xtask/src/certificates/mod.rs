@@ -15,8 +15,9 @@ use palkki::route::{Method, Solver};
 use palkki::scene::{Grid, Scene};
 use palkki::{Settings, solve_raw};
 use palkki_evidence::faults::{Closed, Truth, closed};
+use rayon::prelude::*;
 
-use crate::{Cause, data, scenes, tell, workers};
+use crate::{Cause, data, scenes, tell};
 
 /// The least number of intervals of which all grids here are multiples.
 const DIVIDES: usize = 10;
@@ -91,7 +92,7 @@ fn in_closed_form() -> Result<Vec<Subject>, Cause> {
 pub(crate) fn run(root: &Path) -> Result<(), Cause> {
     let (mut judged, mut broken) = (Vec::new(), Vec::new());
     for group in [gallery(root)?, held(root)?, in_closed_form()?] {
-        let found = workers::each(&group, |subject| -> Result<_, Cause> {
+        let found = group.par_iter().with_max_len(1).map(|subject| -> Result<_, Cause> {
             let mut judged = Vec::new();
             for intervals in answers::GRIDS {
                 tell(&format!("{}: every route on {intervals} intervals", subject.name));
@@ -100,7 +101,7 @@ pub(crate) fn run(root: &Path) -> Result<(), Cause> {
             tell(&format!("{}: every fault", subject.name));
             Ok((judged, faults::rows(subject, &group)?))
         });
-        for found in found {
+        for found in found.collect::<Vec<_>>() {
             let (answers, faults) = found?;
             judged.extend(answers);
             broken.extend(faults);

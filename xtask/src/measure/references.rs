@@ -19,6 +19,7 @@ use palkki::{Settings, solve_raw};
 
 use super::plan::{Job, Route};
 use crate::Cause;
+use crate::text::as_number;
 use palkki_evidence::authority::number::{Fixed, Number};
 use palkki_evidence::authority::{forward, given};
 use palkki_evidence::compare::{apart, largest};
@@ -86,8 +87,7 @@ impl References {
         let state = &self.exact.state;
         let resultant = self.largest_contact().and_then(|i| state.contacts.get(i)).map_or(0.0, |c| c.force);
         let share = |found: f64, exact: f64| (found - exact).abs() / exact.abs();
-        #[expect(clippy::cast_precision_loss, reason = "numbers of nodes stay far below 2⁵³")]
-        let place = |i: usize| self.length * (i + 1) as f64 / (deflection.len() + 1) as f64;
+        let place = |i: usize| self.length * as_number(i + 1) / as_number(deflection.len() + 1);
         let worst = largest(deflection.iter().enumerate().map(|(i, v)| v - self.exact.deflection(place(i))));
         let [reaction, energy] = [(reaction, state.reactions.left), (energy, state.energy)].map(|(f, e)| share(f, e));
         [reaction, share(contact, resultant), worst / state.deflection.magnitude(), energy]

@@ -12,7 +12,7 @@ use super::plan::{Job, Route};
 use super::references::Errors;
 use crate::Cause;
 use crate::data::Row;
-use crate::scratch::Scratch;
+use crate::report::files;
 
 fn open(root: &Path, fresh: bool, only: &str) -> Result<Store, Cause> {
     Store::open(root, &["machine: a".to_owned()], fresh, |key| key.contains(only))
@@ -30,35 +30,35 @@ fn line(number: usize) -> Line {
 
 #[test]
 fn results_are_found_again() {
-    let scratch = Scratch::new("again");
-    let mut store = open(&scratch.0, false, "").expect("a new file");
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
+    let mut store = open(scratch.path(), false, "").expect("a new file");
     (0..3).for_each(|k| store.append(line(k)).expect("it can be written"));
-    let again = open(&scratch.0, false, "").expect("the same machine");
+    let again = open(scratch.path(), false, "").expect("the same machine");
     assert_eq!(again.lines, store.lines);
     assert_eq!(again.named(&begun(1).name()).map(|line| line.status.as_str()), Some("why 1"));
-    let without = open(&scratch.0, true, "clarabel,1,").expect("the same machine");
+    let without = open(scratch.path(), true, "clarabel,1,").expect("the same machine");
     assert_eq!(without.lines, [line(0), line(2)], "what is wanted is measured again");
-    let elsewhere = Store::open(&scratch.0, &["machine: b".to_owned()], false, |_| true);
+    let elsewhere = Store::open(scratch.path(), &["machine: b".to_owned()], false, |_| true);
     assert!(elsewhere.is_err_and(|error| error.to_string().contains("machine: a")), "machines are not mixed");
 }
 
 #[test]
 fn numbers_are_read_as_they_were_written() {
-    let scratch = Scratch::new("numbers");
-    let mut store = open(&scratch.0, false, "").expect("a new file");
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
+    let mut store = open(scratch.path(), false, "").expect("a new file");
     let errors = Errors { solver: [f64::NAN; 4], total: [1.234_5e-7, 0.0, 2e-3, 1e-9] };
     store.append(begun(30).with(vec![1.234_56e-3], &errors)).expect("it can be written");
-    let read = Store::read(&scratch.0).expect("it can be read").1.lines.remove(0);
+    let read = Store::read(scratch.path()).expect("it can be read").1.lines.remove(0);
     assert_eq!((read.total(), read.of_solver()), (Some([1.23e-7, 0.0, 2e-3, 1e-9]), None), "three digits, and no NaN");
     assert_eq!((read.median_s, read.worst(), read.runs), (Some(1.235e-3), Some(2e-3), Some(1)), "{read:?}");
 }
 
 #[test]
 fn a_file_with_other_columns_is_not_continued() {
-    let scratch = Scratch::new("columns");
-    scratch.put(Line::PATH, "# machine: a\nscene,route\ns,r\n");
-    assert!(open(&scratch.0, false, "").is_err_and(|error| error.to_string().contains("--fresh")), "not mixed");
-    assert!(open(&scratch.0, true, "s,r").is_ok_and(|store| store.lines.is_empty()), "but begun again");
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
+    files::replace(&scratch.path().join(Line::PATH), "# machine: a\nscene,route\ns,r\n").expect("it can be written");
+    assert!(open(scratch.path(), false, "").is_err_and(|error| error.to_string().contains("--fresh")), "not mixed");
+    assert!(open(scratch.path(), true, "s,r").is_ok_and(|store| store.lines.is_empty()), "but begun again");
 }
 
 /// Where the process to be killed finds its file.
@@ -74,12 +74,12 @@ fn a_killed_run_goes_on() {
             store.append(line(number)).expect("it can be written");
         }
     }
-    let scratch = Scratch::new("killed");
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
     let mut before = 0;
     for milliseconds in [1, 2, 5, 10, 20] {
         let mut victim = Command::new(std::env::current_exe().expect("this program"))
             .args(["--exact", "measure::tests::a_killed_run_goes_on", "--nocapture"])
-            .env(VICTIM, &scratch.0)
+            .env(VICTIM, scratch.path())
             .stdout(Stdio::piped())
             .spawn()
             .expect("it starts");
@@ -89,7 +89,7 @@ fn a_killed_run_goes_on() {
         victim.kill().expect("it runs for ever");
         victim.wait().expect("it is dead");
 
-        let store = open(&scratch.0, false, "").expect("the file is whole");
+        let store = open(scratch.path(), false, "").expect("the file is whole");
         assert!(before <= store.lines.len(), "no result is lost");
         before = store.lines.len();
         for (number, found) in store.lines.iter().enumerate() {

@@ -16,7 +16,6 @@ mod problem;
 mod provenance;
 mod scale;
 mod sliders;
-mod solvers;
 mod stability;
 mod sweeps;
 mod teaching;
@@ -32,9 +31,10 @@ use palkki::scene::{Scene, SceneError};
 use palkki::state::{ContactState, Nodes};
 use palkki::{Settings, solve_raw};
 use palkki_evidence::paper::claims::Ledger;
+use rayon::prelude::*;
 
 use crate::table::Table;
-use crate::{Cause, tell, workers};
+use crate::{Cause, tell};
 
 /// What the subjects have in common.
 mod prelude {
@@ -53,13 +53,13 @@ mod prelude {
 /// One subject: its name in the templates, and what computes it.
 type Subject = (&'static str, fn(&Study<'_>) -> Result<Evidence, Cause>);
 
-/// All subjects. The order has no meaning for the report; the last ones are computed first, and the longest are among them.
+/// All subjects. The order has no meaning for the report.
 const SUBJECTS: &[Subject] = &[
     ("problem", problem::sketch),
     ("methods", problem::methods),
     ("theory", closed::evidence),
     ("sliders", sliders::evidence),
-    ("solvers", solvers::evidence),
+    ("solvers", problem::solvers),
     ("teaching", teaching::evidence),
     ("figures", paper::figures::evidence),
     ("first_force", paper::figures::first_force),
@@ -107,7 +107,7 @@ pub(crate) struct Evidence {
 }
 
 /// The name of a figure, the drawing, and the numbers that it draws.
-type Drawn = (&'static str, String, Table);
+type Drawn<Name = &'static str> = (Name, String, Table);
 
 impl Evidence {
     /// Values without figures and data.
@@ -116,19 +116,19 @@ impl Evidence {
     }
 
     /// With a figure and the numbers that it draws: `figures/<name>.svg` and `data/<name>.csv`.
-    pub(super) fn figure(mut self, name: &str, svg: String, data: Table) -> Self {
+    pub(super) fn figure(mut self, name: &str, svg: String, data: Table) -> Result<Self, Cause> {
         self.files.insert(format!("figures/{name}.svg"), svg);
         self.data(name, data)
     }
 
     /// With some of them.
-    fn figures(self, figures: impl IntoIterator<Item = Drawn>) -> Self {
-        figures.into_iter().fold(self, |evidence, (name, svg, data)| evidence.figure(name, svg, data))
+    fn figures<Name: AsRef<str>>(self, figures: impl IntoIterator<Item = Drawn<Name>>) -> Result<Self, Cause> {
+        figures.into_iter().try_fold(self, |evidence, (name, svg, data)| evidence.figure(name.as_ref(), svg, data))
     }
 
     /// With numbers that no figure draws: `data/<name>.csv`.
-    fn data(self, name: &str, data: Table) -> Self {
-        self.file(name, data.csv())
+    fn data(self, name: &str, data: Table) -> Result<Self, Cause> {
+        Ok(self.file(name, data.csv()?))
     }
 
     /// With a file of data whose text is there.
@@ -145,13 +145,13 @@ impl Evidence {
 pub(super) fn compute(root: &Path, wanted: &BTreeSet<String>) -> Result<Vec<(&'static str, Evidence)>, Cause> {
     let subjects: Vec<Subject> = SUBJECTS.iter().filter(|(name, _)| wanted.contains(*name)).copied().collect();
     let study = Study { root, ledger: OnceLock::new() };
-    let found = workers::each(&subjects, |(subject, evidence)| {
+    let found = subjects.par_iter().with_max_len(1).map(|(subject, evidence)| {
         tell(&format!("evidence for {subject}"));
         evidence(&study)
             .map(|found| (*subject, found))
             .map_err(|error| format!("the evidence `{subject}`: {error}").into())
     });
-    found.into_iter().collect()
+    found.collect::<Vec<_>>().into_iter().collect()
 }
 
 /// Every method with every solver.

@@ -11,11 +11,12 @@ pub(super) use slider::marker as slider_marker;
 
 use std::fmt::Write as _;
 
+use minijinja::context;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html::push_html};
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Storage, push_mathml};
 
-use super::{DOCUMENTS, Rendered, links, path_of};
+use super::{DOCUMENTS, Rendered, links, path_of, template};
 use crate::Cause;
 
 /// The file, below `report/`.
@@ -41,26 +42,20 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
         }
     }
     let sliders = slider::data(rendered, &articles)?;
-    let top = DOCUMENTS[0];
-    let page = format!(
-        "<!doctype html>\n{generated}<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
-         <title>{title}</title>\n<style>\n{style}{figures}</style>\n<script>\n{theme}</script>\n</head>\n<body>\n\
-         <a class=\"skip\" href=\"#{top}\">To the text</a>\n\
-         <header>\n<div class=\"bar\">\n<a class=\"home\" href=\"#{top}\">palkki</a>\n\
-         <button id=\"theme\" type=\"button\">Dark</button>\n\
-         <button id=\"menu\" type=\"button\" aria-expanded=\"false\" aria-controls=\"contents\">Contents</button>\n</div>\n\
-         <nav id=\"contents\" aria-label=\"Contents\">\n<ol>\n{navigation}</ol>\n</nav>\n</header>\n\
-         <main>\n{articles}</main>\n{sliders}<script>\n{script}</script>\n</body>\n</html>\n",
-        generated = super::GENERATED,
-        title = escaped(&title),
-        style = include_str!("html/page.css"),
-        figures = drawing::style(rendered),
-        theme = include_str!("html/theme.js"),
-        script =
+    let values = context! {
+        generated => super::GENERATED,
+        policy => POLICY,
+        title => escaped(&title),
+        style => format!("{}{}", include_str!("html/page.css"), drawing::style()),
+        theme => include_str!("html/theme.js"),
+        top => DOCUMENTS[0],
+        navigation,
+        articles,
+        sliders,
+        script =>
             concat!(include_str!("html/page.js"), include_str!("html/sliders.js"), include_str!("html/selftest.js")),
-    );
+    };
+    let page = template::filled(include_str!("html/page.html"), values)?;
     check::check(&page)?;
     Ok(page)
 }
@@ -158,7 +153,7 @@ impl Document<'_> {
                     html(&mut out, close.to_owned());
                 }
                 Event::Html(text) | Event::InlineHtml(text) if text.starts_with("<!--") => {
-                    html(&mut out, slider::of_marker(&text).unwrap_or_default());
+                    html(&mut out, slider::of_marker(&text)?);
                 }
                 other => out.push(other),
             }

@@ -81,6 +81,14 @@ pub(super) fn render(
         .map_err(|error| failed(document, &error))
 }
 
+/// A piece of HTML with its values, which are HTML already.
+pub(super) fn filled(html: &str, values: Value) -> Result<String, Cause> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    // The engine leaves out the end of the last line.
+    Ok(environment.render_str(html, values)? + "\n")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use pulldown_cmark::{Event, Tag, TagEnd};
 
 use super::*;
-use crate::scratch::Scratch;
 use crate::table::Table;
 
 fn root() -> PathBuf {
@@ -71,15 +70,15 @@ fn rendered(files: &[(&str, &str)]) -> Rendered {
 
 #[test]
 fn stale_missing_and_left_over_files_are_named_and_repaired() {
-    let scratch = Scratch::new("repair");
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
     let wanted =
         rendered(&[("README.md", "T = 1.18\n"), ("data/a.csv", "x\n1.0\n"), ("figures/a.svg", "<svg x=\"5\"/>")]);
-    scratch.put("report/README.md", "T = 1.14\n");
-    scratch.put("report/figures/a.svg", "<svg x=\"5\"/>");
-    scratch.put("report/figures/old.svg", "<svg/>");
-    scratch.put("report/by-hand.md", "not ours");
+    files::replace(&scratch.path().join("report/README.md"), "T = 1.14\n").expect("it can be written");
+    files::replace(&scratch.path().join("report/figures/a.svg"), "<svg x=\"5\"/>").expect("it can be written");
+    files::replace(&scratch.path().join("report/figures/old.svg"), "<svg/>").expect("it can be written");
+    files::replace(&scratch.path().join("report/by-hand.md"), "not ours").expect("it can be written");
     assert_eq!(
-        stale(&scratch.0, &wanted),
+        stale(scratch.path(), &wanted),
         [
             "stale:     report/README.md, line 1: `1.14` became `1.18`",
             "missing:   report/data/a.csv",
@@ -88,20 +87,20 @@ fn stale_missing_and_left_over_files_are_named_and_repaired() {
         "one of each kind"
     );
 
-    assert_eq!(files::write(&scratch.0, &wanted).expect("it can be written"), 3, "three changes");
-    assert_eq!(stale(&scratch.0, &wanted), [""; 0], "all fresh");
-    assert_eq!(files::write(&scratch.0, &wanted).expect("it can be written"), 0, "nothing to do");
-    let left = files::list(&scratch.0, "report").expect("it can be listed");
+    assert_eq!(files::write(scratch.path(), &wanted).expect("it can be written"), 3, "three changes");
+    assert_eq!(stale(scratch.path(), &wanted), [""; 0], "all fresh");
+    assert_eq!(files::write(scratch.path(), &wanted).expect("it can be written"), 0, "nothing to do");
+    let left = files::list(scratch.path(), "report").expect("it can be listed");
     let expected = ["README.md", "by-hand.md", "data/a.csv", "figures/a.svg"].map(|path| format!("report/{path}"));
     assert_eq!(left, expected, "no temporary files, and nothing removed that is not ours");
 }
 
 #[test]
 fn another_processor_may_round_differently() {
-    let scratch = Scratch::new("rounding");
-    scratch.put("report/README.md", "T = 1.18, n = 29\n");
-    scratch.put("report/figures/a.svg", "<svg x=\"5\"/>");
-    let drawn = |readme, svg| stale(&scratch.0, &rendered(&[("README.md", readme), ("figures/a.svg", svg)])).len();
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
+    files::replace(&scratch.path().join("report/README.md"), "T = 1.18, n = 29\n").expect("it can be written");
+    files::replace(&scratch.path().join("report/figures/a.svg"), "<svg x=\"5\"/>").expect("it can be written");
+    let drawn = |readme, svg| stale(scratch.path(), &rendered(&[("README.md", readme), ("figures/a.svg", svg)])).len();
     assert_eq!(drawn("T = 1.19, n = 29\n", "<svg x=\"6\"/>"), 0, "one unit and one pixel");
     assert_eq!(drawn("T = 1.20, n = 29\n", "<svg x=\"7\"/>"), 2, "two units and two pixels");
     assert_eq!(drawn("T = 1.18, n = 30\n", "<svg x=\"5\"/>"), 1, "another integer");
@@ -109,14 +108,14 @@ fn another_processor_may_round_differently() {
 
 #[test]
 fn a_template_that_no_list_names_is_refused() {
-    let scratch = Scratch::new("unknown");
-    scratch.put("report/templates/stray.md", "# Stray\n");
-    let error = render(&scratch.0).expect_err("the template is in no list").to_string();
+    let scratch = tempfile::tempdir().expect("a directory for temporary files");
+    files::replace(&scratch.path().join("report/templates/stray.md"), "# Stray\n").expect("it can be written");
+    let error = render(scratch.path()).expect_err("the template is in no list").to_string();
     assert!(error.starts_with("report/templates/stray.md is no template"), "{error}");
 }
 
 #[test]
 fn a_figure_comes_with_its_data() {
-    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), Table::new(["x"]));
+    let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), Table::new(["x"])).expect("a table");
     assert_eq!(evidence.files.keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
 }

@@ -89,7 +89,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         }
     }
     let values = context! { steps, everywhere, most => MOST, runs => data.len(), truthful };
-    Ok(Evidence::new(values).figure("adaptive", drawn(&of_figure)?, data))
+    Evidence::new(values).figure("adaptive", drawn(&of_figure)?, data)
 }
 
 /// The grids of one demand.

@@ -49,7 +49,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         spaced => SPACED,
         first_stiff => power_of_ten(first_stiff),
     };
-    Ok(Evidence::new(values).data("bounds", data).figures([drawn(&springs, first_stiff)?]))
+    Evidence::new(values).data("bounds", data)?.figures([drawn(&springs, first_stiff)?])
 }
 
 /// Violations below this share are rounding.

@@ -35,12 +35,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         uneven => context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found) },
     };
     let data = example_data(&[&differences, &energy]);
-    Ok(Evidence::new(values).figure("convergence", example_figure(&energy)?, data))
+    Evidence::new(values).figure("convergence", example_figure(&energy)?, data)
 }
 
-#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
 fn places(errors: &[(usize, f64)]) -> Vec<[f64; 2]> {
-    errors.iter().map(|&(n, error)| [n as f64, error]).collect()
+    errors.iter().map(|&(n, error)| [as_number(n), error]).collect()
 }
 
 fn last(errors: &[(usize, f64)]) -> f64 {

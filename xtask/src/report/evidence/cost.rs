@@ -39,11 +39,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (stopping, stopping_figure) = stopping::of(&store)?;
     let (runs, runs_figure) = runs::of(&store)?;
     let values = context! {
-        commit => store.description("commit"),
-        date => store.description("date"),
-        processor => store.description("machine"),
-        compiler => store.description("compiler"),
-        libraries => store.description("libraries"),
+        made => store.provenance(),
         limit => LIMIT,
         measured => store.lines.iter().filter(|line| line.median_s.is_some()).count(),
         price,
@@ -52,7 +48,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         reactions => reactions(&store),
         advice => advice::table(&advice::held(study.root, &store)?, &store),
     };
-    Ok(Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure]))
+    Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure])
 }
 
 /// The error of the end reaction by the force method with the active set, scene by scene.

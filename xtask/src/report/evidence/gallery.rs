@@ -3,7 +3,6 @@
 mod card;
 
 use palkki::plot::{Curves, sheet};
-use palkki::state::Regime;
 use palkki::theory::Exact;
 use palkki::verdict::{Demand, Verdict};
 
@@ -22,18 +21,14 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         unknowns.push(shown.exact.unknowns);
         let state = &shown.exact.state;
         let force = load(&scene);
-        let regime = match state.regime {
-            Regime::None => "none",
-            Regime::Points => "points",
-            Regime::Zone => "zones",
-        };
         let forces = [state.reactions.left, state.reactions.right, state.contact_force()];
         let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
         let unit = scene.units().force.clone().unwrap_or_else(|| "any".to_owned());
         let link = format!("[{}](#{name})", scene.title());
-        overview.push(row![link, regime, shown.exact.unknowns, left, right, contact, unit]);
+        overview.push(row![link, state.regime.name(), shown.exact.unknowns, left, right, contact, unit]);
         cards.push(shown.card);
-        figures.push((format!("scene-{name}"), shown.figure));
+        let (svg, data) = shown.figure;
+        figures.push((format!("scene-{name}"), svg, data));
         solved.push((name, scene, shown.curves));
     }
     let values = context! {
@@ -45,20 +40,18 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         overview,
         cards,
     };
-    let evidence = Evidence::new(values);
-    let evidence =
-        figures.into_iter().fold(evidence, |evidence, (name, (svg, data))| evidence.figure(&name, svg, data));
+    let evidence = Evidence::new(values).figures(figures)?;
     let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
     let svg = sheet(
         "The gallery: the exact solution of every scene",
-        "Small pictures of all scenes: ground, deflected beam, contact zones as thick lines, concentrated contact forces as \
-         arrows, to scale within a picture.",
+        "Small pictures of all scenes: ground, deflected beam, contact zones as thick lines, contact points as dots, concentrated contact \
+         forces as arrows, to scale within a picture.",
         pictures,
     )?;
     let forces = solved.iter().flat_map(|(name, _, drawn)| {
         drawn.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
     });
-    Ok(evidence.figure("sheet", svg, Table::new(["scene", "x", "contact_force"]).rows(forces)))
+    evidence.figure("sheet", svg, Table::new(["scene", "x", "contact_force"]).rows(forces))
 }
 
 /// A scene that is solved and judged, with its card and its figure.
@@ -75,11 +68,11 @@ pub(super) struct Shown {
 pub(super) fn shown(study: &Study<'_>, directory: &str, name: &str, scene: &Scene) -> Result<Shown, Cause> {
     let exact = theory::solve(scene)?;
     let verdict = Verdict::of_exact(scene, &exact, &Demand::default());
-    let story = story(&files::text(study.root, &format!("{directory}/{name}.toml"))?);
+    let file = files::text(study.root, &format!("{directory}/{name}.toml"))?;
     let curves = Curves::exact(scene, &exact);
     Ok(Shown {
         certified: verdict.status == Status::Certified,
-        card: card::card(name, scene, &exact, &verdict, story)?,
+        card: card::card(name, scene, &exact, &verdict, &file)?,
         figure: (palkki::plot::curves(scene, &curves, "exact solution")?, table(&curves)),
         curves,
         exact,
@@ -106,20 +99,9 @@ fn value_of(value: f64, scale: f64, digits: usize) -> String {
     if value.abs() <= 1e-9 * scale { "0".to_owned() } else { cell(Some(value), digits) }
 }
 
-/// The comment at the head of a scene file.
-fn story(text: &str) -> String {
-    let lines: Vec<&str> = text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim).collect();
-    lines.join(" ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_story_is_the_comment_at_the_head() {
-        assert_eq!(story("# One.\n# Two.\ntitle = \"a\"\n# no\n"), "One. Two.");
-    }
 
     #[test]
     fn the_example_is_flat_between_its_lift_off_points() {
@@ -127,7 +109,7 @@ mod tests {
         let exact = theory::solve(&scene).expect("it has an exact solution");
         let curves = Curves::exact(&scene, &exact);
         assert_eq!(curves.point_forces.len(), 2, "one force at each lift-off point");
-        let table = table(&curves).csv();
+        let table = table(&curves).csv().expect("text");
         let middle: Vec<&str> = table.lines().filter(|line| line.starts_with("5.00000,")).collect();
         assert_eq!(middle, ["5.00000,1.00000,0.00000,1.00000,0.00000"], "{table}");
         assert!(table.contains("0.00000,0.00000,1.00000,,0.00000"), "no pressure beside a support: {table}");

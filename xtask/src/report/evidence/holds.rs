@@ -30,9 +30,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         }
         errors.push(error_row(&name, &scene, &shown.exact)?);
         cards.push(shown.card);
-        figures.push((format!("held-{name}"), shown.figure));
+        let (svg, data) = shown.figure;
+        figures.push((format!("held-{name}"), svg, data));
     }
-    let evidence = Evidence::new(context! {
+    let values = context! {
         count => cards.len(),
         certified,
         cards,
@@ -40,8 +41,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         stands,
         neutral,
         refusals => refusals()?,
-    });
-    Ok(figures.into_iter().fold(evidence, |evidence, (name, (svg, data))| evidence.figure(&name, svg, data)))
+    };
+    Evidence::new(values).figures(figures)
 }
 
 /// The force and the displacement method are the same problem: their energies differ by rounding, which grows with the

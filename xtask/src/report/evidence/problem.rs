@@ -1,7 +1,9 @@
-//! The problem with a sketch, and the three methods.
+//! The problem with a sketch, the three methods, and the solvers with their settings.
 
 use std::fmt::Write as _;
 
+use palkki::DEFAULT_TOLERANCE;
+use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
 use palkki::plot::{Arrow, Arrows, Axis, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, PlotError, Style};
 use palkki::scene::{Beam, Load};
@@ -17,7 +19,7 @@ pub(super) fn sketch(study: &Study<'_>) -> Result<Evidence, Cause> {
     let rows = places.map(|(&x, &v)| [fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
     let data = Table::new(["x", "u", "v"]).rows(rows).one_a_place();
     let values = context! { title => scene.title(), contacts => exact.state.contacts.len() };
-    Ok(Evidence::new(values).figure("problem", sketched(&scene, &curves)?, data))
+    Evidence::new(values).figure("problem", sketched(&scene, &curves)?, data)
 }
 
 fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
@@ -47,34 +49,24 @@ fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
         values: vec![(0.75 * l, q, "load q".to_owned())],
         points: Vec::new(),
     };
-    let words = |at: [f64; 2], color: Color, text: &str| Layer::Series {
-        points: vec![at],
-        style: Style { dash: None, ..Style::solid(color) },
-        label: text.to_owned(),
-    };
     let lifted = 0.05 * l;
-    let x = Axis { padding: 0.03, ..Axis::new("x, from the left support to the right one at l").including(&[0.0, l]) };
+    let x = Axis::along("x, from the left support to the right one at l", [0.0, l]);
     let panel = Panel::new(x, Axis::new("depth and deflection, downwards").down().including(&[0.0]))
         .tall(880.0)
         .room(350.0, 130.0)
         .forces(Axis::new("").bare())
         .with(Layer::Foundation { points: ground })
         .with(Layer::Load(load))
-        .with(Layer::Series {
-            points: vec![[0.0, 0.0], [l, 0.0]],
-            style: Style { width: 3, ..Style::theory() },
-            label: String::new(),
-        })
+        .with(Layer::line(vec![[0.0, 0.0], [l, 0.0]], Style { width: 3, ..Style::theory() }))
         .with(Layer::simple_supports(l))
-        .with(Layer::Series { points: deflected.clone(), style: Style::solid(Color::BLUE), label: String::new() })
-        .with(Layer::Series {
-            points: vec![[lifted, at(lifted)], [lifted, scene.depth(lifted)]],
-            style: Style { dash: Some(Dash::Dotted), ..Style::solid(Color::BLACK) },
-            label: String::new(),
-        })
-        .with(words([lifted, 0.5 * (at(lifted) + scene.depth(lifted))], Color::BLACK, "clearance h = u − v"))
-        .with(words([0.72 * l, 0.4 * scene.depth(0.72 * l)], Color::BLUE, "beam, deflection v(x)"))
-        .with(words([0.5 * l, 1.2 * scene.depth(0.9 * l)], Color::BLACK, "rigid ground, depth u(x)"))
+        .with(Layer::line(deflected.clone(), Style::solid(Color::BLUE)))
+        .with(Layer::line(
+            vec![[lifted, at(lifted)], [lifted, scene.depth(lifted)]],
+            Style { dash: Some(Dash::Dotted), ..Style::solid(Color::BLACK) },
+        ))
+        .with(Layer::words([lifted, 0.5 * (at(lifted) + scene.depth(lifted))], Color::BLACK, "clearance h = u − v"))
+        .with(Layer::words([0.72 * l, 0.4 * scene.depth(0.72 * l)], Color::BLUE, "beam, deflection v(x)"))
+        .with(Layer::words([0.5 * l, 1.2 * scene.depth(0.9 * l)], Color::BLACK, "rigid ground, depth u(x)"))
         .with(arrows(contact, Color::VERMILLION))
         .with(arrows(reactions, Color::GREEN));
     let description = "A beam on two supports, loaded from above, bends down to a foundation that is flat but for one ridge. It \
@@ -119,5 +111,15 @@ pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
         nodes => PRINTED - 1,
         matrices => matrices.trim_end(),
         conditions => conditions.join(" and "),
+    }))
+}
+
+/// The solvers with their settings, and the threshold of our check.
+pub(super) fn solvers(_: &Study<'_>) -> Result<Evidence, Cause> {
+    let settings = Solver::ALL.map(|solver| row![solver, solver.settings(DEFAULT_TOLERANCE)]);
+    Ok(Evidence::new(context! {
+        settings => Table::new(["solver", "settings"]).rows(settings),
+        threshold => tolerance(CERTIFIED_RESIDUAL),
+        asked => tolerance(DEFAULT_TOLERANCE),
     }))
 }

@@ -101,10 +101,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let slowest = beside_grid().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(survey, _)| survey);
     let (title, figure) = drawn(&surveys)?;
     let values = context! {
-        commit => scale.description("commit"),
-        date => scale.description("date"),
-        processor => scale.description("machine"),
-        compiler => scale.description("compiler"),
+        made => scale.provenance(),
         patience => [EXACT, INTERIOR_POINT].map(patience),
         most,
         surveys => largest().count(),
@@ -124,7 +121,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         title,
         table => table(&surveys),
     };
-    Ok(Evidence::new(values).file("scale", file).figures([figure]))
+    Evidence::new(values).file("scale", file).figures([figure])
 }
 
 /// How many times as long the exact solution takes of the large survey as of the small one, if that has a tenth of its points.

@@ -1,7 +1,8 @@
 //! Answers computed beforehand for the two sliders of `index.html`: beam theory over the depth of a flat ground, and the
 //! force method over the number of intervals.
 
-use palkki_evidence::paper::{beam, example, scene_over, theory};
+use palkki_evidence::paper::convergence::Quantity;
+use palkki_evidence::paper::{beam, example, scene_over};
 
 use super::prelude::*;
 use crate::report::html::slider_marker;
@@ -21,7 +22,7 @@ const INTERVALS: std::ops::RangeInclusive<usize> = 10..=120;
 
 pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let markers = context! { depth => slider_marker("depth"), grid => slider_marker("grid") };
-    Ok(Evidence::new(markers).data("slider-depth", depths()?).data("slider-grid", grids()?))
+    Evidence::new(markers).data("slider-depth", depths()?)?.data("slider-grid", grids()?)
 }
 
 /// Exact answers over the depth. Beam and ground are symmetric, so that the left half is enough.
@@ -70,7 +71,7 @@ fn depths() -> Result<Table, Cause> {
 /// The example by the force method over the number of intervals, with its contact forces from the first node that touches
 /// to mid-span.
 fn grids() -> Result<Table, Cause> {
-    let (scene, exact) = (example()?, theory());
+    let scene = example()?;
     let mut data = Table::new(["intervals", "first_place", "resultant", "reaction", "forces_from_there_to_mid_span"]);
     for intervals in INTERVALS {
         let outcome = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?;
@@ -78,12 +79,10 @@ fn grids() -> Result<Table, Cause> {
         let nodes = nodes.ok_or_else(|| format!("the problem on {intervals} intervals is not solved"))?;
         let forces = &nodes.contact_force;
         let first = forces.iter().position(|force| 0.0 < *force).ok_or("no node touches")?;
-        // All contact forces of one half, less the pressure that beam theory has there.
-        let resultant = 0.5 * (forces.iter().sum::<f64>() - exact.contact_force) + exact.end_force;
         data.push(row![
             intervals,
             fixed(nodes.x[first], 4),
-            fixed(resultant, 4),
+            fixed(Quantity::PointForce.of(&outcome.state), 4),
             fixed(outcome.state.reactions.left, 4),
             list(forces[first..intervals / 2].iter().copied()),
         ]);

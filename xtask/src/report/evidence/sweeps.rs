@@ -192,7 +192,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     });
     let figures = [(HOIST, hoist), (SURVEY, survey), (DEPTH, depth)];
     let figures = figures.map(|(case, swept)| (case.name, swept.figure.clone(), swept.data(case.vary)));
-    Ok(evidence.figures(figures))
+    evidence.figures(figures)
 }
 
 /// The left reaction of the example under two loads, together and one by one.

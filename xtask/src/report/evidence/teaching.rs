@@ -157,9 +157,7 @@ fn jumps(scene: &Scene) -> Result<Value, Cause> {
         let first = (0..nodes.x.len()).find(|&i| 1e-9 < nodes.contact_force[i]).ok_or("there is contact")?;
         let spacing = scene.beam().length() / as_number(n);
         let forces = [nodes.contact_force[first], nodes.contact_force[first + 1]].map(|f| f / closed.end_force);
-        // Half of all contact, by symmetry, without the pressure of beam theory.
-        let resultant = (0.5 * (nodes.contact_force.iter().sum::<f64>() - closed.contact_force) + closed.end_force)
-            / closed.end_force;
+        let resultant = Quantity::PointForce.of(&state) / closed.end_force;
         (least, most) = (least.min(forces[0]), most.max(forces[0]));
         steady = steady.max((resultant - 1.0).abs());
         let [between, one, two] = [(a - nodes.x[first]) / spacing, forces[0], forces[1]].map(|number| fixed(number, 2));

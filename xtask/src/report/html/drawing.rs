@@ -1,17 +1,10 @@
 //! A drawing as part of a page.
 
-use std::collections::BTreeSet;
-
-use super::super::Rendered;
-
-/// What stands around the rules of a drawing for dark surroundings.
-const DARK: (&str, &str) = ("<style>@media (prefers-color-scheme: dark) {", "}</style>");
+use palkki::plot::dark_rules;
 
 /// The rules of the drawings for dark surroundings, under the theme of the page instead of the system's. Paper stays light.
-pub(super) fn style(rendered: &Rendered) -> String {
-    let drawings = rendered.values().filter_map(|text| text.split_once(DARK.0)?.1.split_once(DARK.1));
-    let rules: BTreeSet<&str> = drawings.map(|(rules, _)| rules.trim()).collect();
-    let rules: String = rules.into_iter().collect();
+pub(super) fn style() -> String {
+    let rules = dark_rules();
     format!(
         "@media screen {{\n:root[data-theme=dark] svg {{ {rules} }}\n@media (prefers-color-scheme: dark) {{ \
          :root:not([data-theme]) svg {{ {rules} }} }}\n}}\n"

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::super::Rendered;
+use minijinja::context;
+
+use super::super::{Rendered, template};
 use crate::Cause;
 
 /// A picture that the reader changes.
@@ -39,18 +41,11 @@ pub(in crate::report) fn marker(name: &str) -> String {
     format!("<!-- slider: {name} -->")
 }
 
-/// The slider of a comment, if it is a marker.
-pub(super) fn of_marker(comment: &str) -> Option<String> {
-    let Slider { name, title, text, label } = SLIDERS.iter().find(|slider| marker(slider.name) == comment.trim())?;
-    Some(format!(
-        "<section class=\"slider\" id=\"slider-{name}\" aria-labelledby=\"slider-{name}-title\">\n\
-         <p class=\"title\" id=\"slider-{name}-title\">{title}</p>\n<p>{text}</p>\n\
-         <p class=\"control\"><label for=\"slider-{name}-value\">{label}</label>\
-         <input id=\"slider-{name}-value\" type=\"range\" min=\"0\" max=\"1\" step=\"1\" value=\"0\"></p>\n\
-         <div class=\"stage\"></div>\n<dl></dl>\n\
-         <p class=\"without\">The slider needs scripts; its numbers are in \
-         <a href=\"data/slider-{name}.csv\">slider-{name}.csv</a>.</p>\n</section>\n",
-    ))
+/// The slider of a comment; nothing if it is no marker.
+pub(super) fn of_marker(comment: &str) -> Result<String, Cause> {
+    let found = SLIDERS.iter().find(|slider| marker(slider.name) == comment.trim());
+    let Some(&Slider { name, title, text, label }) = found else { return Ok(String::new()) };
+    template::filled(include_str!("slider.html"), context! { name, title, text, label })
 }
 
 /// The data of the sliders. Each slider has to be in the page once.

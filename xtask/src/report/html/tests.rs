@@ -73,7 +73,7 @@ fn drawings_become_part_of_the_page_with_ids_of_their_own() {
     assert!(html.contains("<clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\""), "references follow: {html}");
     assert!(!html.contains("<style>"), "the theme is the page's: {html}");
     let page = page(&report("theory", "# Theory")).expect("it is made");
-    assert!(page.contains(":root[data-theme=dark] svg { [fill=\"#000000\"]{fill:#E6EDF3} }"), "once for all drawings");
+    assert!(page.contains(":root[data-theme=dark] svg { [fill=\"#000000\"]{fill:#E6EDF3}"), "once for all drawings");
     let foreign = article("theory", "# Theory\n![x](https://example.org/x.png)");
     assert!(foreign.is_err_and(|error| error.contains("would have to be loaded")), "nothing is loaded");
 }

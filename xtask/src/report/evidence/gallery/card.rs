@@ -1,6 +1,5 @@
-//! A scene as a card that can be copied into another program: data, reference, values, tolerances and their sources.
+//! A scene as a card that can be copied into another program: its file, reference, values, tolerances and their sources.
 
-use palkki::scene::Support;
 use palkki::theory::Exact;
 use palkki::verdict::Verdict;
 
@@ -20,8 +19,9 @@ struct Row {
     proven: Option<f64>,
 }
 
-/// The card of a scene.
-pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, story: String) -> Result<Value, Cause> {
+/// The card of a scene with the text of its file.
+pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, file: &str) -> Result<Value, Cause> {
+    let (story, data) = story(file);
     let reference = closed(scene);
     let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
@@ -49,13 +49,17 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         unknowns => exact.unknowns,
         error => certificate,
         formula => reference.map(|closed| closed.formula),
-        beam => beam(scene),
-        shape => scene.beam().shape().map(|shape| profile("w₀", shape)),
-        supports => supports(scene),
-        load => loads(scene),
-        ground => scene.foundation().map(|ground| profile("u", ground)),
+        data,
         table,
     })
+}
+
+/// The comment at the head of a scene file, and what follows it.
+fn story(file: &str) -> (String, &str) {
+    let head = file.split_inclusive('\n').take_while(|line| line.starts_with('#'));
+    let (head, data) = file.split_at(head.map(str::len).sum());
+    let lines: Vec<&str> = head.lines().map(|line| line.trim_start_matches('#').trim()).collect();
+    (lines.join(" "), data.trim())
 }
 
 /// Digits behind the point for numbers of a size: seven significant ones, of small numbers fewer.
@@ -151,63 +155,13 @@ fn rows(scene: &Scene, exact: &Exact, verdict: &Verdict) -> Vec<Row> {
     rows
 }
 
-/// `l = 10, EI = 5`
-fn beam(scene: &Scene) -> String {
-    let units = scene.units();
-    let unit = |label: String| if units.length.is_some() { format!(" {label}") } else { String::new() };
-    let (m, kn) = (units.length.clone().unwrap_or_default(), units.force.clone().unwrap_or_default());
-    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
-    format!("l = {length}{}, EI = {stiffness}{}", unit(m.clone()), unit(format!("{kn}·{m}²")))
-}
+#[cfg(test)]
+mod tests {
+    use super::story;
 
-/// `at x = 0, built in; at x = 4, at level 0.5`, or `none`; nothing of a beam on two simple supports at its ends.
-fn supports(scene: &Scene) -> Option<String> {
-    let beam = scene.beam();
-    if beam.is_simple() {
-        return None;
-    }
-    let one = |support: &Support| {
-        let level = if support.level == 0.0 { String::new() } else { format!(", at level {}", support.level) };
-        let slope = match support.slope {
-            None => String::new(),
-            Some(0.0) => ", built in".to_owned(),
-            Some(slope) => format!(", built in at slope {slope}"),
-        };
-        format!("at x = {}{level}{slope}", support.at)
-    };
-    let all: Vec<String> = beam.supports().iter().map(one).collect();
-    Some(if all.is_empty() { "none".to_owned() } else { all.join("; ").replace('-', "−") })
-}
-
-/// `q = 1; a point load 0.5 at x = 2`
-fn loads(scene: &Scene) -> String {
-    let load = scene.load();
-    let linear = load
-        .linear()
-        .iter()
-        .map(|q| format!("a linear load from {} at x = {} to {} at x = {}", q.start, q.from, q.end, q.to));
-    let point = load.point().iter().map(|p| format!("a point load {} at x = {}", p.force, p.at));
-    let parts: Vec<String> = std::iter::once(format!("q = {}", load.uniform())).chain(linear).chain(point).collect();
-    parts.join("; ").replace('-', "−")
-}
-
-/// `u = 1 − 0.36 x + 0.036 x²`
-fn profile(letter: &str, profile: &Foundation) -> String {
-    match profile {
-        Foundation::Flat { depth } => format!("{letter} = {depth}"),
-        Foundation::Polynomial { coefficients } => {
-            let powers = ["", " x", " x²", " x³", " x⁴"];
-            let terms = coefficients.iter().zip(powers).filter(|(c, _)| **c != 0.0);
-            let terms: Vec<String> = terms.map(|(c, power)| format!("{c}{power}")).collect();
-            format!("{letter} = {}", terms.join(" + ").replace("+ -", "− ").replace('-', "−"))
-        }
-        Foundation::Cosine { mean, amplitude, wavelength, phase } => {
-            let phase = if *phase == 0.0 { String::new() } else { format!(" + {phase}") };
-            format!("{letter} = {mean} + {amplitude} cos(2π x/{wavelength}{phase})")
-        }
-        Foundation::Polyline { points } => {
-            let points: Vec<String> = points.iter().map(|[x, u]| format!("({x}, {u})")).collect();
-            format!("straight lines through (x, {letter}) = {}", points.join(", "))
-        }
+    #[test]
+    fn a_story_is_the_comment_at_the_head() {
+        let file = "# One.\n# Two.\n\ntitle = \"a\"\n# no\n";
+        assert_eq!(story(file), ("One. Two.".to_owned(), "title = \"a\"\n# no"));
     }
 }

@@ -71,7 +71,7 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         ["beam theory, no grid".to_owned(), fixed(exact.end_force, 9) + "…", fixed(exact.reaction, 9) + "…"];
     // What Figure 4 would show if its n counted the nodes.
     let one_more = run(Method::Complementarity, Solver::ActiveSet, INTERVALS + 1)?;
-    Ok(Evidence::new(context! {
+    Evidence::new(context! {
         intervals => INTERVALS,
         exact => Table::new(["answer", "first contact force", "end reaction"]).rows(answers).rows([continuous]),
         table,
@@ -88,7 +88,7 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
             x => one_more.outcome.state.contacts.first().map_or(f64::NAN, |c| c.from),
         },
     })
-    .data("agreement", data))
+    .data("agreement", data)
 }
 
 /// The exact optimum. The contact set is read from a computed answer; the check in rationals does not rely on it.

@@ -35,7 +35,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (sweeps, sweeps_data) = sweeps(&ledger.nsor)?;
     let (successes, successes_data) = successes(&ledger.four_step)?;
     let figures = [("nsor-sweeps", sweeps, sweeps_data), ("four-step-success", successes, successes_data)];
-    Ok(Evidence::new(values).figures(figures))
+    Evidence::new(values).figures(figures)
 }
 
 fn entry(claim: &Claim) -> Value {
@@ -67,8 +67,7 @@ fn sweeps(found: &nsor::Evidence) -> Result<(String, Table), PlotError> {
     let mut data = Table::new(["method", "intervals", "sweeps"]);
     for (i, count) in found.counts.iter().enumerate() {
         let points = count.sweeps.iter().map(|&(n, s)| [as_number(n), as_number(s)]).collect();
-        let label = count.method.to_string();
-        panel = panel.with(Layer::Series { points, style: Style::of_series(i), label });
+        panel = panel.with(Layer::named(points, Style::of_series(i), count.method.to_string()));
         // Three digits: the last sweeps before the stopping rule holds depend on rounding.
         data = data.rows(count.sweeps.iter().map(|&(n, s)| row![count.method, n, scientific(as_number(s), 2)]));
     }
@@ -103,7 +102,7 @@ fn successes(found: &four_step::Evidence) -> Result<(String, Table), PlotError> 
             row![count.method, n, if *is { "optimal" } else { "not optimal" }, fixed(share[1], 1)]
         }));
         let style = Style { marker: None, ..Style::of_series(i) };
-        panel = panel.with(Layer::Series { points: shares, style, label: count.method.to_string() });
+        panel = panel.with(Layer::named(shares, style, count.method.to_string()));
     }
     let grids = || found.counts.iter().map(|count| count.grids);
     let svg = Figure::new(

@@ -1,7 +1,7 @@
 //! The drawings of Figures 4, 7 and 8: contact forces and deflection of the paper's example, beside beam theory.
 
 use palkki::plot::{
-    Arrow, Arrows, Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Reference, Style, significant,
+    Arrow, Arrows, Axis, Color, Dash, Divisions, Figure, Layer, Marker, Panel, Place, PlotError, Style, significant,
 };
 use palkki::state::Nodes;
 use palkki::theory::FlatSolution;
@@ -90,21 +90,18 @@ fn forces_panel(theory: &Theory, (method, nodes): Nodal<'_>, step: f64, window: 
     let axis = Axis { padding: 0.02, ..Axis::new(name).including(&[0.0, most]) };
     let label =
         if all { format!("beam theory: q₀Δ = {} and T", significant(level, DIGITS)) } else { "q₀Δ".to_owned() };
-    let words = |at: Place, color: Color, label: &str| {
-        Layer::named(vec![at], Style { color, dash: None, marker: None, width: 0 }, label)
-    };
-    let mut panel = Panel::new(along([from, to]), axis)
+    let mut panel = Panel::new(Axis::along("x", [from, to]), axis)
         .tall(620.0)
         .room(70.0, 10.0)
-        .with(beam([from, to]))
+        .with(Layer::zero_line([from, to]))
         .with(arrows(theory_arrows, Color::GRAY, Dash::Dashed))
         .with(arrows(forces, Color::BLUE, Dash::Solid))
         .with(Layer::line(vec![[a.max(from), level], [(l - a).min(to), level]], Style::theory()));
     if all {
-        panel = panel.with(words([0.5 * l, 2.4 * level], Color::BLUE, method)).with(words(
+        panel = panel.with(Layer::words([0.5 * l, 2.4 * level], Color::BLUE, method)).with(Layer::words(
             [0.5 * l, 1.4 * level],
             Color::GRAY,
-            &label,
+            label,
         ));
     }
     panel
@@ -124,7 +121,7 @@ fn sum_panel(theory: &Theory, nodes: &Nodes) -> Panel {
     steps.push([l, sum]);
     let dashed = vec![[0.0, 0.0], [a, 0.0], [a, t], [l - a, inner], [l - a, inner + t], [l, inner + t]];
     let style = Style { color: Color::BLACK, ..Style::theory() };
-    Panel::new(along([0.0, l]), Axis::new("their sum from the left end"))
+    Panel::new(Axis::along("x", [0.0, l]), Axis::new("their sum from the left end"))
         .tall(620.0)
         .with(Layer::line(steps, Style::solid(Color::BLUE)))
         .with(Layer::line(dashed, style))
@@ -142,16 +139,15 @@ pub(super) fn shape(title: &str, theory: &Theory, methods: &[Nodal<'_>]) -> Resu
     let places = (0..=SAMPLES).map(|i| l * f64::from(i) / f64::from(SAMPLES));
     let line = places.map(|x| [x, theory.solution.deflection(x)]).collect();
     let axis = Axis::new("deflection v, downwards, beside the depth u₀").down().including(&[0.0]);
-    let mut shapes = Panel::new(along([0.0, l]), axis)
-        .tall(560.0)
-        .room(40.0, 60.0)
+    let mut shapes = Panel::new(Axis::along("x", [0.0, l]), axis)
         .with(Layer::Foundation { points: vec![[0.0, DEPTH], [l, DEPTH]] })
-        .with(beam([0.0, l]))
+        .with(Layer::zero_line([0.0, l]))
         .with(Layer::simple_supports(l))
         .with(Layer::line(line, Style::theory()));
-    let mut differences = Panel::new(along([0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
-        .tall(460.0)
-        .with(beam([0.0, l]));
+    let mut differences =
+        Panel::new(Axis::along("x", [0.0, l]), Axis::new("1000 × (v − v of beam theory)").including(&[0.0]))
+            .tall(460.0)
+            .with(Layer::zero_line([0.0, l]));
     // The names stand one above the other at mid-span, where there is room above the beam.
     let mut name = [0.5 * l, 0.1 * DEPTH];
     for ((label, nodes), (color, marker)) in methods.iter().zip(LOOKS) {
@@ -162,23 +158,15 @@ pub(super) fn shape(title: &str, theory: &Theory, methods: &[Nodal<'_>]) -> Resu
         shapes = shapes.with(Layer::line(points, style)).with(Layer::named(vec![name], style, *label));
         differences = differences.with(Layer::line(off, style));
     }
-    for (x, name) in [(a, "a"), (l - a, "l − a")] {
-        let text = format!("{name} = {}", significant(x, DIGITS));
-        shapes = shapes.with(Layer::Reference { at: Reference::X(x), text });
-        differences = differences.with(Layer::Reference { at: Reference::X(x), text: String::new() });
-    }
+    let lines = [("a", a), ("l − a", l - a)];
+    let named = lines.map(|(name, x)| (x, format!("{name} = {}", significant(x, DIGITS)))).to_vec();
+    let lift_off = Divisions { lines: named, between: Vec::new() };
+    let headroom = lift_off.headroom();
+    let shapes = shapes.with(Layer::Divisions(lift_off)).tall(560.0 + headroom).room(headroom, 60.0);
+    let unnamed = lines.map(|(_, x)| (x, String::new())).to_vec();
+    let differences = differences.with(Layer::Divisions(Divisions { lines: unnamed, between: Vec::new() }));
     let description = format!("The example of the paper on {INTERVALS} intervals.");
     Figure::new(title, description, vec![shapes, differences]).svg()
-}
-
-fn along(range: [f64; 2]) -> Axis {
-    Axis { padding: 0.03, ..Axis::new("x").including(&range) }
-}
-
-/// The line of the unloaded beam.
-fn beam([from, to]: [f64; 2]) -> Layer {
-    let style = Style { width: 3, ..Style::solid(Color::BLACK) };
-    Layer::line(vec![[from, 0.0], [to, 0.0]], style)
 }
 
 #[cfg(test)]

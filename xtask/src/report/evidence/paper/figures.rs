@@ -54,10 +54,11 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         table_7 => contact_table("force method", &state(Method::Force)?, &exact),
         table_8 => shape_table("displacement method", &state(Method::Displacement)?, &exact),
     };
-    Ok(Evidence::new(values)
-        .figure("figure-4", svg_4, data(&four.nodes, &exact, four.spacing))
-        .figure("figure-7", svg_7, data(&seven.nodes, &exact, seven.spacing))
-        .figure("figure-8", svg_8, data(&eight.nodes, &exact, four.spacing)))
+    Evidence::new(values).figures([
+        ("figure-4", svg_4, data(&four.nodes, &exact, four.spacing)),
+        ("figure-7", svg_7, data(&seven.nodes, &exact, seven.spacing)),
+        ("figure-8", svg_8, data(&eight.nodes, &exact, four.spacing)),
+    ])
 }
 
 /// Beam theory, a method, and the difference, to five decimals.
@@ -172,7 +173,7 @@ pub(crate) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
         least, most, worst, last => resultant.last().map(|p| (p[1] - 1.0).abs()),
     };
     let svg = drawn_first_force(first, resultant)?;
-    Ok(Evidence::new(values).figure("first-force", svg, data))
+    Evidence::new(values).figure("first-force", svg, data)
 }
 
 /// The first nodal contact force of each grid beside the resultant at the lift-off point: `[intervals, force / T]`.

@@ -75,5 +75,5 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         finest => grids.last(),
         active_set => bound(active_set.iter().map(|error| error.worst).fold(0.0, f64::max)),
     };
-    Ok(Evidence::new(values).figure("conditioning", figure.svg()?, data))
+    Evidence::new(values).figure("conditioning", figure.svg()?, data)
 }

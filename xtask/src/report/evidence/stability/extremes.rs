@@ -102,7 +102,7 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         decades => POWERS[POWERS.len() - 1] - POWERS[0],
         table => table(&rows, &names),
     };
-    Ok(Evidence::new(values).figure("extremes", drawn(&rows, count.wrong)?, data))
+    Evidence::new(values).figure("extremes", drawn(&rows, count.wrong)?, data)
 }
 
 /// Runs every solver with every method on some grids of one scene, and beam theory.
