@@ -38,13 +38,6 @@ pub(super) fn common_intervals(scene: &Scene) -> usize {
     usize::try_from(even).unwrap_or(2)
 }
 
-/// Every grid with a node at each support has a multiple of so many intervals; 1 if there are supports at the ends only.
-pub(super) fn step_of_supports(scene: &Scene) -> usize {
-    let length = scene.beam().length();
-    let inside = scene.beam().supports().iter().any(|support| 0.0 < support.at && support.at < length);
-    if inside { Grid::least_fitting(scene).unwrap_or(1) } else { 1 }
-}
-
 /// Whether the place, a share of the length, is a multiple of one part.
 fn divides(x: f64, parts: u32) -> bool {
     let place = x * f64::from(parts);
@@ -53,8 +46,8 @@ fn divides(x: f64, parts: u32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{common_intervals, step_of_supports};
-    use crate::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+    use super::common_intervals;
+    use crate::scene::{Beam, Foundation, Grid, Load, PointLoad, Scene, Support};
 
     #[track_caller]
     fn check(length: f64, places: &[f64], load: f64, expected: usize) {
@@ -91,9 +84,9 @@ mod tests {
             ([0.0, 3.0, 4.567], 10_000, 10_000),
         ] {
             let scene = supported(&places);
-            assert_eq!((common_intervals(&scene), step_of_supports(&scene)), (common, step), "{places:?}");
+            assert_eq!((common_intervals(&scene), Grid::step(&scene)), (common, Some(step)), "{places:?}");
         }
-        assert_eq!(step_of_supports(&supported(&[0.0, 10.0])), 1);
+        assert_eq!(Grid::step(&supported(&[0.0, 10.0])), Some(1));
     }
 
     #[test]

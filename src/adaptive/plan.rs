@@ -13,7 +13,7 @@
 use super::order::observed_order;
 use super::{End, Request, Trial, breaks};
 use crate::route::Solver;
-use crate::scene::Scene;
+use crate::scene::{Grid, Scene};
 use crate::solve::DEFAULT_TOLERANCE;
 use crate::solvers::MOST_WORK;
 use crate::verdict::{Demand, Refusal};
@@ -44,7 +44,7 @@ const BLIND_STEP: f64 = 4.0;
 const STALL: usize = 64;
 
 /// From this many intervals on the active set starts from a grid that is coarser by [`NESTED`]. A guess from a grid that has
-/// its nodes elsewhere is far worse: at a corner it can cost thousands of pivots.
+/// its nodes elsewhere is far worse: at a corner it can cost thousands of solves.
 const FEW: usize = 1000;
 /// Refinement of those grids.
 const NESTED: usize = 8;
@@ -82,7 +82,7 @@ impl Plan {
     pub(super) fn new(scene: &Scene, request: &Request) -> Self {
         // Cost of the active set is proportional to the grid, that of the others to its square or cube.
         let refinement = if request.solver == Solver::ActiveSet { 8.0 } else { 3.0 };
-        let step = breaks::step_of_supports(scene);
+        let step = Grid::step(scene).unwrap_or(1);
         Self {
             common: breaks::common_intervals(scene),
             step,

@@ -3,7 +3,7 @@
 
 use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
-use super::{Discrete, general};
+use super::{Discrete, program};
 use crate::qp::Sizes;
 use crate::scene::Grid;
 use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime, SupportForce};
@@ -44,7 +44,7 @@ impl Nodal {
         }
         let size = DEEP * discrete.sizes().x;
         if discrete.supports().lacking() == 0 && discrete.depths.iter().any(|&u| size < u) {
-            let by_statics = general::deflection(discrete, &contact_force, discretisation);
+            let by_statics = program::deflection(discrete, &contact_force, discretisation);
             for ((v, &statics), &u) in deflection.iter_mut().zip(&by_statics).zip(&discrete.depths) {
                 if size < u {
                     *v = statics;
@@ -65,7 +65,7 @@ const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
 /// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
 pub fn free_beam(discrete: &Discrete, discretisation: Discretisation) -> Nodal {
-    let deflection = general::deflection(discrete, &vec![0.0; discrete.nodes().len()], discretisation);
+    let deflection = program::deflection(discrete, &vec![0.0; discrete.nodes().len()], discretisation);
     Nodal {
         discretisation,
         clearance: discrete.clearances(&deflection),

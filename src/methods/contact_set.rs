@@ -34,7 +34,7 @@ use super::Discrete;
 use super::held_beam::{Beam, Overhang};
 use super::span::{Span, links};
 use super::supports::NodeSupport;
-use crate::qp::{Band, FreeSet, NotPositiveDefinite, Row};
+use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;
 
 /// Nodes at which the beam is held, by supports and by the foundation, ascending; those in which it is built in twice.
@@ -55,16 +55,6 @@ impl ContactSet {
     /// Contact at some nodes, ascending.
     pub(crate) fn at(discrete: &Discrete, contacts: impl Iterator<Item = usize>) -> Self {
         Self::part(discrete, contacts, &(0..=discrete.intervals), [true; 2])
-    }
-
-    /// Contact where a variable is free: variables are contact forces of nodes without a support.
-    pub(crate) fn where_free(discrete: &Discrete, forces: &FreeSet) -> Self {
-        Self::at(discrete, forces.variables().map(|i| discrete.node(i)))
-    }
-
-    /// Contact where no variable is free: variables are clearances of nodes without a support.
-    pub(crate) fn where_held(discrete: &Discrete, clearances: &FreeSet) -> Self {
-        Self::where_free(discrete, &clearances.iter().map(|free| !free).collect())
     }
 
     /// Contact at nodes of a part of the beam, and the supports there.

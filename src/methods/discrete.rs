@@ -6,9 +6,8 @@
 use std::ops::Range;
 
 use super::contact_set::ContactSet;
-use super::statics;
 use super::supports::Supports;
-use crate::qp::{FreeSet, Sizes};
+use crate::qp::Sizes;
 use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Discretisation;
 
@@ -51,8 +50,7 @@ impl Discrete {
     pub fn new(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
         let discrete = Self::unmeasured(scene, intervals)?;
         // A coarser grid with the supports among its nodes, if there is one.
-        let step = Grid::least_fitting(scene).unwrap_or(intervals);
-        let coarse = SIZING / step * step;
+        let coarse = Grid::step(scene).map_or(0, |step| SIZING / step * step);
         let sizes = match coarse {
             2.. if coarse < intervals => Self::unmeasured(scene, coarse)?.measured(),
             _ => discrete.measured(),
@@ -141,13 +139,6 @@ impl Discrete {
         values
     }
 
-    /// Deflection at the interior nodes under nodal forces `t_1 … t_n` of the paper's beam: `v = C t`, (25), by statics and without
-    /// `C`.
-    #[must_use]
-    pub fn deflection(&self, forces: &[f64], discretisation: Discretisation) -> Vec<f64> {
-        deflection(forces, self.spacing, self.stiffness, discretisation)
-    }
-
     /// Clearances `h = g − v` at [`nodes`](Self::nodes).
     #[must_use]
     pub fn clearances(&self, deflection: &[f64]) -> Vec<f64> {
@@ -169,8 +160,7 @@ impl Discrete {
     /// See [`sizes`](Self::sizes).
     fn measured(&self) -> Sizes {
         let basic = self.basic(self.loads.clone());
-        let nothing: FreeSet = FreeSet::none(basic.unknowns());
-        let free = ContactSet::where_free(&basic, &nothing).solve(&basic, Discretisation::BeamElements);
+        let free = ContactSet::at(&basic, std::iter::empty()).solve(&basic, Discretisation::BeamElements);
         // Above ground at zero, a clearance is a deflection upwards.
         let free = free.map_or_else(|_| Vec::new(), |free| free.clearance);
         let offset = basic.nodes().start - self.nodes().start;
@@ -255,7 +245,11 @@ impl Discrete {
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        let supports = self.supports.completed();
+        self.on(self.supports.completed(), loads)
+    }
+
+    /// The beam on other supports, above ground at zero and under other loads.
+    pub(super) fn on(&self, supports: Supports, loads: Vec<f64>) -> Self {
         let depths = vec![0.0; supports.nodes().len()];
         self.changed(supports, depths, loads)
     }
@@ -267,16 +261,7 @@ impl Discrete {
             support.held.deflection = 0.0;
             support.held.slope = support.held.slope.map(|_| 0.0);
         }
-        let depths = vec![0.0; self.nodes().len()];
-        self.changed(Supports::of(all, self.intervals), depths, vec![0.0; self.loads.len()])
-    }
-
-    /// The same beam on supports that are all among the nodes that are not held now, or are held now.
-    pub(super) fn on(&self, supports: Supports) -> Self {
-        let (old, new) = (self.nodes(), supports.nodes());
-        let depths = self.depths[new.start - old.start..new.end - old.start].to_vec();
-        let (profile, shape) = (self.profile.clone(), self.shape.clone());
-        Self { profile, shape, ..self.changed(supports, depths, self.loads.clone()) }
+        self.on(Supports::of(all, self.intervals), vec![0.0; self.loads.len()])
     }
 }
 
@@ -298,9 +283,4 @@ fn size(free: &[f64], room: &[f64], loads: impl Iterator<Item = f64>, stiffness:
         force = 48.0 * stiffness * deflection / (length * length * length);
     }
     Sizes { x: deflection, gradient: force }
-}
-
-/// Deflection at the interior nodes under nodal forces.
-fn deflection(forces: &[f64], spacing: f64, stiffness: f64, discretisation: Discretisation) -> Vec<f64> {
-    statics::deflections(statics::moments(forces, spacing), spacing, stiffness, discretisation)
 }

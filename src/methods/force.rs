@@ -25,14 +25,8 @@
 
 use nalgebra::DMatrix;
 
-use super::contact_set::{ContactSet, OnContacts};
-use super::{Discrete, general, sparse};
-use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
-use crate::state::Discretisation;
-
-/// The quadratic program (32) of method 3: `x = p` as nodal forces, `g = h`.
-#[derive(Debug, Clone, Copy)]
-pub struct Force<'a>(pub &'a Discrete);
+use super::Discrete;
+use crate::qp::Matrix;
 
 /// Flexibility `c_ij`, (26): the deflection of node `i` under a unit force at node `j`, for `1 ≤ i, j ≤ n`.
 #[must_use]
@@ -44,61 +38,10 @@ pub fn flexibility(length: f64, stiffness: f64, n: usize, i: usize, j: usize) ->
     l * l * l * (1.0 + n - j) * i * (2.0 * j * m - j * j - i * i) / (6.0 * stiffness * (m * m) * (m * m))
 }
 
-impl Qp for Force<'_> {
-    fn dimension(&self) -> usize {
-        self.0.unknowns()
-    }
-
-    /// `C` (26), shape (n, n).
-    fn matrix(&self) -> Matrix {
-        if !self.0.is_simple() {
-            return Matrix::Dense(general::matrix(self.0, general::clearances, Discretisation::BeamElements));
-        }
-        let (n, Discrete { spacing, stiffness, .. }) = (self.dimension(), self.0);
-        #[expect(clippy::cast_precision_loss, reason = "dense matrices end long before 2⁵³ nodes")]
-        let length = spacing * (n + 1) as f64;
-        Matrix::Dense(DMatrix::from_fn(n, n, |i, j| flexibility(length, *stiffness, n, i + 1, j + 1)))
-    }
-
-    fn sparse(&self) -> Option<SparseForm> {
-        Some(sparse::complementary(self.0, Discretisation::BeamElements, self.sizes()))
-    }
-
-    fn linear(&self) -> Vec<f64> {
-        self.gradient(&vec![0.0; self.dimension()]).iter().map(|h| -h).collect()
-    }
-
-    fn gradient(&self, p: &[f64]) -> Vec<f64> {
-        if !self.0.is_simple() {
-            return general::clearances(self.0, p, Discretisation::BeamElements);
-        }
-        let forces: Vec<f64> = self.0.interior_loads().iter().zip(p).map(|(q, p)| q - p).collect();
-        self.0.clearances(&self.0.deflection(&forces, Discretisation::BeamElements))
-    }
-
-    /// `h = 0` at the free nodes, with `p = 0` at the others: a beam that touches at the free nodes.
-    fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
-        let OnContacts { contact_force, clearance } =
-            ContactSet::where_free(self.0, free).solve(self.0, Discretisation::BeamElements)?;
-        let [x, gradient] = [contact_force, clearance].map(|values| self.0.without_supports(values));
-        Ok(Stationary { x, gradient })
-    }
-
-    fn make_definite(&self, free: &mut FreeSet) {
-        self.0.hold(free, true, |i| self.0.node(i));
-    }
-
-    fn without_matrix(&self) -> Option<&'static str> {
-        (0 < self.0.supports().lacking()).then_some(general::NO_FLEXIBILITY)
-    }
-
-    /// What could be rounding is zero already.
-    fn rounding(&self) -> f64 {
-        0.0
-    }
-
-    fn sizes(&self) -> Sizes {
-        let Sizes { x, gradient } = self.0.sizes();
-        Sizes { x: gradient, gradient: x }
-    }
+/// `C` (26) of the paper's beam, shape (n, n).
+pub(super) fn matrix(discrete: &Discrete) -> Matrix {
+    let (n, Discrete { spacing, stiffness, .. }) = (discrete.unknowns(), discrete);
+    #[expect(clippy::cast_precision_loss, reason = "dense matrices end long before 2⁵³ nodes")]
+    let length = spacing * (n + 1) as f64;
+    Matrix::Dense(DMatrix::from_fn(n, n, |i, j| flexibility(length, *stiffness, n, i + 1, j + 1)))
 }

@@ -3,9 +3,9 @@
 //!
 //! | method | unknown `x` | `A` | `b` | gradient |
 //! |---|---|---|---|---|
-//! | [`Complementarity`], (4)–(16) | clearance `h` | `(EI/Δ⁴) pentadiag(1, −4, 6, −4, 1)` | `A u − q` | pressure `p` |
-//! | [`Displacement`], (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
-//! | [`Force`], (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
+//! | [`Complementarity`](Method::Complementarity), (4)–(16) | clearance `h` | `(EI/Δ⁴) pentadiag(1, −4, 6, −4, 1)` | `A u − q` | pressure `p` |
+//! | [`Displacement`](Method::Displacement), (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
+//! | [`Force`](Method::Force), (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 //!
 //! On a given set of contacts all three are one beam, or one chain of links, on supports at the depth of the foundation. It
 //! is solved in `contact_set.rs`, without these matrices, and so each method keeps its discrete problem and its digits on
@@ -18,8 +18,8 @@ mod discrete;
 mod displacement;
 mod extremes;
 mod force;
-mod general;
 mod held_beam;
+mod program;
 mod rigid;
 pub(crate) mod span;
 mod sparse;
@@ -27,10 +27,8 @@ mod statics;
 pub(crate) mod supports;
 
 pub use answer::{Nodal, contact_state, free_beam};
-pub use complementarity::Complementarity;
 pub use discrete::Discrete;
-pub use displacement::Displacement;
-pub use force::{Force, flexibility};
+pub use force::flexibility;
 pub use rigid::{balanced, single_contact};
 
 use std::f64::consts::PI;
@@ -38,6 +36,7 @@ use std::fmt;
 
 use crate::qp::Qp;
 use crate::state::Discretisation;
+use program::Program;
 
 /// The three methods of the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -67,11 +66,7 @@ impl Method {
     /// The quadratic program (32) that this method makes of a scene on a grid.
     #[must_use]
     pub fn qp(self, discrete: &Discrete) -> Box<dyn Qp + '_> {
-        match self {
-            Self::Complementarity => Box::new(Complementarity(discrete)),
-            Self::Displacement => Box::new(Displacement(discrete)),
-            Self::Force => Box::new(Force(discrete)),
-        }
+        Box::new(Program { method: self, discrete })
     }
 
     /// How the beam of this method bends between the nodes.
@@ -93,14 +88,22 @@ impl Method {
         }
     }
 
+    /// Length by which a contact force is divided in the gradient: finite differences have pressures, the others forces.
+    fn share(self, discrete: &Discrete) -> f64 {
+        match self {
+            Self::Complementarity => discrete.spacing,
+            Self::Displacement | Self::Force => 1.0,
+        }
+    }
+
     /// What an answer `(x, g)` of the quadratic program means for the nodes.
     #[must_use]
     pub fn nodal(self, discrete: &Discrete, x: Vec<f64>, gradient: Vec<f64>) -> Nodal {
         let [x, gradient] = [x, gradient].map(|values| discrete.with_supports(values));
-        let (clearance, contact_force) = match self {
-            Self::Complementarity => (x, gradient.into_iter().map(|p| p * discrete.spacing).collect()),
-            Self::Displacement => (x, gradient),
-            Self::Force => (gradient, x),
+        let (clearance, contact_force) = if self.is_free_in_contact() {
+            (gradient, x)
+        } else {
+            (x, gradient.into_iter().map(|p| p * self.share(discrete)).collect())
         };
         Nodal::new(discrete, self.discretisation(), clearance, contact_force)
     }

@@ -41,12 +41,12 @@ impl Discrete {
         ]
     }
 
-    /// The same beam, held at one node alone at a given slope, where it is held or touches the ground now.
+    /// The same beam, held at one node alone at a given slope, where it is held or touches the ground now; above ground at zero.
     fn turned_about(&self, node: usize, slope: f64) -> Self {
         let below = self.supports().at(node).map_or(0.0, |support| support.below);
         let (at, deflection) = (self.grid.place(node), self.level(node));
         let held = Held { at, deflection, slope: Some(slope), meets: [false; 2], grounded: [false; 2] };
-        self.on(Supports::of(vec![NodeSupport { node, held, below }], self.intervals))
+        self.on(Supports::of(vec![NodeSupport { node, held, below }], self.intervals), self.loads.clone())
     }
 
     /// The node at the one place about which the beam is free to turn, if the loads are in balance there.
@@ -147,8 +147,7 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     let nodes = discrete.nodes();
     let deflections = |slope: f64| {
         let turned = discrete.turned_about(node, slope);
-        let mut deflection =
-            held_beam::on_supports(&turned.basic(turned.loads.clone()), discretisation).ok()?.deflection();
+        let mut deflection = held_beam::on_supports(&turned, discretisation).ok()?.deflection();
         // An end of the beam that is held is none of its nodes.
         if deflection.len() < nodes.len() {
             deflection.insert(node - nodes.start, discrete.level(node));

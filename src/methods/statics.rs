@@ -1,7 +1,5 @@
 //! Statics of a simple beam under nodal forces: the "basic structure" to which the force method goes back.
 
-use crate::state::Discretisation;
-
 /// Intervals of a block of [`funicular`]: sums of so many numbers lose next to nothing, and a block stays in the nearest
 /// cache.
 const BLOCK: usize = 64;
@@ -103,33 +101,6 @@ fn lever(f: &[f64], length: f64) -> [f64; 2] {
         right[k] += f * place;
     }
     [left, right].map(|lanes| lanes.iter().sum::<f64>() / length)
-}
-
-/// Bending moments `M_1 … M_n` of a simple beam under the nodal forces `t_1 … t_n` \[force · length\].
-pub(super) fn moments(forces: &[f64], spacing: f64) -> Vec<f64> {
-    let mut moments = vec![0.0; forces.len()];
-    funicular(forces, [0.0; 2], spacing, &mut moments);
-    moments
-}
-
-/// Deflections `v_1 … v_n` from bending moments `M_1 … M_n`, with `M = 0` and `v = 0` at both ends \[length\].
-///
-/// Mohr's analogy: `−(v_{i−1} − 2 v_i + v_{i+1})/Δ = Δ M_i / EI` for finite differences, and
-/// `Δ (M_{i−1} + 4 M_i + M_{i+1}) / (6 EI)` for moments that are linear between the nodes.
-pub(super) fn deflections(
-    mut moments: Vec<f64>,
-    spacing: f64,
-    stiffness: f64,
-    discretisation: Discretisation,
-) -> Vec<f64> {
-    let unit = spacing * spacing / stiffness;
-    curvatures(&mut moments, [0.0; 2], |m| match discretisation {
-        Discretisation::FiniteDifferences => unit * m[1],
-        Discretisation::BeamElements => unit / 6.0 * (m[0] + 4.0 * m[1] + m[2]),
-    });
-    let mut deflections = vec![0.0; moments.len()];
-    funicular(&moments, [0.0; 2], 1.0, &mut deflections);
-    deflections
 }
 
 /// In place of moments what they contribute to curvature: of each with its two neighbours, the first and the last of them at

@@ -18,7 +18,6 @@ use crate::methods::{Discrete, Method};
 use crate::qp::FreeSet;
 use crate::scene::{Grid, Scene, SceneError};
 use crate::solvers::{Answer, active_set};
-use crate::state::Discretisation;
 use part::Parts;
 use refined::refined;
 use windows::Windows;
@@ -40,7 +39,7 @@ struct Cost {
     /// Solves of windows.
     windows: usize,
     /// Variables in all of them.
-    variables: usize,
+    work: usize,
 }
 
 /// The optimum of a scene on a grid in contact forces: `x = p`, `g = h`, whatever the unknowns of the method are. Solves on all
@@ -50,51 +49,26 @@ struct Cost {
 ///
 /// None for a grid that exists; the type is that of [`Discrete::new`].
 pub(crate) fn solve(scene: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {
-    Ok(counted(scene, method, discrete)?.0)
-}
-
-/// The answer, and the number of solves of the whole on the finest grid.
-fn counted(scene: &Scene, method: Method, discrete: &Discrete) -> Result<(Answer, usize), SceneError> {
     let mut cost = Cost::default();
-    // Coarser grids need a node at each support as well.
-    let step = if discrete.supports().inner().is_empty() { Some(1) } else { Grid::least_fitting(scene) };
-    let mut start =
-        Start { scene, discretisation: method.discretisation(), held: discrete.held_ends(), step, cost: &mut cost };
-    let mut free = start.on(discrete.intervals)?;
-    let coarse = cost.whole;
-    let mut windows = Windows { beam: &Parts::new(discrete, method.discretisation()), cost };
-    let end = windows.optimum(&mut free);
-    let Cost { whole, windows, variables } = windows.cost;
-    Ok((active_set::answer(end, discrete.nodes().len(), whole + windows, variables), whole - coarse))
+    let mut free = start(scene, method, discrete, &mut cost)?;
+    let beam = Parts::new(discrete, method.discretisation());
+    let end = Windows { beam: &beam, cost: &mut cost }.optimum(&mut free);
+    Ok(active_set::answer(end, discrete.nodes().len(), cost.whole + cost.windows, cost.work))
 }
 
-/// Contact to start from on a grid.
-struct Start<'a> {
-    scene: &'a Scene,
-    discretisation: Discretisation,
-    /// Which ends of the beam are supported.
-    held: [bool; 2],
-    /// Coarser grids have a multiple of so many intervals; there are none if it is not known.
-    step: Option<usize>,
-    cost: &'a mut Cost,
-}
-
-impl Start<'_> {
-    /// By a coarser grid; everywhere on the coarsest.
-    fn on(&mut self, intervals: usize) -> Result<FreeSet, SceneError> {
-        let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
-        let coarse = self.step.map_or(0, |step| coarse / step * step);
-        if coarse < COARSEST {
-            let [first, last] = self.held.map(usize::from);
-            return Ok(FreeSet::all(intervals + 1 - first - last));
-        }
-        let mut free = self.on(coarse)?;
-        let discrete = Discrete::new(self.scene, coarse)?;
-        let mut windows = Windows { beam: &Parts::new(&discrete, self.discretisation), cost: *self.cost };
-        windows.guess(&mut free);
-        *self.cost = windows.cost;
-        Ok(refined(&free, intervals, self.held))
+/// Contact to start from on a grid: by a coarser one with a node at each support as well, everywhere if there is none.
+fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) -> Result<FreeSet, SceneError> {
+    let intervals = discrete.intervals;
+    let coarse = intervals / REFINEMENT[usize::from(FINE <= intervals)];
+    let coarse = Grid::step(scene).map_or(0, |step| coarse / step * step);
+    if coarse < COARSEST {
+        return Ok(FreeSet::all(discrete.nodes().len()));
     }
+    let coarse = Discrete::new(scene, coarse)?;
+    let mut free = start(scene, method, &coarse, cost)?;
+    let beam = Parts::new(&coarse, method.discretisation());
+    Windows { beam: &beam, cost }.guess(&mut free);
+    Ok(refined(&free, intervals, discrete.held_ends()))
 }
 
 #[cfg(test)]
@@ -133,8 +107,9 @@ pub(super) mod tests {
         for scene in scenes() {
             let scaled = scene.scaled().expect("in range");
             let discrete = Discrete::new(&scaled.scene, 16_000).expect("a grid");
-            let (answer, whole) = counted(&scaled.scene, Method::Force, &discrete).expect("in range");
-            assert!(answer.reports_success && whole <= FEW, "{whole} solves of the whole: {:?}", scene.foundation());
+            let answer = solve(&scaled.scene, Method::Force, &discrete).expect("in range");
+            assert!(answer.reports_success, "{:?}", scene.foundation());
+            assert!(answer.work <= FEW * answer.x.len(), "{} unknowns: {:?}", answer.work, scene.foundation());
         }
     }
 }

@@ -7,7 +7,7 @@ use std::ops::Range;
 use super::spans::Spans;
 use crate::methods::Discrete;
 use crate::methods::contact_set::{ContactSet, OnContacts};
-use crate::qp::{FreeSet, NotPositiveDefinite, Sizes, Stationary};
+use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::state::Discretisation;
 
 /// `2^−FAR` is less than half a unit in the last place.
@@ -23,12 +23,6 @@ pub(super) struct Parts<'a> {
 impl<'a> Parts<'a> {
     pub(super) fn new(discrete: &'a Discrete, discretisation: Discretisation) -> Self {
         Self { discrete, discretisation, spans: Spans::new(&discrete.loads) }
-    }
-
-    /// Sizes of contact forces and clearances.
-    pub(super) fn sizes(&self) -> Sizes {
-        let Sizes { x: clearance, gradient: force } = self.discrete.sizes();
-        Sizes { x: force, gradient: clearance }
     }
 
     /// Contact forces and clearances of a range of variables, with contact at all nodes whose forces are free.
@@ -71,6 +65,7 @@ mod tests {
     use super::*;
     use crate::methods::Method;
     use crate::multigrid::tests::{scenes, spread};
+    use crate::qp::Sizes;
 
     /// Of the sizes: systems of condition number 3, and the end of what is felt from far away.
     const ROUNDED: f64 = 1e-11;
@@ -89,7 +84,7 @@ mod tests {
             for method in Method::ALL {
                 let qp = method.qp(&discrete);
                 let parts = Parts::new(&discrete, method.discretisation());
-                let Sizes { x: force, gradient: depth } = parts.sizes();
+                let Sizes { x: depth, gradient: force } = discrete.sizes();
                 for share in [2, 5, 40] {
                     let contact: FreeSet = (0..qp.dimension()).map(|_| once_in(share)).collect();
                     let free = contact.iter().map(|contact| contact == method.is_free_in_contact()).collect();

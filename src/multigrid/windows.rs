@@ -15,7 +15,7 @@ use super::Cost;
 use super::part::Parts;
 use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::solvers::MOST_WORK;
-use crate::solvers::active_set::{PATIENCE, Reduced, Violators, descend, exchange, optimum, solves_within};
+use crate::solvers::active_set::{PATIENCE, Reduced, descend, exchange, optimum, solves_within, violators};
 
 /// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
 /// times.
@@ -37,7 +37,7 @@ const SOLVE: usize = 200;
 /// Windows of a beam, and what they have cost.
 pub(super) struct Windows<'a> {
     pub(super) beam: &'a Parts<'a>,
-    pub(super) cost: Cost,
+    pub(super) cost: &'a mut Cost,
 }
 
 impl Windows<'_> {
@@ -59,8 +59,11 @@ impl Windows<'_> {
     fn exchanged(&mut self, free: &mut FreeSet) -> Result<(Stationary, bool), NotPositiveDefinite> {
         let (n, beam) = (free.dimension(), self.beam);
         let (mut idle, mut scale, mut solves) = (0, 1, 0);
-        let mut whole = reduced(beam, |free| beam.point(free, 0..n), self.left(n));
-        whole.make_definite = Box::new(|free| beam.hold(free));
+        let mut whole = Reduced {
+            point: Box::new(|free| beam.point(free, 0..n)),
+            make_definite: Box::new(|free| beam.hold(free)),
+            most_solves: self.left(n),
+        };
         let end = optimum(&mut whole, free, &mut solves, |free, wrong| {
             let windows = around(wrong, scale * REACH, n);
             if self.left(n) == 0 {
@@ -76,7 +79,7 @@ impl Windows<'_> {
             Ok(true)
         });
         self.cost.whole += solves;
-        self.cost.variables += solves * n;
+        self.cost.work += solves * n;
         end
     }
 
@@ -106,7 +109,7 @@ impl Windows<'_> {
         windows: Vec<Range<usize>>,
         worth: usize,
     ) -> Result<bool, NotPositiveDefinite> {
-        let spent = |cost: Cost| cost.variables + SOLVE * cost.windows;
+        let spent = |cost: &Cost| cost.work + SOLVE * cost.windows;
         let n = free.dimension();
         let most = spent(self.cost) + worth * n;
         let mut pending = windows;
@@ -168,42 +171,30 @@ impl Windows<'_> {
             free.replace(range.start, local);
             beam.point(free, range.clone())
         };
-        let mut window = reduced(beam, on_range, most_solves);
+        // Whether the beam is held is asked once all windows are solved.
+        let mut window = Reduced { point: Box::new(on_range), make_definite: Box::new(|_| {}), most_solves };
         let end = descend(&mut window, &mut local, &mut solves);
         drop(window);
         free.replace(range.start, &local);
         let whole = range.len() == free.dimension();
         *(if whole { &mut self.cost.whole } else { &mut self.cost.windows }) += solves;
-        self.cost.variables += solves * range.len();
+        self.cost.work += solves * range.len();
         end.map(|(_, optimal)| optimal)
     }
 
     /// Solves of `n` variables that the budget of a run still allows.
     fn left(&self, n: usize) -> usize {
-        solves_within(MOST_WORK.saturating_sub(self.cost.variables), n)
+        solves_within(MOST_WORK.saturating_sub(self.cost.work), n)
     }
 
     /// A range as it is: the point, and its variables on the wrong side.
     fn check(&mut self, free: &FreeSet, range: &Range<usize>) -> Result<(Stationary, Vec<usize>), NotPositiveDefinite> {
         self.cost.windows += 1;
-        self.cost.variables += range.len();
-        let mut part = reduced(self.beam, |_: &FreeSet| self.beam.point(free, range.clone()), 1);
-        let local = free.part(range.clone());
-        let point = (part.point)(&local)?;
-        let violators = Violators::of(&part, &point, &local);
-        Ok((point, violators.wrong))
+        self.cost.work += range.len();
+        let point = self.beam.point(free, range.clone())?;
+        let wrong = violators(&point, &free.part(range.clone()));
+        Ok((point, wrong))
     }
-}
-
-/// A beam, or a part of one, as a descent sees it.
-fn reduced<'a>(
-    beam: &Parts<'_>,
-    point: impl FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a,
-    most_solves: usize,
-) -> Reduced<'a> {
-    // What could be rounding is zero already.
-    let make_definite = Box::new(|_: &mut FreeSet| {});
-    Reduced { point: Box::new(point), make_definite, sizes: beam.sizes(), rounding: 0.0, most_solves }
 }
 
 /// What one solve of each window costs, in variables.

@@ -36,10 +36,6 @@ impl Qp for Dense {
         Matrix::Dense(self.matrix.clone())
     }
 
-    fn linear(&self) -> Vec<f64> {
-        self.linear.as_slice().to_vec()
-    }
-
     fn gradient(&self, x: &[f64]) -> Vec<f64> {
         (&self.matrix * DVector::from_column_slice(x) - &self.linear).as_slice().to_vec()
     }
@@ -53,10 +49,21 @@ impl Qp for Dense {
         chosen.iter().zip(solved.iter()).for_each(|(&i, &value)| x[i] = value);
         let mut gradient = self.gradient(&x);
         chosen.iter().for_each(|&i| gradient[i] = 0.0);
+        without_rounding(&mut x, self.sizes.x);
+        without_rounding(&mut gradient, self.sizes.gradient);
         Ok(Stationary { x, gradient })
     }
 
     fn sizes(&self) -> Sizes {
         self.sizes
     }
+}
+
+/// Rounding of a solve, as a share of the size of what it gives: a few thousand units in the last place.
+const ROUNDING: f64 = 1e-12;
+
+/// Zero for what is negative by no more than rounding, of values whose size is the largest of them, and at least the given one.
+fn without_rounding(values: &mut [f64], size: f64) {
+    let least = -ROUNDING * values.iter().fold(size, |most, value| most.max(value.abs()));
+    values.iter_mut().filter(|value| least <= **value && **value < 0.0).for_each(|value| *value = 0.0);
 }

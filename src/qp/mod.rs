@@ -32,8 +32,10 @@ pub trait Qp {
     /// The matrix `A`, shape (n, n), banded where it is.
     fn matrix(&self) -> Matrix;
 
-    /// The vector `b`, length n.
-    fn linear(&self) -> Vec<f64>;
+    /// The vector `b`, length n: the gradient at zero is `−b`.
+    fn linear(&self) -> Vec<f64> {
+        self.gradient(&vec![0.0; self.dimension()]).iter().map(|g| -g).collect()
+    }
 
     /// The program in the variables in which it is sparse, if it has such.
     fn sparse(&self) -> Option<SparseForm> {
@@ -45,7 +47,8 @@ pub trait Qp {
     /// An implementation uses the structure of its problem, so that fewer digits are lost than by the product.
     fn gradient(&self, x: &[f64]) -> Vec<f64>;
 
-    /// Step 1° of the paper's algorithm on the free variables: `g_i = 0` where `x_i` is free, `x_i = 0` elsewhere.
+    /// Step 1° of the paper's algorithm on the free variables: `g_i = 0` where `x_i` is free, `x_i = 0` elsewhere. A negative
+    /// number that may be nothing but the rounding of this solve is zero, so that every negative sign counts.
     ///
     /// # Errors
     ///
@@ -60,14 +63,6 @@ pub trait Qp {
     /// [sparse form](Self::sparse) has these, and [`stationary`](Self::stationary) keeps them.
     fn without_matrix(&self) -> Option<&'static str> {
         None
-    }
-
-    /// Rounding of `x` and `g` at a stationary point, as a share of their sizes: a sign below that means nothing. Zero if signs
-    /// can be taken at their word.
-    ///
-    /// By default a few thousand units in the last place.
-    fn rounding(&self) -> f64 {
-        1e-12
     }
 
     /// Sizes with which `x` and `g` become dimensionless numbers of order one.

@@ -50,12 +50,6 @@ impl Grid {
         self.intervals
     }
 
-    /// `n = N − 1`, the number of interior nodes.
-    #[must_use]
-    pub fn interior(&self) -> usize {
-        self.intervals - 1
-    }
-
     /// `Δ = l / N`.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
@@ -95,6 +89,14 @@ impl Grid {
         (2..=MOST_FITTING).find(|&intervals| fits(intervals))
     }
 
+    /// Every grid with a node at each support of `scene` has a multiple of so many intervals; 1 if there are supports at the ends
+    /// only.
+    pub(crate) fn step(scene: &Scene) -> Option<usize> {
+        let (length, supports) = (scene.beam().length(), scene.beam().supports());
+        let inside = supports.iter().any(|support| 0.0 < support.at && support.at < length);
+        if inside { Self::least_fitting(scene) } else { Some(1) }
+    }
+
     /// `x_i` for `i = first, first + 1, …`, as many as there is room for.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
     pub fn places(&self, first: usize, places: &mut [f64]) {
@@ -108,12 +110,6 @@ impl Grid {
         if let Some(last) = self.intervals.checked_sub(first).and_then(|last| places.get_mut(last)) {
             *last = self.length;
         }
-    }
-
-    /// Gaps `g_i` below the undeflected beam at the interior nodes.
-    #[must_use]
-    pub fn gaps(&self, scene: &Scene) -> Vec<f64> {
-        self.gaps_at(scene, 1..self.intervals)
     }
 
     /// Gaps `g_i` below the undeflected beam at some neighbouring nodes, of a straight beam the depths `u_i`; infinite where there

@@ -32,7 +32,7 @@
 //!
 //! and only variables that were released or dropped contribute.
 //!
-//! *Ties*, `x_i = 0` and `g_i = 0` within the [rounding](Qp::rounding) of the solves, stay on the side where they are.
+//! *Ties*, `x_i = 0` and `g_i = 0` but for the rounding of a [solve](Qp::stationary), stay on the side where they are.
 
 // Discrepancy: beyond-four-steps
 //
@@ -41,7 +41,7 @@
 // Portugal, Júdice and Vicente (1994) for exchanges of many variables, which without such a step may go round in circles.
 
 use super::{Answer, MOST_WORK};
-use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Sizes, Stationary};
+use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
 /// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
 const FEWER: usize = 10;
@@ -119,18 +119,18 @@ pub(crate) fn optimum(
         *solves += 1;
         (reduced.make_definite)(free);
         let point = (reduced.point)(free)?;
-        let violators = Violators::of(reduced, &point, free);
-        if violators.wrong.is_empty() {
-            return Ok((violators.clipped(point), true));
+        let wrong = violators(&point, free);
+        if wrong.is_empty() {
+            return Ok((point, true));
         }
         if reduced.most_solves <= *solves {
             return Ok((point, false));
         }
-        exchange(free, 0, &violators.wrong, &point.gradient);
-        let runs = violators.wrong.chunk_by(|i, j| i + 1 == *j).count();
+        exchange(free, 0, &wrong, &point.gradient);
+        let runs = wrong.chunk_by(|i, j| i + 1 == *j).count();
         if runs < fewest - fewest / FEWER {
             fewest = runs;
-        } else if !stalled(free, &violators.wrong)? {
+        } else if !stalled(free, &wrong)? {
             return descend(reduced, free, solves);
         }
     }
@@ -146,15 +146,12 @@ pub(crate) fn exchange(free: &mut FreeSet, start: usize, wrong: &[usize], gradie
 /// Step 1° of the paper's algorithm, see [`Qp::stationary`].
 pub(crate) type PointOn<'a> = Box<dyn FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a>;
 
-/// All that is asked of a quadratic program here: the stationary point for some free variables, and which signs count there.
-/// It may be a part of another one, of which only the variables of that part are known.
+/// All that is asked of a quadratic program here: the stationary point for some free variables. It may be a part of another one,
+/// of which only the variables of that part are known.
 pub(crate) struct Reduced<'a> {
     pub(crate) point: PointOn<'a>,
     /// As that of [`Qp`].
     pub(crate) make_definite: Box<dyn Fn(&mut FreeSet) + 'a>,
-    /// As those of [`Qp`].
-    pub(crate) sizes: Sizes,
-    pub(crate) rounding: f64,
     /// Solves after which a run ends wherever it is.
     pub(crate) most_solves: usize,
 }
@@ -166,8 +163,6 @@ impl<'a> Reduced<'a> {
         Self {
             point: Box::new(|free| qp.stationary(free)),
             make_definite: Box::new(|free| qp.make_definite(free)),
-            sizes: qp.sizes(),
-            rounding: qp.rounding(),
             most_solves,
         }
     }
@@ -178,58 +173,11 @@ pub(crate) fn solves_within(work: usize, n: usize) -> usize {
     work.div_ceil(n.max(1))
 }
 
-/// Signs below zero that count at a point: more than the rounding of the solves.
-struct Signs {
-    x: f64,
-    gradient: f64,
-}
-
-impl Signs {
-    fn at(reduced: &Reduced<'_>, point: &Stationary) -> Self {
-        let Sizes { mut x, mut gradient } = reduced.sizes;
-        for (value, slope) in point.x.iter().zip(&point.gradient) {
-            // Not `max`: a comparison is all that a number needs.
-            x = if x < value.abs() { value.abs() } else { x };
-            gradient = if gradient < slope.abs() { slope.abs() } else { gradient };
-        }
-        Self { x: -reduced.rounding * x, gradient: -reduced.rounding * gradient }
-    }
-}
-
-/// Variables with a negative sign at a point: free ones that are negative, and those at zero with a negative gradient.
-pub(crate) struct Violators {
-    /// By more than rounding: these are on the wrong side.
-    pub(crate) wrong: Vec<usize>,
-    /// By no more than that.
-    rounded: Vec<usize>,
-}
-
-impl Violators {
-    /// One pass.
-    pub(crate) fn of(reduced: &Reduced<'_>, point: &Stationary, free: &FreeSet) -> Self {
-        let values = point.x.iter().zip(&point.gradient).zip(free.iter()).enumerate();
-        let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
-        let doubtful: Vec<(usize, bool)> = negative.map(|(k, (_, free))| (k, free)).collect();
-        // Sizes of a million numbers are wanted only if one of them is on the wrong side.
-        if doubtful.is_empty() {
-            return Self { wrong: Vec::new(), rounded: Vec::new() };
-        }
-        let signs = Signs::at(reduced, point);
-        let is_wrong =
-            |&(k, free): &(usize, bool)| if free { point.x[k] < signs.x } else { point.gradient[k] < signs.gradient };
-        let (wrong, rounded): (Vec<_>, Vec<_>) = doubtful.into_iter().partition(is_wrong);
-        let places = |doubtful: Vec<(usize, bool)>| doubtful.into_iter().map(|(k, _)| k).collect();
-        Self { wrong: places(wrong), rounded: places(rounded) }
-    }
-
-    /// An optimal point without the rounding below zero.
-    pub(crate) fn clipped(&self, mut point: Stationary) -> Stationary {
-        for &k in &self.rounded {
-            point.x[k] = point.x[k].max(0.0);
-            point.gradient[k] = point.gradient[k].max(0.0);
-        }
-        point
-    }
+/// Variables on the wrong side at a point: free ones that are negative, and those at zero with a negative gradient.
+pub(crate) fn violators(point: &Stationary, free: &FreeSet) -> Vec<usize> {
+    let values = point.x.iter().zip(&point.gradient).zip(free.iter()).enumerate();
+    let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
+    negative.map(|(k, _)| k).collect()
 }
 
 /// Of each run of neighbours with a negative value the one with the smallest: of gradients, those to release.
@@ -248,14 +196,14 @@ pub(crate) fn descend(
     let most = (*solves + EXHAUSTED[0] + EXHAUSTED[1] * free.dimension() + 1).min(reduced.most_solves);
     let mut point = feasible(reduced, free, solves, most)?;
     loop {
-        let violators = Violators::of(reduced, &point, free);
-        if violators.wrong.is_empty() {
-            return Ok((violators.clipped(point), true));
+        let wrong = violators(&point, free);
+        if wrong.is_empty() {
+            return Ok((point, true));
         }
         if most <= *solves {
             return Ok((point, false));
         }
-        let released = steepest(&violators.wrong, &point.gradient);
+        let released = steepest(&wrong, &point.gradient);
         let mut larger = free.clone();
         released.into_iter().for_each(|i| larger.set(i, true));
         free.clone_from(&larger);
@@ -281,8 +229,7 @@ fn feasible(
         *solves += 1;
         (reduced.make_definite)(free);
         let point = (reduced.point)(free)?;
-        let least = Signs::at(reduced, &point).x;
-        let negative: Vec<usize> = free.variables().filter(|&i| point.x[i] < least).collect();
+        let negative: Vec<usize> = free.variables().filter(|&i| point.x[i] < 0.0).collect();
         if negative.is_empty() || most <= *solves {
             return Ok(point);
         }
@@ -302,9 +249,8 @@ fn walk(
     loop {
         *solves += 1;
         let target = (reduced.point)(free)?;
-        let least = Signs::at(reduced, &target).x;
         let way = |i: usize| x[i] / (x[i] - target.x[i]);
-        let blocked: Vec<usize> = free.variables().filter(|&i| target.x[i] < least && target.x[i] < x[i]).collect();
+        let blocked: Vec<usize> = free.variables().filter(|&i| target.x[i] < 0.0 && target.x[i] < x[i]).collect();
         let step = blocked.iter().map(|&i| way(i)).fold(1.0, f64::min);
         let blocking: Vec<usize> = blocked.into_iter().filter(|&i| way(i) <= step).collect();
         if blocking.is_empty() || reduced.most_solves <= *solves {

@@ -73,7 +73,7 @@ fn varying_functions_are_recognised() {
 const MATRICES: [(&str, &str); 5] = [
     ("src/qp/matrix.rs", "entries and columns"),
     ("src/qp/dense.rs", "the product with a vector and Cholesky's factor, both plain loops"),
-    ("src/methods/general.rs", "columns, and a sum"),
+    ("src/methods/program.rs", "columns, and a sum"),
     ("src/methods/force.rs", "entries from a function"),
     ("src/methods/displacement.rs", "columns, and a sum"),
 ];

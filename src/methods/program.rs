@@ -1,0 +1,132 @@
+//! The quadratic program (32) of a scene on a grid, by any of the methods, from the beam on a set of contacts alone.
+//!
+//! ```text
+//! methods 1 and 2    p = q − K v,  v = g − h     the forces that hold the beam at every node, at the level v
+//! method 3           h = g − v,    v = C (q − p)  the beam on its supports alone, under loads q − p
+//! ```
+//!
+//! Both are linear in the unknown but for what loads, gaps, levels and slopes add; the columns of `A` are what is left without
+//! these. A beam that its supports do not hold has no `C`: forces that are not in balance have no position of rest. Its
+//! complementary energy is minimised over contact forces in balance.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::contact_set::{ContactSet, OnContacts};
+use super::{Discrete, Method, complementarity, displacement, force, held_beam, sparse};
+use crate::qp::{FreeSet, Matrix, NotPositiveDefinite, Qp, Sizes, SparseForm, Stationary};
+use crate::state::Discretisation;
+
+/// The quadratic program of a method.
+pub(super) struct Program<'a> {
+    pub(super) method: Method,
+    pub(super) discrete: &'a Discrete,
+}
+
+impl Program<'_> {
+    /// Variables and gradient from contact forces and clearances at all nodes but supported ends.
+    fn point(&self, OnContacts { contact_force, clearance }: OnContacts) -> Stationary {
+        let contact_force = self.discrete.without_supports(contact_force);
+        let clearance = self.discrete.without_supports(clearance);
+        if self.method.is_free_in_contact() {
+            return Stationary { x: contact_force, gradient: clearance };
+        }
+        let share = self.method.share(self.discrete);
+        Stationary { x: clearance, gradient: contact_force.iter().map(|p| p / share).collect() }
+    }
+}
+
+impl Qp for Program<'_> {
+    fn dimension(&self) -> usize {
+        self.discrete.unknowns()
+    }
+
+    /// That of the paper for the paper's beam; for any other by columns.
+    fn matrix(&self) -> Matrix {
+        if self.discrete.is_simple() {
+            return match self.method {
+                Method::Complementarity => complementarity::matrix(self.discrete),
+                Method::Displacement => displacement::matrix(self.discrete),
+                Method::Force => force::matrix(self.discrete),
+            };
+        }
+        let n = self.dimension();
+        let bare = self.discrete.bare();
+        let column = |j: usize| {
+            let mut unit = vec![0.0; n];
+            unit[j] = 1.0;
+            DVector::from_vec(Program { method: self.method, discrete: &bare }.gradient(&unit))
+        };
+        let matrix = DMatrix::from_columns(&(0..n).map(column).collect::<Vec<_>>());
+        // Symmetric up to rounding; whoever takes the matrix may rely on it.
+        let matrix = (&matrix + matrix.transpose()) * 0.5;
+        match self.method {
+            Method::Complementarity => {
+                let entry = |i: usize, k: usize| if i + k < n { matrix[(i, i + k)] } else { 0.0 };
+                Matrix::Pentadiagonal((0..n).map(|i| [0, 1, 2].map(|k| entry(i, k))).collect())
+            }
+            Method::Displacement | Method::Force => Matrix::Dense(matrix),
+        }
+    }
+
+    fn sparse(&self) -> Option<SparseForm> {
+        let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };
+        Some(form(self.discrete, self.method.discretisation(), self.sizes()))
+    }
+
+    /// The forces that hold the beam at every node, or the clearances of the beam on its supports alone.
+    fn gradient(&self, x: &[f64]) -> Vec<f64> {
+        let (discrete, discretisation) = (self.discrete, self.method.discretisation());
+        let x = discrete.with_supports(x.to_vec());
+        if self.method.is_free_in_contact() {
+            return discrete.without_supports(discrete.clearances(&deflection(discrete, &x, discretisation)));
+        }
+        let held = discrete.above(discrete.clearances(&x));
+        let forces = ContactSet::at(&held, held.nodes()).solve(&held, discretisation);
+        forces.map_or_else(|_| vec![f64::NAN; self.dimension()], |forces| self.point(forces).gradient)
+    }
+
+    /// Contact where forces are free, or where clearances are not: a beam, or a chain of links, that touches there.
+    fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite> {
+        let in_contact = self.method.is_free_in_contact();
+        let contacts = free.iter().enumerate().filter(|(_, free)| *free == in_contact);
+        let contacts = ContactSet::at(self.discrete, contacts.map(|(i, _)| self.discrete.node(i)));
+        Ok(self.point(contacts.solve(self.discrete, self.method.discretisation())?))
+    }
+
+    fn make_definite(&self, free: &mut FreeSet) {
+        self.discrete.hold(free, self.method.is_free_in_contact(), |i| self.discrete.node(i));
+    }
+
+    fn without_matrix(&self) -> Option<&'static str> {
+        (self.method.is_free_in_contact() && 0 < self.discrete.supports().lacking()).then_some(NO_FLEXIBILITY)
+    }
+
+    fn sizes(&self) -> Sizes {
+        let Sizes { x: clearance, gradient: force } = self.discrete.sizes();
+        if self.method.is_free_in_contact() {
+            return Sizes { x: force, gradient: clearance };
+        }
+        Sizes { x: clearance, gradient: force / self.method.share(self.discrete) }
+    }
+}
+
+/// Why a beam that its supports do not hold has no matrix of flexibility.
+const NO_FLEXIBILITY: &str =
+    "the supports leave the beam free to move as a whole, so that there is no flexibility matrix";
+
+/// The deflection at all nodes but supported ends of the beam on its supports, under its loads less some contact forces there.
+pub(super) fn deflection(discrete: &Discrete, forces: &[f64], discretisation: Discretisation) -> Vec<f64> {
+    let unknown = || vec![f64::NAN; forces.len()];
+    if 0 < discrete.supports().lacking() {
+        return unknown();
+    }
+    let basic = discrete.basic(remaining(discrete, forces));
+    held_beam::on_supports(&basic, discretisation).map_or_else(|_| unknown(), |beam| beam.deflection())
+}
+
+/// `q − p` at all nodes, of contact forces at all but supported ends.
+fn remaining(discrete: &Discrete, forces: &[f64]) -> Vec<f64> {
+    let mut loads = discrete.loads.clone();
+    loads[discrete.nodes()].iter_mut().zip(forces).for_each(|(q, p)| *q -= p);
+    loads
+}
