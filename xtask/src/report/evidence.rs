@@ -53,8 +53,9 @@ mod prelude {
 /// One subject: its name in the templates, and what computes it.
 type Subject = (&'static str, fn(&Study<'_>) -> Result<Evidence, Cause>);
 
-/// All subjects. The order has no meaning for the report.
+/// All subjects, the one that takes longest first. The order has no meaning for the report.
 const SUBJECTS: &[Subject] = &[
+    ("extremes", stability::extremes::evidence),
     ("problem", problem::sketch),
     ("methods", problem::methods),
     ("theory", closed::evidence),
@@ -76,7 +77,6 @@ const SUBJECTS: &[Subject] = &[
     ("cost", cost::evidence),
     ("scale", scale::evidence),
     ("conditioning", stability::conditioning::evidence),
-    ("extremes", stability::extremes::evidence),
     ("hostile", stability::hostile::evidence),
     ("discrepancies", provenance::discrepancies),
     ("reproduce", provenance::evidence),
