@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use palkki::plot;
-use palkki::scene::Quantity;
+use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
 use palkki::sweep::{Event, Sweep};
 use palkki::text::{result, significant};
@@ -86,22 +86,24 @@ impl Swept {
             let lines = self.events.iter().map(|event| (significant(event.value, DIGITS), event.what.clone()));
             text += &list(&lines.collect::<Vec<_>>());
         }
-        let header = [
+        let outermost = outermost(input.scene.beam());
+        let mut header = vec![
             self.quantity.to_string(),
             "status".to_owned(),
             "regime".to_owned(),
             "contacts".to_owned(),
             labels.force.name("contact"),
-            labels.force.name("left"),
-            labels.force.name("right"),
+        ];
+        header.extend(outermost.iter().map(|(name, _)| labels.force.name(name)));
+        header.extend([
             labels.length.name("deflection"),
             labels.moment.name("moment"),
             labels.moment.name("least moment"),
-        ];
+        ]);
         let step = self.rows.len().div_ceil(SHOWN).max(1);
         let last = self.rows.len() - 1;
         let shown = self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
-        let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer)).collect();
+        let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer, &outermost)).collect();
         let title = match rows.len() {
             all if all == self.rows.len() => "Answers".to_owned(),
             some => format!("Answers, {some} of {}; --csv and --format json have all", self.rows.len()),
@@ -140,7 +142,21 @@ impl Swept {
     }
 }
 
-fn row(value: f64, answer: &Answer) -> Row {
+/// The first and the last support, whose forces the table shows: names and numbers.
+fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
+    match beam.supports() {
+        [] => Vec::new(),
+        [_] => vec![("support", 0)],
+        all => {
+            let last = all.len() - 1;
+            let at_ends = all[0].at <= 0.0 && beam.length() <= all[last].at;
+            let names = if at_ends { ["left", "right"] } else { ["first support", "last support"] };
+            vec![(names[0], 0), (names[1], last)]
+        }
+    }
+}
+
+fn row(value: f64, answer: &Answer, outermost: &[(&str, usize)]) -> Row {
     let state = &answer.solution.state;
     let mut cells = vec![
         result(value),
@@ -148,8 +164,9 @@ fn row(value: f64, answer: &Answer) -> Row {
         state.regime.name().to_owned(),
         state.contacts.len().to_string(),
     ];
-    let reactions = state.reactions;
-    let numbers = [state.contact_force(), reactions.left, reactions.right];
-    cells.extend(numbers.into_iter().chain([state.deflection.max, state.moment.max, state.moment.min]).map(result));
+    cells.push(result(state.contact_force()));
+    // Two supports that come too close in a sweep are an error, so that each row has all of them.
+    cells.extend(outermost.iter().map(|&(_, i)| state.supports.get(i).map_or_else(String::new, |s| result(s.force))));
+    cells.extend([state.deflection.max, state.moment.max, state.moment.min].map(result));
     cells
 }

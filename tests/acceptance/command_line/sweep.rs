@@ -45,6 +45,35 @@ fn files_of_a_sweep_are_whole() {
     assert!(folder.read("sweep.svg").ends_with("</svg>\n"));
 }
 
+/// The table has the forces of the supports that are there, by names that are true.
+#[test]
+fn a_sweep_shows_the_forces_of_its_outermost_supports() {
+    let folder = Folder::new("sweep_supports");
+    let held = [
+        ("{ at = 1.0, built_in = true }, { at = 4.0 }, { at = 6.0, level = 0.1 }", ["first support", "last support"]),
+        ("{ at = 0.0 }, { at = 8.0 }", ["left", "right"]),
+        ("{ at = 0.0, built_in = true }", ["support", "support"]),
+    ];
+    for (supports, names) in held {
+        let scene = format!(
+            "[beam]\nlength = 8.0\nbending_stiffness = 2.0\nsupports = [{supports}]\n[load]\nuniform = 1.0\n[foundation]\ndepth = 9.0\n"
+        );
+        folder.write("held.toml", &scene);
+        let arguments = "sweep held.toml --vary load.uniform --from 1 --to 2 --steps 2";
+        let text = folder.run(arguments).out;
+        let header = text.lines().find(|line| line.contains("least moment")).expect("a header");
+        let (_, _, value) = folder.json(arguments);
+        let forces = value["rows"][0]["supports"].as_array().expect("supports");
+        let row = text.lines().skip_while(|line| *line != header).nth(1).expect("a row");
+        for (name, support) in names.iter().zip([&forces[0], &forces[forces.len() - 1]]) {
+            assert!(header.contains(&format!("  {name}  ")), "{header}");
+            let force = support["force"].as_f64().expect("a force");
+            assert!(row.contains(&format!(" {}  ", palkki::text::result(force))), "{force}: {row}");
+        }
+        assert_eq!(header.contains("left"), names[0] == "left", "{header}");
+    }
+}
+
 #[test]
 fn a_sweep_that_cannot_be_is_refused() {
     let folder = Folder::new("sweep_refused");
