@@ -63,8 +63,8 @@ use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
 use self::largest::largest;
 use self::quantities::{energy, reactions};
-use crate::scene::{Balance, Foundation, Scale, Scaled, Scene, SceneError};
-use crate::state::Contact;
+use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError};
+use crate::state::{Contact, Nodes};
 
 /// Bounds for one deflection, proven from a witness: see [`Proof`].
 ///
@@ -105,9 +105,13 @@ impl Proof {
     /// Bounds for a deflection.
     #[must_use]
     pub fn judge(&self, judged: Judged<'_>) -> Certificate {
-        let (scene, scale) = (&self.scaled.scene, &self.scaled.scale);
-        let known = self.pair.as_ref().and_then(|pair| {
-            in_intervals(scene, self.scaled.balance, |enclosed| distance(enclosed, scale, pair, judged))
+        let Scaled { scene, scale, balance } = &self.scaled;
+        let known = self.pair.as_ref().and_then(|pair| match judged {
+            Judged::Nodes(nodes) => in_intervals(scene, *balance, |enclosed| of_nodes(enclosed, scale, pair, nodes)),
+            Judged::Forces(forces) => {
+                in_intervals(scene, *balance, |enclosed| of_forces(enclosed, pair, &forces.scaled(scale)))
+            }
+            Judged::Witness => of_witness(pair, scene.beam()),
         });
         let certificate = self.known.clone();
         let Some((error, least)) = known else { return certificate };
@@ -122,29 +126,31 @@ impl Proof {
     }
 }
 
-/// How far a deflection is from the true one, and how large it is at least; [`None`] if nothing is known.
-fn distance(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, judged: Judged<'_>) -> Option<(Error, f64)> {
+/// How far the deflection of nodes is from the true one, and how large it is at least; [`None`] if nothing is known.
+fn of_nodes(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, nodes: &Nodes) -> Option<(Error, f64)> {
     let EnclosedScene { stiffness, length, .. } = *enclosed;
-    match judged {
-        Judged::Nodes(nodes) => {
-            let cells = judged::parts(&pair.pieces, judged::cubics(nodes, scale, enclosed)?, length);
-            Some((distance::of(pair, cells, stiffness, length), 0.0))
-        }
-        Judged::Forces(forces) => {
-            let caused = contact_load::deflection(&forces.scaled(scale), enclosed, &[])?;
-            let cells = caused.iter().copied().map(judged::Cell::of);
-            let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length);
-            let size = largest(caused.iter().copied());
-            Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
-        }
-        Judged::Witness => {
-            let most = Some(distance::of_witness(pair, stiffness, length)).filter(|most| most.is_finite())?;
-            let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
-            // What was lifted is not the deflection that the places make.
-            let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
-            Some((Error { most, at: 0.5 * length, size: size.hi() }, least))
-        }
-    }
+    let cells = judged::parts(&pair.pieces, judged::cubics(nodes, scale, enclosed)?, length);
+    Some((distance::of(pair, cells, stiffness, length), 0.0))
+}
+
+/// The same of the deflection that contact forces cause.
+fn of_forces(enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) -> Option<(Error, f64)> {
+    let EnclosedScene { stiffness, length, .. } = *enclosed;
+    let caused = contact_load::deflection(forces, enclosed, &[])?;
+    let cells = caused.iter().copied().map(judged::Cell::of);
+    let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length);
+    let size = largest(caused.iter().copied());
+    Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
+}
+
+/// The same of the deflection that the places of the witness make.
+fn of_witness(pair: &Pair, beam: &Beam) -> Option<(Error, f64)> {
+    let length = beam.length();
+    let most = Some(distance::of_witness(pair, beam.bending_stiffness(), length)).filter(|most| most.is_finite())?;
+    let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
+    // What was lifted is not the deflection that the places make.
+    let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
+    Some((Error { most, at: 0.5 * length, size: size.hi() }, least))
 }
 
 /// What `act` says of a scene that is made dimensionless and enclosed in intervals.
