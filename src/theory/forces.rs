@@ -94,12 +94,13 @@ pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) ->
 
 /// By how much the ground and the support `index` would have to pull at each other, if `jump` is the moment to the right of the
 /// support less that to its left. Ground on the right of a support pushes up there and the support down: a negative jump; ground
-/// on the left a positive one. [`None`] where ground holds the slope on neither side, or could on both.
+/// on the left a positive one. [`None`] where ground holds the slope on neither side, or could on both, and where the beam is built
+/// in: that takes any moment.
 pub(super) fn pulling_couple(given: &PiecewiseScene, index: usize, beside: [Beside; 2], jump: f64) -> Option<f64> {
     let support = &given.supports[index];
     let pinned = beside.iter().position(|&beside| beside != Beside::Apart)?;
     match pinned {
-        _ if !support.built_in && support.slope.is_some() => None,
+        _ if support.slope.is_some() => None,
         1 => Some(jump),
         _ => Some(-jump),
     }
