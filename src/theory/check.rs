@@ -175,8 +175,7 @@ impl Judge {
 
     /// At the smooth points beside span `i` the beam is bent no more than the profile, as a share of how both are bent there.
     fn bends(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span) {
-        let bends = [span.at_a[2], span.at_b[2], span.beam_a[2], span.beam_b[2]];
-        let most = bends.iter().fold(moment_at_rest(given), |most, bend| most.max(bend.abs()));
+        let most = most_bent(given, span);
         for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(i), span.at_b[2])] {
             let point =
                 node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.kind == Kind::Smooth);
@@ -186,21 +185,44 @@ impl Judge {
         }
     }
 
-    /// Beside a support that the foundation starts at, the slope decides: how deep the beam is in a foundation that falls
-    /// off steeply may be next to nothing, and what holds its slope is not.
+    /// Beside a support that the foundation starts at, `h = 0`, and the first derivative of `h` that is not zero decides: slope,
+    /// moment, shear, each as a share of its own size. How deep the beam is may be next to nothing, and what the ground would do
+    /// to it is not: over a length `d` a depth of the order `d³` stands for a force that does not depend on `d`.
     fn turns_at_supports(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span, scale: &Scale) {
-        // Of a node to the left of the span the ground on its right counts.
-        let ends = [(i.checked_sub(1), 1, &span.a, &span.at_a), (Some(i), 0, &span.b, &span.at_b)];
-        for (node, side, end, at) in ends {
-            let Some(node) = node.and_then(|node| list.nodes.get(node)) else { continue };
-            let Kind::Support(index, beside) = node.kind else { continue };
-            let turn = if side == 1 { -at[1] } else { at[1] };
-            if beside == [Beside::Apart; 2] && given.supports[index].grounded[side] {
+        // Of a node to the left of the span the ground on its right counts. Outwards is into the span.
+        let ends = [(i.checked_sub(1), 1, 1.0, &span.a, &span.at_a), (Some(i), 0, -1.0, &span.b, &span.at_b)];
+        for (node, side, outwards, end, at) in ends {
+            let Some(node) = node.filter(|&node| node < list.nodes.len()) else { continue };
+            let Kind::Support(index, beside) = list.nodes[node].kind else { continue };
+            let support = &given.supports[index];
+            if !support.grounded[side] {
+                continue;
+            }
+            let turn = -outwards * at[1];
+            let size = scale.beside(given, index);
+            if beside == [Beside::Apart; 2] {
                 // As deep as the parabola `h = −turn t + h'' t²/2` goes.
                 let depth = turn * (turn / (2.0 * at[2].abs())).min(0.5 * span.length());
-                let fault = Violation::Penetration { at: end.x, depth };
-                self.measure(turn * given.length, scale.beside(given, index), i, fault);
+                self.measure(turn * given.length, size, i, Violation::Penetration { at: end.x, depth });
             }
+            // Ground that holds the slope holds it at its own.
+            let along = support.slope.is_some() || beside[side] != Beside::Apart;
+            if !along && TOLERANCE * size < turn.abs() * given.length {
+                continue;
+            }
+            let [bend, most] = [at[2], most_bent(given, span)];
+            self.measure(-bend, most, node, Violation::CurvatureGap { at: end.x, moment: -bend });
+            if TOLERANCE * most < bend.abs() {
+                continue;
+            }
+            let shear = -outwards * at[3];
+            let force = [at[3], span.beam_a[3], span.beam_b[3], most / span.length()];
+            let force = force.iter().fold(AT_REST * given.total_load, |most, f| most.max(f.abs()));
+            // As deep as `h = −shear t³/6 + h'''' t⁴/24` goes.
+            let place = (3.0 * shear / given.drive(end.cell, end.x).abs()).min(0.5 * span.length());
+            let fault =
+                Violation::Penetration { at: end.x + outwards * place, depth: shear * place * place * place / 24.0 };
+            self.measure(shear, force, i, fault);
         }
     }
 
@@ -255,6 +277,12 @@ fn penetration(given: &PiecewiseScene, pieces: &[Piece], span: &Span, scale: &Sc
         }
     }
     worst
+}
+
+/// How much beam and profile are bent at the ends of a span: what bends there are measured against.
+fn most_bent(given: &PiecewiseScene, span: &Span) -> f64 {
+    let bends = [span.at_a[2], span.at_b[2], span.beam_a[2], span.beam_b[2]];
+    bends.iter().fold(moment_at_rest(given), |most, bend| most.max(bend.abs()))
 }
 
 /// The least curvature that bends are measured against.

@@ -55,7 +55,10 @@ impl Repair<'_> {
 
     /// The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
     fn curvature_gap(&mut self, i: usize) {
-        let Node { x, cell, .. } = self.list.nodes[i];
+        let Node { kind, x, cell, .. } = self.list.nodes[i];
+        if let Kind::Support(index, _) = kind {
+            return self.bulge_at_support(i, index);
+        }
         if !self.keep[i] || self.given.tension_between(x, x).next().is_some() {
             return;
         }
@@ -67,6 +70,38 @@ impl Repair<'_> {
         let half = 0.3 * (x - left).min(right - x);
         self.added.push(Node::new(Kind::ZoneStart, x - half, cell));
         self.added.push(Node::new(Kind::ZoneEnd, x + half, cell));
+    }
+
+    /// The profile bulges into the beam beside a support: it carries a zone up to it, or a point where a zone would pull. Beside
+    /// the support the clearance is `h'' t²/2 + h''' t³/6`.
+    fn bulge_at_support(&mut self, i: usize, index: usize) {
+        // Both sides at once, and not once more: supports are kept in any case.
+        if !std::mem::take(&mut self.keep[i]) {
+            return;
+        }
+        let given = self.given;
+        let x = self.list.nodes[i].x;
+        for (right, outwards) in [(i, -1.0), (i + 1, 1.0)] {
+            let Ok(span) = self.checked.spans.binary_search_by_key(&right, |(j, _)| *j) else { continue };
+            let (_, span) = &self.checked.spans[span];
+            let (side, at) = if right == i { (0, &span.at_b) } else { (1, &span.at_a) };
+            if !given.supports[index].grounded[side] || 0.0 <= at[2] {
+                continue;
+            }
+            let turns = -at[2] / (outwards * at[3]);
+            let most = 0.3 * span.length();
+            let reach = if 0.0 < turns { turns.min(most) } else { most };
+            let place = x + outwards * reach;
+            let cell = given.cell_from(place);
+            if given.tension_between(x.min(place), x.max(place)).next().is_some() {
+                self.added.push(Node::new(Kind::Smooth, x + 2.0 * outwards * reach, cell));
+            } else if side == 0 {
+                self.added.push(Node::new(Kind::ZoneStart, place, cell));
+            } else {
+                self.added.push(Node::new(Kind::ZoneStart, x, cell));
+                self.added.push(Node::new(Kind::ZoneEnd, place, cell));
+            }
+        }
     }
 
     /// A zone that reaches an edge as far as can be told carries what the edge would.
