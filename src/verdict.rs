@@ -248,6 +248,13 @@ impl Verdict {
         };
         let most = demand.error.min(EXACT);
         let size = exact.state.deflection.magnitude();
+        // What is printed is its own deflection: what that is off the one that is judged counts as well.
+        let certificate = certificate.map(|c| {
+            let off = apart(&c, size);
+            // The one that is judged is known to lie between two bounds, and may be at the farther one.
+            let off = if 0.0 < off { off + (c.deflection - c.deflection_at_least) } else { 0.0 };
+            Certificate { deflection_error: c.deflection_error + off, ..c }
+        });
         Self::new(scene, certificate, size, own, most, exact.converged)
     }
 
@@ -294,7 +301,7 @@ impl fmt::Display for Verdict {
         }
         let told = matches!(self.refusal, None | Some(Refusal::Error { .. }));
         if let Some(about) = self.certificate.as_ref().and_then(|c| c.up_to_a_turn).filter(|_| told) {
-            write!(f, " after a turn about x = {}, which nothing prevents", result(about))?;
+            write!(f, " after a turn about x = {}, which takes no force", result(about))?;
         }
         let coarse = self.certificate.as_ref().is_some_and(|c| !c.contacts_proven);
         if told && coarse && 0.0 < self.error {
@@ -331,7 +338,7 @@ fn flaw(certificate: &Certificate) -> Option<Refusal> {
 ///
 /// And its energy lies between the bounds that they prove: a beam that is not held where it should be has too little of it.
 fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
-    let Certificate { deflection: judged, deflection_at_least: least, deflection_error: error, .. } = *certificate;
+    let Certificate { deflection: judged, deflection_error: error, .. } = *certificate;
     let Certificate { energy_lower: lower, energy_upper: upper, .. } = *certificate;
     let own = state.deflection.magnitude();
     // A bound of more than half the deflection recognises nothing. A beam at rest moves by the rounding of what its loads would
@@ -340,14 +347,20 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
     let free = scene.load().magnitude(length) / stiffness * length * length * length / 48.0;
     let most = error.min(0.5 * judged) + ROUNDING * own + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE;
     // Also true where nothing is finite, which is another refusal's business.
-    // Of a beam that may turn another position is as good.
-    let apart = certificate.up_to_a_turn.is_none() && most < (least - own).max(own - judged);
-    if apart {
+    if most < apart(certificate, own) {
         return Some(Refusal::Deflection { own, judged, error });
     }
     let rounding = ENERGY * energy_size(scene, state);
     let outside = state.energy + rounding < lower || upper < state.energy - rounding;
     outside.then_some(Refusal::Energy { own: state.energy, lower, upper })
+}
+
+/// How far the largest deflection of an exact answer is off the one that its contacts make, which is the one that is judged. Of a
+/// beam that may turn another position is as good.
+fn apart(certificate: &Certificate, own: f64) -> f64 {
+    let Certificate { deflection: judged, deflection_at_least: least, up_to_a_turn, .. } = *certificate;
+    let known = up_to_a_turn.is_none() && judged.is_finite();
+    if known { (least - own).max(own - judged).max(0.0) } else { 0.0 }
 }
 
 /// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.

@@ -1,7 +1,7 @@
 //! The beam by pieces: over each part of a cell it is one polynomial, and so is (or nearly so, for a cosine) the clearance.
 
 use super::piecewise::PiecewiseScene;
-use super::span::{Span, difference};
+use super::span::{End, Hold, Span, difference};
 
 /// A part of a cell over which the beam is one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,9 +84,25 @@ fn beam_taylor(given: &PiecewiseScene, cell: usize, x: f64, [v, v1, v2, v3]: &[f
     [*v, *v1, v2 / 2.0, v3 / 6.0, given.load(cell, x) / 24.0, given.cells[cell].load_slope / 120.0]
 }
 
-/// The pieces of a span, from left to right: computed from both ends up to its middle.
+/// Where the pieces meet that are computed from the two ends of a span: in its middle, or at a load that stands right beside one
+/// end. Nearly all of such a load goes into that end, and what is left of the shear force beyond it, a difference of nearly equal
+/// numbers there, is known from the other end.
+fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
+    /// Share of the span; at this distance six of the digits of the shear force would be lost.
+    const BESIDE: f64 = 1e-6;
+    let (a, b, near) = (&span.a, &span.b, BESIDE * span.length());
+    let loaded = |end: &End, i: &usize| end.hold != Hold::Free && given.load_changes_at(*i);
+    let left = given.breakpoints_inside(a.x, a.x + near).rfind(|i| loaded(a, i));
+    let right = given.breakpoints_inside(b.x - near, b.x).find(|i| loaded(b, i));
+    match (left, right) {
+        (Some(i), None) | (None, Some(i)) => given.breakpoints[i].x,
+        _ => 0.5 * (a.x + b.x),
+    }
+}
+
+/// The pieces of a span, from left to right: computed from both ends up to where they meet.
 pub(super) fn pieces_of(given: &PiecewiseScene, span: &Span, out: &mut Vec<Piece>) {
-    let middle = 0.5 * (span.a.x + span.b.x);
+    let middle = meeting(given, span);
     let mut state = State { beam: span.beam_a, clearance: span.at_a };
     let mut cell = span.a.cell;
     let mut from = span.a.x;

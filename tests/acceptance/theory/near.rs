@@ -3,6 +3,7 @@
 
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
+use palkki::verdict::{Demand, Status, Verdict};
 
 const LENGTH: f64 = 12.0;
 
@@ -113,5 +114,84 @@ fn the_energy_of_supports_beside_each_other_has_its_digits() {
         let energy = 0.5 * stiffness * curvature * curvature * last / 3.0;
         let found = answer.state.energy;
         assert!((found / energy - 1.0).abs() <= ROUNDING, "{share}: {found}, not {energy}");
+    }
+}
+
+/// A force `P` at a distance `b` from an end.
+struct Beside {
+    length: f64,
+    b: f64,
+    right: bool,
+    built_in: bool,
+    /// Over all of `b`, and not at one place.
+    spread: bool,
+}
+
+impl Beside {
+    const FORCE: f64 = 3.0;
+    const STIFFNESS: f64 = 20.0;
+
+    fn scene(&self) -> Scene {
+        let &Self { length, b, right, built_in, spread } = self;
+        let support = if built_in { Support::built_in } else { Support::simple };
+        let beam = Beam::new(length, Self::STIFFNESS).expect("a beam");
+        let beam = beam.with_supports(vec![support(0.0), support(length)]).expect("apart");
+        let at = if right { length - b } else { b };
+        let [from, to] = if right { [at, length] } else { [0.0, at] };
+        let load = match spread {
+            false => Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at, force: Self::FORCE }]),
+            true => {
+                let [start, end] = [Self::FORCE / b; 2];
+                Load::new(&beam, 0.0, vec![LinearLoad { from, to, start, end }], Vec::new())
+            }
+        };
+        Scene::new(beam, load.expect("a load"), None).expect("a scene")
+    }
+
+    /// The largest deflection.
+    ///
+    /// ```text
+    /// P b (l² − b²)^1.5 / 9√3 l EI     simple     2 P a³ b² / 3 EI (3a + b)²     built in, a = l − b
+    /// ```
+    ///
+    /// What is spread acts at its middle, and has a third of the fixed-end moment at the other end, but for terms of the order `b/l`.
+    fn largest(&self) -> f64 {
+        let &Self { length, b, built_in, spread, .. } = self;
+        if built_in {
+            let (a, share) = (length - b, if spread { 1.0 / 3.0 } else { 1.0 });
+            share * 2.0 * Self::FORCE * a.powi(3) * b * b / (3.0 * Self::STIFFNESS * (3.0 * a + b).powi(2))
+        } else {
+            let b = if spread { 0.5 * b } else { b };
+            Self::FORCE * b * (length * length - b * b).powf(1.5) / (9.0 * 3.0_f64.sqrt() * length * Self::STIFFNESS)
+        }
+    }
+}
+
+/// Nearly all of such a load goes into the support, and the rest bends the beam: beside a simple support that is known to the last
+/// digits, and otherwise what is claimed of it is true.
+#[test]
+fn a_load_right_beside_a_support_bends_the_beam() {
+    // What is lost where the pieces of a span still meet in its middle: six digits of sixteen.
+    const CLOSE: f64 = 1e-10;
+    for length in [1.0, 10.0, 12.7] {
+        for share in [1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4] {
+            for (right, built_in, spread) in (0..8).map(|k| (k & 1 == 1, k & 2 == 2, k & 4 == 4)) {
+                // As it is in 64 bits.
+                let b = if right { length - (length - share * length) } else { share * length };
+                let beside = Beside { length, b, right, built_in, spread };
+                let (scene, expected) = (beside.scene(), beside.largest());
+                let exact = solve(&scene).expect("an answer");
+                // A share of what is found, as what is claimed is.
+                let off = (expected / exact.state.deflection.max - 1.0).abs();
+                let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
+                let what = format!("{length}, {share}, right {right}, built in {built_in}, spread {spread}");
+                let formula = if spread { 4.0 * share } else { 0.0 } + 1e-14;
+                assert!(off <= verdict.error + formula, "{what}: off by {off:e}, and {:e} is claimed", verdict.error);
+                if !built_in && !spread {
+                    assert!(off <= CLOSE, "{what}: off by {off:e}");
+                    assert!(!right || verdict.status == Status::Certified, "{what}: {verdict}");
+                }
+            }
+        }
     }
 }
