@@ -110,6 +110,8 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
 
 /// The slope nearest to zero at which a beam that may turn about a place is clear of the ground, as far as samples tell.
 fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
+    /// How far that slope stays off its limits, as a share of what is between them: more than samples miss.
+    const FROM_LIMITS: f64 = 1e-6;
     let node = ContactNode::free(about);
     let spans = [enclosed.span(None, Some(&node)), enclosed.span(Some(&node), None)];
     // How far it may turn down on the left and on the right.
@@ -126,7 +128,10 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
         }
         most
     });
-    if -left <= right { 0.0_f64.max(-left).min(right) } else { 0.5 * (right - left) }
+    // At a limit the beam would touch, and rounding might put it into the ground.
+    let size = [left, right].into_iter().filter(|slope| slope.is_finite()).fold(0.0, |size: f64, s| size.max(s.abs()));
+    let inside = FROM_LIMITS * (left + right).min(size).max(0.0);
+    if -left <= right { 0.0_f64.max(inside - left).min(right - inside) } else { 0.5 * (right - left) }
 }
 
 /// The least of a function for `0 ≤ s ≤ width` if that is below `bound`, and otherwise that: from samples, about the least of which

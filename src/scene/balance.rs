@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 
 use super::double::Double;
 use super::error::shown;
-use super::{Load, Scale, Scene};
+use super::{Foundation, Load, Scale, Scene};
 
 /// The resultant of all loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,8 @@ pub enum Balance {
     /// The beam can turn, and pushing ground holds it.
     Stands(Resultant),
     /// The resultant is exactly, within rounding, above the only place about which the beam could turn: the end of the ground or
-    /// the one support. The forces are certain; the position is so only if the ground holds it besides.
+    /// the one support, or above a corner of the ground, on which the beam may rest alone. If it does, the forces are certain; the
+    /// position is so only if the ground holds it besides.
     Neutral {
         /// The loads.
         resultant: Resultant,
@@ -135,7 +136,11 @@ impl Balance {
                     (Ordering::Less, _) | (_, Ordering::Less) => Err(Unheld::Overturns { force: weight, at, length }),
                     (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: 0.0 }),
                     (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: length }),
-                    (Ordering::Greater, Ordering::Greater) => Ok(Self::Stands(resultant())),
+                    (Ordering::Greater, Ordering::Greater) => {
+                        let (resultant, about) =
+                            (resultant(), corner(scene, at, |x| turn(x).sign() == Ordering::Equal));
+                        Ok(about.map_or(Self::Stands(resultant), |about| Self::Neutral { resultant, about }))
+                    }
                 }
             }
             [support] if support.slope.is_none() => {
@@ -189,6 +194,24 @@ impl Unheld {
             Self::NothingPresses | Self::NothingCarries => self,
         }
     }
+}
+
+/// The corner or edge of the gap between ground and own shape that can carry the beam and is `at` a place, as far as `there` can
+/// tell: only the points of the two next to it are looked at.
+fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
+    let profiles = [scene.foundation(), scene.beam().shape()];
+    let beside = |profile: Option<&Foundation>| {
+        let Some(Foundation::Polyline { points }) = profile else { return [None; 2] };
+        let next = points.partition_point(|p| p[0] < at);
+        [next.checked_sub(1), Some(next)].map(|i| points.get(i?).map(|p| p[0]))
+    };
+    let carries = |x: f64| {
+        let [ground, own] = profiles.map(|profile| profile.map_or([[0.0; 2]; 2], |profile| profile.sides(x)));
+        let [left, right] = [0, 1].map(|side| [0, 1].map(|k| ground[side][k] - own[side][k]));
+        left[0] < right[0] || right[0] < left[0] || left[1] < right[1]
+    };
+    let inside = |x: f64| 0.0 < x && x < scene.beam().length();
+    profiles.into_iter().flat_map(beside).flatten().find(|&x| inside(x) && there(x) && carries(x))
 }
 
 /// To four significant digits.

@@ -1,5 +1,5 @@
-//! A beam in balance above one place: on its one support, or on the end of the ground. Forces, moments and energy are certain, and
-//! the beam may turn about that place until it touches.
+//! A beam in balance above one place: on its one support, on the end of the ground, or on a corner of it. Forces, moments and energy
+//! are certain, and the beam may turn about that place until it touches.
 //!
 //! ```text
 //! v(x) = v₀(x) + s (x − x₀),    from = max (g − v₀)/(x − x₀) left of x₀,    to = min (g − v₀)/(x − x₀) right of x₀
@@ -16,11 +16,13 @@ use super::normal::edge_node;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 
-/// The beam in its position with the slope nearest to zero, and the interval of slopes; [`None`] if it does not rest on this
-/// place, `about`, alone.
-pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, [f64; 2])> {
+/// The beam in its position with the slope nearest to zero, and the interval of slopes if there is more than one; [`None`] if it does
+/// not rest on this place, `about`, alone.
+pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Option<[f64; 2]>)> {
+    /// Slopes that differ by less than this share are one.
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
     let node = match given.supports.len() {
-        0 => edge_node(given, given.breakpoint_at(about)?),
+        0 => edge_node(given, given.breakpoint_at(about).filter(|&breakpoint| given.is_edge(breakpoint))?),
         _ => support_node(given, 0, [Beside::Apart; 2]),
     };
     if node.held_slope(given).is_some() {
@@ -28,14 +30,17 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, [f6
     }
     let level = List { nodes: vec![Node { slope: 0.0, ..node }] };
     let slopes = if given.founded { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
-    if slopes[1] < slopes[0] {
+    // Where the ground leaves one slope it is known to rounding, and its limits may lie on either side of each other.
+    let rounding = ROUNDING * slopes[0].abs().max(slopes[1].abs());
+    if slopes[1] < slopes[0] - rounding {
         return None;
     }
+    let turns = slopes[1].is_infinite() || slopes[0].is_infinite() || rounding < slopes[1] - slopes[0];
     let slope = 0.0_f64.max(slopes[0]).min(slopes[1]);
     let list = List { nodes: vec![Node { slope, ..node }] };
     let checked = check(given, &list);
     let found = Found { list, checked, steps: 0, lists: 1, converged: true };
-    found.solved().then_some((found, slopes))
+    found.solved().then_some((found, turns.then_some(slopes)))
 }
 
 /// Between which slopes the beam is clear of the ground.

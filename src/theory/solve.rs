@@ -103,7 +103,7 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         _ => None,
     };
     let (found, slopes) = match neutral {
-        Some((found, slopes)) => (found, Some(slopes)),
+        Some(found) => found,
         None => {
             let near = near.iter().filter(|near| near.solved);
             (search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale))), None)

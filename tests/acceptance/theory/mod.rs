@@ -4,6 +4,7 @@ mod balance;
 mod beside;
 mod borders;
 mod closed;
+mod crests;
 mod held;
 mod level;
 mod long;
