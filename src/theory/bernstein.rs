@@ -129,7 +129,7 @@ pub(super) fn sign_changes(monomial: &[f64], width: f64) -> Vec<f64> {
         parts += 1;
         match variations(&b) {
             0 => {}
-            1 => found.push(bracketed(monomial, lo, hi)),
+            1 => found.push(bracketed(monomial, [lo, hi], starts_positive(&b))),
             // Rounding decides below this width: an odd number of changes is one, an even number none.
             many if DEPTH <= depth || PARTS < parts => {
                 if many % 2 == 1 {
@@ -162,20 +162,22 @@ fn variations(b: &[f64]) -> usize {
     signs.filter(|&sign| std::mem::replace(&mut last, sign) != sign).count()
 }
 
+/// The sign just inside the left end of a form with one change of sign. At the end itself the polynomial may be zero but for its
+/// rounding, and another way to compute it may round to the other side.
+fn starts_positive(b: &[f64]) -> bool {
+    b.iter().find(|&&b| b != 0.0 && !b.is_nan()).is_some_and(|&b| 0.0 < b)
+}
+
 /// `Σ a_j t^j`.
 pub(super) fn value(monomial: &[f64], t: f64) -> f64 {
     monomial.iter().rev().fold(0.0, |sum, &a| sum * t + a)
 }
 
-/// The one root in `[lo, hi]`, by bisection and, once it is faster, Newton's method inside the bracket.
+/// The one root in `[lo, hi]`, by bisection and, once it is faster, Newton's method inside the bracket; the sign of the polynomial
+/// before it is given.
 #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
-fn bracketed(monomial: &[f64], mut lo: f64, mut hi: f64) -> f64 {
+fn bracketed(monomial: &[f64], [mut lo, mut hi]: [f64; 2], positive_before: bool) -> f64 {
     let slope: Vec<f64> = monomial.iter().enumerate().skip(1).map(|(j, &a)| a * j as f64).collect();
-    let mut low_sign = value(monomial, lo);
-    if low_sign == 0.0 {
-        // The sign just inside.
-        low_sign = value(&slope, lo);
-    }
     let mut t = 0.5 * (lo + hi);
     // Newton's method needs a handful of steps; bisection alone would need one for each bit.
     for _ in 0..100 {
@@ -183,7 +185,7 @@ fn bracketed(monomial: &[f64], mut lo: f64, mut hi: f64) -> f64 {
         if f == 0.0 {
             return t;
         }
-        if (0.0 < f) == (0.0 < low_sign) {
+        if (0.0 < f) == positive_before {
             lo = t;
         } else {
             hi = t;
@@ -227,6 +229,26 @@ mod tests {
             assert!((found - root).abs() < ROUNDING, "{found} for {root}");
         }
         assert_eq!(sign_changes(&with_roots(&[0.3, 0.3]), 1.0), Vec::<f64>::new());
+    }
+
+    /// A root at the place where an interval is halved, but for rounding: whatever the signs there by either way to compute them, it is
+    /// that place.
+    #[test]
+    fn a_root_where_an_interval_is_halved_is_found_there() {
+        for i in 1..=2000_u32 {
+            let width = 0.371 * f64::from(i) / 7.0;
+            let middle = 0.5 * width;
+            // (t − m)(k m² − (t − m)²), with roots beside the middle or without.
+            for k in [-0.3, 0.11, 0.37] {
+                let c = k * middle * middle;
+                let cubed = middle * middle * middle;
+                let p = [cubed - c * middle, c - 3.0 * middle * middle, 3.0 * middle, -1.0];
+                let found = sign_changes(&p, width);
+                assert_eq!(found.len(), if k < 0.0 { 1 } else { 3 }, "{found:?} for {p:?}");
+                let inner = found[found.len() / 2];
+                assert!((inner - middle).abs() <= ROUNDING * width, "{inner} for {middle}: {p:?}");
+            }
+        }
     }
 
     #[test]
