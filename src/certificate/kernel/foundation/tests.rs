@@ -125,7 +125,7 @@ fn cells_of_a_cosine_enclose_it() {
 
 #[test]
 fn cells_end_where_they_are_said_to() {
-    let (long, short) = (long(), Foundation::Polynomial { coefficients: vec![1.0; 10] });
+    let (long, short) = (long(), Foundation::Polynomial { coefficients: vec![1.0; 7] });
     let cells = EnclosedFoundation::on(&long, LENGTH).breaks(0.0, LENGTH);
     assert_eq!(cells.len() + 1, 12 * CELLS_PER_DEGREE, "so many for each degree");
     assert!(cells.is_sorted() && 0.0 < cells[0] && cells[cells.len() - 1] < LENGTH);
