@@ -1,10 +1,12 @@
 //! The entrance: a scene in its own units to its exact solution.
 
 use super::breakpoints::MOST_CELLS;
+use super::check::check;
 use super::exact::Exact;
 use super::neutral;
+use super::normal;
 use super::piecewise::PiecewiseScene;
-use super::search::search;
+use super::search::{Found, search};
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
@@ -106,9 +108,17 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         Some(found) => found,
         None => {
             let near = near.iter().filter(|near| near.solved);
-            (search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale))), None)
+            let found = search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale)));
+            (reaching_free_ends(&given, found), None)
         }
     };
     let exact = Exact::new(given, found, scaled.scale, stiffness);
     Ok(exact.balanced(scaled.balance.in_units_of(&scaled.scale), slopes))
+}
+
+/// An answer with zones that end next to a free end, as one whose zones reach it, if all conditions hold for that as well.
+fn reaching_free_ends(given: &PiecewiseScene, found: Found) -> Found {
+    let Some(list) = normal::reaching_free_ends(given, &found.list).filter(|_| found.solved()) else { return found };
+    let reached = Found { checked: check(given, &list), list, ..found };
+    if reached.solved() { reached } else { found }
 }
