@@ -121,6 +121,7 @@ impl Proof {
             deflection_error_at: error.at * scale.length,
             deflection: error.size * scale.depth,
             deflection_at_least: least * scale.depth,
+            at_rest: error.most.max(error.size) <= f64::MIN_POSITIVE,
             ..certificate
         }
     }
@@ -182,9 +183,26 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
 /// The pair that a list of contacts proves, or that of a beam that touches nowhere if that is better. Whatever the list, there
 /// is a bound for a beam that its supports hold.
 fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
-    let of = |contacts: &[Contact]| proof::pair(enclosed, &witness::nodes(enclosed, contacts, scale));
-    let pair = of(contacts);
-    if pair.as_ref().is_some_and(|pair| is_sharp(enclosed, pair)) {
+    let of = |contacts: &[Contact]| {
+        let nodes = witness::nodes(enclosed, contacts, scale);
+        let mut pair = proof::pair(enclosed, &nodes)?;
+        if !is_sharp(enclosed, &pair) {
+            proof::hold_by_zones(enclosed, &nodes, &mut pair);
+        }
+        Some(pair)
+    };
+    let better = |pair: Option<Pair>, contacts: &[Contact]| {
+        let other = of(contacts);
+        pair.into_iter().chain(other).min_by(|a, b| a.gap.total_cmp(&b.gap))
+    };
+    let mut pair = of(contacts);
+    let sharp = |pair: &Option<Pair>| pair.as_ref().is_some_and(|pair| is_sharp(enclosed, pair));
+    // A place that is touched without a force is no contact where another one is next to it.
+    let presses = |contact: &&Contact| contact.from < contact.to || contact.force.abs() > 0.0;
+    if !sharp(&pair) && !contacts.iter().all(|contact| presses(&contact)) {
+        pair = better(pair, &contacts.iter().filter(presses).copied().collect::<Vec<_>>());
+    }
+    if sharp(&pair) {
         return pair;
     }
     let none = of(&[]).map(|none| Pair { lifted: f64::INFINITY, ..none });
@@ -219,6 +237,9 @@ pub struct Certificate {
     pub deflection: f64,
     /// The same, rounded down: what is reached somewhere; zero for a deflection at the nodes of a grid.
     pub deflection_at_least: f64,
+    /// True if the beam is proven to be at rest and so is what was judged: in dimensionless numbers deflection and error are zero, but
+    /// for the smallest normal number, by which bounds are rounded up.
+    pub at_rest: bool,
     /// The place about which the beam can turn without a force, if neither supports nor loads say how it stands: the true
     /// deflection is known up to such a turn, and the errors of deflections are those after the best turn.
     pub up_to_a_turn: Option<f64>,
@@ -244,6 +265,7 @@ impl Certificate {
             best_deflection_error: f64::INFINITY,
             deflection: f64::INFINITY,
             deflection_at_least: 0.0,
+            at_rest: false,
             up_to_a_turn: None,
             reactions: vec![None; supports],
             stiffness: None,

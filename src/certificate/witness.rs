@@ -89,7 +89,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     if let [node] = nodes
-        && enclosed.balanced_at == Some(node.x)
+        && (enclosed.balanced_at == Some(node.x) || enclosed.supports.is_empty())
         && let Slope::Free(slope) = &mut node.slope
     {
         *slope = turn(enclosed, node.x);

@@ -82,8 +82,12 @@ fn beside(
         most = part.lift(most, &mut MOST_PARTS.clone())?;
         order = 0;
         known.clear();
+        // Over a kink the value goes on, and over a smooth place the slope as well.
+        if enclosed.gap.is_continuous_at(far) {
+            known.push(clearance.at(width));
+        }
         if enclosed.gap.is_smooth_at(far) {
-            known.extend([clearance.at(width), clearance.derivative().at(width)]);
+            known.push(clearance.derivative().at(width));
         }
     }
     Some(most)

@@ -45,6 +45,11 @@ impl EnclosedGap<'_> {
         self.ground.is_smooth_at(x) && self.shape.is_smooth_at(x)
     }
 
+    /// False at steps.
+    pub(crate) fn is_continuous_at(&self, x: f64) -> bool {
+        self.ground.points_at(x).len().max(self.shape.points_at(x).len()) < 2
+    }
+
     /// True if it is one smooth curve between two places.
     pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
         self.ground.is_smooth_between(from, to) && self.shape.is_smooth_between(from, to)

@@ -82,10 +82,9 @@ fn couples_at_free_ends_are_cut_off() {
 }
 
 /// A beam on the crest of `u = 1 + c (x − m)²`, below forces that bend it there by the moment `M`: beside the crest the clearance has
-/// the curvature `2 c − M/EI`. The force at the crest presses in halves at the distance `f` from it, and both places are known by
-/// the gap over a quarter, four times `P (2 f)² (g − v̂)''/2` over `P`.
+/// the curvature `2 c − M/EI`. The ground stops it at the distance `f` on both sides, where it is known by `f² (g − v̂)''/2`.
 #[test]
-fn a_single_place_presses_on_both_of_its_sides() {
+fn a_single_place_is_stopped_on_both_of_its_sides() {
     let force = 50.0;
     let crest = |middle: f64, c: f64| Foundation::Polynomial {
         coefficients: vec![1.0 + c * middle * middle, -2.0 * c * middle, c],
@@ -97,20 +96,20 @@ fn a_single_place_presses_on_both_of_its_sides() {
     assert_eq!([left.from, right.from].map(f64::to_bits), [8.0 - far, 8.0 + far].map(f64::to_bits));
     for place in [left, right] {
         // Half as much again for places that are rounded.
-        let expected = 8.0 * far * far * 0.5;
+        let expected = 0.25 * far * far;
         assert!((expected..1.5 * expected).contains(&place.off), "{place:?}, not {expected}");
     }
-    close("gap", pair.gap, 0.25 * force * left.off);
-    // A couple takes halves that are farther apart: its share of the force, 16 times.
+    assert!(pair.gap <= 1e-20, "{}", pair.gap);
+    // A couple takes stops that are farther away, so that its share of the force is a sixteenth at each.
     let beside =
         pair_of(&free(crest(8.0, 0.25), 0.0, at(8.25)), &[node(Kind::Touch, 8.0, 0.0)]).expect("not much beside");
     for Hold(left, right) in &beside.0.holds {
         close("left place", left.from, 4.0);
         close("right place", right.from, 12.0);
     }
-    // The couple 50/4 at the crest, the force that is moved by 4 to both sides, and 50 times (2 · 4)² (g − v̂)''/2.
-    let moments = (12.5 * 8.0_f64.sqrt() + force * 16.0 / 8.0_f64.sqrt()) / (3.0 * STIFFNESS).sqrt();
-    close("gap", beside.0.gap, 0.5 * moments * moments + force * 16.0);
+    // The couple 50/4 at the crest, taken by either of two spans of 4, and what presses at both stops, where the clearance is 4.
+    let moments = 12.5 * (2.0 + 2.0) / (3.0 * STIFFNESS).sqrt();
+    close("gap", beside.0.gap, 0.5 * moments * moments + 2.0 * (12.5 / 4.0) * 4.0);
     // Bent by forces at both ends.
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_supports(Vec::new()).expect("none");
     for mirrored in [false, true] {
@@ -123,7 +122,7 @@ fn a_single_place_presses_on_both_of_its_sides() {
         let load = Load::new(&beam, 0.0, Vec::new(), points).expect("finite");
         let scene = Scene::new(beam.clone(), load, Some(crest(x(8.0), 2.0))).expect("well posed");
         let (pair, _) = pair_of(&scene, &[node(Kind::Touch, x(8.0), 0.0)]).expect("in balance");
-        let expected = 8.0 * far * far * (4.0 - 64.0 / STIFFNESS);
+        let expected = 0.5 * far * far * (4.0 - 64.0 / STIFFNESS);
         for Hold(left, right) in pair.holds {
             assert!((expected..1.5 * expected).contains(&left.off.max(right.off)), "{left:?}, not {expected}");
         }
@@ -137,17 +136,50 @@ fn a_single_place_presses_on_both_of_its_sides() {
     for Hold(left, right) in pair.holds {
         assert!(left.from < 7.0 && 7.0 < right.from && left.off.max(right.off) <= 1e-25, "{left:?}, {right:?}");
     }
-    // On a corner, beside the end of the beam, and with the load beside it.
-    let ridge = Foundation::Polyline { points: vec![[0.0, 9.0], [8.0, 1.0], [LENGTH, 9.0]] };
-    assert!(pair_of(&free(ridge.clone(), 0.0, at(8.0)), &[node(Kind::Corner, 8.0, 0.0)]).is_none());
-    let one_sided = ContactNode { x: 8.0, slope: Slope::OfGround { from_the_left: true }, lies: false };
-    assert!(pair_of(&free(ridge, 0.0, at(8.0)), &[one_sided]).is_none());
     // A slope that is that of the crest, and nobody knows it.
     for slope in [0.0, 1e-3, -1e-3, 0.1] {
         assert!(pair_of(&free(crest(8.0, 0.25), 0.0, at(8.0)), &[node(Kind::Corner, 8.0, slope)]).is_none(), "{slope}");
     }
-    for (x, load) in [(1e-12, 1e-12), (LENGTH - 1e-12, LENGTH - 1e-12), (8.0, 9.0)] {
-        assert!(pair_of(&free(crest(x, 0.25), 0.0, at(load)), &[node(Kind::Touch, x, 0.0)]).is_none(), "{x}, {load}");
+    // A load so far beside it that the stops would have to press with more than what is there.
+    assert!(pair_of(&free(crest(8.0, 0.25), 0.0, at(15.0)), &[node(Kind::Touch, 8.0, 0.0)]).is_none());
+}
+
+/// On a ridge between two slopes the beam turns until it lies on one of them, by as much as the bound says; on sleepers beside the
+/// ridge, as far as they are below it.
+#[test]
+fn on_a_ridge_a_beam_turns_as_far_as_the_ground_lets_it() {
+    let at = |x: f64| vec![PointLoad { at: x, force: 50.0 }];
+    let turned = |ground: Vec<[f64; 2]>, x: f64| {
+        let scene = free(Foundation::Polyline { points: ground }, 0.0, at(x));
+        let (pair, _) = pair_of(&scene, &[node(Kind::Corner, x, 0.0)]).expect("a ridge carries it");
+        assert!(pair.gap <= 1e-20, "{}", pair.gap);
+        let [Hold(left, right)] = pair.holds[..] else { panic!("one pair of places, not {:?}", pair.holds) };
+        [(left.from, left.off), (right.from, right.off)]
+    };
+    let found = turned(vec![[0.0, 9.0], [8.0, 1.0], [LENGTH, 9.0]], 8.0);
+    // Down by 8 at the left end, which lifts the right end by 8 · 12/8; and down by 8 at the right end.
+    for ((place, off), [x, expected]) in found.into_iter().zip([[0.0, 8.0], [LENGTH, 12.0]]) {
+        assert!((place - x).abs() <= 0.0, "{place}, not {x}");
+        close("off", off, expected);
+    }
+    for [below, above] in [[0.0, 0.0], [0.5, 0.0], [0.0, 0.25], [0.5, 0.25]] {
+        let ground = [
+            [0.0, 9.0],
+            [2.0, 1.0 + below],
+            [4.0, 9.0],
+            [8.0, 1.0],
+            [10.0, 9.0],
+            [11.0, 1.0 + above],
+            [12.0, 9.0],
+            [LENGTH, 9.0],
+        ];
+        // The ends of the beam are stopped by ground that is deeper.
+        let found = turned(ground.to_vec(), 8.0);
+        let expected = [below.max(2.0 * above), above.max(0.5 * below)];
+        for ((place, off), (x, expected)) in found.into_iter().zip([2.0, 11.0].into_iter().zip(expected)) {
+            assert!((place - x).abs() <= 0.0, "{place}, not {x}");
+            assert!((off - expected).abs() <= 1e-12, "{off}, not {expected}, at {x}");
+        }
     }
 }
 
