@@ -11,6 +11,7 @@
 //! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it; its energy is between the bounds |
 //! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
 //!
+//! A beam that is proven to be at rest, with an answer that says so, has the error zero: there is no deflection to have a share of.
 //! The deflection of a beam that may turn freely about a place is judged after the best such turn, and the verdict says so.
 //!
 //! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
@@ -34,7 +35,7 @@
 //! let witness = Witness::of(&scene);
 //! let certificate = witness.judge(Judged::Forces(&forces), &[])?;
 //! assert!(certificate.energy_lower <= certificate.energy_upper);
-//! let verdict = Verdict::of_forces(&scene, certificate);
+//! let verdict = Verdict::of_forces(certificate);
 //! assert_eq!(verdict.status, Status::NotCertified, "{verdict}");
 //! assert!(verdict.to_string().starts_with("the beam may be off by "), "{verdict}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -55,10 +56,6 @@ pub const USABLE: f64 = 0.1;
 
 /// The same of beam theory, which has no grid to blame.
 pub const EXACT: f64 = 1e-6;
-
-/// A deflection that is this share of the length of the beam or less, and known to be, is none: a beam that does not move is
-/// certain. The square root of the smallest number that there is comes to 1e-162.
-const AT_REST: f64 = 1e-140;
 
 /// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
 /// guaranteed error.
@@ -233,7 +230,7 @@ impl Verdict {
         };
         let certificate = certificate(&raw.state, witness);
         let size = raw.state.deflection.magnitude();
-        Self::new(witness.scene(), certificate, size, own, demand.error, raw.solver_reports_success)
+        Self::new(certificate, size, own, demand.error, raw.solver_reports_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.
@@ -255,29 +252,27 @@ impl Verdict {
             let off = if 0.0 < off { off + (c.deflection - c.deflection_at_least) } else { 0.0 };
             Certificate { deflection_error: c.deflection_error + off, ..c }
         });
-        Self::new(scene, certificate, size, own, most, exact.converged)
+        Self::new(certificate, size, own, most, exact.converged)
     }
 
     /// On contact forces from somebody who says nothing of a grid: what counts is the deflection that they cause.
     #[must_use]
-    pub fn of_forces(scene: &Scene, certificate: Certificate) -> Self {
+    pub fn of_forces(certificate: Certificate) -> Self {
         let size = certificate.deflection;
-        Self::new(scene, Some(certificate), size, None, USABLE, true)
+        Self::new(Some(certificate), size, None, USABLE, true)
     }
 
     /// From the certificate, the largest deflection, what is wrong with how it solves its own problem, and the largest error.
     fn new(
-        scene: &Scene,
         certificate: Option<Certificate>,
         size: f64,
         own: Option<Refusal>,
         most: f64,
         reports_success: bool,
     ) -> Self {
-        let error = certificate.as_ref().map_or(f64::INFINITY, |c| {
-            let none = AT_REST * scene.beam().length();
-            if within(c.deflection_error, none) && within(size, none) { 0.0 } else { c.deflection_error / size }
-        });
+        // A beam that is known not to move is certain, and no share of its deflection can be told.
+        let error =
+            certificate.as_ref().map_or(f64::INFINITY, |c| if c.at_rest { 0.0 } else { c.deflection_error / size });
         let refusal = own
             .or_else(|| certificate.as_ref().map_or(Some(Refusal::NoNumbers), flaw))
             .or_else(|| (!within(error, most)).then_some(Refusal::Error { share: error, most }));

@@ -48,7 +48,7 @@ impl Finding {
             let certificate = witness.judge(Judged::Nodes(&lumped.nodes), &own).map_err(|e| input.error(e))?;
             let violations = violations_at_nodes(&lumped);
             let intervals = Some(lumped.intervals());
-            let verdict = Verdict::of_forces(scene, certificate.clone());
+            let verdict = Verdict::of_forces(certificate.clone());
             return Ok(Self { load: lumped.load, intervals, perhaps: None, certificate, verdict, violations });
         }
         // The reader has refused whatever this refuses.
@@ -58,7 +58,7 @@ impl Finding {
         })?;
         let certificate = witness.judge(Judged::Forces(&load), &own).map_err(|error| input.error(error))?;
         let violations = violations(scene, &load).map_err(|error| input.error(error))?;
-        let verdict = Verdict::of_forces(scene, certificate.clone());
+        let verdict = Verdict::of_forces(certificate.clone());
         let refused = verdict.status != Status::Certified;
         let perhaps = lumped.ok().filter(|_| refused).map(|lumped| lumped.intervals());
         Ok(Self { load, intervals: None, perhaps, certificate, verdict, violations })

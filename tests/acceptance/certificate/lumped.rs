@@ -78,7 +78,7 @@ fn under_the_distributed_load_nodal_forces_let_the_beam_into_the_ground() {
         let exact = palkki::theory::solve(&scene).expect("a closed form").state.contacts;
         let distributed = certify(&scene, Judged::Forces(&load), &exact).expect("a scene");
         let nodal = certify(&scene, Judged::Nodes(&lumped.nodes), &exact).expect("a scene");
-        let [distributed, nodal] = [distributed, nodal].map(|c| Verdict::of_forces(&scene, c));
+        let [distributed, nodal] = [distributed, nodal].map(Verdict::of_forces);
         assert!(2.0 * nodal.error < distributed.error, "{distributed:?}, {nodal:?}");
     }
 }

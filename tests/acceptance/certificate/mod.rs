@@ -2,6 +2,7 @@
 
 mod anything;
 mod closed;
+mod conditions;
 mod faults;
 mod flat;
 mod given;
@@ -9,6 +10,7 @@ mod interval;
 mod judge;
 mod lumped;
 mod random_lists;
+mod right;
 mod scale;
 mod sharpness;
 mod supports;

@@ -88,7 +88,7 @@ impl Found {
         Ok(Self {
             who: who.to_owned(),
             errors: certificates.each_ref().map(|c| c.deflection_error / c.deflection),
-            accepted: certificates.map(|c| Verdict::of_forces(&scene, c).status == Status::Certified),
+            accepted: certificates.map(|c| Verdict::of_forces(c).status == Status::Certified),
             worst: violations_at_nodes(&lumped).into_iter().next(),
             reaction: (0.5 * (scene.load().resultant(length) - carried) / paper::theory().reaction - 1.0).abs(),
         })
