@@ -17,11 +17,11 @@ pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 
 /// A beam above a rigid, uneven foundation: where does it touch, and how hard?
 ///
-/// A straight elastic beam rests on a support at each end. Below it, at a known depth, lies rigid, uneven ground. Under
-/// load the beam sags and may touch the ground. palkki computes where it touches, the contact forces, the reactions of the
-/// supports, the deflection and the bending moment.
+/// An elastic beam is held by simple or built-in supports, by one at each end if the scene does not say otherwise, or lies on the
+/// ground alone. Below it, at a known depth, lies rigid, uneven ground. Under load the beam sags and may touch the ground. palkki
+/// computes where it touches, the contact forces, the reactions of the supports, the deflection and the bending moment.
 ///
-/// The problem and three methods to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
+/// The problem on two simple supports and three methods to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
 /// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground are given in a scene file; report/scenes
 /// has examples.
 #[derive(Debug, Parser)]
@@ -105,7 +105,7 @@ pub(super) enum Command {
 
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// Scene file: beam, loads and foundation, in TOML
+    /// Scene file: beam, supports, loads and foundation, in TOML; `-` is standard input
     #[arg(value_name = "SCENE")]
     pub(super) scene: PathBuf,
     /// A table to read, or JSON to read on
@@ -183,7 +183,7 @@ pub(super) struct Compare {
 pub(super) struct Certify {
     #[command(flatten)]
     pub(super) common: Common,
-    /// Contact forces as CSV, with the header x,force
+    /// Contact forces as CSV, with the header x,force; `-` is standard input
     #[arg(value_name = "FORCES")]
     pub(super) forces: PathBuf,
     /// How the program that computed the forces put the load on the beam

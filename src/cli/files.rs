@@ -57,9 +57,6 @@ impl Files {
                 return not(PlaceProblem::TheInput);
             }
             if file.exists() {
-                if fs::canonicalize("/dev/stdout").is_ok_and(|output| output == *file) {
-                    return not(PlaceProblem::TheOutput);
-                }
                 // A file that its owner has locked is not replaced by another one.
                 open(file).map_err(|error| Failure::Write { path: path.to_owned(), error })?;
             }
@@ -121,7 +118,7 @@ impl Files {
                     if device.metadata().is_ok_and(|there| there.is_file()) {
                         device.set_len(0).map_err(failed)?;
                     }
-                    device.write_all(text.as_bytes()).map_err(failed)?;
+                    output::write(&mut device, &text).map_err(failed)?;
                 }
             }
         }
@@ -170,6 +167,25 @@ fn create_like(new: &Path, _: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).create_new(true).open(new)
 }
 
+/// The stream that the shell has sent into the file or pipe at `path`, whatever its name: written by a name of its own as well,
+/// one text would overwrite the other. A device takes both.
+#[cfg(unix)]
+fn stream_into(path: &Path) -> Option<Stream> {
+    use std::os::fd::AsFd;
+    use std::os::unix::fs::{FileTypeExt as _, MetadataExt as _};
+    let there = fs::metadata(path).ok().filter(|there| there.is_file() || there.file_type().is_fifo())?;
+    let goes_there = |stream: &dyn AsFd| {
+        let goes = stream.as_fd().try_clone_to_owned().and_then(|stream| File::from(stream).metadata());
+        goes.is_ok_and(|goes| (goes.dev(), goes.ino()) == (there.dev(), there.ino()))
+    };
+    if goes_there(&io::stdout()) { Some(Stream::Output) } else { goes_there(&io::stderr()).then_some(Stream::Error) }
+}
+
+#[cfg(not(unix))]
+fn stream_into(_: &Path) -> Option<Stream> {
+    None
+}
+
 /// Where a file at `path` is in truth: moving something there must not replace a link, and still less a device.
 fn place(path: &Path) -> Result<Place, Failure> {
     const NAMES: [(Stream, [&str; 3]); 2] = [
@@ -182,6 +198,9 @@ fn place(path: &Path) -> Result<Place, Failure> {
     }
     if let Some((stream, _)) = NAMES.iter().find(|(_, names)| names.iter().any(|name| path == Path::new(name))) {
         return Ok(Place::Stream(*stream));
+    }
+    if let Some(stream) = stream_into(path) {
+        return Ok(Place::Stream(stream));
     }
     match fs::metadata(path) {
         Ok(there) if there.is_file() => {

@@ -29,12 +29,12 @@ pub(super) struct Input {
 }
 
 impl Input {
-    /// Reads the scene file `path`.
+    /// Reads the scene file `path`, or standard input; its survey is relative to its folder, or to the working directory.
     pub(super) fn read(path: &Path) -> Result<Self, Failure> {
-        let name = path.display().to_string();
-        let text = read(path, LARGEST_SCENE)
+        let name = called(path);
+        let text = read_argument(path, LARGEST_SCENE)
             .map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
-        let files = RefCell::new(vec![path.to_owned()]);
+        let files = RefCell::new(vec![if is_standard(path) { PathBuf::from("/dev/stdin") } else { path.to_owned() }]);
         let scene = parse(&name, &text, |survey| {
             let survey = path.with_file_name(survey);
             let text = read(&survey, LARGEST_TABLE);
@@ -51,8 +51,8 @@ impl Input {
 
     /// Reads contact forces for the beam of this scene.
     pub(super) fn forces(&self, path: &Path) -> Result<Vec<(f64, f64)>, Failure> {
-        let name = path.display().to_string();
-        let text = read(path, LARGEST_TABLE)
+        let name = called(path);
+        let text = read_argument(path, LARGEST_TABLE)
             .map_err(|problem| Box::new(FileError::whole(&name, Problem::UnreadableForces(problem))))?;
         Ok(parse_forces(&name, &text, self.scene.beam().length())?)
     }
@@ -63,24 +63,48 @@ impl Input {
     }
 }
 
-/// A file of at most `largest` bytes as text.
-fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
-    let refused = |error: io::Error| match error.kind() {
+/// Whether an argument stands for standard input.
+pub(super) fn is_standard(argument: &Path) -> bool {
+    argument == Path::new("-")
+}
+
+/// What messages call a file that is an argument.
+pub(super) fn called(argument: &Path) -> String {
+    if is_standard(argument) { "standard input".to_owned() } else { argument.display().to_string() }
+}
+
+/// What an argument names, as text: a file, or standard input.
+fn read_argument(argument: &Path, largest: u64) -> Result<String, ReadProblem> {
+    if is_standard(argument) { text_of(io::stdin().lock(), largest) } else { read(argument, largest) }
+}
+
+/// Why reading failed.
+fn refused(error: &io::Error) -> ReadProblem {
+    match error.kind() {
         io::ErrorKind::NotFound => ReadProblem::Missing,
         io::ErrorKind::IsADirectory => ReadProblem::Directory,
         kind => ReadProblem::Refused { reason: kind.to_string() },
-    };
+    }
+}
+
+/// A file of at most `largest` bytes as text.
+fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
     // Opening one would wait until somebody writes.
     if is_named_pipe(path) {
         return Err(ReadProblem::NamedPipe);
     }
-    let file = File::open(path).map_err(refused)?;
-    if file.metadata().map_err(refused)?.is_dir() {
+    let file = File::open(path).map_err(|error| refused(&error))?;
+    if file.metadata().map_err(|error| refused(&error))?.is_dir() {
         return Err(ReadProblem::Directory);
     }
+    text_of(file, largest)
+}
+
+/// All of a stream of at most `largest` bytes, as text.
+fn text_of(stream: impl io::Read, largest: u64) -> Result<String, ReadProblem> {
     let mut bytes = Vec::new();
     // One byte more, to see that there is more. The size that a file claims is no help: a device claims none.
-    file.take(largest + 1).read_to_end(&mut bytes).map_err(refused)?;
+    stream.take(largest + 1).read_to_end(&mut bytes).map_err(|error| refused(&error))?;
     if usize::try_from(largest).is_ok_and(|limit| limit < bytes.len()) {
         return Err(ReadProblem::TooLarge { limit: largest });
     }

@@ -77,7 +77,8 @@ pub(crate) fn run() -> ExitCode {
 
 fn finish_with_message(message: &clap::Error) -> ExitCode {
     // Nobody is left to tell if this does not reach anybody; help that was asked for and not given is no success.
-    let code = if message.print().is_ok() { u8::try_from(message.exit_code()).unwrap_or(FAILED) } else { FAILED };
+    let printed = output::unless_closed(message.print());
+    let code = if printed.is_ok() { u8::try_from(message.exit_code()).unwrap_or(FAILED) } else { FAILED };
     ExitCode::from(code)
 }
 
@@ -128,7 +129,7 @@ impl Common {
 fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
     let route = arguments.route()?;
-    let what = format!("solving {}", common.scene.display());
+    let what = format!("solving {}", input::called(&common.scene));
     run_on_scene(&common.scene, what, &[csv, plot], |input| {
         let answer = Answer::of(input, route)?;
         let local = Local::of(&input.scene, &answer, arguments);
@@ -157,7 +158,7 @@ fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
 
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let arguments::Compare { common, intervals } = arguments;
-    let what = format!("comparing all routes for {} on {intervals} intervals", common.scene.display());
+    let what = format!("comparing all routes for {} on {intervals} intervals", input::called(&common.scene));
     run_on_scene(&common.scene, what, &[], |input| {
         let found = compare::Comparison::of(input, *intervals)?;
         let text = common.shown(|| compare::text(input, &found), || json::compare(input, &found));
@@ -171,7 +172,11 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
 
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let common = &arguments.common;
-    let what = format!("certifying {}", arguments.forces.display());
+    if [&common.scene, &arguments.forces].into_iter().all(|path| input::is_standard(path)) {
+        let message = "the scene and the contact forces cannot both be read from standard input".to_owned();
+        return Err(Failure::Usage { command: "certify", kind: ErrorKind::ArgumentConflict, message });
+    }
+    let what = format!("certifying {}", input::called(&arguments.forces));
     run_on_scene(&common.scene, what, &[], |input| {
         let found = certify::Finding::of(input, arguments)?;
         let text = common.shown(|| certify::text(input, &found), || json::certify(input, &found));
@@ -181,7 +186,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
     let arguments::Sweep { common, vary, from, to, steps, csv, plot } = arguments;
-    let what = format!("sweeping {vary} for {}", common.scene.display());
+    let what = format!("sweeping {vary} for {}", input::called(&common.scene));
     run_on_scene(&common.scene, what, &[csv, plot], |input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
         let swept = sweep::Swept::of(&sweep, input.scene.beam().length())?;

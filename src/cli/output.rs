@@ -1,8 +1,9 @@
 //! Standard output and standard error; and why there is no answer at all, exit code 2.
 
-use std::io::{self, IsTerminal as _, Write as _};
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
+use anstream::{AutoStream, ColorChoice};
 use palkki::certificate::NotLumped;
 use palkki::scene::file::FileError;
 
@@ -64,8 +65,6 @@ pub(super) enum PlaceProblem {
     Directory,
     #[error("it is the scene itself, or its survey")]
     TheInput,
-    #[error("it is where standard output goes; `-` stands for that")]
-    TheOutput,
     #[error("it is named twice")]
     Twice,
     #[error("it is not the name of a file")]
@@ -88,18 +87,21 @@ pub(super) fn print(stream: Stream, text: &str) -> Result<(), Failure> {
     written.map_err(Failure::Print)
 }
 
-fn write(stream: &mut impl io::Write, text: &str) -> io::Result<()> {
-    stream.write_all(text.as_bytes()).and_then(|()| stream.flush())
+/// Writes a whole text; a reader that has read enough and closed the pipe, as `head` does, is no failure.
+pub(super) fn write(stream: &mut impl io::Write, text: &str) -> io::Result<()> {
+    unless_closed(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
+}
+
+/// What became of writing, with success where a reader closed the pipe.
+pub(super) fn unless_closed(written: io::Result<()>) -> io::Result<()> {
+    written.or_else(|error| if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
 }
 
 /// Says on standard error why there is no answer.
 pub(super) fn complain(failure: &Failure) {
-    // A reader that has seen enough and closed the pipe knows.
-    if matches!(failure, Failure::Print(error) if error.kind() == io::ErrorKind::BrokenPipe) {
-        return;
-    }
     let mut err = io::stderr().lock();
-    let colour = err.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    // As in the messages of clap: whether it is a terminal, TERM=dumb, NO_COLOR and CLICOLOR_FORCE decide.
+    let colour = AutoStream::choice(&err) != ColorChoice::Never;
     let message = match failure {
         Failure::File(error) => error.render(colour),
         failure => format!("error: {failure}"),

@@ -12,7 +12,7 @@ pub enum ReadProblem {
     #[error("it is a directory, not a file")]
     Directory,
     /// It is a named pipe.
-    #[error("it is a named pipe, which may wait forever; standard input is `/dev/stdin`")]
+    #[error("it is a named pipe, which may wait forever; standard input is `-`")]
     NamedPipe,
     /// The operating system refused.
     #[error("it cannot be read ({reason})")]

@@ -51,7 +51,7 @@ force = 'kN'
 
 const SURVEYED: &str = "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\nsurvey = 'levels.csv'\n";
 
-/// A folder of its own for one test, with the scenes above in it.
+/// A folder of its own for one test of one process, with the scenes above in it; it goes when the test has passed.
 struct Folder(PathBuf);
 
 /// What a run of the program came to.
@@ -63,8 +63,9 @@ struct Run {
 
 impl Folder {
     fn new(test: &str) -> Self {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("command_line").join(test);
-        // What an earlier run left.
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("command_line");
+        let folder = folder.join(format!("{test}.{}", std::process::id()));
+        // What an earlier process of that number left.
         let _ = fs::remove_dir_all(&folder);
         fs::create_dir_all(&folder).expect("a folder for the test");
         let folder = Self(folder);
@@ -124,6 +125,15 @@ impl Folder {
         assert_eq!(run.err, "", "nothing to complain about in {arguments:?}");
         let value = serde_json::from_str(&run.out).expect("valid JSON");
         (run.code, run.out, value)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        if !std::thread::panicking() {
+            // What is left behind harms nobody.
+            let _ = fs::remove_dir_all(&self.0);
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use std::process::Stdio;
 use palkki::route::{Method, Solver};
 use palkki::{Settings, solve_raw};
 
-use super::{EXAMPLE, Folder, SURVEYED, no_reader, scene};
+use super::{EXAMPLE, Folder, SURVEYED, scene};
 
 #[test]
 fn csv_holds_the_nodes_to_the_last_bit() {
@@ -71,14 +71,6 @@ fn a_link_is_followed_and_stays_a_link() {
     assert_eq!(folder.run("solve example.toml --method force --csv link.csv").code, Some(0));
     assert!(folder.read("target.csv").starts_with("x,"), "the file that the link names is written");
     assert!(folder.path("link.csv").is_symlink(), "the link is still one");
-}
-
-#[test]
-fn a_reader_that_closes_the_pipe_gets_no_message_and_no_success() {
-    let folder = Folder::new("pipe");
-    let mut command = folder.command("solve example.toml --method force --intervals 300 --format json");
-    let output = command.stdout(no_reader()).output().expect("the program runs");
-    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(2), b"".as_slice()));
 }
 
 #[cfg(target_os = "linux")]
@@ -159,10 +151,32 @@ fn a_table_to_standard_output_leaves_the_answer_to_standard_error() {
         assert!(run.err == file, "{}", run.err);
     }
     folder.refused("solve example.toml --method force --csv - --plot /dev/stdout");
-    let into = fs::File::create(folder.path("into")).expect("a file");
-    let output = folder.command("solve example.toml --csv into").stdout(into).output().expect("it runs");
-    assert_eq!(output.status.code(), Some(2), "one file for table and answer");
     assert!(!fs::exists(folder.path("-")).expect("a folder"), "no file is called -");
+}
+
+/// A file into which the shell has sent a stream is that stream, by whichever name it is called: no text overwrites another.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_is_a_stream_as_well_loses_no_text() {
+    let folder = Folder::new("same_file");
+    let solve = "solve example.toml --method force --intervals 12";
+    let table = folder.run(&format!("{solve} --csv -")).out;
+    std::os::unix::fs::symlink("into", folder.path("link")).expect("a link");
+    for name in ["into", "./into", "link", "/dev/stdout", "/proc/thread-self/fd/1"] {
+        let into = fs::File::create(folder.path("into")).expect("a file");
+        let output = folder.command(&format!("{solve} --csv {name}")).stdout(into).output().expect("it runs");
+        let answer = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{name}: {answer}");
+        assert!(folder.read("into") == table, "{name}: the table, and nothing else");
+        assert!(answer.contains("Equilibrium"), "{name}: the answer goes to standard error: {answer}");
+    }
+    for (name, others) in [("into", ""), ("link", " --plot -"), ("/dev/stderr", " --plot -")] {
+        let into = fs::File::create(folder.path("into")).expect("a file");
+        let output = folder.command(&format!("{solve} --csv {name}{others}")).stderr(into).output().expect("it runs");
+        let both = String::from_utf8_lossy(&output.stdout).into_owned() + &folder.read("into");
+        assert_eq!(output.status.code(), Some(0), "{name}{others}: {both}");
+        assert!(both.contains("Equilibrium") && both.contains(&table), "{name}{others}: {both}");
+    }
 }
 
 /// Whenever a signal comes, there is the old file or the new one, and no other.

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::{Command, Stdio};
 
 use super::hostile::check;
-use super::{Folder, no_reader};
+use super::{Folder, SURVEYED, no_reader};
 
 #[cfg(target_os = "linux")]
 #[test]
@@ -18,7 +18,7 @@ fn devices_and_pipes() {
     let run = folder.run("solve pipe");
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
     insta::assert_snapshot!(run.err.trim_end(), @"
-    error: cannot read the scene: it is a named pipe, which may wait forever; standard input is `/dev/stdin`
+    error: cannot read the scene: it is a named pipe, which may wait forever; standard input is `-`
     --> pipe
     ");
     let reader = Command::new("cat").arg(folder.path("pipe")).stdout(Stdio::piped()).spawn().expect("a reader");
@@ -60,16 +60,119 @@ fn a_disk_that_fills_up_leaves_the_old_file() {
     assert!(folder.contents().iter().all(|(path, _)| !path.to_string_lossy().ends_with(".tmp")), "nothing is left");
 }
 
+/// `palkki … | head -1`: whoever has read enough closes the pipe, and the exit code says what it says otherwise.
 #[test]
-fn a_subcommand_that_loses_its_reader_has_no_success() {
+fn a_reader_that_has_read_enough_is_no_failure() {
     let folder = Folder::new("readers");
     folder.write("forces.csv", "x,force\n2.5,1\n7.5,1\n");
-    for arguments in ["compare example.toml", "certify example.toml forces.csv", "solve example.toml", "--help"] {
+    for arguments in [
+        "solve example.toml",
+        "solve example.toml --method force --intervals 300 --format json",
+        "solve example.toml --csv -",
+        "solve ridge.toml --method displacement --solver four-step",
+        "compare example.toml",
+        "certify example.toml forces.csv",
+        "sweep example.toml --vary load.uniform --from 1 --to 2 --steps 3",
+        "--help",
+        "--version",
+        "solve --help",
+    ] {
+        let code = folder.run(arguments).code;
+        assert!(code == Some(0) || code == Some(1), "{arguments}: {code:?}");
         let output = folder.command(arguments).stdout(no_reader()).output().expect("it runs");
         let err = String::from_utf8_lossy(&output.stderr);
-        assert!(!err.contains("panicked"), "{arguments}: {err}");
-        assert!(output.status.code() == Some(2), "{arguments}: {:?} {err}", output.status);
+        assert_eq!(output.status.code(), code, "{arguments}: {err}");
+        assert!(err.is_empty() || arguments.ends_with("--csv -"), "{arguments}: {err}");
+        let output = folder.command(arguments).stdout(no_reader()).stderr(no_reader()).output().expect("it runs");
+        assert_eq!(output.status.code(), code, "{arguments}, nobody reads anything");
     }
+}
+
+/// `-` is standard input for each command, and a survey that such a scene names is looked for in the working directory.
+#[test]
+fn a_scene_is_read_from_standard_input() {
+    let folder = Folder::new("standard_input");
+    folder.write("levels.csv", "x,depth\n0,1\n10,1\n");
+    folder.write("forces.csv", "x,force\n2.5,3\n7.5,3\n");
+    folder.write("surveyed.toml", SURVEYED);
+    folder.write("bad.toml", "[beam]\nlength = -10\nbending_stiffness = 1\n");
+    let from = |arguments: &str, file: &str| {
+        let file = fs::File::open(folder.path(file)).expect("a file for standard input");
+        let output = folder.command(arguments).stdin(file).output().expect("it runs");
+        let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        (output.status.code(), out, err)
+    };
+    for (arguments, scene) in [
+        ("solve SCENE --method force", "example.toml"),
+        ("solve SCENE --method force", "surveyed.toml"),
+        ("certify SCENE forces.csv", "example.toml"),
+        ("sweep SCENE --vary load.uniform --from 1 --to 2 --steps 3 --csv -", "example.toml"),
+        ("compare SCENE --intervals 4", "ridge.toml"),
+    ] {
+        // Times differ from run to run, so they are not compared.
+        let without_times =
+            |text: &str| text.lines().filter(|line| !line.contains("e-")).collect::<Vec<_>>().join("\n");
+        let named = folder.run(&arguments.replace("SCENE", scene));
+        let (code, out, _) = from(&arguments.replace("SCENE", "-"), scene);
+        assert_eq!(code, named.code, "{arguments}, {scene}");
+        let called = without_times(&named.out).replace(scene, "standard input");
+        let called = called.replace(&"=".repeat(scene.len()), "=");
+        assert_eq!(
+            without_times(&out).replace(&"=".repeat("standard input".len()), "="),
+            called,
+            "{arguments}, {scene}"
+        );
+    }
+    let (code, out, _) = from("certify example.toml -", "forces.csv");
+    let certified =
+        |text: &str| text.lines().filter(|line| line.contains("energy J*")).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(code, folder.run("certify example.toml forces.csv").code);
+    assert_eq!(certified(&out), certified(&folder.run("certify example.toml forces.csv").out));
+    let (code, out, err) = from("solve -", "bad.toml");
+    assert_eq!((code, out.as_str()), (Some(2), ""));
+    insta::assert_snapshot!(err.trim_end(), @"
+    error: `beam.length` must be positive and finite, but is -10
+     --> standard input:2:10
+      |
+    2 | length = -10
+      |          ^^^
+    ");
+    let (code, out, err) = from("certify - -", "example.toml");
+    assert_eq!((code, out.as_str()), (Some(2), ""));
+    assert!(err.contains("cannot both be read from standard input"), "{err}");
+    let (code, _, err) = from("solve - --csv example.toml", "example.toml");
+    assert!(code == Some(2) && err.contains("it is the scene itself"), "{err}");
+}
+
+/// Whether there are colours is decided as clap decides it; a terminal that has none is TERM=dumb.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_without_colours_gets_no_escape_codes() {
+    let folder = Folder::new("colours");
+    let escaped = |arguments: &str, settings: &[(&str, &str)]| {
+        let mut command = folder.command(arguments);
+        command.env_remove("CI").env_remove("NO_COLOR").envs(settings.iter().copied());
+        command.output().expect("it runs").stderr.contains(&0x1b)
+    };
+    for arguments in ["solve missing.toml", "solve --frobnicate"] {
+        assert!(!escaped(arguments, &[]), "{arguments}: no terminal");
+        assert!(escaped(arguments, &[("CLICOLOR_FORCE", "1")]), "{arguments}: asked for");
+        assert!(!escaped(arguments, &[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]), "{arguments}: not wanted");
+    }
+    // A terminal, if there is a program that imitates one.
+    let on_terminal = |term: &str, arguments: &str| {
+        let line = format!("{} {arguments}", env!("CARGO_BIN_EXE_palkki"));
+        let mut command = Command::new("script");
+        command.args(["-qec", &line, "/dev/null"]).current_dir(folder.path("")).stdin(Stdio::null());
+        command.env("TERM", term).env_remove("CI").env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
+        command.output().ok().map(|output| output.stdout)
+    };
+    for arguments in ["solve missing.toml", "solve --frobnicate", "solve --help", "solve example.toml"] {
+        let Some(dumb) = on_terminal("dumb", arguments) else { return };
+        assert!(!dumb.is_empty() && !dumb.contains(&0x1b), "{arguments}: {}", String::from_utf8_lossy(&dumb));
+    }
+    let coloured = on_terminal("xterm", "solve missing.toml").unwrap_or_default();
+    assert!(coloured.contains(&0x1b), "{}", String::from_utf8_lossy(&coloured));
 }
 
 /// The shell limits the memory to less than a fine grid takes: that is said beforehand, and nothing is aborted.
