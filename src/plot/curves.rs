@@ -40,6 +40,8 @@ pub struct Curves {
     pub supports: Vec<SupportForce>,
     /// Extremes of the deflection, to be labelled.
     pub deflection_extremes: Extremes,
+    /// Extremes of the clearance, to be labelled: of the whole beam, and between its outermost contacts.
+    pub clearance_extremes: [Extremes; 2],
     /// Extremes of the moment, to be labelled.
     pub moment_extremes: Extremes,
 }
@@ -98,10 +100,16 @@ impl Curves {
             .collect();
         let places: Vec<f64> = std::iter::once(0.0).chain(nodes.x.iter().copied()).chain([length]).collect();
         let (pressure, point_forces) = contact_forces(state, nodes, &places);
+        let clearance = closed(&nodes.clearance, 2);
+        let clearance_within = |[from, to]: [f64; 2]| {
+            let places = x.iter().copied().zip(clearance.iter().copied());
+            Extremes::of(places.filter(|(x, _)| from <= *x && *x <= to))
+        };
         Ok(Self {
+            clearance_extremes: [[0.0, length], between_contacts(state)].map(clearance_within),
             deflection: closed(&nodes.deflection, 1),
             shape: own_shape(scene, &x),
-            clearance: closed(&nodes.clearance, 2),
+            clearance,
             moment,
             shear,
             pressure,
@@ -120,6 +128,14 @@ impl Curves {
     pub(super) fn axis(&self) -> Vec<Place> {
         let shape = self.shape.iter().copied().chain(std::iter::repeat(0.0));
         self.x.iter().zip(&self.deflection).zip(shape).map(|((&x, v), w0)| [x, w0 + v]).collect()
+    }
+}
+
+/// From the outermost contact at the left to that at the right; no stretch where there is none.
+fn between_contacts(state: &ContactState) -> [f64; 2] {
+    match &state.contacts[..] {
+        [first, .., last] => [first.from, last.to],
+        _ => [f64::INFINITY, f64::NEG_INFINITY],
     }
 }
 
@@ -214,6 +230,8 @@ impl Curves {
             contacts: state.contacts.iter().map(|c| [c.from, c.to]).collect(),
             supports: state.supports.clone(),
             deflection_extremes: state.deflection,
+            clearance_extremes: [[0.0, scene.beam().length()], between_contacts(state)]
+                .map(|[from, to]| exact.clearance_extremes(from, to)),
             moment_extremes: state.moment,
         }
     }

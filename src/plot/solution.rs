@@ -232,8 +232,7 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
         return Ok(Vec::new());
     }
     let points = zip(&curves.x, &curves.clearance);
-    let extremes = |points: &[Place]| Extremes::of(points.iter().map(|p| (p[0], p[1])));
-    let most = extremes(&points);
+    let [most, small] = curves.clearance_extremes;
     finite("a clearance above a foundation", most.max)?;
     let panel = |name: &str, points: Vec<Place>, at: f64, value: f64| {
         let y = Axis::new(name).unit(units.length.clone()).including(&[0.0]);
@@ -256,7 +255,6 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
         if touching { (", thick where it touches", most.max_at, most.max) } else { ("", most.min_at, most.min) };
     let what = if curves.shape.is_empty() { "clearance h = u − v" } else { "clearance h = u − w0 − v" };
     let mut panels = vec![panel(&format!("{what}{name}"), points, at, value)];
-    let small = extremes(&between);
     if 0.0 < small.max && small.max < SMALL * most.max {
         panels.push(panel("the same between the contacts, enlarged", between, small.max_at, small.max));
     }

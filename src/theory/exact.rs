@@ -9,7 +9,7 @@ use super::span::Span;
 use super::summary;
 use super::violation::Violation;
 use crate::scene::{Balance, Foundation, Scale, Scene};
-use crate::state::{ContactState, Motion, Standing};
+use crate::state::{ContactState, Extremes, Motion, Standing};
 
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
@@ -140,6 +140,23 @@ impl Exact {
             derivatives(&taylor, t)[0]
         });
         left.min(right) * self.scale.depth
+    }
+
+    /// The greatest and the least clearance from `from` to `to`, each an end of the beam or of a contact; at a step the values of
+    /// both sides count. Zero without a foundation \[length\].
+    #[must_use]
+    pub fn clearance_extremes(&self, from: f64, to: f64) -> Extremes {
+        if !self.given.founded {
+            return Extremes::default();
+        }
+        let Scale { length, depth, .. } = self.scale;
+        let inside = |piece: &&Piece| {
+            let middle = 0.5 * (piece.lo + piece.hi) * length;
+            from <= middle && middle <= to
+        };
+        let Extremes { max, max_at, min, min_at } =
+            summary::clearance_extremes(&self.given, self.pieces.iter().filter(inside));
+        Extremes { max: max * depth, max_at: max_at * length, min: min * depth, min_at: min_at * length }
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].

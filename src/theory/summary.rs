@@ -144,6 +144,33 @@ fn extremes(given: &PiecewiseScene, pieces: &[Piece]) -> (Extremes, Extremes) {
     (Extremes::of(first.iter().copied()), Extremes::of(second.iter().copied()))
 }
 
+/// Extremes of the clearance over some of the pieces, from left to right: at a step the values of both sides count.
+pub(super) fn clearance_extremes<'a>(
+    given: &PiecewiseScene,
+    pieces: impl Iterator<Item = &'a Piece> + Clone,
+) -> Extremes {
+    let mut taylor = vec![0.0; given.terms];
+    let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+    for piece in pieces.clone() {
+        piece.clearance(given, &mut taylor);
+        for x in [piece.lo, piece.hi] {
+            let [h, ..] = derivatives(&taylor, x - piece.anchor);
+            ends = [ends[0].min(h), ends[1].max(h)];
+        }
+    }
+    let mut values = Vec::new();
+    for piece in pieces {
+        if piece.state.is_none() {
+            values.extend([(piece.lo, 0.0), (piece.hi, 0.0)]);
+            continue;
+        }
+        piece.clearance(given, &mut taylor);
+        piece.outwards(&mut taylor);
+        add_extremes(piece, &taylor, ends, &mut values);
+    }
+    Extremes::of(values.iter().copied())
+}
+
 /// The values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if it may leave `[least, most]`
 /// there; in order from left to right, with their places.
 fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut Vec<(f64, f64)>) {

@@ -3,6 +3,7 @@
 mod balance;
 mod beside;
 mod borders;
+mod clearance;
 mod closed;
 mod crests;
 mod held;
