@@ -1,6 +1,9 @@
 //! What every file of the tree keeps to.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 use super::text::{code, files, first_word_of, none, offenders, root, rust_files, words};
 
@@ -109,4 +112,30 @@ fn every_equation_of_the_notation_is_cited_where_it_is_used() {
 fn equations_are_told_from_arguments() {
     assert_eq!(cited("let x = number(6); // as in (32), f(33)\n/// (4)–(16), \\[(5)\\]"), [4, 5, 16, 32].into());
     assert_eq!(cited("let x = (6);"), [].into(), "code cites nothing");
+}
+
+/// The build of the C library takes a C compiler and nothing else: it installs nothing, and says what is missing.
+#[cfg(unix)]
+#[test]
+fn the_build_installs_nothing() {
+    const LAUNCHER: &str = "xtask/cmake/launch";
+    let script = fs::read_to_string(root().join(LAUNCHER)).expect("the stand-in for cmake");
+    for word in ["apt-get", "pip", "curl", "wget", "http", "sudo"] {
+        assert!(!script.contains(word), "{LAUNCHER} has {word:?}");
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("launcher.{}", std::process::id()));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(folder.join("configure")).expect("a folder for sources");
+    for file in ["CMakeLists.txt", "configure/osqp_configure.h.in"] {
+        fs::write(folder.join(file), "").expect("a file of the sources");
+    }
+    for (name, set) in [("CC", "no-such-compiler"), ("AR", "no-such-archiver")] {
+        let mut command = Command::new(root().join(LAUNCHER));
+        command.arg(&folder).current_dir(&folder).env("CC", "true").env(name, set);
+        let output = command.output().expect("it starts");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains(set) && said.contains("is not there"), "{said}");
+    }
+    // What is left of it harms nobody.
+    let _ = fs::remove_dir_all(&folder);
 }

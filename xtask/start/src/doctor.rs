@@ -26,11 +26,9 @@ struct Check {
 }
 
 /// Everything that is looked for, in the order in which it is needed.
-const CHECKS: [Check; 7] = [
+const CHECKS: [Check; 5] = [
     Check { name: "Rust", look: rust },
     Check { name: "C compiler", look: c_compiler },
-    Check { name: "make", look: make },
-    Check { name: "cmake", look: cmake },
     Check { name: "write access", look: write_access },
     Check { name: "rustfmt and clippy", look: components },
     Check { name: "browser", look: browser },
@@ -59,9 +57,6 @@ pub(crate) fn run() -> ExitCode {
         ExitCode::FAILURE
     }
 }
-
-/// The launcher that the build of osqp calls in place of cmake.
-const LAUNCHER: &str = "xtask/cmake/launch";
 
 fn rust(machine: &dyn Surroundings) -> Finding {
     let manifest = machine.text("Cargo.toml").unwrap_or_default();
@@ -94,33 +89,6 @@ fn c_compiler(machine: &dyn Surroundings) -> Finding {
         None => Finding::Missing(
             "none of $CC, cc, gcc, clang starts; install one (Debian, Ubuntu: `apt-get install build-essential`; \
              macOS: `xcode-select --install`)"
-                .to_owned(),
-        ),
-    }
-}
-
-fn make(machine: &dyn Surroundings) -> Finding {
-    match ["make", "gmake"].into_iter().find(|program| machine.succeeds(program, &["--version"])) {
-        Some(program) => Finding::Found(program.to_owned()),
-        None => Finding::Missing("cmake needs it; install it (`apt-get install make`)".to_owned()),
-    }
-}
-
-fn cmake(machine: &dyn Surroundings) -> Finding {
-    if let Some(path) = machine.output(LAUNCHER, &["--find"]) {
-        return Finding::Found(path);
-    }
-    match machine.output(LAUNCHER, &["--sources"]) {
-        Some(sources) if !sources.is_empty() => {
-            let sources: Vec<&str> = sources.lines().collect();
-            Finding::Advice(format!(
-                "none yet; the first build installs one, over the network, from {}",
-                sources.join(", or else from ")
-            ))
-        }
-        _ => Finding::Missing(
-            "none, and neither a Python with pip or venv nor apt with the right to install is there to get one from; \
-             install cmake 3.5 or newer"
                 .to_owned(),
         ),
     }

@@ -1,6 +1,6 @@
 //! The front door of `cargo xtask`: answers `doctor` and `browser` itself and passes everything else on to package `xtask`.
 //!
-//! Package `xtask` needs the library and with it a C compiler and cmake. This one needs nothing, so that `doctor` can say
+//! Package `xtask` needs the library and with it a C compiler. This one needs nothing, so that `doctor` can say
 //! what is missing on a machine on which nothing else builds.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command that talks to a person")]
 
