@@ -17,8 +17,10 @@ pub struct RawSolution {
     pub solved: bool,
     /// What the solver says of itself, in its own words.
     pub solver_status: String,
-    /// True if the solver says that it solved the problem.
+    /// True if the solver says that it solved the problem, to what it was asked for.
     pub solver_reports_success: bool,
+    /// True if it says that it almost did, as `AlmostSolved` of clarabel and `SolvedInaccurate` of osqp say. That is no success.
+    pub solver_reports_almost: bool,
     /// Of a library: what it left of its own problem, in the norm by which it stops.
     pub own_residual: Option<OwnResidual>,
     /// Dimensionless KKT residual of the discrete problem, by our judge; NaN is never "small".
@@ -35,13 +37,13 @@ impl RawSolution {
     /// The word of tables for how it ended.
     #[must_use]
     pub fn ended(&self) -> &'static str {
-        ended(self.solved, self.solver_reports_success)
+        ended(self.solved, self.solver_reports_success || self.solver_reports_almost)
     }
 }
 
-/// `solved`, `not solved`, or `gave up` where the solver says so as well.
-pub(crate) fn ended(solved: bool, reports_success: bool) -> &'static str {
-    match (solved, reports_success) {
+/// `solved`, `not solved`, or `gave up` where the solver says of itself that it did not even almost succeed.
+pub(crate) fn ended(solved: bool, reports_an_answer: bool) -> &'static str {
+    match (solved, reports_an_answer) {
         (true, _) => "solved",
         (false, true) => "not solved",
         (false, false) => "gave up",

@@ -90,6 +90,7 @@ pub(crate) fn answer(
             x,
             gradient,
             reports_success: optimal,
+            reports_almost: false,
             message: match optimal {
                 true => "optimal".to_owned(),
                 false if MOST_WORK <= work => format!(

@@ -38,6 +38,7 @@ pub(super) fn solve(qp: &dyn Qp) -> Answer {
             x: point.x,
             gradient: point.gradient,
             reports_success: true,
+            reports_almost: false,
             message: "x ≥ 0".to_owned(),
             own_residual: None,
             iterations: rounds,

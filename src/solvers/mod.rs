@@ -87,6 +87,20 @@ impl Solver {
         }
     }
 
+    /// The solver's own tolerance, by the name that it has there, when it is asked for `tolerance`: of clarabel `tol_gap_abs`,
+    /// `tol_gap_rel` and `tol_feas`, of osqp `eps_abs`, of NSOR the scaled residual; none of a solver that has no tolerance.
+    #[must_use]
+    pub fn own_tolerance(self, tolerance: f64) -> Option<f64> {
+        match self {
+            Self::FourStep | Self::ActiveSet => None,
+            Self::Nsor => Some(tolerance),
+            #[cfg(feature = "clarabel")]
+            Self::Clarabel => Some(clarabel::own_tolerance(tolerance)),
+            #[cfg(feature = "osqp")]
+            Self::Osqp => Some(tolerance),
+        }
+    }
+
     /// What the solver is set to when it is asked for `tolerance`.
     #[must_use]
     pub fn settings(self, tolerance: f64) -> String {
@@ -115,8 +129,10 @@ pub struct Answer {
     pub x: Vec<f64>,
     /// The gradient `g`, or the multipliers of `x ≥ 0` where the solver has its own, length n.
     pub gradient: Vec<f64>,
-    /// True if the solver says that it reached the optimum.
+    /// True if the solver says that it reached the optimum, to what it was asked for.
     pub reports_success: bool,
+    /// True if it says that it almost did: to something looser than it was asked for. That is no success.
+    pub reports_almost: bool,
     /// What the solver says of the end of its run.
     pub message: String,
     /// Of a library that came to an end: what it left of its own problem.
@@ -139,6 +155,7 @@ impl Answer {
             x: vec![f64::NAN; n],
             gradient: vec![f64::NAN; n],
             reports_success: false,
+            reports_almost: false,
             message,
             own_residual: None,
             iterations: 0,

@@ -40,7 +40,7 @@ const MULTIPLICATIONS: usize = 1 << 30;
 pub(super) fn settings_text(tolerance: f64) -> String {
     format!(
         "ω from a race of {} factors from {:.2} to {:.2}; stops at a scaled residual of {tolerance:.0e}, looked at every \
-         {SWEEPS_PER_LOOK} sweeps; a budget of {} million multiplications, less where rounding makes the sweeps go in circles",
+         {SWEEPS_PER_LOOK} sweeps; a budget of {} million operations, of which a sweep takes one for each entry of the matrix and {OVERHEAD} for each variable; less where rounding makes the sweeps go in circles",
         FACTORS.len(),
         FACTORS[0],
         FACTORS[FACTORS.len() - 1],
@@ -83,7 +83,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     let ahead = (0..race.len()).min_by(|&i, &j| race[i].residual.total_cmp(&race[j].residual));
     let Candidate { factor, x, residual, cycle } = race.swap_remove(winner.or(ahead).unwrap_or(0));
     let message = if winner.is_some() {
-        format!("converged with ω = {factor}")
+        format!("converged with ω = {factor} in {} of its own sweeps", SWEEPS_PER_LOOK * cycle.looks)
     } else {
         let end = if cycle.closed { ", which go in circles" } else { "" };
         format!("not converged: residual {residual:.1e} after {sweeps} sweeps, at last with ω = {factor}{end}")
@@ -91,6 +91,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     Answer {
         gradient: qp.gradient(&x),
         reports_success: winner.is_some(),
+        reports_almost: false,
         message,
         own_residual: None,
         iterations: sweeps,

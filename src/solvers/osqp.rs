@@ -95,7 +95,8 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     Answer {
         x: solution.x()[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
         gradient: solution.y()[r..].iter().map(|y| -y * form.sizes.gradient).collect(),
-        reports_success: matches!(status, Status::Solved(_) | Status::SolvedInaccurate(_)),
+        reports_success: matches!(status, Status::Solved(_)),
+        reports_almost: matches!(status, Status::SolvedInaccurate(_)),
         message: message.to_owned(),
         own_residual: Some(OwnResidual::of_osqp(&form, solution.x(), solution.y(), tolerance)),
         iterations,

@@ -14,7 +14,7 @@
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
 //! use palkki::sweep::Sweep;
 //!
-//! // q l⁴/(384 EI) = 20: above ground that is deeper the beam lies on a zone, then on a point, then nowhere.
+//! // q l⁴/(384 EI) = 20: down to this depth the beam lies on a zone, down to five times that on a point, and deeper nowhere.
 //! let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0)?;
 //! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
 //! let sweep = Sweep::new(&scene, "foundation.depth", [1.0, 150.0], 12)?;

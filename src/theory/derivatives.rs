@@ -275,7 +275,7 @@ mod tests {
     use crate::scene::{Beam, Load};
     use crate::theory::solve;
 
-    /// The paper's example: T = q a/2 with a⁴ = (8/3) EI u₀/q, so that ∂T/∂u₀ = T/4u₀, ∂T/∂q = 3T/4q, ∂T/∂EI = T/4EI.
+    /// The paper's example: T = q a/2 with a⁴ = 24 EI u₀/q, so that ∂T/∂u₀ = T/4u₀, ∂T/∂q = 3T/4q, ∂T/∂EI = T/4EI.
     #[test]
     fn the_example_has_those_of_its_closed_form() {
         let stiffness = 500.0 / 384.0;
