@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use palkki::route::Method;
+use palkki_evidence::paper::claims::extensions::Springs;
 use palkki_evidence::paper::claims::{Claim, Ledger, Verdict, four_step};
 
 use crate::support::assert_table;
@@ -58,7 +59,7 @@ fn same_result() {
 fn novelty_of_the_force_method() {
     let claims = ledger().claims();
     let open: Vec<&str> = claims.iter().filter(|c| c.verdict == Verdict::Open).map(|c| c.name).collect();
-    assert_eq!(open, ["novelty_of_the_force_method"], "everything else is decided by numbers");
+    assert_eq!(open, ["novelty_of_the_force_method", "elastic_foundation"], "everything else is decided by numbers");
 }
 
 #[test]
@@ -128,7 +129,11 @@ fn nsor_for_large_n() {
         assert!((40..300).contains(&count.finest), "{count:?}");
     }
     let force = e.counts.iter().find(|c| c.method == Method::Force).expect("every method is counted");
-    assert!(20_000 < force.on_the_paper_grid(), "tens of thousands of sweeps on C: {force:?}");
+    let [race, own] = force.on_the_paper_grid();
+    assert!(20_000 < own && own < race, "tens of thousands of sweeps on C: {force:?}");
+    // An independent program with the same test and ω = 1.7 takes 140 sweeps for finite differences.
+    let differences = e.counts.iter().find(|c| c.method == Method::Complementarity).expect("every method is counted");
+    assert!((100..=200).contains(&differences.on_the_paper_grid()[1]), "{differences:?}");
 }
 
 #[test]
@@ -165,8 +170,11 @@ fn any_elastic_body() {
 #[test]
 fn elastic_foundation() {
     let e = ledger().elastic_foundation;
-    assert_eq!(e.verdict(), Verdict::Confirmed);
+    // Right beside its series, and every spring is pressed: contact is not tried, and so the claim is not decided.
+    assert_eq!((e.verdict(), e.lifted), (Verdict::Open, 0));
     assert!(e.deflection.abs() < SECOND_ORDER && e.residual < ROUNDING, "{e:?}");
+    assert_eq!(Springs { lifted: 1, ..e }.verdict(), Verdict::Confirmed, "with contact that comes and goes");
+    assert_eq!(Springs { residual: 1.0, ..e }.verdict(), Verdict::Refuted);
 }
 
 #[test]
@@ -182,14 +190,6 @@ fn curved_beam() {
     let e = ledger().curved_beam;
     assert_eq!(e.verdict(), Verdict::Confirmed);
     assert!(e.exact < ROUNDING && e.nodal < ROUNDING && 0.0 < e.contact_force, "{e:?}");
-}
-
-#[test]
-fn other_ends() {
-    let e = ledger().other_ends;
-    assert_eq!(e.verdict(), Verdict::Confirmed);
-    assert_eq!((e.scenes, e.solved), (5, 15), "three methods");
-    assert!(e.energy < SECOND_ORDER && e.contact_force < SECOND_ORDER, "{e:?}");
 }
 
 /// What the report's ledger says of each claim; the tests above say why.

@@ -11,6 +11,7 @@
 
 pub mod claims;
 pub mod convergence;
+pub mod ends;
 mod figures;
 pub mod uneven;
 

@@ -8,6 +8,7 @@ use palkki::qp::{Dense, FreeSet, Matrix, Qp, Stationary};
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::{Answer, Solver};
 use palkki::state::Contact;
+use palkki::text::power_of_ten;
 use palkki::{Settings, solve_raw};
 
 use super::{Claim, Verdict, bound};
@@ -208,6 +209,13 @@ fn digits(intervals: usize) -> Result<Digits, SceneError> {
     })
 }
 
+/// A large number to two digits, `4.0·10⁵`.
+fn power_of_ten_times(value: f64) -> String {
+    let printed = format!("{value:.1e}");
+    let (mantissa, exponent) = printed.split_once('e').unwrap_or((&printed, "0"));
+    format!("{mantissa}·{}", power_of_ten(exponent.parse().unwrap_or(0)))
+}
+
 impl Recommendation {
     /// The matrices are what the paper says; but on a fine grid going without them keeps more digits than either.
     #[must_use]
@@ -225,10 +233,10 @@ impl Recommendation {
     pub(super) fn claim(&self) -> Claim {
         let line = |d: &Digits| {
             format!(
-                "on {} intervals (condition number of order {}) contact forces are off by less than {} of the load \
+                "on {} intervals (condition number {}) contact forces are off by less than {} of the load \
                  with K, {} with C, and {} without either",
                 d.intervals,
-                bound(d.condition / 3.0),
+                power_of_ten_times(d.condition),
                 bound(d.with_stiffness),
                 bound(d.with_flexibility),
                 bound(d.without_matrix),

@@ -2,10 +2,10 @@
 //!
 //! A claim has what is measured (a struct of numbers), the verdict that follows from it, and the words. Verdicts are
 //! computed; the acceptance tests assert them and the numbers behind them. The one claim about the literature, that the force
-//! method was new, cannot be decided by computing and stays open.
+//! method was new, cannot be decided by computing and stays open; another is open because what was computed does not decide it.
 
 pub mod accuracy;
-pub mod ends;
+pub mod curved;
 pub mod energy_methods;
 pub mod extensions;
 pub mod four_step;
@@ -23,7 +23,7 @@ pub enum Verdict {
     Qualified,
     /// It does not hold.
     Refuted,
-    /// No computation can decide it.
+    /// No computation decides it: none can, or none has.
     Open,
 }
 
@@ -83,9 +83,7 @@ pub struct Ledger {
     /// No supports.
     pub unknown_rigid_motion: extensions::Unsupported,
     /// A ski.
-    pub curved_beam: ends::Curved,
-    /// Built-in and free ends.
-    pub other_ends: ends::Ends,
+    pub curved_beam: curved::Curved,
 }
 
 impl Ledger {
@@ -107,8 +105,7 @@ impl Ledger {
             any_body: extensions::any_body(),
             elastic_foundation: extensions::elastic_foundation()?,
             unknown_rigid_motion: extensions::unknown_rigid_motion()?,
-            curved_beam: ends::curved_beam()?,
-            other_ends: ends::other_ends()?,
+            curved_beam: curved::curved_beam()?,
         })
     }
 
@@ -133,7 +130,6 @@ impl Ledger {
             self.elastic_foundation.claim(),
             self.unknown_rigid_motion.claim(),
             self.curved_beam.claim(),
-            self.other_ends.claim(),
         ]
     }
 }

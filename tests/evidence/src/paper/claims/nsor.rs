@@ -27,15 +27,19 @@ pub struct Count {
     pub method: Method,
     /// Intervals and sweeps, all candidates for `ω` together.
     pub sweeps: Vec<(usize, usize)>,
+    /// Intervals and sweeps of the one candidate that converged first.
+    pub own: Vec<(usize, usize)>,
     /// Whether NSOR converged on every grid of [`GRIDS`].
     pub converged: bool,
     /// Exponent of the sweeps over the number of intervals.
     pub exponent: f64,
     /// Solves of the active set on the finest of [`GRIDS`], for comparison.
     pub active_set_solves: usize,
-    /// How many times as many unknowns NSOR goes through there as the active set.
+    /// How many times as many unknowns NSOR goes through there as the active set, all candidates together.
     pub cost: f64,
-    /// The finest of [`GRIDS`] and [`FINER`] on which NSOR converges within its budget.
+    /// The same of the one candidate that converged first.
+    pub own_cost: f64,
+    /// The finest of [`GRIDS`] and [`FINER`] on which NSOR converges within the budget that we give it.
     pub finest: usize,
 }
 
@@ -57,11 +61,12 @@ pub fn measure() -> Result<Evidence, SceneError> {
     let run = |method, solver, intervals| solve_raw(&scene, &Settings::new(method, solver, intervals));
     let mut counts = Vec::new();
     for method in Method::ALL {
-        let (mut sweeps, mut converged, mut finest, mut work) = (Vec::new(), true, 0, 0);
+        let (mut sweeps, mut own, mut converged, mut finest, mut work) = (Vec::new(), Vec::new(), true, 0, 0);
         for intervals in GRIDS {
             let raw = run(method, Solver::Nsor, intervals)?;
             converged &= raw.solver_reports_success;
             sweeps.push((intervals, raw.iterations));
+            own.push((intervals, own_sweeps(&raw.solver_status).unwrap_or(raw.iterations)));
             work = raw.work;
         }
         for intervals in FINER.into_iter().rev().chain(GRIDS.into_iter().rev()) {
@@ -71,30 +76,40 @@ pub fn measure() -> Result<Evidence, SceneError> {
             }
         }
         let active_set = run(method, Solver::ActiveSet, GRIDS[GRIDS.len() - 1])?;
+        let cost = work as f64 / active_set.work as f64;
+        let last = |sweeps: &[(usize, usize)]| sweeps.last().map_or(f64::NAN, |(_, sweeps)| *sweeps as f64);
+        let own_cost = cost * last(&own) / last(&sweeps);
         let pairs: Vec<(f64, f64)> = sweeps.iter().map(|&(n, s)| (n as f64, s as f64)).collect();
         counts.push(Count {
             method,
             sweeps,
+            own,
             converged,
             exponent: observed_order(&pairs),
             active_set_solves: active_set.iterations,
-            cost: work as f64 / active_set.work as f64,
+            cost,
+            own_cost,
             finest,
         });
     }
     Ok(Evidence { counts })
 }
 
+/// Sweeps of the factor that converged, of which the solver speaks: `converged with ω = 1.7 in 140 of its own sweeps`.
+fn own_sweeps(status: &str) -> Option<usize> {
+    status.strip_prefix("converged ")?.split_once(" in ")?.1.split(' ').next()?.parse().ok()
+}
+
 impl Count {
-    /// Sweeps on the grid of the paper.
+    /// Sweeps on the grid of the paper: of all factors together, and of the one that converged first.
     #[must_use]
-    pub fn on_the_paper_grid(&self) -> usize {
-        self.sweeps.iter().find(|(n, _)| *n == INTERVALS).map_or(0, |(_, sweeps)| *sweeps)
+    pub fn on_the_paper_grid(&self) -> [usize; 2] {
+        [&self.sweeps, &self.own].map(|s| s.iter().find(|(n, _)| *n == INTERVALS).map_or(0, |(_, sweeps)| *sweeps))
     }
 }
 
 impl Evidence {
-    /// Of NSOR as *a* usable algorithm: it has to converge within its budget, on the grids of the paper's size and on finer ones.
+    /// Of NSOR as *a* usable algorithm: it has to converge within the budget that we give it, on the grids of the paper's size and on finer ones.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let on_fine = self.counts.iter().all(|c| c.finest == FINER[FINER.len() - 1]);
@@ -117,16 +132,18 @@ impl Evidence {
         let counted = GRIDS[GRIDS.len() - 1];
         let line = |c: &Count| {
             format!(
-                "by the {} method {:.1} thousand sweeps on {INTERVALS} intervals, growing like n^{:.1}, and convergence up to {} intervals",
+                "by the {} method {:.2} thousand sweeps of the factor that converges first on {INTERVALS} intervals, {:.1} thousand with \
+                 the race that finds it, growing like n^{:.1}, and convergence within our budget up to {} intervals",
                 c.method,
-                1e-3 * c.on_the_paper_grid() as f64,
+                1e-3 * c.on_the_paper_grid()[1] as f64,
+                1e-3 * c.on_the_paper_grid()[0] as f64,
                 c.exponent,
                 c.finest,
             )
         };
         let lines: Vec<String> = self.counts.iter().map(line).collect();
-        let cheapest = self.counts.iter().map(|c| c.cost).fold(f64::INFINITY, f64::min);
-        let dearest = self.counts.iter().map(|c| c.cost).fold(0.0, f64::max);
+        let cheapest = self.counts.iter().map(|c| c.own_cost).fold(f64::INFINITY, f64::min);
+        let dearest = self.counts.iter().map(|c| c.own_cost).fold(0.0, f64::max);
         let finest = self.counts.iter().map(|c| c.finest).min().unwrap_or(0);
         let the_only_one = self.verdict_as_the_only_one().name();
         Claim {
@@ -135,14 +152,14 @@ impl Evidence {
             verdict: self.verdict(),
             reading: Some("read as *a* usable algorithm"),
             summary: format!(
-                "converges up to {finest} intervals by every method; as *the* usable algorithm {the_only_one}: on {counted} intervals it \
-                 takes {:.1} to {:.1} thousand times the work of the active set",
+                "converges within our budget up to {finest} intervals by every method; as *the* usable algorithm {the_only_one}: on {counted} \
+                 intervals its best factor takes {:.2} to {:.1} thousand times the work of the active set",
                 1e-3 * cheapest,
                 1e-3 * dearest,
             ),
             evidence: format!(
-                "As *a* usable algorithm it has its price: {}. On {counted} intervals it goes through {:.1} to {:.1} thousand times as many \
-                 unknowns as the active set, which needs {} solves of O(n) each; a sweep with K or C costs n² multiplications besides. \
+                "As *a* usable algorithm it has its price: {}. On {counted} intervals the factor that converges first goes through {:.2} to \
+                 {:.1} thousand times as many unknowns as the active set, which needs {} solves of O(n) each; a sweep with K or C costs n² multiplications besides. The budget ends the runs on finer grids, not the method. \
                  As *the* usable algorithm the claim is {the_only_one}.",
                 lines.join("; "),
                 1e-3 * cheapest,
