@@ -76,12 +76,6 @@ pub(crate) fn tolerance(value: f64) -> String {
     exponent_of(value).map_or_else(|| format!("{value:e}"), power_of_ten)
 }
 
-/// The nearest power of ten.
-pub(crate) fn nearest_exponent(value: f64) -> i32 {
-    let (mantissa, exponent) = split(value, 0);
-    exponent + i32::from(mantissa.parse::<u32>().is_ok_and(|digit| 3 < digit))
-}
-
 /// An integer in groups of three digits from five digits on, `20 000`.
 pub(crate) fn count(number: impl ToString) -> String {
     grouped(&number.to_string())
@@ -141,7 +135,6 @@ mod tests {
         assert_eq!(printed, ["1.2·10⁻⁹", "-4·10¹²", "1.0·10⁰", "0"]);
         assert_eq!([power_of_ten(6), power_of_ten(-11)], ["10⁶", "10⁻¹¹"]);
         assert_eq!([1e-4, 1.0, 2e-4].map(tolerance), ["10⁻⁴", "10⁰", "2e-4"]);
-        assert_eq!([1.2e5, 4.6e5, 9.6e8].map(nearest_exponent), [5, 6, 9]);
     }
 
     #[test]

@@ -22,7 +22,7 @@ pub(crate) struct Line {
     pub(crate) tolerance: f64,
     /// Our check: `solved`, `not solved`, `gave up`; of the adaptive grid its verdict; `proven` for an optimum; or why there is no result.
     pub(crate) status: String,
-    /// Whether the solver says that it solved the problem.
+    /// Whether the solver says that it solved the problem; almost is not.
     pub(crate) says_solved: Option<bool>,
     /// Of a library: whether it did what it was asked, in its own norm.
     pub(crate) did_as_asked: Option<bool>,
@@ -86,6 +86,12 @@ impl Line {
     /// True if its problem is solved, and of an adaptive search if its answer is certified.
     pub(crate) fn succeeded(&self) -> bool {
         self.status == "solved" || self.status == "certified"
+    }
+
+    /// Whether the solver says that it almost solved its problem, which our check found not to be so: it did not give up, and claims
+    /// no success.
+    pub(crate) fn says_almost_solved(&self) -> bool {
+        self.status == "not solved" && self.says_solved == Some(false)
     }
 
     /// Whether it asks for a tolerance, or has none.

@@ -22,7 +22,8 @@ const FEWER: [f64; 3] = [1e-4, 1e-7, 1e-10];
 /// Errors that are demanded of the adaptive grid.
 const DEMANDED: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
-const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
+/// Intervals of the grids, up to the finest of each series.
+pub(crate) const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
 
 /// How an answer is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -41,6 +41,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let values = context! {
         made => store.provenance(),
         limit => LIMIT,
+        finest => finest(&store),
+        nsor_gave_up => nsor_gave_up(&store),
         measured => store.lines.iter().filter(|line| line.median_s.is_some()).count(),
         price,
         stopping,
@@ -51,7 +53,31 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure])
 }
 
-/// The error of the end reaction by the force method with the active set, scene by scene.
+/// The finest grid of the plan, solver by solver: on the example, and on the other scenes.
+fn finest(store: &Store) -> Table {
+    Table::new(["solver", "finest grid of the example", "finest grid of the other scenes"]).rows(SOLVERS.map(
+        |solver| {
+            let finest = |example: bool| {
+                let lines =
+                    store.lines.iter().filter(|line| line.solver == solver && (line.scene == EXAMPLE) == example);
+                lines.map(|line| line.intervals).max().map_or_else(|| "–".to_owned(), count)
+            };
+            row![solver, finest(true), finest(false)]
+        },
+    ))
+}
+
+/// The finest grid of NSOR on the example, if it gave up there by every method, and the longest that it took for that [s].
+fn nsor_gave_up(store: &Store) -> Option<Value> {
+    let lines = ended(store, EXAMPLE);
+    let of_nsor = || lines.iter().filter(|line| line.solver == "nsor" && shown(line));
+    let intervals = of_nsor().map(|line| line.intervals).max()?;
+    let finest = || of_nsor().filter(|line| line.intervals == intervals);
+    let seconds = finest().filter_map(|line| line.median_s).max_by(f64::total_cmp)?;
+    finest().all(|line| !line.succeeded()).then(|| context! { intervals, seconds })
+}
+
+/// The error of the left reaction by the force method with the active set, scene by scene.
 fn reactions(store: &Store) -> Table {
     const GRIDS: [usize; 3] = [30, 100, 1000];
     let header = row!["ground"].into_iter().chain(GRIDS.map(|grid| format!("{} intervals", count(grid))));

@@ -2,6 +2,7 @@
 
 use palkki::scene::{Beam, Load, PointLoad};
 use palkki::theory::Exact;
+use palkki_evidence::paper::ends::{FINE, other_ends};
 
 use super::gallery::shown;
 use super::prelude::*;
@@ -41,6 +42,13 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         stands,
         neutral,
         refusals => refusals()?,
+        ends => {
+            let found = other_ends()?;
+            context! {
+                scenes => found.scenes, answers => found.scenes * Method::ALL.len(), solved => found.solved, intervals => FINE,
+                energy => found.energy, contact_force => found.contact_force,
+            }
+        },
     };
     Evidence::new(values).figures(figures)
 }

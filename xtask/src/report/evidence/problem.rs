@@ -100,12 +100,10 @@ pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
             writeln!(matrices, "{row}")?;
         }
     }
-    // The condition of K and C, as orders of magnitude.
+    // The condition of K and C.
     let digits = &study.ledger()?.recommendation.digits;
-    let conditions: Vec<String> = digits
-        .iter()
-        .map(|d| format!("{} with {} intervals", power_of_ten(nearest_exponent(d.condition)), d.intervals))
-        .collect();
+    let conditions: Vec<String> =
+        digits.iter().map(|d| format!("{} with {} intervals", times_ten(d.condition, 1), d.intervals)).collect();
     Ok(Evidence::new(context! {
         intervals => PRINTED,
         nodes => PRINTED - 1,

@@ -100,6 +100,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let beside_grid = || surveys.iter().filter_map(|survey| Some((survey, survey.ratio(EXACT, ACTIVE_SET)?)));
     let slowest = beside_grid().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(survey, _)| survey);
     let (title, figure) = drawn(&surveys)?;
+    // Of the largest surveys that the interior point solves: all that it was tried on, and how it fared on the others.
+    let tried_by_interior = || {
+        let tried = surveys.iter().filter(|survey| survey.points == largest_interior);
+        tried.filter_map(|survey| {
+            let line = survey.lines[2].filter(|line| !line.is_solved())?;
+            Some(line.median_s? / survey.seconds(EXACT)?)
+        })
+    };
+    let refused = scale.lines.iter().find(|line| line.is_refused());
     let values = context! {
         made => scale.provenance(),
         patience => [EXACT, INTERIOR_POINT].map(patience),
@@ -115,13 +124,23 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         interior_over_exact =>
             least_most(interior().filter(|(survey, _)| survey.points == largest_interior).map(|(_, ratio)| ratio)),
         largest_interior,
+        interior_solved => interior().filter(|(survey, _)| survey.points == largest_interior).count(),
+        interior_failed => tried_by_interior().count(),
+        interior_failed_after => least_most(tried_by_interior()),
         grid_off => least_most(surveys.iter().filter_map(Survey::grid_off)),
-        refused => scale.lines.iter().find(|line| line.is_refused()).map(|line| line.why.clone()),
+        refused => refused.map(|line| line.points),
+        most_points => refused.and_then(|line| first_number(&line.why)),
+        tenth => most / 10,
         single => scale.lines.iter().filter(|line| line.runs == Some(1)).count(),
         title,
         table => table(&surveys),
     };
     Evidence::new(values).file("scale", file).figures([figure])
+}
+
+/// The first whole number of a message.
+fn first_number(message: &str) -> Option<u64> {
+    message.split(|c: char| !c.is_ascii_digit()).find(|digits| !digits.is_empty())?.parse().ok()
 }
 
 /// How many times as long the exact solution takes of the large survey as of the small one, if that has a tenth of its points.

@@ -5,7 +5,7 @@ use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotE
 
 use super::{SOLVERS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
-use crate::measure::plan::EXAMPLE;
+use crate::measure::plan::{EXAMPLE, GRIDS, OTHERS};
 use crate::report::evidence::prelude::*;
 
 /// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
@@ -23,6 +23,9 @@ struct Point<'a> {
     digits: f64,
     line: &'a Line,
 }
+
+/// Uneven grounds that are measured, over which the price of a digit has its range.
+const UNEVEN: [&str; 3] = OTHERS;
 
 /// Values, and the figure.
 pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
@@ -47,7 +50,11 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     let header = ["scene", "route", "intervals", "tolerance", "digits", "milliseconds"];
     let data = Table::new(header).rows(rows);
     let svg = drawn(&fronts, exact)?;
-    Ok((context! { flat, uneven }, ("price", svg, data)))
+    let [times, intervals] =
+        range_on_uneven_ground(store).map(|found| found.map(|[least, most]| context! { least, most }));
+    let range = context! { times, intervals, scenes => UNEVEN };
+    let tried = GRIDS.map(count).join(", ");
+    Ok((context! { flat, uneven, range, tried }, ("price", svg, data)))
 }
 
 /// The solved runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
@@ -99,17 +106,26 @@ fn one_digit(front: &[Point<'_>]) -> Option<[f64; 2]> {
     Some([factor(&milliseconds)?, factor(&|line| as_number(line.intervals))?])
 }
 
+/// The least and the most of both factors of one more digit over the uneven grounds, with the active set.
+fn range_on_uneven_ground(store: &Store) -> [Option<[f64; 2]>; 2] {
+    let factors: Vec<[f64; 2]> =
+        UNEVEN.iter().filter_map(|scene| one_digit(&front(&ended(store, scene), SOLVERS[0]))).collect();
+    // Every one of them is fitted, or there is no range.
+    [0, 1].map(|k| range(factors.iter().map(|f| f[k])).filter(|_| factors.len() == UNEVEN.len()))
+}
+
 /// The rule of thumb in one sentence, for the front page of the repository.
 #[cfg(test)]
 fn sentence(store: &Store) -> Option<String> {
-    let [flat, uneven] = GROUNDS.map(|(scene, _)| {
-        let factors = one_digit(&front(&ended(store, scene), SOLVERS[0]))?;
-        Some(factors.map(|factor| cell(Some(factor), 2)))
-    });
-    let ([time, intervals], [crest_time, crest_intervals]) = (flat?, uneven?);
+    let digits = |factor: f64| cell(Some(factor), 2);
+    let [time, intervals] = one_digit(&front(&ended(store, EXAMPLE), SOLVERS[0]))?.map(digits);
+    let [times, grids] = range_on_uneven_ground(store).map(|found| found.map(|range| range.map(digits)));
+    let ([least, most], [fewest, finest]) = (times?, grids?);
     Some(format!(
         "**With the active set one more correct digit costs** {time} times the time and {intervals} times the intervals on flat ground, and \
-         {crest_time} and {crest_intervals} times on smooth crests; the exact solution is accurate to rounding."
+         {least} to {most} times the time and {fewest} to {finest} times the intervals on {} uneven grounds; the exact solution is \
+         accurate to rounding.",
+        UNEVEN.len()
     ))
 }
 
@@ -131,7 +147,7 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
     });
     let figure = Figure::new(
         "The active set buys a digit for little time; the exact solution needs no grid",
-        "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of end \
+        "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of left \
          reaction, contact force, deflection and energy. One line for each solver joins its solved runs that nothing quicker \
          beats.",
         panels.collect(),

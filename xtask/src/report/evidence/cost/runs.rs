@@ -17,8 +17,14 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
 
 /// Of all runs of the libraries that were measured: did they do what they were asked, and do their answers pass our check.
 fn questions(store: &Store) -> Table {
-    let header =
-        ["library", "runs", "says solved", "did what it was asked, in its own norm", "of these solved by our check"];
+    let header = [
+        "library",
+        "runs",
+        "says solved",
+        "says almost solved, and fails our check",
+        "did what it was asked, in its own norm",
+        "of these solved by our check",
+    ];
     Table::new(header).rows(LIBRARIES.map(|library| {
         let runs = || {
             let of_library =
@@ -28,6 +34,7 @@ fn questions(store: &Store) -> Table {
         let counts = [
             runs().count(),
             runs().filter(|line| line.says_solved == Some(true)).count(),
+            runs().filter(|line| line.says_almost_solved()).count(),
             runs().filter(|line| line.did_as_asked == Some(true)).count(),
             runs().filter(|line| line.did_as_asked == Some(true) && line.succeeded()).count(),
         ];
@@ -43,6 +50,7 @@ fn outcome(line: Option<&Line>) -> (Tone, &'static str) {
         Some(line) if line.succeeded() => (Tone::Good, "S"),
         Some(line) if line.did_as_asked == Some(true) => (Tone::Fair, "A"),
         Some(line) if line.says_solved == Some(true) => (Tone::Bad, "C"),
+        Some(line) if line.says_almost_solved() => (Tone::Fair, "N"),
         Some(_) => (Tone::Fair, "G"),
     }
 }
@@ -98,7 +106,8 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
     );
     let columns = grids.iter().map(|grid| short(*grid)).collect();
     let legend = "intervals. S: solved, by our check. A: did what it was asked, and fails our check. C: claims success without \
-        having done what it was asked. G: did not say that it succeeded. A dash: left out as too slow, or not in the plan.";
+        having done what it was asked. N: says that it is nearly solved (AlmostSolved, SolvedInaccurate), and fails our check. G: says \
+        that it did not succeed. A dash: left out as too slow, or not in the plan.";
     let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
         intervals of the paper's example.";
     let svg = verdict_map::drawn(&title, &format!("{description} {legend}"), legend, columns, rows)?;

@@ -6,6 +6,7 @@ use palkki_evidence::paper::claims::accuracy::{Errors, errors};
 use palkki_evidence::paper::claims::four_step::FINEST;
 use palkki_evidence::paper::claims::nsor::GRIDS;
 use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
+use palkki_evidence::paper::example;
 
 use crate::report::evidence::prelude::*;
 use crate::report::links::anchor;
@@ -63,19 +64,22 @@ fn verdict(claim: &Claim) -> String {
 
 /// Sweeps over intervals, both logarithmic.
 fn sweeps(found: &nsor::Evidence) -> Result<(String, Table), PlotError> {
-    let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("sweeps of NSOR").log()).tall(700.0);
-    let mut data = Table::new(["method", "intervals", "sweeps"]);
+    let mut panel =
+        Panel::new(Axis::new("intervals N").log(), Axis::new("sweeps of NSOR, all factors together").log()).tall(700.0);
+    let mut data = Table::new(["method", "intervals", "sweeps", "sweeps_of_the_first_to_converge"]);
     for (i, count) in found.counts.iter().enumerate() {
         let points = count.sweeps.iter().map(|&(n, s)| [as_number(n), as_number(s)]).collect();
         panel = panel.with(Layer::named(points, Style::of_series(i), count.method.to_string()));
         // Three digits: the last sweeps before the stopping rule holds depend on rounding.
-        data = data.rows(count.sweeps.iter().map(|&(n, s)| row![count.method, n, scientific(as_number(s), 2)]));
+        let digits = |sweeps: usize| scientific(as_number(sweeps), 2);
+        let rows = count.sweeps.iter().zip(&count.own);
+        data = data.rows(rows.map(|((n, all), (_, own))| row![count.method, n, digits(*all), digits(*own)]));
     }
     let of = |best: fn(f64, f64) -> f64| found.counts.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
     let svg = Figure::new(
         format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
-        "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method. All rise; the force \
-         method needs the most.",
+        "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method; the sweeps of all factors \
+         that were tried are counted together. All rise; the force method needs the most.",
         vec![panel],
     )
     .svg()?;
@@ -134,7 +138,10 @@ pub(crate) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
     let solved = |count: &four_step::Count| count.uneven.iter().sum::<usize>();
     let grid = |grid: &Errors| context! { intervals => grid.intervals, worst => grid.worst(), first_force => grid.first_force };
     let four_steps = || ledger.four_step.counts.iter().map(solved);
-    let sweeps = range(ledger.nsor.counts.iter().map(|count| 1e-3 * as_number(count.on_the_paper_grid())));
+    let of_nsor = |k: usize| {
+        let thousands = ledger.nsor.counts.iter().map(|count| 1e-3 * as_number(count.on_the_paper_grid()[k]));
+        range(thousands).map(|[least, most]| context! { least, most })
+    };
     Ok(Evidence::new(context! {
         usable => USABLE,
         coarsest => COARSEST_LOOKED_AT,
@@ -146,9 +153,27 @@ pub(crate) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
         uneven_scenes => 2 * four_step::SCENES,
         four_steps_fewest => four_steps().min(),
         four_steps_most => four_steps().max(),
-        sweeps_fewest => sweeps.map(|[least, _]| least),
-        sweeps_most => sweeps.map(|[_, most]| most),
+        // Thousands of sweeps of NSOR: of all factors of the race for the best one, and of that one.
+        race => of_nsor(0),
+        sweeps => of_nsor(1),
+        moments => moments()?,
     }))
+}
+
+/// Grids on which moments are compared node by node.
+const MOMENTS: [usize; 3] = [20, 100, 300];
+
+/// The worst error of a nodal moment by the force method, over the largest moment.
+fn moments() -> Result<Vec<Value>, Cause> {
+    let scene = example()?;
+    let exact = theory::solve(&scene)?;
+    let of_grid = |intervals: usize| {
+        let state = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?.state;
+        let nodes = nodes_of(&state)?;
+        let off = nodes.x.iter().zip(&nodes.moment).map(|(&x, m)| m - exact.moment(x));
+        Ok(context! { intervals, worst => largest(off) / exact.state.moment.magnitude() })
+    };
+    MOMENTS.into_iter().map(of_grid).collect()
 }
 
 /// One more than the finest grid that is not usable.

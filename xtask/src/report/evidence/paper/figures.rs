@@ -168,8 +168,11 @@ pub(crate) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
         range(points.iter().filter(|p| f64::from(FINE) <= p[0]).map(|p| of(p[1]))).ok_or("there are fine grids")
     };
     let ([least, most], [_, worst]) = (fine(&first, |force| force)?, fine(&resultant, |force| (force - 1.0).abs())?);
+    // Of all grids, the coarse ones included.
+    let all = |points: &[[f64; 2]], of: fn(f64) -> f64| range(points.iter().map(|p| of(p[1]))).map(|[_, most]| most);
+    let coarse = context! { most => all(&first, |force| force), worst => all(&resultant, |force| (force - 1.0).abs()) };
     let values = context! {
-        coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
+        coarse, coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
         least, most, worst, last => resultant.last().map(|p| (p[1] - 1.0).abs()),
     };
     let svg = drawn_first_force(first, resultant)?;
