@@ -24,7 +24,7 @@ pub struct Count {
     pub reference: [usize; 2],
     /// A route with any method and solver: certified, not certified.
     pub route: [usize; 2],
-    /// Runs in which a solver says success and the judge does not.
+    /// Runs in which a solver says success, or almost, and the judge does not.
     pub contradicted: usize,
     /// Runs in which an answer was compared with that in other units.
     pub rescaled: usize,

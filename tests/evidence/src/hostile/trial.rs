@@ -37,7 +37,7 @@ pub(crate) struct Trial {
     pub(crate) reference: Option<bool>,
     /// Whether another route on that grid solved its problem.
     pub(crate) route: Option<bool>,
-    /// True if the route's solver says that it succeeded and the judge does not.
+    /// True if the route's solver says that it succeeded, or almost, and the judge does not.
     pub(crate) contradicted: bool,
     /// True if an answer was compared with that in other units.
     pub(crate) rescaled: bool,
@@ -121,7 +121,8 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         if let (Some(a), Some(b)) = (&bounds, &certificate) {
             overlap(trial, settings, a, b);
         }
-        trial.contradicted |= outcome.solver_reports_success && !outcome.solved;
+        let reports_an_answer = outcome.solver_reports_success || outcome.solver_reports_almost;
+        trial.contradicted |= reports_an_answer && !outcome.solved;
         trial.work[1] = trial.work[1].max(outcome.iterations);
         Some(outcome)
     };

@@ -143,9 +143,9 @@ impl Springs {
             verdict: self.verdict(),
             reading: None,
             summary: format!(
-                "tried on springs only, of which {} of {} lift off: the series solution is met within {}, and contact is not tried",
-                self.lifted,
+                "on {} springs, {} of which lift off, within {} of the series solution; contact is not tried",
                 SPRING_INTERVALS - 1,
+                self.lifted,
                 bound(self.deflection)
             ),
             evidence: format!(

@@ -152,8 +152,8 @@ impl Evidence {
             verdict: self.verdict(),
             reading: Some("read as *a* usable algorithm"),
             summary: format!(
-                "converges within our budget up to {finest} intervals by every method; as *the* usable algorithm {the_only_one}: on {counted} \
-                 intervals its best factor takes {:.2} to {:.1} thousand times the work of the active set",
+                "converges within our budget up to {finest} intervals; as *the* usable algorithm {the_only_one}: on {counted} intervals the first factor \
+                 to converge takes {:.2} to {:.1} thousand times the work of the active set",
                 1e-3 * cheapest,
                 1e-3 * dearest,
             ),

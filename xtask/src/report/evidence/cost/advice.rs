@@ -107,10 +107,10 @@ pub(super) fn table(advice: &[Advice], store: &Store) -> Table {
         let [promised, measured] = [Some(advice.promise), worst(&|line| Advice::error(line))].map(error_cell);
         // Only what is proven is an upper bound.
         let error = match (advice.method.as_str(), grids.is_empty(), lines.len()) {
-            ("exact", ..) => format!("residual {measured}"),
-            (_, false, _) => format!("guaranteed: at most {promised}"),
-            (_, true, 1) => format!("measured: {measured}"),
-            (_, true, scenes) => format!("measured: {measured}, the worst of {scenes} scenes"),
+            ("exact", ..) => format!("{measured}, residual"),
+            (_, false, _) => format!("{promised}, guaranteed"),
+            (_, true, 1) => format!("{measured}, measured"),
+            (_, true, scenes) => format!("{measured}, measured on {scenes} scenes"),
         };
         row![
             advice.case,
