@@ -24,7 +24,8 @@ pub struct Standing {
     /// The resultant of its loads.
     pub resultant: Resultant,
     /// Safety against overturning: the distance of the resultant from the nearer one of the two outermost places that carry the
-    /// beam, supports included, as a share of the distance of these two. Zero if there is only one, not a number if there is none.
+    /// beam, supports included, as a share of the distance of these two: from 0 to 0.5. Zero if there is only one place, not a number
+    /// if there is none, or if a support holds the beam down and the resultant lies beyond both.
     pub margin: f64,
     /// The positions that are left, if there is more than one.
     #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
@@ -259,12 +260,16 @@ impl Standing {
     /// How a beam stands on these supports and contacts.
     #[must_use]
     pub fn of(resultant: Resultant, supports: &[SupportForce], contacts: &[Contact], motion: Option<Motion>) -> Self {
+        /// The digits that the place of a contact has.
+        const ROUNDING: f64 = 1e-12;
         let places = supports.iter().map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
         let [left, right] = places
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
         let nearer = (resultant.at - left).min(right - resultant.at);
         // Of an answer without numbers no place is known.
-        let margin = if left < right { nearer / (right - left) } else { 0.0 * (right - left) };
+        let share = if left < right { nearer / (right - left) } else { 0.0 * (right - left) };
+        // Beyond both by more than rounding, a support pulls, and the beam cannot turn about the other place.
+        let margin = if share < -ROUNDING { f64::NAN } else { share.max(0.0 * share) };
         Self { resultant, margin, motion }
     }
 

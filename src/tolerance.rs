@@ -5,11 +5,12 @@
 //! ```text
 //! J*(u + δ) ≤ J* ≤ J*(u − δ)                            guaranteed, from the certificates of two solves
 //! J_free < J*(u + δ)                                    the beam touches, whatever the depths are
+//! its supports do not hold it                           it touches, whatever the depths are
 //! the beam above u − δ touches nowhere                  nor does it above any of them
 //! |R − R(u)| ≈ δ Σ |∂R/∂u_i|  over the contacts i        an estimate: the contacts stay those that they are
 //! ```
 
-use crate::scene::Scene;
+use crate::scene::{Balance, Scene};
 use crate::solve::Solution;
 use crate::state::Regime;
 use crate::theory::{self, Exact, Spread};
@@ -26,6 +27,8 @@ pub struct DepthTolerance {
     pub contact: Touches,
     /// Estimates of how far forces may be off, from derivatives; [`None`] where there are none.
     pub estimates: Option<Spread>,
+    /// What was left out of these, and why.
+    pub left_out: Option<&'static str>,
 }
 
 /// Whether a beam touches the ground.
@@ -56,22 +59,44 @@ impl DepthTolerance {
     /// For the exact solution of a scene, if each depth of its ground may be off by `tolerance`, positive \[length\].
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact, tolerance: f64) -> Self {
-        let moved = |down: f64| scene.with_ground_moved(down).ok().and_then(|scene| judged(&scene));
+        let places = exact.state.supports.len() + exact.state.contacts.len();
+        let bounded = places * places <= MOST_PAIRS;
+        let judged = |scene: Scene| if bounded { judged(&scene) } else { None };
+        let moved = |down: f64| scene.with_ground_moved(down).ok().and_then(judged);
         let certificate = |solution: &Option<Solution>| solution.as_ref().and_then(|s| s.verdict.certificate.clone());
         let (deep, shallow) = (moved(tolerance), moved(-tolerance));
         let finite = |value: f64| value.is_finite().then_some(value);
         let lower = certificate(&deep).and_then(|c| finite(c.energy_lower));
         let upper = certificate(&shallow).and_then(|c| finite(c.energy_upper));
-        let free = Scene::new(scene.beam().clone(), scene.load().clone(), None).ok().and_then(|scene| judged(&scene));
+        let free = Scene::new(scene.beam().clone(), scene.load().clone(), None).ok().and_then(judged);
         let free = certificate(&free).map_or(f64::INFINITY, |c| c.energy_upper);
         let apart =
             |solution: &Solution| solution.verdict.status == Status::Certified && solution.state.regime == Regime::None;
         let contact = match (lower, &shallow) {
+            _ if leans(scene) => Touches::Certainly,
             (Some(lower), _) if free < lower => Touches::Certainly,
             (_, Some(shallow)) if apart(shallow) => Touches::Nowhere,
             _ => Touches::Perhaps,
         };
-        Self { tolerance, energy: [lower, upper], contact, estimates: exact.spread(tolerance) }
+        let estimates = exact.spread(tolerance);
+        let left_out = match (bounded, &estimates) {
+            (false, _) => Some("no bounds of the energy: too many supports and contacts for three more solutions"),
+            (true, None) => Some("no estimates: the forces do not follow from the depths to first order"),
+            _ => None,
+        };
+        Self { tolerance, energy: [lower, upper], contact, estimates, left_out }
+    }
+}
+
+/// Pairs of places that hold the beam, to which the work of a proof is proportional, at most: a few seconds for each of the three.
+const MOST_PAIRS: usize = 20_000_000;
+
+/// True of a beam that its supports do not hold: the ground carries part of its loads, whatever its depth.
+fn leans(scene: &Scene) -> bool {
+    match scene.scaled().map(|scaled| scaled.balance) {
+        Ok(Balance::Stands(_)) => true,
+        Ok(Balance::Neutral { .. }) => scene.beam().supports().is_empty(),
+        _ => false,
     }
 }
 
@@ -82,7 +107,7 @@ fn judged(scene: &Scene) -> Option<Solution> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Beam, Foundation, Load};
+    use crate::scene::{Beam, Foundation, Load, Support};
 
     fn scene(depth: f64) -> Scene {
         let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0).expect("a beam");
@@ -101,6 +126,16 @@ mod tests {
         assert_eq!(of(90.0, 11.0).contact, Touches::Perhaps);
         assert_eq!(of(110.0, 9.0).contact, Touches::Nowhere);
         assert_eq!(of(110.0, 11.0).contact, Touches::Perhaps);
+        // Nothing but the ground carries a beam without supports, nor one that would turn about its only one.
+        for supports in [Vec::new(), vec![Support::simple(2.0)]] {
+            let scene = scene(90.0);
+            let beam = scene.beam().clone().with_supports(supports).expect("a beam");
+            let scene = Scene::new(beam, scene.load().clone(), scene.foundation().cloned()).expect("a scene");
+            let exact = theory::solve(&scene).expect("an answer");
+            for tolerance in [9.0, 90.0, 900.0] {
+                assert_eq!(DepthTolerance::of(&scene, &exact, tolerance).contact, Touches::Certainly);
+            }
+        }
         // Ground above the supports has no energy.
         assert_eq!(of(1.0, 2.0).energy[1], None);
     }

@@ -36,7 +36,7 @@ fn supports(scene: &Scene, labels: &Labels) -> String {
         format!("at {}{level}{slope}", labels.length.value(support.at))
     };
     let all: Vec<String> = scene.beam().supports().iter().map(one).collect();
-    if all.is_empty() { "none".to_owned() } else { all.join("; ") }
+    few(&all)
 }
 
 fn load(scene: &Scene, labels: &Labels) -> String {
@@ -54,7 +54,18 @@ fn load(scene: &Scene, labels: &Labels) -> String {
             .iter()
             .map(|part| format!("{} at {}", labels.force.value(part.force), labels.length.value(part.at))),
     );
-    if parts.is_empty() { "none".to_owned() } else { parts.join("; ") }
+    few(&parts)
+}
+
+/// As many as a person reads in one line, and how many there are.
+fn few(all: &[String]) -> String {
+    /// What fits three lines of a terminal, more or less.
+    const SHOWN: usize = 8;
+    match all.len() {
+        0 => "none".to_owned(),
+        count if count <= SHOWN + 1 => all.join("; "),
+        count => format!("{}; and {} more, {count} in all", all[..SHOWN].join("; "), count - SHOWN),
+    }
 }
 
 /// A profile in words; `name` is what its polynomial is called.

@@ -1,11 +1,11 @@
 //! How an exact answer changes with what is given: `--derivatives` and `--depth-tolerance`, as JSON and as tables.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use palkki::scene::Scene;
 use palkki::state::SupportForce;
 use palkki::text::{at_least, at_most, magnitude, result};
-use palkki::theory::{ContactDerivative, Derivative, Spread};
+use palkki::theory::{ContactDerivative, Derivative, Missing, Spread};
 use palkki::tolerance::{DepthTolerance, Touches};
 use serde::Serialize;
 
@@ -21,6 +21,9 @@ pub(super) struct Local {
     /// By the paths of the numbers, or `depth` for all of the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     derivatives: Option<BTreeMap<String, DerivativeObject>>,
+    /// Of how many numbers of the scene there are none, as there are too many.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    derivatives_left_out: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     depth_tolerance: Option<ToleranceObject>,
 }
@@ -28,6 +31,9 @@ pub(super) struct Local {
 #[derive(Debug, Serialize)]
 struct DerivativeObject {
     one_sided: bool,
+    /// Why numbers are null.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    missing: Option<&'static str>,
     reactions: EndsObject,
     supports: Vec<f64>,
     contacts: Vec<ContactObject>,
@@ -40,6 +46,9 @@ struct ToleranceObject {
     guaranteed: GuaranteedObject,
     /// First-order estimates, not bounds.
     estimates: Option<Spread>,
+    /// What is left out, and why.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left_out: Option<&'static str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -59,10 +68,12 @@ impl Local {
             all.map(|derivative| (derivative.by.to_string(), object(derivative, supports, length))).collect()
         });
         let known = exact.zip(arguments.depth_tolerance).map(|(exact, tolerance)| {
-            let DepthTolerance { tolerance, energy, contact, estimates } = DepthTolerance::of(scene, exact, tolerance);
-            ToleranceObject { tolerance, guaranteed: GuaranteedObject { energy, contact }, estimates }
+            let DepthTolerance { tolerance, energy, contact, estimates, left_out } =
+                DepthTolerance::of(scene, exact, tolerance);
+            ToleranceObject { tolerance, guaranteed: GuaranteedObject { energy, contact }, estimates, left_out }
         });
-        Self { derivatives, depth_tolerance: known }
+        let left_out = exact.filter(|_| arguments.derivatives).map(|exact| exact.derivatives_left_out(scene));
+        Self { derivatives, derivatives_left_out: left_out.filter(|&count| 0 < count), depth_tolerance: known }
     }
 
     /// Tables for a person.
@@ -70,21 +81,7 @@ impl Local {
         let labels = Labels::of(input.scene.units());
         let mut text = String::new();
         if let Some(derivatives) = &self.derivatives {
-            let supports = derivatives.values().map(|d| d.supports.len()).max().unwrap_or(0);
-            let mut header = vec!["of:".to_owned()];
-            header.extend((1..=supports).map(|i| format!("support {i}")));
-            header.extend(["contact force", "energy", ""].map(str::to_owned));
-            let row = |(by, derivative): (&String, &DerivativeObject)| -> Row {
-                let contact: f64 = derivative.contacts.iter().map(|contact| contact.force).sum();
-                let mut row = vec![format!("by {by}")];
-                row.extend(
-                    derivative.supports.iter().chain([&contact, &derivative.energy]).map(|value| result(*value)),
-                );
-                row.push(if derivative.one_sided { "one-sided" } else { "" }.to_owned());
-                row
-            };
-            let rows: Vec<Row> = derivatives.iter().map(row).collect();
-            text += &table("Derivatives; --format json has those of each contact", &header, &rows);
+            text += &table_of(derivatives, self.derivatives_left_out);
         }
         if let Some(known) = &self.depth_tolerance {
             let [lower, upper] = known.guaranteed.energy;
@@ -98,6 +95,7 @@ impl Local {
                 ),
                 (format!("guaranteed: {} at most", labels.moment.name("energy J*")), upper.map_or_else(none, at_most)),
             ];
+            lines.extend(known.left_out.map(|why| ("left out".to_owned(), why.to_owned())));
             for (i, spread) in known.estimates.iter().flat_map(|spread| spread.supports.iter().enumerate()) {
                 let name = labels.force.name(&format!("force of support {}", i + 1));
                 lines.push((format!("estimate: {name} off by"), magnitude(*spread)));
@@ -108,11 +106,51 @@ impl Local {
     }
 }
 
+/// Columns of supports, and rows, that a person reads.
+const MOST_SUPPORTS: usize = 8;
+const MOST_ROWS: usize = 200;
+
+/// A row for each number, and below it what is not there.
+fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<usize>) -> String {
+    let supports = derivatives.values().map(|d| d.supports.len()).max().unwrap_or(0);
+    let shown = supports.min(MOST_SUPPORTS);
+    let mut header = vec!["of:".to_owned()];
+    header.extend((1..=shown).map(|i| format!("support {i}")));
+    header.extend(["contact force", "energy", ""].map(str::to_owned));
+    let number = |value: &f64| if value.is_finite() { result(*value) } else { "-".to_owned() };
+    let row = |(by, derivative): (&String, &DerivativeObject)| -> Row {
+        let contact: f64 = derivative.contacts.iter().map(|contact| contact.force).sum();
+        let mut row = vec![format!("by {by}")];
+        row.extend(derivative.supports.iter().take(shown).chain([&contact, &derivative.energy]).map(number));
+        row.push(match (derivative.missing, derivative.one_sided) {
+            (Some(why), _) => why.split(':').next().unwrap_or_default().to_owned(),
+            (None, true) => "one-sided".to_owned(),
+            (None, false) => String::new(),
+        });
+        row
+    };
+    let rows: Vec<Row> = derivatives.iter().take(MOST_ROWS).map(row).collect();
+    let mut text = table("Derivatives; --format json has those of each contact", &header, &rows);
+    let reasons: BTreeSet<&str> = derivatives.values().filter_map(|derivative| derivative.missing).collect();
+    text.extend(reasons.into_iter().map(|why| format!("{why}\n")));
+    for (what, there, shown) in [("supports", supports, shown), ("numbers of the scene", derivatives.len(), rows.len())]
+    {
+        if shown < there {
+            text += &format!("The first {shown} of {there} {what}; --format json has all.\n");
+        }
+    }
+    if let Some(count) = left_out {
+        text += &format!("Left out are derivatives by {count} numbers of the scene: there would be too many.\n");
+    }
+    text
+}
+
 fn object(derivative: Derivative, supports: &[SupportForce], length: f64) -> DerivativeObject {
-    let Derivative { one_sided, supports: forces, contacts, energy, .. } = derivative;
+    let Derivative { one_sided, missing, supports: forces, contacts, energy, .. } = derivative;
     let contact = |ContactDerivative { from, to, force, end_forces }| ContactObject::new(from, to, force, end_forces);
     DerivativeObject {
         one_sided,
+        missing: missing.map(Missing::reason),
         reactions: EndsObject::of(length, supports, |i| forces[i]),
         contacts: contacts.into_iter().map(contact).collect(),
         supports: forces,

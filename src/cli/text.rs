@@ -155,10 +155,12 @@ fn support_at(at: f64, length: f64) -> String {
 /// How a beam stands that its supports do not hold.
 fn stands(standing: &Standing, labels: &Labels) -> String {
     let Standing { resultant, margin, motion } = standing;
+    let margin_in_words =
+        if margin.is_nan() { "none: a support holds the beam down".to_owned() } else { result(*margin) };
     let mut rows: Vec<Row> = vec![
         vec![labels.force.name("resultant of the loads"), result(resultant.force)],
         vec![labels.length.name("its place"), result(resultant.at)],
-        vec!["margin against overturning".to_owned(), result(*margin)],
+        vec!["margin against overturning".to_owned(), margin_in_words],
     ];
     if let Some(Motion { about, slope: [least, most] }) = motion {
         let end = |slope: &Option<f64>| slope.map_or_else(|| "any".to_owned(), result);

@@ -8,10 +8,12 @@
 //! ```
 
 use super::exact::Exact;
-use super::list::{Beside, Kind};
+use super::list::{Beside, Kind, Node};
 use super::margin::lowest;
-use super::sensitivity::{Change, NodeChange, bend, change, standing};
-use crate::scene::{Foundation, Quantity, Scene};
+use super::piecewise::AtSupport;
+use super::sensitivity::{Change, NodeChange, Sensitivity, bend, standing};
+use super::span::Span;
+use crate::scene::{Foundation, Held, Quantity, Scene};
 use crate::state::Contact;
 
 /// By what an answer is differentiated.
@@ -37,14 +39,59 @@ impl std::fmt::Display for By {
 pub struct Derivative {
     /// The number.
     pub by: By,
-    /// True at a change of the kind of the answer: to the other side of it the derivatives are others.
+    /// True at a change of the kind of the answer: to the other side of it the derivatives are others, or the scene is refused.
     pub one_sided: bool,
+    /// Why numbers below are missing, that is not numbers; [`None`] if all of them are there.
+    pub missing: Option<Missing>,
     /// Of the forces of the supports, from left to right.
     pub supports: Vec<f64>,
     /// Of the contacts, in their order.
     pub contacts: Vec<ContactDerivative>,
     /// Of the energy `J`.
     pub energy: f64,
+}
+
+/// Why a derivative is not there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Missing {
+    /// The ground parts from a support where the beam lies on it: forces change as a root of the distance, infinitely fast.
+    Parts,
+    /// The beam lies on the ground beside a support, or along it, without pressing on it: what touches is not determined.
+    Unloaded,
+    /// Beyond a support that moves off an end of the beam, the ground is level with it, and the beam touches it at once.
+    Touches,
+    /// The force at the end of a zone, or of a support there, jumps: a load that stands on it moves into the zone or out of it.
+    Jumps,
+    /// Loads of both signs stand at one place on a zone, which lifts off under one of them as soon as they part.
+    Pulls,
+    /// Where a zone ends nothing presses: its place is not determined.
+    Undetermined,
+    /// A contact is so near a support that of the two forces only the couple is certain.
+    Crowded,
+}
+
+impl Missing {
+    /// The reason in words.
+    #[must_use]
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Parts => {
+                "infinite: the ground parts from a support beside which the beam lies on it, and forces change as a root of the distance"
+            }
+            Self::Unloaded => {
+                "none: the beam lies on the ground without pressing on it, so that what touches is not determined"
+            }
+            Self::Touches => {
+                "none: beyond a support that moves off the end of the beam, the beam touches the ground at once"
+            }
+            Self::Jumps => "in part: the force at the end of a zone jumps as the load that stands there moves",
+            Self::Pulls => "none: one of the loads at this place pulls, and lifts the beam off as soon as they part",
+            Self::Crowded => {
+                "in part: a contact is so near a support that only the sum and the couple of their forces are certain"
+            }
+            Self::Undetermined => "in part: nothing presses where a zone ends, so that the place is not determined",
+        }
+    }
 }
 
 /// The derivatives of a contact.
@@ -70,6 +117,33 @@ pub struct Spread {
     pub contacts: Vec<f64>,
 }
 
+/// A derivative to be computed.
+#[derive(Debug, Clone, Copy)]
+struct Asked {
+    by: By,
+    change: Change,
+    unit: f64,
+    one_sided: bool,
+    /// Why it is not there where the change parts ground and support.
+    parts: Option<Missing>,
+}
+
+/// The ground at a support.
+#[derive(Debug, Clone, Copy, Default)]
+struct Ground {
+    /// It starts at the level of the support, and cannot rise.
+    meets: bool,
+    /// The beam lies on it beside the support, and how it leaves it.
+    rests: Option<Missing>,
+    /// It is level around the support, which may move along it.
+    level: bool,
+    /// The slope of the axis of the beam to its left and to its right.
+    axis: [f64; 2],
+}
+
+/// Numbers of all derivatives together at most: some 400 MB as text.
+const MOST_NUMBERS: usize = 20_000_000;
+
 /// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes.
 const AT_A_CHANGE: f64 = 1e-9;
 
@@ -79,47 +153,151 @@ impl Exact {
     /// not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
+        let Some(linear) = self.sensitivity() else { return Vec::new() };
+        let (at_change, lies) = (self.at_a_change(), self.lies());
+        let of = |asked: Asked| {
+            // More load presses all of a stretch that lies on the ground, less of it none.
+            let unloaded = (lies && matches!(asked.change, Change::Uniform(_))).then_some(Missing::Unloaded);
+            let (one_sided, parts) = (at_change || asked.one_sided, asked.parts.or(unloaded));
+            self.derivative(&linear, Asked { one_sided, parts, ..asked })
+        };
+        self.asked(scene).into_iter().take(self.most_derivatives()).map(of).collect()
+    }
+
+    /// How many derivatives are left out of [`Self::derivatives`] for there are too many numbers in all.
+    #[must_use]
+    pub fn derivatives_left_out(&self, scene: &Scene) -> usize {
+        self.asked(scene).len().saturating_sub(self.most_derivatives())
+    }
+
+    fn most_derivatives(&self) -> usize {
+        MOST_NUMBERS / (self.state.supports.len() + 5 * self.state.contacts.len() + 1)
+    }
+
+    fn sensitivity(&self) -> Option<Sensitivity<'_>> {
+        Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces)
+    }
+
+    /// By what an answer is differentiated, and what is known of each derivative before it is computed.
+    fn asked(&self, scene: &Scene) -> Vec<Asked> {
         let scale = &self.scale;
         let (stiffness, bending) = (self.stiffness, scene.beam().bending_stiffness());
-        let mut found = Vec::new();
-        let at_change = self.at_a_change();
-        let mut add = |by: By, change: Change, unit: f64, one_sided: bool| {
-            found.extend(self.derivative(by, change, unit, at_change || one_sided));
-        };
+        let supports = self.at_supports(scene);
+        let mut all = Vec::new();
+        let mut add = |by, change, unit, one_sided, parts| all.push(Asked { by, change, unit, one_sided, parts });
         if scene.foundation().is_some() {
-            let grounded = self.given.supports.iter().any(|support| support.grounded != [false; 2]);
-            add(By::Depth, Change::Ground, scale.depth, grounded);
+            let parts = supports.iter().find_map(|s| s.rests);
+            add(By::Depth, Change::Ground, scale.depth, supports.iter().any(|s| s.meets), parts);
         }
-        add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, false);
-        add(By::Number(Quantity::Uniform), Change::Uniform(1.0 / stiffness), scale.force / scale.length, false);
+        add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, false, None);
+        add(By::Number(Quantity::Uniform), Change::Uniform(1.0 / stiffness), scale.force / scale.length, false, None);
         for (i, load) in scene.load().point().iter().enumerate() {
             let at = load.at / scale.length;
-            add(By::Number(Quantity::PointForce(i)), Change::Force(at, 1.0 / stiffness), scale.force, false);
+            add(By::Number(Quantity::PointForce(i)), Change::Force(at, 1.0 / stiffness), scale.force, false, None);
             let size = load.force / scale.force / stiffness;
-            // Beside a node, or at an end of the beam, another span is loaded.
-            let on_node = self.list.nodes.iter().any(|node| node.x <= at && at <= node.x);
-            let at_end = at <= 0.0 || self.given.length <= at;
-            add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, on_node || at_end);
+            // At the end of a zone, or of the beam, the other side is another stretch.
+            let one_sided = at <= 0.0 || self.given.length <= at || self.ends_zone(at);
+            let parts = self.pulls(at, size).then_some(Missing::Pulls);
+            add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, one_sided, parts);
         }
         for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
-            let Some(i) = scene.beam().supports().iter().position(|s| s.at <= support.at && support.at <= s.at) else {
-                continue;
-            };
-            let here = &self.given.supports[i];
-            let pressed = here.grounded != [false; 2];
-            add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, pressed);
+            let i = scene.beam().supports().partition_point(|s| s.at < support.at);
+            let here = &supports[i];
+            add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, here.meets, here.rests);
             let unit = scale.length / scale.depth;
+            let (at_left, at_right) = (support.at <= 0.0, scene.beam().length() <= support.at);
+            // Where the ground meets the support the beam may pass this place on one side only.
+            let blocked = match (at_left, at_right) {
+                (true, _) => [true, here.meets && here.axis[1] <= 0.0],
+                (_, true) => [here.meets && 0.0 <= here.axis[0], true],
+                _ => [here.meets && 0.0 < here.axis[0], here.meets && here.axis[1] < 0.0],
+            };
+            let side = usize::from(!blocked[1]);
             let (own, kinked) = scene.beam().shape().map_or(([0.0; 2], false), |shape| {
-                let [[_, left], [_, right]] = shape.sides(support.at);
-                let slope = if support.at < scene.beam().length() { right } else { left };
-                ([slope * unit, curvature(shape, support.at) * unit * scale.length], left.total_cmp(&right).is_ne())
+                let slopes = shape.sides(support.at).map(|[_, slope]| slope);
+                let kinked = slopes[0].total_cmp(&slopes[1]).is_ne();
+                ([slopes[side] * unit, curvature(shape, support.at) * unit * scale.length], kinked)
             });
-            let at_end = support.at <= 0.0 || scene.beam().length() <= support.at;
-            let loaded = self.given.breakpoints[here.breakpoint].force != 0.0;
-            let one_sided = pressed || at_end || loaded || kinked;
-            add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, one_sided);
+            let at_end = at_left || at_right;
+            let one_sided = at_end || kinked || here.meets && !here.level;
+            let touches = blocked == [true; 2] || at_end && here.rests.is_some();
+            let parts = here.rests.filter(|_| !here.level).or(touches.then_some(Missing::Touches));
+            add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, one_sided, parts);
         }
-        found
+        all
+    }
+
+    /// What the ground does at the supports, from left to right.
+    fn at_supports(&self, scene: &Scene) -> Vec<Ground> {
+        let nodes = self.list.nodes.iter().enumerate();
+        let held = scene.held();
+        let ground = |(i, node): (usize, &Node)| Some(self.at_support(scene, i, &held[node.support()?]));
+        nodes.filter_map(ground).collect()
+    }
+
+    fn at_support(&self, scene: &Scene, i: usize, held: &Held) -> Ground {
+        let (given, length) = (&self.given, scene.beam().length());
+        let node = &self.list.nodes[i];
+        let Kind::Support(index, beside) = node.kind else { return Ground::default() };
+        let support = &given.supports[index];
+        let bridged = self.bridged(support);
+        let crowded = self.crowded(i);
+        let by_ground = !support.built_in && support.slope.is_some();
+        let rests = (by_ground || beside != [Beside::Apart; 2] || crowded).then(|| {
+            let pushes = |zone: bool, cell: usize| zone && given.drive(cell, node.x) != 0.0;
+            let pressed = pushes(self.list.in_zone_before(i), given.cell_to(node.x))
+                || pushes(self.list.in_zone_before(i + 1), given.cell_from(node.x));
+            let [left, right] = self.bends(i);
+            let couple = AT_A_CHANGE * self.largest_node_force() * given.length < (right - left).abs();
+            if pressed || couple || crowded { Missing::Parts } else { Missing::Unloaded }
+        });
+        // Level ground on both sides, where there is a beam.
+        let level = scene.foundation().is_some_and(|ground| {
+            let flat = ground.sides(held.at).into_iter().all(|[_, slope]| slope == 0.0);
+            flat && curvature(ground, held.at) == 0.0 && held.meets == [0.0 < held.at, held.at < length]
+        });
+        let ends = super::sensitivity::ends(&self.spans, i);
+        let slope = ends[0].map(|span| span.beam_b[1]).or(ends[1].map(|span| span.beam_a[1])).unwrap_or(0.0);
+        let own = scene.beam().shape().map_or([0.0; 2], |own| own.sides(held.at).map(|[_, slope]| slope));
+        let axis = own.map(|own| own + slope * self.scale.depth / self.scale.length);
+        Ground { meets: bridged || held.meets.contains(&true), rests, level, axis }
+    }
+
+    /// True if the gap between a support and the ground is none, or next to none.
+    fn bridged(&self, support: &AtSupport) -> bool {
+        let size = self.state.deflection.magnitude() / self.scale.depth;
+        self.given.founded && support.clearance.into_iter().any(|gap| gap <= AT_A_CHANGE * size)
+    }
+
+    /// True of a support and of a contact that are side by side: a gap that is small is bridged over a distance that is small as
+    /// its root.
+    fn crowded(&self, i: usize) -> bool {
+        let nodes = &self.list.nodes;
+        let near = |[a, b]: [&Node; 2]| {
+            let support = a.support().or(b.support()).map(|index| &self.given.supports[index]);
+            a.support().is_some() != b.support().is_some()
+                && (b.x - a.x).abs() <= AT_A_CHANGE.sqrt() * self.given.length
+                && support.is_some_and(|support| self.bridged(support))
+        };
+        let beside = |left: usize| nodes.get(left).zip(nodes.get(left + 1)).is_some_and(|(a, b)| near([a, b]));
+        beside(i) || i.checked_sub(1).is_some_and(beside)
+    }
+
+    /// `v''` to the left and to the right of a node, that of the ground in a zone, and zero where there is no beam.
+    fn bends(&self, i: usize) -> [f64; 2] {
+        let (given, x) = (&self.given, self.list.nodes[i].x);
+        let [left, right] = super::sensitivity::ends(&self.spans, i);
+        let zone = |before: usize, cell: usize| {
+            if self.list.in_zone_before(before) { given.derivative(cell, x, 2) } else { 0.0 }
+        };
+        [
+            left.map_or_else(|| zone(i, given.cell_to(x)), |span| span.beam_b[2]),
+            right.map_or_else(|| zone(i + 1, given.cell_from(x)), |span| span.beam_a[2]),
+        ]
+    }
+
+    fn largest_node_force(&self) -> f64 {
+        self.forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()))
     }
 
     /// How far forces are off to first order if the depth under each contact by itself may be off by `tolerance`: the sum of the
@@ -134,9 +312,24 @@ impl Exact {
             Some(Kind::Smooth | Kind::Edge(_)) => Some((i, i)),
             _ => None,
         });
+        // Where the ground parts from a support forces change as a root of the distance.
+        let rests = |(i, node): (usize, &Node)| match node.kind {
+            Kind::Support(index, beside) => {
+                let support = &self.given.supports[index];
+                beside != [Beside::Apart; 2] || support.slope.is_some() && !support.built_in || self.crowded(i)
+            }
+            _ => false,
+        };
+        if nodes.iter().enumerate().any(rests) {
+            return None;
+        }
+        let linear = self.sensitivity()?;
         stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
             let of = Change::GroundUnder(from, to);
-            let derivative = self.derivative(By::Depth, of, self.scale.depth, false)?;
+            let derivative = self.derivative(
+                &linear,
+                Asked { by: By::Depth, change: of, unit: self.scale.depth, one_sided: false, parts: None },
+            );
             let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
             sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
             sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));
@@ -144,9 +337,10 @@ impl Exact {
         })
     }
 
-    fn derivative(&self, by: By, of: Change, unit: f64, one_sided: bool) -> Option<Derivative> {
+    fn derivative(&self, linear: &Sensitivity<'_>, asked: Asked) -> Derivative {
+        let Asked { by, change: of, unit, one_sided, parts } = asked;
         let (given, list, scale) = (&self.given, &self.list, &self.scale);
-        let changes = change(given, list, &self.spans, &self.forces, of)?;
+        let changes = linear.change(of);
         let place = |z: f64| z * scale.length / unit;
         // A force is EI times what is computed here, so that it grows with EI as such.
         let force = |now: f64, change: f64| {
@@ -155,20 +349,31 @@ impl Exact {
         };
         let total =
             |i: usize| self.forces[i] + if list.nodes[i].support().is_some() { standing(given, list, i) } else { 0.0 };
+        let jumping = |i: usize| match of {
+            Change::Move(at, _) => list.nodes[i].x <= at && at <= list.nodes[i].x && list.ends_zone(i),
+            Change::Support(index, _) => list.nodes[i].support() == Some(index) && self.jumps(i),
+            _ => false,
+        };
+        let certain = |i: usize, value: f64| if self.crowded(i) || jumping(i) { f64::NAN } else { value };
         let (mut supports, mut contacts) = (Vec::new(), Vec::new());
         for i in 0..=list.nodes.len() {
             if list.in_zone_before(i) {
                 let ends = [i - 1, i].map(|end| {
                     let node = &list.nodes[end];
                     match node.support() {
-                        Some(_) => (node.x, 0.0, 0.0, 0.0),
+                        // The support is said to take all of what is carried there.
+                        Some(_) => (node.x, changes[end].place, 0.0, 0.0),
+                        None if !self.presses(end, i) => (node.x, f64::NAN, self.forces[end], changes[end].force),
                         None => (node.x, changes[end].place, self.forces[end], changes[end].force),
                     }
                 });
                 let [(from, left, force_from, change_from), (to, right, force_to, change_to)] = ends;
                 let (first, last) = (given.cell_from(from), given.cell_to(to));
-                let pressure = |cell: usize, x: f64| -given.drive(cell, x);
-                let spread = of.on_zone(given, from, to) + pressure(last, to) * right - pressure(first, from) * left;
+                let pushed = |cell: usize, x: f64, place: f64| match -given.drive(given.cell_ahead(x, cell, place), x) {
+                    0.0 => 0.0,
+                    pressure => pressure * place,
+                };
+                let spread = of.on_zone(given, from, to) + pushed(last, to, right) - pushed(first, from, left);
                 let own = super::forces::zone_force(given, from, to) + force_from + force_to;
                 contacts.push(ContactDerivative {
                     from: place(left),
@@ -182,15 +387,74 @@ impl Exact {
                 Kind::Smooth | Kind::Edge(_) => contacts.push(ContactDerivative {
                     from: place(changes[i].place),
                     to: place(changes[i].place),
-                    force: force(self.forces[i], changes[i].force),
+                    force: certain(i, force(self.forces[i], changes[i].force)),
                     end_forces: None,
                 }),
-                Kind::Support(..) => supports.push(force(total(i), changes[i].force)),
+                Kind::Support(..) => supports.push(certain(i, force(total(i), changes[i].force))),
                 _ => {}
             }
         }
-        let energy = self.energy_by(of, &changes) * self.stiffness * scale.energy() / unit + 0.0;
-        Some(Derivative { by, one_sided, supports, contacts, energy })
+        let mut energy = self.energy_by(of, &changes) * self.stiffness * scale.energy() / unit + 0.0;
+        let places = |c: &ContactDerivative| c.from.is_finite() && c.to.is_finite();
+        if self.lies() {
+            // Whether the end of a stretch that lies on the ground touches it is not determined either.
+            let least = AT_A_CHANGE * self.state.contact_force().abs();
+            let unpressed = contacts.iter_mut().zip(&self.state.contacts).filter(|(_, c)| c.force.abs() <= least);
+            unpressed.for_each(|(change, _)| (change.from, change.to) = (f64::NAN, f64::NAN));
+        }
+        let nodes = || 0..list.nodes.len();
+        let jumps = nodes().any(jumping).then_some(Missing::Jumps);
+        let crowded = || nodes().any(|i| self.crowded(i)).then_some(Missing::Crowded);
+        let undetermined = || (!contacts.iter().all(places)).then_some(Missing::Undetermined);
+        let missing = parts.or(jumps).or_else(undetermined).or_else(crowded);
+        if parts.is_some() {
+            supports.fill(f64::NAN);
+            let none = ContactDerivative { from: f64::NAN, to: f64::NAN, force: f64::NAN, end_forces: None };
+            contacts
+                .iter_mut()
+                .for_each(|c| *c = ContactDerivative { end_forces: c.end_forces.map(|_| [f64::NAN; 2]), ..none });
+            energy = f64::NAN;
+        }
+        Derivative { by, one_sided, missing, supports, contacts, energy }
+    }
+
+    /// True if the beam lies along the ground somewhere without pressing on it, as one without weight does beyond a contact.
+    fn lies(&self) -> bool {
+        let size = AT_A_CHANGE * self.state.deflection.magnitude() / self.scale.depth;
+        let at = |[h, slope, bend, third]: [f64; 4], l: f64| {
+            [h, slope * l, bend * l * l, third * l * l * l].into_iter().all(|h| h.abs() <= size)
+        };
+        let along = |span: &Span| at(span.at_a, span.length()) && at(span.at_b, span.length());
+        self.given.founded && self.spans.iter().any(|(_, span)| along(span))
+    }
+
+    /// True if the ground presses at node `end`, an end of the zone before node `i`.
+    fn presses(&self, end: usize, i: usize) -> bool {
+        let x = self.list.nodes[end].x;
+        let cell = if end == i { self.given.cell_to(x) } else { self.given.cell_from(x) };
+        let least = AT_A_CHANGE * self.largest_node_force().max(self.given.total_load);
+        // The place of a lift-off follows from the force there; a tip stays where it is.
+        let is_tip = self.list.nodes[end].kind == Kind::Tip;
+        least < self.forces[end] || is_tip && least < self.given.drive(cell, x).abs() * self.given.length
+    }
+
+    /// True if a load stands on node `i`, and a zone ends there.
+    fn jumps(&self, i: usize) -> bool {
+        standing(&self.given, &self.list, i) != 0.0 && self.list.ends_zone(i)
+    }
+
+    /// True if the load at `at` stands on an end of a zone.
+    fn ends_zone(&self, at: f64) -> bool {
+        let list = &self.list;
+        list.nodes.iter().enumerate().any(|(i, node)| node.x <= at && at <= node.x && list.ends_zone(i))
+    }
+
+    /// True if the load `force` at `at` stands on a zone, and it or what stands there besides pulls.
+    fn pulls(&self, at: f64, force: f64) -> bool {
+        let given = &self.given;
+        let all = given.breakpoint_at(at).map_or(force, |i| given.breakpoints[i].force);
+        let least = -AT_A_CHANGE * force.abs();
+        self.list.zones().any(|zone| zone.from <= at && at <= zone.to) && force.min(all - force) < least
     }
 
     /// The derivative of `J / EI`, of `J` by the logarithm of `EI`.
@@ -212,8 +476,7 @@ impl Exact {
                 let Some(i) = self.list.nodes.iter().position(|node| node.support() == Some(index)) else { return 0.0 };
                 let force = self.forces[i] + standing(given, &self.list, i);
                 let held = self.list.nodes[i].held_slope(given).is_some() && matches!(of, Change::Support(..));
-                let couple = super::sensitivity::ends(&self.spans, i);
-                let bends = [couple[0].map_or(0.0, |s| s.beam_b[2]), couple[1].map_or(0.0, |s| s.beam_a[2])];
+                let bends = self.bends(i);
                 // Where the beam is built in the ends of its two parts move and turn.
                 let [left, right] = changes[i].slopes;
                 let turned = if held {
@@ -229,7 +492,7 @@ impl Exact {
     /// True where a force, a bend, a length or a clearance vanishes.
     fn at_a_change(&self) -> bool {
         let (given, nodes) = (&self.given, &self.list.nodes);
-        let largest = self.forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+        let largest = self.largest_node_force();
         let moments = self.spans.iter().flat_map(|(_, span)| [span.beam_a[2], span.beam_b[2]]);
         let bent =
             moments.fold(0.0, |most: f64, moment| most.max(moment.abs())).max(largest * given.length * AT_A_CHANGE);

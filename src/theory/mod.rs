@@ -52,7 +52,7 @@ mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
-pub use derivatives::{By, ContactDerivative, Derivative, Spread};
+pub use derivatives::{By, ContactDerivative, Derivative, Missing, Spread};
 pub use exact::{Exact, Sample};
 pub use margin::Margin;
 pub use pattern::{Pattern, Touch, ZoneEnd};

@@ -161,6 +161,13 @@ impl PiecewiseScene {
         if c.lo < x && x < c.hi { [near; 2] } else { [self.cell_from(x), self.cell_to(x)] }
     }
 
+    /// The cell into which a place at `x` moves that goes to the right or, of a negative `change`, to the left; `cell` itself where the
+    /// profile breaks in between.
+    pub(super) fn cell_ahead(&self, x: f64, cell: usize, change: f64) -> usize {
+        let ahead = if change < 0.0 { self.cell_to(x) } else { self.cell_from(x) };
+        if self.cells[ahead].shape == self.cells[cell].shape { ahead } else { cell }
+    }
+
     /// Depth at `x`; at a step the smaller one.
     pub(super) fn depth(&self, x: f64) -> f64 {
         let (left, right) = (self.cell_to(x), self.cell_from(x));

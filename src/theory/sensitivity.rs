@@ -8,12 +8,14 @@
 //! end of a zone  w = ∂g,  w' = 0,        z' = w''/h''' in the span
 //! edge           w = ∂g,  w'' the same on both sides
 //! support        w = ∂d,  w'' the same on both sides, or w' = ∂φ where it is built in
-//! force          R' = w'''(z−) − w'''(z+) + (v''''(z−) − v''''(z+)) z'
+//! force          R' = w'''(z−) − w'''(z+) + (p(z+) − p(z−)) z'     p the pressure of a zone, elsewhere zero
 //! ```
+//!
+//! The load is not among what moves with a node: one that starts or ends there, or stands there, stays where it is.
 //!
 //! So the slopes `w'` at the nodes solve one tridiagonal system, with Newton's matrix (module `newton`) in other unknowns.
 
-use super::list::{Kind, List};
+use super::list::{Beside, Kind, List};
 use super::piecewise::PiecewiseScene;
 use super::span::{Overhang, Span, fixed_end_of_load};
 
@@ -60,6 +62,9 @@ struct Fixed {
 }
 
 impl Change {
+    /// No change.
+    const NOTHING: Self = Self::Uniform(0.0);
+
     /// Fixed-end moments and shear forces of the change over a span.
     fn over(self, given: &PiecewiseScene, span: &Span) -> Fixed {
         let (l, start) = (span.length(), span.a.x);
@@ -137,93 +142,130 @@ struct Ends {
     third: [f64; 2],
 }
 
-/// How the nodes of a list whose equations hold change. [`None`] if the beam is free to turn, or a node has no force to hold it.
-pub(super) fn change(
-    given: &PiecewiseScene,
-    list: &List,
-    spans: &[(usize, Span)],
-    forces: &[f64],
-    of: Change,
-) -> Option<Vec<NodeChange>> {
-    let n = list.nodes.len();
-    let asks: Vec<Ask> = (0..n).map(|i| ask(given, list, spans, forces, of, i)).collect();
-    let fixed: Vec<Fixed> = spans.iter().map(|(_, span)| of.over(given, span)).collect();
-    // Rows: w''(−) − w''(+) + jump = 0 for each node that may turn.
-    let mut rows = vec![[0.0; 4]; n];
-    for (i, ask) in asks.iter().enumerate() {
-        rows[i] = if ask.slopes.is_some() { [0.0, 1.0, 0.0, 0.0] } else { [0.0, ask.jump[1], 0.0, ask.jump[0]] };
-    }
-    let known = |i: usize, side: usize| asks[i].slopes.map_or(0.0, |slopes| slopes[side]);
-    for ((right, span), fixed) in spans.iter().zip(&fixed) {
-        let (l, right) = (span.length(), *right);
-        if span.is_overhang() {
-            let (node, at_left) = if right == 0 { (0, true) } else { (n - 1, false) };
-            if asks[node].slopes.is_none() {
-                let [_, moment] = of.beyond(given, list.nodes[node].x, at_left);
-                rows[node][3] += if at_left { moment } else { -moment };
+/// How the nodes of a list whose equations hold change, whatever changes: the matrix of the slopes is one, factored once.
+#[derive(Debug)]
+pub(super) struct Sensitivity<'a> {
+    given: &'a PiecewiseScene,
+    list: &'a List,
+    spans: &'a [(usize, Span)],
+    forces: &'a [f64],
+    /// Per row: what it takes of the row before, the pivot, and the entry to the right of it.
+    factors: Vec<[f64; 3]>,
+}
+
+impl<'a> Sensitivity<'a> {
+    /// Of a list with its spans and forces. [`None`] if the beam is free to turn, or a node has no force to hold it.
+    pub(super) fn of(
+        given: &'a PiecewiseScene,
+        list: &'a List,
+        spans: &'a [(usize, Span)],
+        forces: &'a [f64],
+    ) -> Option<Self> {
+        // Rows: w''(−) − w''(+) + jump = 0 for each node that may turn.
+        let asks = (0..list.nodes.len()).map(|i| ask(given, list, spans, forces, Change::NOTHING, i));
+        let free: Vec<Option<f64>> = asks.map(|ask| ask.slopes.is_none().then_some(ask.jump[1])).collect();
+        let mut rows: Vec<[f64; 3]> = free.iter().map(|free| [0.0, free.unwrap_or(1.0), 0.0]).collect();
+        for (right, span) in spans.iter().filter(|(_, span)| !span.is_overhang()) {
+            let (l, left, right) = (span.length(), right - 1, *right);
+            let beside = |node: usize| if free[node].is_some() { 2.0 / l } else { 0.0 };
+            if free[left].is_some() {
+                rows[left][1] += 4.0 / l;
+                rows[left][2] += beside(right);
             }
-            continue;
+            if free[right].is_some() {
+                rows[right][1] += 4.0 / l;
+                rows[right][0] += beside(left);
+            }
         }
-        let left = right - 1;
-        let chord = (asks[right].value - asks[left].value) / l;
-        // What is known of the two slopes, counted from the chord.
-        let (a, b) = (known(left, 1) - chord, known(right, 0) - chord);
-        let free = [left, right].map(|i| if asks[i].slopes.is_none() { 1.0 } else { 0.0 });
-        if free[0] > 0.0 {
-            rows[left][1] += 4.0 / l;
-            rows[left][2] += 2.0 / l * free[1];
-            rows[left][3] -= fixed.moment[0] - (4.0 * a + 2.0 * b) / l;
-        }
-        if free[1] > 0.0 {
-            rows[right][1] += 4.0 / l;
-            rows[right][0] += 2.0 / l * free[0];
-            rows[right][3] += fixed.moment[1] + (2.0 * a + 4.0 * b) / l;
-        }
+        Some(Self { given, list, spans, forces, factors: factored(rows)? })
     }
-    let turns = tridiagonal(rows)?;
-    let slopes: Vec<[f64; 2]> = (0..n).map(|i| asks[i].slopes.unwrap_or([turns[i]; 2])).collect();
-    // Bends and shear forces to the left and to the right of each node.
-    let mut beside = vec![Ends::default(); n];
-    for ((right, span), fixed) in spans.iter().zip(&fixed) {
-        let (l, right) = (span.length(), *right);
-        if span.is_overhang() {
-            let (node, at_left) = if right == 0 { (0, true) } else { (n - 1, false) };
-            let [force, moment] = of.beyond(given, list.nodes[node].x, at_left);
-            let side = usize::from(!at_left);
-            beside[node].bend[side] = moment;
-            beside[node].third[side] = if at_left { force } else { -force };
-            continue;
-        }
-        let left = right - 1;
-        let chord = (asks[right].value - asks[left].value) / l;
-        let (a, b) = (slopes[left][1] - chord, slopes[right][0] - chord);
-        let bends = [fixed.moment[0] - (4.0 * a + 2.0 * b) / l, fixed.moment[1] + (2.0 * a + 4.0 * b) / l];
-        let across = (bends[1] - bends[0]) / l;
-        (beside[left].bend[1], beside[left].third[1]) = (bends[0], across - fixed.shear[0]);
-        (beside[right].bend[0], beside[right].third[0]) = (bends[1], across + fixed.shear[1]);
+
+    /// What one change does to the nodes.
+    pub(super) fn change(&self, of: Change) -> Vec<NodeChange> {
+        let &Self { given, list, spans, forces, .. } = self;
+        let n = list.nodes.len();
+        let asks: Vec<Ask> = (0..n).map(|i| ask(given, list, spans, forces, of, i)).collect();
+        let slopes = self.slopes(of, &asks);
+        let beside = self.beside(of, &asks, &slopes);
+        let changes = (0..n).map(|i| {
+            let node = &list.nodes[i];
+            let [on_left, on_right] = ends(spans, i);
+            let place = match node.kind {
+                Kind::Smooth => slopes[i][0] / bend(spans, i),
+                Kind::ZoneStart => beside[i].bend[0] / on_left.map_or(f64::NAN, |span| span.at_b[3]),
+                Kind::ZoneEnd => beside[i].bend[1] / on_right.map_or(f64::NAN, |span| span.at_a[3]),
+                Kind::Support(index, _) if matches!(of, Change::Support(moved, _) if moved == index) => 1.0,
+                _ => 0.0,
+            };
+            // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.
+            let pushed = |in_zone: bool, cell: usize| {
+                if in_zone { given.drive(given.cell_ahead(node.x, cell, place), node.x) } else { 0.0 }
+            };
+            let jump = pushed(list.in_zone_before(i), given.cell_to(node.x))
+                - pushed(list.in_zone_before(i + 1), given.cell_from(node.x));
+            let [standing, _] = of.on_node(node.x, standing(given, list, i));
+            let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
+            let force = beside[i].third[0] - beside[i].third[1] + moved + standing;
+            NodeChange { place, force, value: asks[i].value, slopes: slopes[i] }
+        });
+        changes.collect()
     }
-    let changes = (0..n).map(|i| {
-        let node = &list.nodes[i];
-        let [on_left, on_right] = ends(spans, i);
-        let place = match node.kind {
-            Kind::Smooth => slopes[i][0] / bend(spans, i),
-            Kind::ZoneStart => beside[i].bend[0] / on_left.map_or(f64::NAN, |span| span.at_b[3]),
-            Kind::ZoneEnd => beside[i].bend[1] / on_right.map_or(f64::NAN, |span| span.at_a[3]),
-            Kind::Support(index, _) if matches!(of, Change::Support(moved, _) if moved == index) => 1.0,
-            _ => 0.0,
-        };
-        let fourth = |in_zone: bool, cell: usize| match in_zone {
-            true => given.drive(cell, node.x) + given.load(cell, node.x),
-            false => given.load(cell, node.x),
-        };
-        let jump = fourth(list.in_zone_before(i), given.cell_to(node.x))
-            - fourth(list.in_zone_before(i + 1), given.cell_from(node.x));
-        let [standing, _] = of.on_node(node.x, standing(given, list, i));
-        let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
-        let force = beside[i].third[0] - beside[i].third[1] + moved + standing;
-        NodeChange { place, force, value: asks[i].value, slopes: slopes[i] }
-    });
-    Some(changes.collect())
+
+    /// `w'` to the left and to the right of the nodes.
+    fn slopes(&self, of: Change, asks: &[Ask]) -> Vec<[f64; 2]> {
+        let mut constants: Vec<f64> =
+            asks.iter().map(|ask| if ask.slopes.is_some() { 0.0 } else { ask.jump[0] }).collect();
+        let known = |i: usize, side: usize| asks[i].slopes.map_or(0.0, |slopes| slopes[side]);
+        for (right, span) in self.spans {
+            if let Some((node, at_left)) = self.overhang(*right, span) {
+                let [_, moment] = of.beyond(self.given, self.list.nodes[node].x, at_left);
+                constants[node] += if at_left { moment } else { -moment };
+                continue;
+            }
+            let (l, left, right) = (span.length(), right - 1, *right);
+            let fixed = of.over(self.given, span);
+            let chord = (asks[right].value - asks[left].value) / l;
+            // What is known of the two slopes, counted from the chord.
+            let (a, b) = (known(left, 1) - chord, known(right, 0) - chord);
+            constants[left] -= fixed.moment[0] - (4.0 * a + 2.0 * b) / l;
+            constants[right] += fixed.moment[1] + (2.0 * a + 4.0 * b) / l;
+        }
+        // A slope that is given is no unknown.
+        asks.iter()
+            .zip(&mut constants)
+            .filter(|(ask, _)| ask.slopes.is_some())
+            .for_each(|(_, constant)| *constant = 0.0);
+        let turns = solved(&self.factors, constants);
+        asks.iter().zip(turns).map(|(ask, turn)| ask.slopes.unwrap_or([turn; 2])).collect()
+    }
+
+    /// Bends and shear forces to the left and to the right of each node.
+    fn beside(&self, of: Change, asks: &[Ask], slopes: &[[f64; 2]]) -> Vec<Ends> {
+        let mut beside = vec![Ends::default(); asks.len()];
+        for (right, span) in self.spans {
+            if let Some((node, at_left)) = self.overhang(*right, span) {
+                let [force, moment] = of.beyond(self.given, self.list.nodes[node].x, at_left);
+                let side = usize::from(!at_left);
+                beside[node].bend[side] = moment;
+                beside[node].third[side] = if at_left { force } else { -force };
+                continue;
+            }
+            let (l, left, right) = (span.length(), right - 1, *right);
+            let fixed = of.over(self.given, span);
+            let chord = (asks[right].value - asks[left].value) / l;
+            let (a, b) = (slopes[left][1] - chord, slopes[right][0] - chord);
+            let bends = [fixed.moment[0] - (4.0 * a + 2.0 * b) / l, fixed.moment[1] + (2.0 * a + 4.0 * b) / l];
+            let across = (bends[1] - bends[0]) / l;
+            (beside[left].bend[1], beside[left].third[1]) = (bends[0], across - fixed.shear[0]);
+            (beside[right].bend[0], beside[right].third[0]) = (bends[1], across + fixed.shear[1]);
+        }
+        beside
+    }
+
+    /// The node from which an overhang starts, and whether it is to the left of it; [`None`] of a span between two nodes.
+    fn overhang(&self, right: usize, span: &Span) -> Option<(usize, bool)> {
+        span.is_overhang().then(|| if right == 0 { (0, true) } else { (self.list.nodes.len() - 1, false) })
+    }
 }
 
 /// The load that stands on a node.
@@ -233,7 +275,7 @@ pub(super) fn standing(given: &PiecewiseScene, list: &List, i: usize) -> f64 {
 
 /// The spans to the left and to the right of a node.
 pub(super) fn ends(spans: &[(usize, Span)], i: usize) -> [Option<&Span>; 2] {
-    [i, i + 1].map(|right| spans.iter().find(|(j, _)| *j == right).map(|(_, span)| span))
+    [i, i + 1].map(|right| spans.binary_search_by_key(&right, |(j, _)| *j).ok().map(|found| &spans[found].1))
 }
 
 /// `h''` at a smooth point, the same on both sides.
@@ -262,7 +304,7 @@ fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f
                 Ask { value: ground, slopes: None, jump: [-turned, forces[i] / bend] }
             }
         }
-        Kind::Support(index, _) => {
+        Kind::Support(index, beside) => {
             let beam = |span: Option<&Span>, left: bool| span.map(|s| if left { s.beam_b } else { s.beam_a });
             let [on_left, on_right] = ends(spans, i);
             let sides = [beam(on_left, true), beam(on_right, false)];
@@ -274,7 +316,10 @@ fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f
                 _ => (0.0, None),
             };
             if node.held_slope(given).is_some() {
-                // w' = −(v'' + w0'') on either side.
+                // w' = −(v'' + w0'') on either side; where the ground holds the slope, w' = g'' − v''.
+                let support = &given.supports[index];
+                let held = given.cells_beside(support.breakpoint)[usize::from(beside[0] == Beside::Apart)];
+                let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
                 let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
                 return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
             }
@@ -284,24 +329,30 @@ fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f
     }
 }
 
-/// Solves rows of `[left, middle, right, constant]`, whose sum with the unknowns is zero.
-fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Option<Vec<f64>> {
+/// Eliminates rows of `[left, middle, right]`: what each takes of the row before, its pivot, and what is to the right of it.
+fn factored(mut rows: Vec<[f64; 3]>) -> Option<Vec<[f64; 3]>> {
     for i in 0..rows.len() {
-        let [_, pivot, upper, constant] = rows[i];
+        let [_, pivot, upper] = rows[i];
         if pivot == 0.0 || !pivot.is_finite() {
             return None;
         }
         if let Some(next) = rows.get_mut(i + 1) {
-            let factor = next[0] / pivot;
-            next[1] -= factor * upper;
-            next[3] -= factor * constant;
+            next[0] /= pivot;
+            next[1] -= next[0] * upper;
         }
     }
-    let mut turns = vec![0.0; rows.len()];
-    let mut beyond = 0.0;
-    for (turn, [_, pivot, upper, constant]) in turns.iter_mut().zip(&rows).rev() {
-        *turn = -(constant + upper * beyond) / pivot;
-        beyond = *turn;
+    Some(rows)
+}
+
+/// The unknowns whose sum with the constants is zero.
+fn solved(factors: &[[f64; 3]], mut constants: Vec<f64>) -> Vec<f64> {
+    for i in 1..constants.len() {
+        constants[i] -= factors[i][0] * constants[i - 1];
     }
-    Some(turns)
+    let mut beyond = 0.0;
+    for (constant, [_, pivot, upper]) in constants.iter_mut().zip(factors).rev() {
+        *constant = -(*constant + upper * beyond) / pivot;
+        beyond = *constant;
+    }
+    constants
 }

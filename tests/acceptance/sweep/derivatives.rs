@@ -1,7 +1,8 @@
 //! Derivatives of exact answers beside differences of answers.
 
-use palkki::scene::{Beam, Foundation, Load, Quantity, Scene, Support};
-use palkki::theory::{self, By, Derivative, Exact};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, Quantity, Scene, Support};
+use palkki::theory::{self, By, Derivative, Exact, Missing};
+use palkki_evidence::differences::Trial;
 use palkki_evidence::random;
 
 /// Support forces and contacts as `(value, whether it is a place)`.
@@ -133,5 +134,58 @@ fn a_built_in_support_of_a_curved_beam_moves() {
         assert!(exact.solved && !derivative.one_sided, "{scene:?}");
         let difference = difference(&scene, &exact, &derivative).expect("of one kind");
         assert!(difference < 1e-6, "{scene:?}: {difference:e}");
+    }
+}
+
+/// Things at one place: supports, ends of line loads, point loads, kinks, ends of zones. A thousand scenes take half a minute.
+#[test]
+fn derivatives_hold_on_the_sides_that_are_said() {
+    let mut trial = Trial::default();
+    (0..160).for_each(|i| trial.add(i));
+    assert!(trial.wrong.is_empty(), "{}", trial.wrong.join("\n"));
+    let Trial { scenes, both, one, .. } = trial;
+    assert!(100 < scenes && 500 < both && 50 < one, "{trial:?}");
+}
+
+/// The edge of a load stays where it is when the support below it moves: of q from 2 to 8 on supports there, R = 3 and 3, and the
+/// load's resultant at 5 is shared as the lever rule says.
+#[test]
+fn the_edge_of_a_load_does_not_move_with_the_support() {
+    let beam = Beam::new(10.0, 1.3).and_then(|b| b.with_supports(vec![Support::simple(2.0), Support::simple(8.0)]));
+    let beam = beam.expect("a beam");
+    let load = Load::new(&beam, 0.0, vec![LinearLoad { from: 2.0, to: 8.0, start: 1.0, end: 1.0 }], Vec::new());
+    let scene = Scene::new(beam, load.expect("a load"), None).expect("a scene");
+    let exact = theory::solve(&scene).expect("an answer");
+    for derivative in exact.derivatives(&scene) {
+        if let By::Number(Quantity::SupportAt(_)) = derivative.by {
+            let [left, right] = [derivative.supports[0], derivative.supports[1]];
+            assert!((left - 0.5).abs() < 1e-12 && (right + 0.5).abs() < 1e-12, "{derivative:?}");
+            assert!(!derivative.one_sided && derivative.missing.is_none(), "{derivative:?}");
+        }
+    }
+}
+
+/// Ground level with the supports: as it sinks forces grow as a root of the distance, and there is no derivative.
+#[test]
+fn where_ground_parts_from_a_support_there_is_no_derivative() {
+    let scene = super::regimes(0.0);
+    let exact = theory::solve(&scene).expect("an answer");
+    let by_depth = exact.derivatives(&scene).into_iter().find(|d| d.by == By::Depth).expect("by the depth");
+    assert_eq!(by_depth.missing, Some(Missing::Parts));
+    assert!(by_depth.supports.iter().all(|force| force.is_nan()) && exact.spread(1e-3).is_none());
+    // T = q a/2 with a⁴ = (8/3) EI u₀/q: ten thousand times the depth is ten times the force.
+    let force = |depth: f64| theory::solve(&super::regimes(depth)).expect("an answer").state.reactions.left;
+    assert!((force(1e-4) / force(1e-8) - 10.0).abs() < 1e-6);
+}
+
+/// A support that holds the beam down is no place about which it could turn.
+#[test]
+fn the_margin_of_a_body_that_stands_is_a_share() {
+    for i in 0..300 {
+        let Ok(exact) = theory::solve(&random::held(i)) else { continue };
+        let Some(standing) = exact.state.standing.filter(|_| exact.solved) else { continue };
+        let pulls = exact.state.supports.iter().any(|support| support.force < 0.0);
+        let within = (0.0..=0.5).contains(&standing.margin);
+        assert!(within || pulls && standing.margin.is_nan(), "{i}: {standing:?}");
     }
 }

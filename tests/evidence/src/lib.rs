@@ -2,7 +2,8 @@
 //!
 //! [`paper`] has the example, the figures and the claims of the paper. [`faults`] puts faults into answers and compares what is
 //! certified with the truth. [`extremes`] has scenes whose answer is known without a solver. [`authority`] solves discrete
-//! problems exactly, and [`definition`] asks an answer for all that the problem is defined by. [`draft`] is a scene as numbers,
+//! problems exactly, and [`definition`] asks an answer for all that the problem is defined by, and [`differences`] whether its derivatives are those of
+//! the answers beside it. [`draft`] is a scene as numbers,
 //! [`compare`] the difference of two lists, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
 //! program on random and adversarial ones. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
 //! holds for any text that is read, and [`numdiff`] compares texts as printed numbers.
@@ -12,6 +13,7 @@
 pub mod authority;
 pub mod compare;
 pub mod definition;
+pub mod differences;
 pub mod draft;
 pub mod exchanges;
 pub mod extremes;

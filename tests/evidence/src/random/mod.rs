@@ -1,8 +1,10 @@
 //! Random numbers from a fixed seed, the same on every machine, with no crate to change under us; and random scenes.
 
+mod coinciding;
 mod held;
 mod scenes;
 
+pub use coinciding::coinciding;
 pub use held::held;
 pub use scenes::{on_lattice, rough, scene, smooth};
 
