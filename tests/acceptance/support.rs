@@ -42,3 +42,16 @@ macro_rules! assert_table {
     };
 }
 pub(crate) use assert_table;
+
+/// Asserts that words equal the snapshot `snapshots/<name>.snap`, every letter of them.
+macro_rules! assert_text {
+    ($name:literal, $description:literal, $text:expr $(,)?) => {
+        insta::with_settings!({
+            snapshot_path => concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"),
+            prepend_module_to_snapshot => false,
+            omit_expression => true,
+            description => $description,
+        }, { insta::assert_snapshot!($name, $text) })
+    };
+}
+pub(crate) use assert_text;
