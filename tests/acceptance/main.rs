@@ -9,6 +9,7 @@ mod methods;
 mod paper;
 mod repository;
 mod robustness;
+mod scene_pages;
 mod solvers;
 mod sweep;
 mod theory;

@@ -55,3 +55,17 @@ macro_rules! assert_text {
     };
 }
 pub(crate) use assert_text;
+
+/// Asserts a page for each file that a pattern finds below a folder, as tables are: `snapshots/page@<file>.snap`.
+macro_rules! assert_pages {
+    ($folder:literal, $pattern:literal, $description:literal, $page:expr $(,)?) => {
+        insta::with_settings!({
+            snapshot_path => concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"),
+            prepend_module_to_snapshot => false,
+            omit_expression => true,
+            description => $description,
+            comparator => Box::new($crate::support::Numdiff),
+        }, { insta::glob!($folder, $pattern, |path| insta::assert_snapshot!("page", $page(path))) })
+    };
+}
+pub(crate) use assert_pages;

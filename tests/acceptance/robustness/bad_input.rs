@@ -174,8 +174,7 @@ fn surveys_with_semicolons_and_decimal_commas_are_read() {
 fn supports_and_shape_are_read() {
     let lines = "supports = [{ at = 10 }, { at = 0.0, built_in = true, slope = 0.05 }, { at = 4.0, level = 0.3 }]\n\
                  shape = { polynomial = [0.0, -0.051, 0.03] }";
-    let text =
-        EVERY_KEY.replacen(STIFFNESS, &format!("{STIFFNESS}\n{lines}"), 1).replacen("depth = 1", "depth = 9", 1);
+    let text = EVERY_KEY.replacen(STIFFNESS, &format!("{STIFFNESS}\n{lines}"), 1).replacen("depth = 1", "depth = 9", 1);
     let scene = parse("scene.toml", &text, |_| Ok(String::new())).expect("a scene");
     let expected =
         [Support { at: 0.0, level: 0.0, slope: Some(0.05) }, Support::simple(4.0).at_level(0.3), Support::simple(10.0)];
@@ -224,7 +223,8 @@ fn every_message_of_a_constructor() {
         Foundation::Flat { depth: -0.5 }.checked(&beam).expect_err("above the supports"),
     ];
     let refused = ReadProblem::Refused { reason: "permission denied".to_owned() };
-    let unreadable = [refused, ReadProblem::TooLarge { limit: 1000 }].map(|problem| Problem::Unreadable(problem).to_string());
+    let unreadable =
+        [refused, ReadProblem::TooLarge { limit: 1000 }].map(|problem| Problem::Unreadable(problem).to_string());
     let messages: Vec<String> = messages.iter().map(ToString::to_string).chain(unreadable).collect();
     assert_text!("constructors", "Messages that no scene file shows", messages.join("\n"));
 }
