@@ -16,6 +16,7 @@ use super::certify::Finding;
 use super::compare::{Comparison, Difference};
 use super::input::Input;
 use super::local::Local;
+use super::sweep::Stopped;
 
 /// Grids with more intervals are printed without their nodes, unless these are asked for.
 pub(super) const MOST_INTERVALS_WITH_NODES: usize = 10_000;
@@ -85,13 +86,22 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
 }
 
 /// What `sweep` found: the number that was varied, its values with their answers, and the events.
-pub(super) fn sweep(input: &Input, vary: Quantity, rows: &[(f64, Answer)], events: &[Event]) -> String {
+pub(super) fn sweep(
+    input: &Input,
+    vary: Quantity,
+    rows: &[(f64, Answer)],
+    events: &[Event],
+    stopped: Option<Stopped>,
+) -> String {
     #[derive(Debug, Serialize)]
     struct SweepObject<'a> {
         scene: &'a str,
         vary: String,
         rows: Vec<RowObject<'a>>,
         events: &'a [Event],
+        /// Only of a sweep that takes more work than one may.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        stopped: Option<Stopped>,
     }
     #[derive(Debug, Serialize)]
     struct RowObject<'a> {
@@ -100,7 +110,7 @@ pub(super) fn sweep(input: &Input, vary: Quantity, rows: &[(f64, Answer)], event
         route: RouteObject<'a>,
     }
     let rows = rows.iter().map(|(value, answer)| RowObject { value: *value, route: answer.into() }).collect();
-    print(&SweepObject { scene: input.title(), vary: vary.to_string(), rows, events })
+    print(&SweepObject { scene: input.title(), vary: vary.to_string(), rows, events, stopped })
 }
 
 fn print(value: &impl Serialize) -> String {

@@ -5,7 +5,7 @@ use std::time::Instant;
 use palkki::plot;
 use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
-use palkki::sweep::{Event, Sweep};
+use palkki::sweep::{Event, Events, MOST_WORK, Sweep};
 use palkki::text::{result, significant};
 
 use super::answer::Answer;
@@ -28,9 +28,28 @@ pub(super) struct Swept {
     quantity: Quantity,
     rows: Vec<(f64, Answer)>,
     events: Vec<Event>,
+    /// Where it was stopped.
+    stopped: Option<Stopped>,
     /// Time of all answers with their certificates, and of the events.
     seconds: [f64; 2],
 }
+
+/// A sweep that takes more work than one may: what there is of it.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub(super) struct Stopped {
+    /// Values with an answer.
+    rows: usize,
+    /// Values that were asked for.
+    of: usize,
+    /// Up to this value the events are complete.
+    events_until: Option<f64>,
+    /// Why.
+    reason: &'static str,
+}
+
+/// Why a sweep is stopped, and what to do.
+const REASON: &str =
+    "the work that one sweep may take is done: a shorter range, fewer values or a simpler scene take less";
 
 impl Swept {
     /// All answers of a sweep over a beam of this length.
@@ -39,28 +58,39 @@ impl Swept {
         let mut walk = sweep.walk();
         let (mut rows, mut times) = (Vec::new(), Vec::new());
         for value in sweep.values() {
+            if MOST_WORK < walk.work() {
+                break;
+            }
             let start = Instant::now();
             let step = walk.solve(value)?;
             times.push(start.elapsed().as_secs_f64());
             rows.push(walk.row(step));
         }
         let solved = begin.elapsed().as_secs_f64();
-        let events = sweep.events(&rows);
+        let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
+        let Events { events, until } = sweep.events_within(&kinds, MOST_WORK);
+        let of = sweep.values().len();
+        let stopped = (rows.len() < of || until.is_some()).then_some(Stopped {
+            rows: rows.len(),
+            of,
+            events_until: until,
+            reason: REASON,
+        });
         let seconds = [solved, begin.elapsed().as_secs_f64() - solved];
         let rows = rows
             .into_iter()
             .zip(times)
             .map(|(row, time)| (row.value, Answer::without_grid(length, row.solution, time)));
-        Ok(Self { quantity: sweep.quantity(), rows: rows.collect(), events, seconds })
+        Ok(Self { quantity: sweep.quantity(), rows: rows.collect(), events, stopped, seconds })
     }
 
-    /// Whether every answer is certified.
+    /// Whether there is an answer for every value, and every one is certified.
     pub(super) fn is_certified(&self) -> bool {
-        self.rows.iter().all(|(_, answer)| answer.is_certified())
+        self.stopped.is_none() && self.rows.iter().all(|(_, answer)| answer.is_certified())
     }
 
     pub(super) fn json(&self, input: &Input) -> String {
-        json::sweep(input, self.quantity, &self.rows, &self.events)
+        json::sweep(input, self.quantity, &self.rows, &self.events, self.stopped)
     }
 
     pub(super) fn figure(&self, input: &Input) -> Result<String, Failure> {
@@ -79,11 +109,15 @@ impl Swept {
             ("status", format!("{certified} of {} answers certified", self.rows.len())),
             ("seconds", format!("{rows} for the answers with their bounds, {events} for the events")),
         ]);
+        if let Some(Stopped { rows, of, events_until, reason }) = self.stopped {
+            let events = events_until.map_or_else(String::new, |value| format!(", events up to {}", result(value)));
+            text += &list(&[("stopped", format!("after {rows} of {of} values{events}; {reason}"))]);
+        }
         if self.events.is_empty() {
             text += "\nEvents: none found\n";
         } else {
             text += "\nEvents\n";
-            let lines = self.events.iter().map(|event| (significant(event.value, DIGITS), event.what.clone()));
+            let lines = self.events.iter().map(|event| (known(event), event.what.clone()));
             text += &list(&lines.collect::<Vec<_>>());
         }
         let outermost = outermost(input.scene.beam());
@@ -140,6 +174,12 @@ impl Swept {
         }
         text
     }
+}
+
+/// The value of an event, with what it may be off by.
+fn known(event: &Event) -> String {
+    let value = significant(event.value, DIGITS);
+    if 0.0 < event.uncertainty { format!("{value} ± {}", palkki::text::magnitude(event.uncertainty)) } else { value }
 }
 
 /// The first and the last support, whose forces the table shows: names and numbers.

@@ -29,13 +29,20 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
             _ => {}
         }
     }
-    let regime =
-        |exact: &Exact| Regime::of(&exact.touches().into_iter().map(|(_, contact)| contact).collect::<Vec<_>>());
-    let [from, to] = [before, after].map(regime);
+    let [from, to] = [&old, &new].map(|pattern| regime(&pattern.touches));
     if from != to {
         sentences.push(format!("the regime changes from {} to {}", from.name(), to.name()));
     }
     sentences.join("; ")
+}
+
+/// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.
+fn regime(touches: &[Touch]) -> Regime {
+    match touches {
+        [] => Regime::None,
+        _ if touches.iter().any(|touch| matches!(touch, Touch::Zone(_))) => Regime::Zone,
+        _ => Regime::Points,
+    }
 }
 
 /// The contacts of two answers that lie at one place, and whether they are the same on both sides.

@@ -1,13 +1,14 @@
 //! Events: where the answer of a sweep changes its kind.
 //!
-//! From a value on, the contacts of its answer are kept and only move. What they violate at the end of an interval names
-//! conditions, and the first root of their margins is the event: force at a contact, bend beside a point, length of a zone,
-//! clearance. Just beyond it the beam is solved again, and the rest of the interval is treated in the same way. Where no margin can
-//! be followed, the kind of the answer itself is bisected.
+//! Answers are looked at in places that depend on the range only, so that the events do not depend on the number of rows, and from
+//! each place to the next, never past it, the contacts are followed (module `follow`). Where a row has another kind than the events
+//! before it lead to, the stretch is divided there.
+
+use std::cell::Cell;
 
 use super::describe::describe;
 use super::{Row, Sweep};
-use crate::theory::{Exact, Margin};
+use crate::theory::{Exact, Pattern};
 
 /// A value at which the answer changes its kind.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,76 +18,86 @@ pub struct Event {
     pub value: f64,
     /// What happens there as the sweep goes on.
     pub what: String,
+    /// By how much the value may be off where the answers before and after it both meet their conditions to 12 digits for a while; 0
+    /// where they do not, and the value is known to a thousand-millionth of the range.
+    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "is_zero"))]
+    pub uncertainty: f64,
 }
 
-/// Beside an event the answer is looked at so far from it, as a share of the range; farther, by hundreds, where its kind is not decided.
-const BESIDE: f64 = 1e-10;
-const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
+#[cfg(feature = "cli")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
+fn is_zero(value: &f64) -> bool {
+    *value <= 0.0
+}
 
-/// Events between two rows, at most: more are no events but rounding.
-const MOST_EVENTS: usize = 1000;
+/// What a search for events came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Events {
+    /// The events, in the order of the sweep.
+    pub events: Vec<Event>,
+    /// The value up to which was looked, where the work was more than allowed.
+    pub until: Option<f64>,
+}
 
-/// A sweep of fewer values is looked at between them as well, so that it is looked at at so many values.
-const LOOKED_AT: f64 = 128.0;
+/// Beside an event the answer is looked at so far from it, as a share of the range.
+pub(super) const BESIDE: f64 = 1e-10;
 
-/// Places beside the rows lie at this share of an interval, so that they are no round numbers.
-const PAST: f64 = 0.382;
+/// Places at which answers are looked at, beside the rows.
+const PLACES: u32 = 256;
+
+/// They lie at this share of an interval, so that they are no round numbers.
+pub(super) const PAST: f64 = 0.382;
 
 /// Events nearer to each other than this share of the range are one.
 const ONE: f64 = 2.0 * BESIDE;
 
-/// A value below this share of the range has no digits of its own that count.
-const SMALL: f64 = 1e-3;
-
 /// A root, and the answers just before and just beyond it as the sweep goes on.
-#[derive(Debug)]
-struct Root {
-    value: f64,
-    before: At,
-    after: At,
+#[derive(Debug, Clone)]
+pub(super) struct Root {
+    pub(super) value: f64,
+    pub(super) before: At,
+    pub(super) after: At,
 }
 
 /// An answer and its value.
 #[derive(Debug, Clone)]
-struct At {
-    value: f64,
-    exact: Exact,
+pub(super) struct At {
+    pub(super) value: f64,
+    pub(super) exact: Exact,
+    pub(super) pattern: Pattern,
 }
 
 impl At {
-    fn is_like(&self, other: &Self) -> bool {
-        self.exact.pattern().is_same(&other.exact.pattern())
+    pub(super) fn new(value: f64, exact: Exact) -> Self {
+        Self { value, pattern: exact.pattern(), exact }
     }
+
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        self.pattern.is_same(&other.pattern)
+    }
+}
+
+/// A search for the events of a sweep.
+#[derive(Debug)]
+pub(super) struct Search<'a> {
+    pub(super) sweep: &'a Sweep<'a>,
+    /// The work that is left, as [`Exact::work`] counts it.
+    pub(super) left: Cell<u64>,
 }
 
 impl Sweep<'_> {
     /// The events between rows of this sweep, in their order.
     #[must_use]
     pub fn events(&self, rows: &[Row]) -> Vec<Event> {
-        let mut roots = Vec::new();
-        // The last answer before this row; where a row has none, the next one with an answer follows on it.
-        let mut last: Option<At> = None;
-        for (i, pair) in rows.windows(2).enumerate() {
-            let [from, to] = [pair[0].value, pair[1].value];
-            // A row itself may be an event, as round numbers are: that is seen from beyond it only.
-            let past = PAST * (to - from) / f64::from(1 + self.places_inside(from, to));
-            let (is_first, is_last) = (i == 0, i + 2 == rows.len());
-            let same = pair[0].pattern.is_same(&pair[1].pattern) && self.places_inside(from, to) == 0;
-            if same && !is_first && !is_last && last.as_ref().is_none_or(|last| last.value.total_cmp(&from).is_eq()) {
-                last = None;
-                continue;
-            }
-            let before = || if is_first { self.at(from - past, &[]) } else { None };
-            let Some(left) = last.take().or_else(before).or_else(|| self.at(from, &[])) else { continue };
-            let mut right = self.at(to, &[&left]);
-            if is_last || right.as_ref().is_some_and(|right| !right.is_like(&left)) {
-                right = self.at(to + past, &[&left]).or(right);
-            }
-            if let Some(right) = &right {
-                self.all_between(&left, right, &mut roots);
-            }
-            last = right.or(Some(left));
-        }
+        let kinds: Vec<(f64, Pattern)> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
+        self.events_within(&kinds, u64::MAX).events
+    }
+
+    /// The events between rows of which the values and kinds are given, with so much work at the most ([`Exact::work`]).
+    #[must_use]
+    pub fn events_within(&self, rows: &[(f64, Pattern)], work: u64) -> Events {
+        let search = Search { sweep: self, left: Cell::new(work) };
+        let (mut roots, until) = search.all(rows);
         let [start, end] = self.range;
         roots.retain_mut(|root| {
             let inside = root.value.max(start.min(end)).min(start.max(end));
@@ -95,13 +106,94 @@ impl Sweep<'_> {
             // One at an end may come out beyond it.
             outside <= BESIDE * (end - start).abs()
         });
-        self.described(roots)
+        // What is found is said in words whatever that takes.
+        search.left.set(u64::MAX);
+        Events { events: search.described(roots), until }
+    }
+}
+
+impl Search<'_> {
+    /// All roots between rows, and the value up to which was looked, if that is not all.
+    fn all(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
+        let mut roots = Vec::new();
+        let [start, end] = self.sweep.range;
+        let Some(&(last_row, _)) = rows.last() else { return (roots, Some(start)) };
+        let is_whole = last_row.total_cmp(&end).is_eq();
+        let place = |i: u32| start + (end - start) * ((f64::from(i) - PAST) / f64::from(PLACES));
+        // A row itself may be an event, as round numbers are: that is seen from beyond it only.
+        let beyond = |i: u32, row: f64| self.at(place(i), &[]).map_or(row, |_| place(i));
+        let inner = (1..=PLACES).map(place).filter(|place| (place - start) * (place - last_row) < 0.0);
+        let mut places: Vec<f64> = [beyond(0, start)].into_iter().chain(inner).collect();
+        places.push(if is_whole { beyond(PLACES + 1, end) } else { last_row });
+        let mut last: Option<At> = None;
+        let mut first_without: Option<f64> = None;
+        for value in places {
+            let next = self.at(value, last.as_ref().as_slice());
+            if self.is_spent() {
+                return (roots, Some(last.map_or(start, |last| last.value)));
+            }
+            let Some(next) = next else {
+                // Up to where there are answers.
+                if let Some(at) = last.take_if(|_| first_without.is_none()) {
+                    let farthest = self.farthest(&at, value);
+                    self.interval(&at, &farthest, rows, &mut roots);
+                    last = Some(farthest);
+                }
+                first_without.get_or_insert(value);
+                continue;
+            };
+            if let Some(last) = &last {
+                let near = first_without.map_or_else(|| next.clone(), |without| self.farthest(&next, without));
+                self.interval(last, &near, rows, &mut roots);
+                self.interval(&near, &next, rows, &mut roots);
+            }
+            if self.is_spent() {
+                return (roots, Some(last.map_or(start, |last| last.value)));
+            }
+            (last, first_without) = (Some(next), None);
+        }
+        (roots, (!is_whole).then_some(last_row))
+    }
+
+    /// The events between two answers with no place between them that is looked at, unless a row there has another kind.
+    fn interval(&self, left: &At, right: &At, rows: &[(f64, Pattern)], roots: &mut Vec<Root>) {
+        if self.is_spent() || left.value.total_cmp(&right.value).is_eq() {
+            return;
+        }
+        let mut found = Vec::new();
+        self.follow(left.clone(), right.clone(), &mut found);
+        let sign = (right.value - left.value).signum();
+        let [start, end] = self.sweep.range;
+        let near = ONE * (end - start).abs();
+        let from = rows.partition_point(|(value, _)| (value - left.value) * sign <= near);
+        let to = rows.partition_point(|(value, _)| (value - right.value) * sign < -near).max(from);
+        let unexpected = |(value, pattern): &&(f64, Pattern)| {
+            let is_close = found.iter().any(|root: &Root| (root.value - value).abs() <= near);
+            let before =
+                found.iter().rev().find(|root| (root.value - value) * sign < 0.0).map_or(left, |root| &root.after);
+            !is_close && !before.pattern.is_same(pattern)
+        };
+        let middle = rows[from..to].iter().find(unexpected).and_then(|(value, pattern)| {
+            let middle = self.at(*value, &[left])?;
+            let before =
+                found.iter().rev().find(|root| (root.value - value) * sign < 0.0).map_or(left, |root| &root.after);
+            let unexpected = middle.pattern.is_same(pattern) && !middle.is_like(before);
+            // Where the contacts of the segment are an answer as well, both are to 12 digits, and the row is no news.
+            (unexpected && self.kept(before, *value).is_none()).then_some(middle)
+        });
+        match middle {
+            Some(middle) => {
+                self.interval(left, &middle, rows, roots);
+                self.interval(&middle, right, rows, roots);
+            }
+            None => roots.extend(found),
+        }
     }
 
     /// Roots in words. Those at one value are one event, and so are those between which an answer has several lists of contacts
     /// that all meet their conditions: of these the list counts that holds the longest.
     fn described(&self, roots: Vec<Root>) -> Vec<Event> {
-        let [start, end] = self.range;
+        let [start, end] = self.sweep.range;
         let mut single: Vec<Root> = Vec::new();
         for root in roots {
             let Some(last) = single.last_mut() else {
@@ -120,170 +212,10 @@ impl Sweep<'_> {
             }
         }
         let happens = |root: &&Root| !root.before.is_like(&root.after);
-        let event = |root: &Root| Event { value: root.value, what: describe(&root.before.exact, &root.after.exact) };
+        let event = |root: &Root| {
+            let (value, uncertainty) = self.settled(root);
+            Event { value, what: describe(&root.before.exact, &root.after.exact), uncertainty }
+        };
         single.iter().filter(happens).map(event).collect()
-    }
-
-    /// True if nothing is between two values.
-    fn is_narrow(&self, a: f64, b: f64) -> bool {
-        let [start, end] = self.range;
-        (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
-    }
-
-    /// The answer at a value, if there is one, searched for from answers at values nearby.
-    fn at(&self, value: f64, near: &[&At]) -> Option<At> {
-        let near: Vec<&Exact> = near.iter().map(|near| &near.exact).collect();
-        let (_, exact) = self.answer(value, &near).ok()?;
-        exact.solved.then_some(At { value, exact })
-    }
-
-    /// The events between two answers, and between these what appears and goes again.
-    fn all_between(&self, left: &At, right: &At, events: &mut Vec<Root>) {
-        let mut found = Vec::new();
-        if !left.is_like(right) {
-            self.between(left.clone(), right.clone(), &mut found);
-        }
-        let mut start = left.clone();
-        for root in found {
-            self.unlike_inside(&start, &root.before, events);
-            start = root.after.clone();
-            events.push(root);
-        }
-        self.unlike_inside(&start, right, events);
-    }
-
-    /// How many places between two values are looked at besides.
-    fn places_inside(&self, from: f64, to: f64) -> u32 {
-        let [start, end] = self.range;
-        let share = (to - from).abs() / (end - start).abs();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small number")]
-        let places = (share * LOOKED_AT).ceil() as u32;
-        places.saturating_sub(1)
-    }
-
-    /// What appears and goes again between two answers of one kind.
-    fn unlike_inside(&self, left: &At, right: &At, events: &mut Vec<Root>) {
-        if MOST_EVENTS < events.len() {
-            return;
-        }
-        let count = self.places_inside(left.value, right.value);
-        let place = |i: u32| left.value + (right.value - left.value) * ((f64::from(i) - PAST) / f64::from(count + 1));
-        let answers = (1..=count).filter_map(|i| self.at(place(i), &[left]));
-        let unlike = answers.chain([right.clone()]).find(|middle| !middle.is_like(left));
-        if let Some(middle) = unlike {
-            self.all_between(left, &middle, events);
-            self.unlike_inside(&middle, right, events);
-        }
-    }
-
-    /// The events on the way from one answer to another of another kind.
-    fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
-        /// Where an interval is divided; where there is no answer, elsewhere.
-        const SHARES: [f64; 3] = [1.0 - PAST, PAST, 0.5];
-        let mut beyond = Vec::new();
-        while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS {
-            if let Some(event) = self.next_event(&left, &right) {
-                left = event.after.clone();
-                events.push(event);
-                continue;
-            }
-            if let Some(Root { value, before, after }) = self.next_event(&right, &left) {
-                // From the other side what it becomes is what it was.
-                right = after.clone();
-                beyond.push(Root { value, before: after, after: before });
-                continue;
-            }
-            let inside = |share: f64| left.value + share * (right.value - left.value);
-            let narrow = self.is_narrow(left.value, right.value);
-            let middle = SHARES.into_iter().filter(|_| !narrow).find_map(|share| self.at(inside(share), &[&left]));
-            let Some(middle) = middle else {
-                events.push(Root { value: inside(0.5), before: left, after: right });
-                break;
-            };
-            if left.is_like(&middle) {
-                left = middle;
-            } else if right.is_like(&middle) {
-                right = middle;
-            } else {
-                self.between(left, middle.clone(), events);
-                left = middle;
-            }
-        }
-        events.extend(beyond.into_iter().rev());
-    }
-
-    /// The first event on the way from `from` to `to`, which may be against the sweep, with an answer just beyond it as `after`.
-    fn next_event(&self, from: &At, to: &At) -> Option<Root> {
-        let margins = from.exact.failing(&self.scene(to.value).ok()?)?;
-        let mut roots: Vec<f64> = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin)).collect();
-        roots.sort_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()));
-        let [start, end] = self.range;
-        let step = BESIDE * (end - start).abs() * (to.value - from.value).signum();
-        // On the near side the contacts are still the same.
-        let near = |value: f64| {
-            let before = value - step;
-            if 0.0 < (before - from.value) * step { self.kept(from, before) } else { Some(from.clone()) }
-        };
-        let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
-        // Beyond it they are others, and as near to it as may be those of `to`.
-        let beyond = |value: f64| {
-            let inside = 0.0 < (to.value - value) * step;
-            let after = if inside { self.at(value, &[from, to])? } else { to.clone() };
-            (!after.is_like(from)).then_some(after)
-        };
-        FARTHER.into_iter().find_map(|farther| {
-            sides.iter().find_map(|(value, near)| {
-                let after = beyond(value + step * farther)?;
-                Some(Root { value: *value, before: near.clone(), after })
-            })
-        })
-    }
-
-    /// The answer at a value that has the contacts of another one, if there is one.
-    fn kept(&self, from: &At, value: f64) -> Option<At> {
-        let exact = from.exact.moved(&self.scene(value).ok()?)?;
-        Some(At { value, exact }).filter(|near| near.is_like(from))
-    }
-
-    /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value
-    /// at an end that stays halved (Illinois), and the middle where that does not halve the interval soon.
-    fn root(&self, from: &At, to: f64, margin: Margin) -> Option<f64> {
-        /// Secants in turn before the middle is taken.
-        const SECANTS: u32 = 3;
-        let of = |value: f64| from.exact.margin(&self.scene(value).ok()?, margin);
-        let (mut good, mut bad) = (from.value, to);
-        let (mut at_good, mut at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
-        if at_good.is_some_and(|m| m <= 0.0) {
-            return Some(good);
-        }
-        let mut turn = 0;
-        let mut stays = 0;
-        loop {
-            let middle = 0.5 * (good + bad);
-            if self.is_narrow(good, bad) {
-                return Some(middle);
-            }
-            turn += 1;
-            let secant = at_good.map(|at_good| bad - at_bad * ((bad - good) / (at_bad - at_good)));
-            let inside = |x: &f64| (x - good) * (x - bad) < 0.0;
-            let next = secant.filter(|_| turn % (SECANTS + 1) != 0).filter(inside).unwrap_or(middle);
-            match of(next) {
-                Some(0.0) => return Some(next),
-                Some(m) if m < 0.0 => {
-                    (bad, at_bad) = (next, m);
-                    if stays == 1 {
-                        at_good = at_good.map(|m| 0.5 * m);
-                    }
-                    stays = 1;
-                }
-                m => {
-                    (good, at_good) = (next, m);
-                    if stays == -1 {
-                        at_bad *= 0.5;
-                    }
-                    stays = -1;
-                }
-            }
-        }
     }
 }

@@ -5,10 +5,14 @@
 //! appears or goes, becomes a zone or a point, splits, merges or moves over an edge, or a support begins or ceases to pull. It is a
 //! root of the condition that decides it, with the contacts beside it held fixed, and not a sample (module `events`).
 //!
-//! What is guaranteed: the kinds of two rows, and of 128 values in all where there are fewer rows, lead from one to the other by the
-//! events between them. Events nearer to each other than `2·10⁻¹⁰` of the range are told as one, and so are those between which one
-//! answer has several lists of contacts that all meet their conditions to 12 digits. What appears and goes again within a step may
-//! be missed, and more steps find it.
+//! What is guaranteed: the kinds of two rows lead from one to the other by the events between them. Events are searched for from one to
+//! the next of 256 values that depend on the range only, so that other numbers of rows have the same events. Between two of these
+//! values a condition that comes near to failing is followed to where it comes nearest; what appears and goes again without such a
+//! warning may be missed, and rows that show it find it. Events nearer to each other than `2·10⁻¹⁰` of the range are told as one, and
+//! so are those between which one answer has several lists of contacts that all meet their conditions to 12 digits.
+//!
+//! Work is counted and not timed ([`Exact::work`](crate::theory::Exact::work)): who calls may stop a walk, or a search for events, at
+//! [`MOST_WORK`].
 //!
 //! ```
 //! use palkki::scene::{Beam, Foundation, Load, Scene};
@@ -27,16 +31,25 @@
 
 mod describe;
 mod events;
+mod follow;
+mod settle;
 
 use crate::scene::{PathError, Quantity, Scene, SceneError};
 use crate::solve::Solution;
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 
-pub use events::Event;
+pub use events::{Event, Events};
 
 /// The most values of a sweep.
-pub const MOST_STEPS: usize = 1_000_001;
+pub const MOST_STEPS: usize = 20_001;
+
+/// Work that the rows of a sweep take at the most where it is limited, and its events as well, as [`Walk::work`] counts it: some ten
+/// seconds each on a slow machine, and more for scenes of a few pieces than 20,001 rows need.
+pub const MOST_WORK: u64 = 50_000_000;
+
+/// What a row takes beside its answer is so many times the work of that: its bounds, and the judgement of them.
+const JUDGED: u64 = 7;
 
 /// Why there is no sweep.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -119,10 +132,10 @@ impl<'a> Sweep<'a> {
     }
 
     /// Its values.
-    #[expect(clippy::cast_precision_loss, reason = "at most a million steps")]
-    pub fn values(&self) -> impl Iterator<Item = f64> + use<> {
+    #[expect(clippy::cast_precision_loss, reason = "at most 20,001 steps")]
+    pub fn values(&self) -> impl ExactSizeIterator<Item = f64> + use<> {
         let ([from, to], last) = (self.range, self.steps - 1);
-        (0..=last).map(move |i| if i == last { to } else { from + (to - from) * (i as f64 / last as f64) })
+        (0..self.steps).map(move |i| if i == last { to } else { from + (to - from) * (i as f64 / last as f64) })
     }
 
     /// The scene with a value.
@@ -137,7 +150,7 @@ impl<'a> Sweep<'a> {
     /// A walk along the values.
     #[must_use]
     pub fn walk(&self) -> Walk<'_> {
-        Walk { sweep: self, last: None }
+        Walk { sweep: self, last: None, work: 0 }
     }
 
     /// All rows.
@@ -168,6 +181,7 @@ impl<'a> Sweep<'a> {
 pub struct Walk<'a> {
     sweep: &'a Sweep<'a>,
     last: Option<(f64, Exact)>,
+    work: u64,
 }
 
 /// A value, with its scene and its answer.
@@ -179,6 +193,12 @@ pub struct Step {
 }
 
 impl Walk<'_> {
+    /// The work that its rows have taken.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.work
+    }
+
     /// The exact answer for the next value, not judged yet.
     ///
     /// # Errors
@@ -200,6 +220,7 @@ impl Walk<'_> {
     /// The answer with its verdict. The next one starts from it.
     pub fn row(&mut self, Step { value, scene, exact }: Step) -> Row {
         let pattern = exact.pattern();
+        self.work = self.work.saturating_add(exact.work().saturating_mul(1 + JUDGED));
         let mut solution = exact.judged(&scene, &Demand::default());
         self.last = solution.exact.take().map(|exact| (value, *exact));
         Row { value, solution, pattern }

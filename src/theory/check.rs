@@ -103,7 +103,9 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
         }
     }
     let force = unbalanced(given, list, &forces);
-    judge.measure(BALANCE * force.abs(), scale.force, 0, Violation::Unbalanced { force });
+    // A load on a support counts here, and no matter how large it is nowhere else.
+    let carried = scale.force.max(AT_REST * given.resultant.abs());
+    judge.measure(BALANCE * force.abs(), carried, 0, Violation::Unbalanced { force });
     let Judge { faults, worst } = judge;
     Checked { pieces, spans, forces, moments, faults, worst }
 }

@@ -3,7 +3,7 @@
 use super::bernstein::{sign_changes, value};
 use super::check::Checked;
 use super::forces::{forces, moments};
-use super::list::{Beside, Kind, List};
+use super::list::{Beside, Kind, List, Node};
 use super::piece::{derivatives, pieces_of};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
@@ -113,9 +113,15 @@ impl Margin {
     /// place: then it is not violated.
     pub(super) fn value(self, given: &PiecewiseScene, list: &List) -> Option<f64> {
         let spans: Vec<(usize, Span)> = list.spans(given).collect();
-        let before = |node: usize| spans.iter().find(|(i, _)| *i == node).map(|(_, span)| span);
+        let forces = forces(given, list, &spans);
+        self.of(given, list, &spans, &forces)
+    }
+
+    /// The same with the spans of the list and the forces of its nodes.
+    fn of(self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64]) -> Option<f64> {
+        let before = |node: usize| spans.binary_search_by_key(&node, |(i, _)| *i).ok().map(|i| &spans[i].1);
         match self.0 {
-            Condition::Presses(node) => forces(given, list, &spans).get(node).copied(),
+            Condition::Presses(node) => forces.get(node).copied(),
             Condition::Bends(node) => {
                 let sides = [before(node).map(|span| span.at_b[2]), before(node + 1).map(|span| span.at_a[2])];
                 sides.into_iter().flatten().reduce(f64::min)
@@ -136,17 +142,33 @@ impl Margin {
             Condition::BendsBeside(node, _) => before(node + 1).map(|span| span.at_a[2]),
             Condition::Clears(node) => lowest(given, before(node)?),
             Condition::Couple(node) => {
-                let [left, right] = *moments(given, list, &spans).get(node)?;
+                let [left, right] = *moments(given, list, spans).get(node)?;
                 let Kind::Support(_, beside) = list.nodes.get(node)?.kind else { return None };
                 Some(if beside[1] == Beside::Apart { right - left } else { left - right })
             }
             Condition::Support(node, pulled) => {
                 let support = &given.supports[list.nodes.get(node)?.support()?];
-                let force = forces(given, list, &spans).get(node)? + given.breakpoints[support.breakpoint].force;
+                let force = forces.get(node)? + given.breakpoints[support.breakpoint].force;
                 Some(if pulled { -force } else { force })
             }
         }
     }
+}
+
+/// The conditions of a list that can be told before they fail, with their values: forces, bends, lengths of zones and clearances.
+pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(Margin, f64)> {
+    let spans: Vec<(usize, Span)> = list.spans(given).collect();
+    let forces = forces(given, list, &spans);
+    let of_node = |(i, node): (usize, &Node)| match node.kind {
+        Kind::Smooth => [Some(Condition::Presses(i)), Some(Condition::Bends(i))],
+        Kind::Edge(_) | Kind::Tip | Kind::ZoneEnd => [Some(Condition::Presses(i)), None],
+        Kind::ZoneStart => [Some(Condition::Presses(i)), Some(Condition::Length(i))],
+        Kind::Support(index, _) => [pulls.get(index).map(|&pulled| Condition::Support(i, pulled)), None],
+    };
+    let nodes = list.nodes.iter().enumerate().flat_map(of_node).flatten();
+    let clearances = spans.iter().filter(|_| given.founded).map(|(i, _)| Condition::Clears(*i));
+    let value = |condition| Some((Margin(condition), Margin(condition).of(given, list, &spans, &forces)?));
+    nodes.chain(clearances).filter_map(value).collect()
 }
 
 /// The least clearance inside a span, at its local minima and at edges of the profile, and at a free end of the beam.

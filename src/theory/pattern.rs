@@ -1,12 +1,14 @@
 //! What an answer is made of, without its numbers: between two scenes with the same pattern nothing happens.
 
 use super::exact::Exact;
-use super::list::{Beside, Kind};
+use super::forces::force_beside;
+use super::list::{Beside, Kind, Node};
 use super::piecewise::PiecewiseScene;
+use super::shape::Wave;
 use crate::state::Contact;
 
 /// The kind of an exact solution.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Pattern {
     /// What each of its contacts is, in their order.
     pub touches: Vec<Touch>,
@@ -14,9 +16,32 @@ pub struct Pattern {
     pub clamped: Vec<[bool; 2]>,
     /// Which of the supports pull the beam down.
     pub pulls: Vec<bool>,
+    /// On which crest each of its contacts lies.
+    crests: Vec<Crest>,
     /// Smooth pieces of the profile; where this is another number, their indices mean something else.
     pieces: usize,
 }
+
+/// Where on a smooth piece a contact lies: two contacts of one kind are the same one only if they are near to each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Crest {
+    /// Where the contact starts and ends, as shares of the beam.
+    ends: [f64; 2],
+    /// How many waves of the profile lie before that, of the one that bends it most; 0 without waves.
+    waves: [f64; 2],
+}
+
+impl Crest {
+    /// True if this may be the same contact as another one, moved by a little: by less than from one crest to the next.
+    fn is_near(&self, other: &Self) -> bool {
+        let less = |a: [f64; 2], b: [f64; 2], most: f64| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= most);
+        less(self.ends, other.ends, NEAR) && less(self.waves, other.waves, HALF_A_WAVE)
+    }
+}
+
+/// A contact that moves farther than this share of the beam, or than half a wave of the ground, may be another one.
+const NEAR: f64 = 0.02;
+const HALF_A_WAVE: f64 = 0.5;
 
 /// A contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,22 +65,37 @@ pub enum ZoneEnd {
     FreeEnd,
 }
 
-/// A force that is smaller than this share of the largest one has no sign.
+/// A force that is smaller than this share of the forces beside it has no sign. Forces elsewhere say nothing of it: behind a support a
+/// load of any size may stand.
 const NO_FORCE: f64 = 1e-12;
+
+/// Forces are compared with this share of all loads at least, but for those that stand on supports: beside a stretch without a load
+/// there are none.
+const AT_REST: f64 = 1e-3;
 
 /// Places that are nearer to each other than this share of the beam are one.
 const AT_ONE_PLACE: f64 = 1e-12;
 
 impl Pattern {
-    /// True if nothing happens between two scenes that differ in numbers only and have these patterns.
+    /// True if nothing happens between two scenes that differ in numbers only, and by little, and have these patterns: their contacts
+    /// are of the same kinds, and lie on the same crests.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
+        self.is_same_kind(other) && self.crests.iter().zip(&other.crests).all(|(a, b)| a.is_near(b))
+    }
+
+    /// True if the contacts of two answers are of the same kinds, wherever on their smooth pieces of the profile they lie.
+    #[must_use]
+    pub fn is_same_kind(&self, other: &Self) -> bool {
+        if self.clamped != other.clamped || self.pulls != other.pulls {
+            return false;
+        }
         if self.pieces == other.pieces {
-            return self == other;
+            return self.touches == other.touches;
         }
         // Points of a survey that come to lie on one line are one piece less.
         let kinds = |touches: &[Touch]| touches.iter().map(|touch| matches!(touch, Touch::Zone(_))).collect::<Vec<_>>();
-        self.clamped == other.clamped && self.pulls == other.pulls && kinds(&self.touches) == kinds(&other.touches)
+        kinds(&self.touches) == kinds(&other.touches)
     }
 }
 
@@ -63,30 +103,33 @@ impl Exact {
     /// Its pattern.
     #[must_use]
     pub fn pattern(&self) -> Pattern {
-        let (given, nodes) = (&self.given, &self.list.nodes);
+        let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
         let supports = nodes.iter().enumerate().filter_map(|(i, node)| match node.kind {
-            Kind::Support(index, beside) => Some(self.clamped(i, index, beside)),
+            Kind::Support(index, beside) => Some(self.clamped(i, index, beside, rest)),
             _ => None,
         });
-        let least = NO_FORCE * self.largest_force();
-        let pulls = self.state.supports.iter().map(|s| s.force < -least).collect();
+        let pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
+            let support = self.state.supports.get(node.support()?)?;
+            Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
+        });
+        let (touches, contacts): (Vec<_>, Vec<_>) = self.touches().into_iter().unzip();
         Pattern {
-            touches: self.touches().into_iter().map(|(touch, _)| touch).collect(),
+            touches,
             clamped: supports.collect(),
-            pulls,
+            pulls: pulling.collect(),
+            crests: contacts.iter().map(|contact| self.crest(contact)).collect(),
             pieces: given.shapes.len(),
         }
     }
 
     /// What carries something, with its contact: a contact without a force is none, and a zone goes no farther than its pressure.
     pub(crate) fn touches(&self) -> Vec<(Touch, Contact)> {
-        let (given, nodes) = (&self.given, &self.list.nodes);
-        let least = NO_FORCE * self.largest_force();
+        let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
         let mut contacts = self.state.contacts.iter();
         let mut touches = Vec::with_capacity(contacts.len());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
-                touches.extend(contacts.next().into_iter().flat_map(|contact| self.pressed(i, *contact, least)));
+                touches.extend(contacts.next().into_iter().flat_map(|contact| self.pressed(i, *contact, rest)));
             }
             let Some(node) = nodes.get(i) else { continue };
             let touch = match node.kind {
@@ -94,17 +137,23 @@ impl Exact {
                 Kind::Edge(breakpoint) => Touch::Edge(edge(given, breakpoint)),
                 _ => continue,
             };
-            touches.extend(contacts.next().filter(|contact| least < contact.force).map(|contact| (touch, *contact)));
+            touches.extend(
+                contacts
+                    .next()
+                    .filter(|contact| self.no_force(i, rest) < contact.force)
+                    .map(|contact| (touch, *contact)),
+            );
         }
         touches
     }
 
     /// What carries something of the zone before node `i`: the stretches with a pressure, and the places with a force.
-    fn pressed(&self, i: usize, contact: Contact, least: f64) -> Vec<(Touch, Contact)> {
+    fn pressed(&self, i: usize, contact: Contact, rest: f64) -> Vec<(Touch, Contact)> {
         let (given, unit) = (&self.given, self.scale.length);
         let nodes = [&self.list.nodes[i - 1], &self.list.nodes[i]];
         let [from, to] = nodes.map(|node| node.x);
         let within = |x: f64| x.max(from).min(to);
+        let least = self.no_force(i - 1, rest).max(self.no_force(i, rest)).max(NO_FORCE * contact.force.abs());
         let presses = |cell: usize| {
             let [lo, hi] = [given.cells[cell].lo, given.cells[cell].hi].map(within);
             let places = [lo, 0.5 * (lo + hi), hi].into_iter();
@@ -144,22 +193,45 @@ impl Exact {
     }
 
     /// On which sides of a support the ground holds the slope of the beam, and takes a couple for it.
-    fn clamped(&self, i: usize, index: usize, beside: [Beside; 2]) -> [bool; 2] {
+    fn clamped(&self, i: usize, index: usize, beside: [Beside; 2], rest: f64) -> [bool; 2] {
         let support = &self.given.supports[index];
         if support.slope.is_some() && !support.built_in {
             return [true; 2];
         }
         let sides = super::sensitivity::ends(&self.spans, i);
         let [left, right] = [sides[0].map_or(0.0, |span| span.beam_b[2]), sides[1].map_or(0.0, |span| span.beam_a[2])];
-        let lever = NO_FORCE * self.largest_force() * self.given.length / (self.stiffness * self.scale.force);
+        let lever = NO_FORCE * left.abs().max(right.abs()).max(rest * self.given.length);
         let couple = lever < (right - left).abs();
         beside.map(|side| side == Beside::Clamped && couple)
     }
 
-    fn largest_force(&self) -> f64 {
-        let contacts = self.state.contacts.iter().map(|c| c.force);
-        let supports = self.state.supports.iter().map(|s| s.force);
-        supports.chain(contacts).fold(0.0, |most: f64, force| most.max(force.abs()))
+    /// A force at node `i` that is no larger has no sign; `rest` is [`Self::rest`].
+    fn no_force(&self, i: usize, rest: f64) -> f64 {
+        NO_FORCE * force_beside(&self.spans, i).max(rest) * self.stiffness * self.scale.force
+    }
+
+    /// What forces are compared with at least, over `EI`.
+    fn rest(&self) -> f64 {
+        AT_REST * self.given.total_load
+    }
+
+    /// The load that stands on a support.
+    fn load_on(&self, node: &Node) -> f64 {
+        let support = node.support().map(|index| &self.given.supports[index]);
+        let load = support.map_or(0.0, |support| self.given.breakpoints[support.breakpoint].force);
+        load.abs() * self.stiffness * self.scale.force
+    }
+
+    /// On which crest of the profile a contact lies.
+    fn crest(&self, contact: &Contact) -> Crest {
+        let places = [contact.from, contact.to].map(|x| x / self.scale.length);
+        let waves = |x: f64| {
+            let waves = self.given.shapes[self.given.cells[self.given.cell_from(x)].shape].waves();
+            let bends = |wave: &Wave| wave.amplitude.abs() * wave.number * wave.number;
+            let most = waves.into_iter().flatten().max_by(|a, b| bends(a).total_cmp(&bends(b)));
+            most.map_or(0.0, |wave| wave.angle(x) / std::f64::consts::TAU)
+        };
+        Crest { ends: places.map(|x| x / self.given.length), waves: places.map(waves) }
     }
 }
 

@@ -76,7 +76,7 @@ pub(super) struct PiecewiseScene {
     pub(super) energy_rule: Gauss,
     /// Resultant of all loads, those at the supports included.
     pub(super) resultant: f64,
-    /// Magnitudes of all loads together.
+    /// Magnitudes of all loads together, without those that stand on supports if there are others.
     pub(super) total_load: f64,
     /// The size of depths that carries their rounding where a beam may touch.
     pub(super) magnitude: f64,

@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod events;
+mod family;
 mod rows;
 
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};

@@ -5,7 +5,8 @@
 //! problems exactly, and [`definition`] asks an answer for all that the problem is defined by, and [`differences`] whether its derivatives are those of
 //! the answers beside it. [`draft`] is a scene as numbers,
 //! [`compare`] the difference of two lists, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
-//! program on random and adversarial ones. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
+//! program on random and adversarial ones. [`sweeps`] compares the events of random
+//! sweeps. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
 //! holds for any text that is read, and [`numdiff`] compares texts as printed numbers.
 
 #![cfg(feature = "full")]
@@ -23,4 +24,5 @@ pub mod libraries;
 pub mod numdiff;
 pub mod paper;
 pub mod random;
+pub mod sweeps;
 pub mod texts;

@@ -1,0 +1,233 @@
+//! Contacts followed from one answer to the next.
+//!
+//! From a value on, the contacts of its answer are kept and only move. What they violate at the end of an interval names
+//! conditions, and the first root of their margins is the event: force at a contact, bend beside a point, length of a zone,
+//! clearance. Just beyond it the beam is solved again, and the rest of the interval is treated in the same way. Where no margin can
+//! be followed, the kind of the answer itself is bisected. Between two answers of one kind, a margin that comes near to zero on the
+//! way is followed to its least value.
+
+use super::events::{At, BESIDE, PAST, Root, Search};
+use crate::theory::{Exact, Margin};
+
+/// Farther from an event, by these factors, answers are looked at where its kind is not decided.
+const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
+
+/// Events between two rows, at most: more are no events but rounding.
+const MOST_EVENTS: usize = 1000;
+
+/// A value below this share of the range has no digits of its own that count.
+const SMALL: f64 = 1e-3;
+
+impl Search<'_> {
+    /// True if nothing is between two values.
+    fn is_narrow(&self, a: f64, b: f64) -> bool {
+        let [start, end] = self.sweep.range;
+        (b - a).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()).max(SMALL * (end - start).abs())
+    }
+
+    /// True if all work that is allowed has been done.
+    pub(super) fn is_spent(&self) -> bool {
+        self.left.get() == 0
+    }
+
+    /// Counts what an answer like this takes, so many times.
+    fn count(&self, work: u64) {
+        self.left.set(self.left.get().saturating_sub(work));
+    }
+
+    /// The answer at a value, if there is one, searched for from answers at values nearby.
+    pub(super) fn at(&self, value: f64, near: &[&At]) -> Option<At> {
+        if self.is_spent() {
+            return None;
+        }
+        let near: Vec<&Exact> = near.iter().map(|near| &near.exact).collect();
+        let (_, exact) = self.sweep.answer(value, &near).ok()?;
+        self.count(exact.work());
+        exact.solved.then(|| At::new(value, exact))
+    }
+
+    /// The last answer on the way to a value that has none.
+    pub(super) fn farthest(&self, from: &At, to: f64) -> At {
+        /// Halvings: the place is known to a thousand-millionth of the way.
+        const HALVINGS: u32 = 30;
+        let (mut with, mut without) = (from.clone(), to);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (with.value + without);
+            match self.at(middle, &[&with]) {
+                Some(at) => with = at,
+                None => without = middle,
+            }
+        }
+        with
+    }
+
+    /// The events on the way from one answer to another, and what appears and goes again between two of one kind.
+    pub(super) fn follow(&self, left: At, right: At, events: &mut Vec<Root>) {
+        if !left.is_like(&right) {
+            return self.between(left, right, events);
+        }
+        if let Some(middle) = self.dip(&left, &right) {
+            self.between(left, middle.clone(), events);
+            self.between(middle, right, events);
+        }
+    }
+
+    /// An answer of another kind between two of one kind, where a margin goes below zero and comes back.
+    fn dip(&self, left: &At, right: &At) -> Option<At> {
+        /// Margins are differentiated over this share of the interval.
+        const STEP: f64 = 1e-3;
+        /// Evaluations on the way to the least value.
+        const SECTIONS: u32 = 40;
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let width = right.value - left.value;
+        let margins = |value: f64| left.exact.margins(&self.sweep.scene(value).ok()?);
+        let places = [left.value, left.value + STEP * width, right.value - STEP * width, right.value];
+        let [a, near_a, near_b, b] = places.map(margins);
+        let (a, near_a, near_b, b) = (a?, near_a?, near_b?, b?);
+        self.count(4 * left.exact.work());
+        for (margin, at_a) in a {
+            let of = |list: &[(Margin, f64)]| list.iter().find(|(other, _)| *other == margin).map(|(_, value)| *value);
+            let (Some(next), Some(last), Some(at_b)) = (of(&near_a), of(&near_b), of(&b)) else { continue };
+            let (falls, rises) = ((at_a - next) / STEP, (at_b - last) / STEP);
+            // Where the tangents meet: a margin that is bent one way does not go below it.
+            let lowest = (at_a * rises + at_b * falls - falls * rises) / (falls + rises);
+            if !(0.0 < falls && 0.0 < rises && lowest < 0.0 && 0.0 < at_a && 0.0 < at_b) {
+                continue;
+            }
+            let value = |share: f64| {
+                self.count(left.exact.work());
+                left.exact.margin(&self.sweep.scene(left.value + share * width).ok()?, margin)
+            };
+            let (mut lo, mut hi) = (0.0, 1.0);
+            for _ in 0..SECTIONS {
+                let (c, d) = (hi - GOLDEN * (hi - lo), lo + GOLDEN * (hi - lo));
+                let (Some(at_c), Some(at_d)) = (value(c), value(d)) else { break };
+                if at_c.min(at_d) < 0.0 {
+                    let share = if at_c < at_d { c } else { d };
+                    let middle = self.at(left.value + share * width, &[left]).filter(|middle| !middle.is_like(left));
+                    if middle.is_some() {
+                        return middle;
+                    }
+                    break;
+                }
+                if at_c < at_d { hi = d } else { lo = c }
+            }
+        }
+        None
+    }
+
+    /// The events on the way from one answer to another of another kind.
+    fn between(&self, mut left: At, mut right: At, events: &mut Vec<Root>) {
+        /// Where an interval is divided; where there is no answer, elsewhere.
+        const SHARES: [f64; 3] = [1.0 - PAST, PAST, 0.5];
+        let mut beyond = Vec::new();
+        while !left.is_like(&right) && events.len() + beyond.len() < MOST_EVENTS && !self.is_spent() {
+            if let Some(event) = self.next_event(&left, &right) {
+                left = event.after.clone();
+                events.push(event);
+                continue;
+            }
+            if let Some(Root { value, before, after }) = self.next_event(&right, &left) {
+                // From the other side what it becomes is what it was.
+                right = after.clone();
+                beyond.push(Root { value, before: after, after: before });
+                continue;
+            }
+            let inside = |share: f64| left.value + share * (right.value - left.value);
+            let narrow = self.is_narrow(left.value, right.value);
+            let middle = SHARES.into_iter().filter(|_| !narrow).find_map(|share| self.at(inside(share), &[&left]));
+            let Some(middle) = middle else {
+                events.push(Root { value: inside(0.5), before: left, after: right });
+                break;
+            };
+            if left.is_like(&middle) {
+                left = middle;
+            } else if right.is_like(&middle) {
+                right = middle;
+            } else {
+                self.between(left, middle.clone(), events);
+                left = middle;
+            }
+        }
+        events.extend(beyond.into_iter().rev());
+    }
+
+    /// The first event on the way from `from` to `to`, which may be against the sweep, with an answer just beyond it as `after`.
+    fn next_event(&self, from: &At, to: &At) -> Option<Root> {
+        let margins = from.exact.failing(&self.sweep.scene(to.value).ok()?)?;
+        let mut roots: Vec<f64> = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin)).collect();
+        roots.sort_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()));
+        let [start, end] = self.sweep.range;
+        let step = BESIDE * (end - start).abs() * (to.value - from.value).signum();
+        // On the near side the contacts are still the same.
+        let near = |value: f64| {
+            let before = value - step;
+            if 0.0 < (before - from.value) * step { self.kept(from, before) } else { Some(from.clone()) }
+        };
+        let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
+        // Beyond it they are others, and as near to it as may be those of `to`.
+        let beyond = |value: f64| {
+            let inside = 0.0 < (to.value - value) * step;
+            let after = if inside { self.at(value, &[from, to])? } else { to.clone() };
+            (!after.is_like(from)).then_some(after)
+        };
+        FARTHER.into_iter().find_map(|farther| {
+            sides.iter().find_map(|(value, near)| {
+                let after = beyond(value + step * farther)?;
+                Some(Root { value: *value, before: near.clone(), after })
+            })
+        })
+    }
+
+    /// The answer at a value that has the contacts of another one, if there is one.
+    pub(super) fn kept(&self, from: &At, value: f64) -> Option<At> {
+        let exact = from.exact.moved(&self.sweep.scene(value).ok()?)?;
+        self.count(from.exact.work());
+        Some(At::new(value, exact)).filter(|near| near.is_like(from))
+    }
+
+    /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value
+    /// at an end that stays halved (Illinois), and the middle where that does not halve the interval soon.
+    pub(super) fn root(&self, from: &At, to: f64, margin: Margin) -> Option<f64> {
+        /// Secants in turn before the middle is taken.
+        const SECANTS: u32 = 3;
+        let of = |value: f64| {
+            self.count(from.exact.work());
+            from.exact.margin(&self.sweep.scene(value).ok()?, margin)
+        };
+        let (mut good, mut bad) = (from.value, to);
+        let (mut at_good, mut at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
+        if at_good.is_some_and(|m| m <= 0.0) {
+            return Some(good);
+        }
+        let mut turn = 0;
+        let mut stays = 0;
+        loop {
+            let middle = 0.5 * (good + bad);
+            if self.is_narrow(good, bad) {
+                return Some(middle);
+            }
+            turn += 1;
+            let secant = at_good.map(|at_good| bad - at_bad * ((bad - good) / (at_bad - at_good)));
+            let inside = |x: &f64| (x - good) * (x - bad) < 0.0;
+            let next = secant.filter(|_| turn % (SECANTS + 1) != 0).filter(inside).unwrap_or(middle);
+            match of(next) {
+                Some(0.0) => return Some(next),
+                Some(m) if m < 0.0 => {
+                    (bad, at_bad) = (next, m);
+                    if stays == 1 {
+                        at_good = at_good.map(|m| 0.5 * m);
+                    }
+                    stays = 1;
+                }
+                m => {
+                    (good, at_good) = (next, m);
+                    if stays == -1 {
+                        at_bad *= 0.5;
+                    }
+                    stays = -1;
+                }
+            }
+        }
+    }
+}

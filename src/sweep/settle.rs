@@ -1,0 +1,61 @@
+//! The value of an event found from both sides, and how well it is known.
+//!
+//! Where a force or a clearance grows slowly from zero, the contacts before an event meet their conditions to 12 digits for a while after
+//! it, and those after it for a while before it. Of the two margins that vanish there the one that leaves its tolerance sooner is the
+//! steeper one and gives the value; by how much the other one differs is how well it is known.
+
+use super::events::{At, Root, Search};
+
+/// An event is looked at from both sides so far from it, as a share of the range: nearer it is known well enough.
+const KNOWN: f64 = 2e-10;
+
+impl Search<'_> {
+    /// The value of a root and by how much it may be off.
+    pub(super) fn settled(&self, root: &Root) -> (f64, f64) {
+        let [start, end] = self.sweep.range;
+        let least = KNOWN * (end - start).abs();
+        let onward = (end - start).signum();
+        let late = self.lasts(&root.before, root.value, onward * least);
+        let early = self.lasts(&root.after, root.value, -onward * least);
+        if late <= 0.0 && early <= 0.0 {
+            return (root.value, 0.0);
+        }
+        let [first, last] = [root.value - onward * early, root.value + onward * late];
+        // Beyond what the contacts meet, their margin is negative.
+        let beyond = |from: &At, reach: f64, way: f64| self.crossing(from, root.value + way * (2.0 * reach + least));
+        let before = beyond(&root.before, late, onward);
+        let after = beyond(&root.after, early, -onward);
+        let (value, uncertainty) = match (before, after) {
+            (Some(a), Some(b)) if (last - a).abs() <= (first - b).abs() => (a, (a - b).abs()),
+            (Some(a), Some(b)) => (b, (a - b).abs()),
+            (Some(one), None) | (None, Some(one)) => (one, (last - one).abs().max((first - one).abs())),
+            (None, None) => (0.5 * (first + last), 0.5 * (last - first).abs()),
+        };
+        let inside = value.max(start.min(end)).min(start.max(end));
+        (inside, if uncertainty <= least { 0.0 } else { uncertainty })
+    }
+
+    /// How far beyond `value` the contacts of an answer are one, `step` being the first step that is tried; 0 if they are not.
+    fn lasts(&self, at: &At, value: f64, step: f64) -> f64 {
+        /// By so much each step is longer than the one before: the last one is a hundredth of the range or so.
+        const LONGER: f64 = 4.0;
+        const STEPS: usize = 13;
+        const HALVINGS: usize = 12;
+        let steps = std::iter::successors(Some(step), |step| Some(LONGER * step)).take(STEPS);
+        let meets = |step: &f64| self.kept(at, value + step).is_some();
+        let Some(mut with) = steps.take_while(meets).last() else { return 0.0 };
+        let mut without = LONGER * with;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (with + without);
+            if meets(&middle) { with = middle } else { without = middle }
+        }
+        with.abs()
+    }
+
+    /// Where the contacts of an answer first violate a condition on the way to a value, at which they do.
+    fn crossing(&self, from: &At, to: f64) -> Option<f64> {
+        let failing = from.exact.failing(&self.sweep.scene(to).ok()?)?;
+        let roots = failing.into_iter().filter_map(|margin| self.root(from, to, margin));
+        roots.min_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()))
+    }
+}
