@@ -5,9 +5,11 @@
 //! ```
 //!
 //! On a fine grid the three depths agree in almost all their digits, and their difference would be rounding alone. So each
-//! kind of profile has a formula of its own, in which nothing cancels.
+//! kind of profile has a formula of its own, in which nothing cancels. A polyline has two: over few points the sum of their
+//! kinks, over many the slopes of the two chords, at a price that does not grow with the points between.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use super::{Foundation, polynomial};
 
@@ -25,7 +27,7 @@ impl Foundation {
                 let rate = 2.0 * PI / wavelength;
                 amplitude * rate * cosine(2.0 * PI * (x / wavelength) + phase, 0.5 * rate * a, 0.5 * rate * b)
             }
-            Self::Polyline { points } => kinks(points, x, a, b, ends).unwrap_or_else(|| {
+            Self::Polyline { points } => corners(points, x, a, b, ends).unwrap_or_else(|| {
                 let u = self.depth(x);
                 (self.depth(ends[1]) - u) / b - (u - self.depth(ends[0])) / a
             }),
@@ -58,8 +60,13 @@ fn lack(t: f64) -> f64 {
     square / 6.0 * inner
 }
 
-/// `Σ κ φ`, the kinks between the two ends with the share of a hat that is 1 at `x`; [`None`] where there is a step.
-fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<f64> {
+/// Points between the two ends up to which kinks are summed. A kink has the rounding of two slopes, of segments, and two chords have
+/// no more. On rough ground, where the slopes of segments are far larger than those of chords, many kinks have far more: a million of
+/// both signs cancel but for the last few digits.
+const FEW: usize = 8;
+
+/// The bend at `x` of the chords to the two ends; [`None`] where there is a step that matters.
+fn corners(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<f64> {
     // An end of the beam may have been rounded past the end of the polyline.
     let (from, to) = (ends[0].max(points.first()?[0]), ends[1].min(points.last()?[0]));
     let before = parted(points, equally_spaced(points, from), |p| p[0] < from);
@@ -69,9 +76,24 @@ fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<
     if before + 1 < first || last + 1 < behind {
         return None;
     }
-    // The vertices strictly between, with one neighbour on each side.
+    if last <= first + FEW {
+        // The vertices strictly between, with one neighbour on each side.
+        return kinks(points.get(first.checked_sub(1)?..=last)?, x, a, b, [from, to]);
+    }
+    let middle = parted(points, first, |p| p[0] < x);
+    let beyond = parted(points, middle, |p| p[0] <= x);
+    if middle + 1 < beyond {
+        return None;
+    }
+    let right = rise(points, [x, to], middle..behind)?;
+    Some(right / b - rise(points, [from, x], before..beyond)? / a)
+}
+
+/// `Σ κ φ`, the kinks at all points but the first and the last with the share of a hat that is 1 at `x` and ends at `from` and
+/// `to`; [`None`] where there is a step.
+fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let mut bend = 0.0;
-    for three in points.get(first.checked_sub(1)?..=last)?.windows(3) {
+    for three in points.windows(3) {
         let [left, here, right] = [three[0], three[1], three[2]];
         if here[0] <= left[0] || right[0] <= here[0] {
             return None;
@@ -81,6 +103,24 @@ fn kinks(points: &[[f64; 2]], x: f64, a: f64, b: f64, ends: [f64; 2]) -> Option<
         bend += kink * hat;
     }
     Some(bend)
+}
+
+/// By how much a polyline rises between two places, of which `inside` are its points; neither is at a step. Differences of depths
+/// that are given, and parts of segments at both ends: rounding is that of the rise, however large the depths are.
+fn rise(points: &[[f64; 2]], [from, to]: [f64; 2], inside: Range<usize>) -> Option<f64> {
+    // From a place to another one in the segment that ends at a point.
+    let part = |end: usize, [from, to]: [f64; 2]| {
+        if to <= from {
+            return Some(0.0);
+        }
+        let (left, right) = (points.get(end.checked_sub(1)?)?, points.get(end)?);
+        Some((right[1] - left[1]) * ((to - from) / (right[0] - left[0])))
+    };
+    let Some([first, .., last]) = points.get(inside.clone()).filter(|inside| 2 <= inside.len()) else {
+        let place = points.get(inside.start).filter(|_| !inside.is_empty()).map_or(to, |p| p[0]);
+        return Some(part(inside.start, [from, place])? + part(inside.end, [place, to])?);
+    };
+    Some((last[1] - first[1]) + (part(inside.start, [from, first[0]])? + part(inside.end, [last[0], to])?))
 }
 
 /// The number of the point at a place, if points were equally spaced: about that of surveys.
@@ -140,6 +180,71 @@ mod tests {
                     "{profile:?} at {x}, {a}, {b}: {found} instead of {expected}"
                 );
             }
+        }
+    }
+
+    /// Over any number of points, on smooth and on rough ground however deep: depths are whole numbers, so that the definition is
+    /// rounded in its two quotients alone.
+    #[test]
+    fn the_bend_over_many_points_loses_nothing() {
+        const DEEP: f64 = 1_073_741_824.0;
+        const HIGH: f64 = 1000.0;
+        let (mut state, mut height) = (1_u32, 0.0);
+        let mut noise = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 8) / f64::from(1_u32 << 24) - 0.5
+        };
+        for count in [10, 60, 70, 200, 3000, 40_000] {
+            let end = f64::from(count);
+            let mut walk = |x: f64, random: f64| {
+                height = if x == 0.0 { 0.0 } else { height + 30.0 * random };
+                height
+            };
+            let mut made = |kind: usize, x: f64, random: f64| match kind {
+                0 => HIGH * random,
+                1 => walk(x, random),
+                _ => HIGH * libm::sin(5.0 * x / end),
+            };
+            for kind in 0..3 {
+                let mut at = |x: f64| [x, DEEP + made(kind, x, noise()).round()];
+                let points: Vec<[f64; 2]> = (0..=count).map(|x| at(f64::from(x))).collect();
+                let most = points.iter().fold(0.0_f64, |most, p| most.max((p[1] - DEEP).abs()));
+                let profile = Foundation::Polyline { points };
+                for [from, x, to] in
+                    [[0.0, 0.5, 1.0], [0.0, 0.3, 1.0], [0.1, 0.6, 0.9], [0.0, 0.001, 0.99], [0.5, 0.9999, 1.0]]
+                {
+                    let [from, x, to] = [from, x, to].map(|share| (2.0 * share * end).round() / 2.0);
+                    let (a, b) = (x - from, to - x);
+                    if a <= 0.0 || b <= 0.0 {
+                        continue;
+                    }
+                    let u = |x| profile.depth(x);
+                    let expected = (u(to) - u(x)) / b - (u(x) - u(from)) / a;
+                    // A few roundings of each of the two slopes, and of segments at the ends.
+                    let most = 16.0 * f64::EPSILON * most * (1.0 / a + 1.0 / b);
+                    let found = profile.bend(x, a, b, [from, to]);
+                    assert!(
+                        (found - expected).abs() <= most,
+                        "kind {kind}, {count} points, {from}, {x}, {to}: {found:e}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// A step between the ends does not matter, one at a place that carries the beam does: the smaller depth is the one there.
+    #[test]
+    fn steps_bend_as_depths_do() {
+        let points: Vec<[f64; 2]> =
+            (0..1000).map(|i| [f64::from(i - i / 100), 5.0 + f64::from(i % 7) - f64::from(i % 100)]).collect();
+        let profile = Foundation::Polyline { points };
+        for (from, x, to) in [(0.0, 300.5, 900.0), (0.0, 99.0, 300.0), (10.0, 98.5, 99.0), (99.0, 250.0, 700.5)] {
+            let u = |x| profile.depth(x);
+            let (a, b) = (x - from, to - x);
+            let expected = (u(to) - u(x)) / b - (u(x) - u(from)) / a;
+            let found = profile.bend(x, a, b, [from, to]);
+            // Depths of up to a hundred, in a few roundings.
+            assert!((found - expected).abs() < 1e-13, "{from}, {x}, {to}: {found} instead of {expected}");
         }
     }
 
