@@ -4,6 +4,7 @@
 //! one of them, and a node inside with a support is none.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::contact_set::ContactSet;
 use super::supports::Supports;
@@ -28,8 +29,8 @@ pub struct Discrete {
     pub depths: Vec<f64>,
     supports: Supports,
     /// The profiles of ground and own shape that the gaps are taken from.
-    pub(super) profile: Option<Foundation>,
-    pub(super) shape: Option<Foundation>,
+    pub(super) profile: Option<Arc<Foundation>>,
+    pub(super) shape: Option<Arc<Foundation>>,
     /// Whether the beam is the paper's.
     simple: bool,
     sizes: Sizes,
@@ -68,8 +69,8 @@ impl Discrete {
             stiffness: scene.beam().bending_stiffness(),
             depths: grid.gaps_at(scene, supports.nodes()),
             supports,
-            profile: scene.foundation().cloned(),
-            shape: scene.beam().shape().cloned(),
+            profile: scene.shared_foundation(),
+            shape: scene.beam().shared_shape(),
             simple: scene.beam().is_simple(),
             sizes: Sizes { x: 1.0, gradient: 1.0 },
             loads: grid.nodal_loads(scene.load()),
@@ -183,7 +184,7 @@ impl Discrete {
 
     /// Size of the numbers from which the gap below a node, or below a chord beside it, is computed.
     pub(super) fn depth_rounding(&self, node: usize) -> f64 {
-        let size = |profile: &Option<Foundation>| {
+        let size = |profile: &Option<Arc<Foundation>>| {
             profile.as_ref().map_or(0.0, |profile| profile.magnitude_at(self.grid.place(node)))
         };
         size(&self.profile) + size(&self.shape)
@@ -201,7 +202,9 @@ impl Discrete {
             let held = self.supports.at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
             return if left == node { chord(node, right, behind) - held } else { held - chord(left, node, before) };
         }
-        let Some(profile) = &self.profile else { return chord(node, right, behind) - chord(left, node, before) };
+        let Some(profile) = self.profile.as_deref() else {
+            return chord(node, right, behind) - chord(left, node, before);
+        };
         let below = [left, node, right].map(|i| self.supports.at(i).map(|support| support.below));
         if below != [None; 3] && self.drops_off([left, node, right], below, [before, behind]) {
             return chord(node, right, behind) - chord(left, node, before);
@@ -283,4 +286,27 @@ fn size(free: &[f64], room: &[f64], loads: impl Iterator<Item = f64>, stiffness:
         force = 48.0 * stiffness * deflection / (length * length * length);
     }
     Sizes { x: deflection, gradient: force }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Load};
+
+    /// A survey is in memory once, however many grids are made of its scene.
+    #[test]
+    fn grids_share_the_ground_of_their_scene() {
+        let ground =
+            |deep: f64| Foundation::Polyline { points: (0..=100).map(|i| [f64::from(i) / 100.0, deep]).collect() };
+        let beam = Beam::new(1.0, 1.0).expect("positive").with_shape(ground(0.0)).expect("a shape");
+        let scene = Scene::new(beam, Load::default(), Some(ground(1.0))).expect("well posed");
+        for scene in [&scene, &scene.clone()] {
+            let discrete = Discrete::new(scene, 10).expect("a grid");
+            let same = |kept: &Option<Arc<Foundation>>, given: Option<&Foundation>| {
+                kept.as_deref().zip(given).is_some_and(|(kept, given)| std::ptr::eq(kept, given))
+            };
+            assert!(same(&discrete.profile, scene.foundation()) && same(&discrete.shape, scene.beam().shape()));
+            assert!(same(&discrete.clone().profile, scene.foundation()));
+        }
+    }
 }

@@ -9,6 +9,8 @@
 //! Where a smooth place of the ground carries it, the beam has the slope of the ground there: that it could turn by a part of an
 //! interval is a matter of the grid. At a corner the slopes of its two sides are limits as well.
 
+use std::sync::Arc;
+
 use super::answer::Nodal;
 use super::supports::{NodeSupport, Supports};
 use super::{Discrete, held_beam};
@@ -24,7 +26,8 @@ impl Discrete {
     /// deeper side of a step, and beyond an end of the beam. Equal but for rounding are equal.
     fn slopes_at(&self, node: usize) -> [f64; 2] {
         let x = self.grid.place(node);
-        let sides = |profile: &Option<Foundation>| profile.as_ref().map_or([[0.0; 2]; 2], |profile| profile.sides(x));
+        let sides =
+            |profile: &Option<Arc<Foundation>>| profile.as_ref().map_or([[0.0; 2]; 2], |profile| profile.sides(x));
         let (ground, own) = (sides(&self.profile), sides(&self.shape));
         let gap = |side: usize| ground[side][0] - own[side][0];
         let slope = |side: usize| ground[side][1] - own[side][1];

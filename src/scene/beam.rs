@@ -1,5 +1,7 @@
 //! The beam: elastic, of constant bending stiffness, with an own shape and what holds it.
 
+use std::sync::Arc;
+
 use super::error::{SceneError, positive};
 use super::quantity::{Profile, ProfileKey, Quantity};
 use super::support::{Support, sorted};
@@ -13,7 +15,7 @@ pub struct Beam {
     supports: Vec<Support>,
     /// Which of the supports as they were given each of them is.
     given: Vec<usize>,
-    shape: Option<Foundation>,
+    shape: Option<Arc<Foundation>>,
 }
 
 impl Beam {
@@ -61,7 +63,7 @@ impl Beam {
                 return Err(shape.overflow_of(Profile::Shape, at));
             }
         }
-        Self { shape: Some(shape), ..self }.with_definite_slopes()
+        Self { shape: Some(Arc::new(shape)), ..self }.with_definite_slopes()
     }
 
     /// A built-in support holds one slope, and so does not stand at a corner of the own shape.
@@ -107,7 +109,12 @@ impl Beam {
     /// Its own shape `w0(x)` \[length\]; [`None`] if it is straight.
     #[must_use]
     pub fn shape(&self) -> Option<&Foundation> {
-        self.shape.as_ref()
+        self.shape.as_deref()
+    }
+
+    /// The same, to be kept.
+    pub(crate) fn shared_shape(&self) -> Option<Arc<Foundation>> {
+        self.shape.clone()
     }
 
     /// True for the paper's beam: straight, on two simple supports at its ends, both at level 0.

@@ -18,6 +18,8 @@ mod quantity;
 mod scale;
 mod support;
 
+use std::sync::Arc;
+
 pub use balance::{Balance, Resultant, Unheld};
 pub use beam::Beam;
 pub use error::SceneError;
@@ -36,7 +38,8 @@ pub struct Scene {
     title: String,
     beam: Beam,
     load: Load,
-    foundation: Option<Foundation>,
+    /// Shared by all that is made of the scene: a survey may have millions of points.
+    foundation: Option<Arc<Foundation>>,
     units: Units,
 }
 
@@ -57,7 +60,7 @@ impl Scene {
     /// Every [`SceneError`] of [`Load::new`] and [`Foundation::checked`].
     pub fn new(beam: Beam, load: Load, foundation: Option<Foundation>) -> Result<Self, SceneError> {
         let load = Load::new(&beam, load.uniform(), load.linear().to_vec(), load.point().to_vec())?;
-        let foundation = foundation.map(|f| f.checked(&beam)).transpose()?;
+        let foundation = foundation.map(|f| f.checked(&beam)).transpose()?.map(Arc::new);
         Ok(Self { title: String::new(), beam, load, foundation, units: Units::default() })
     }
 
@@ -88,7 +91,12 @@ impl Scene {
     /// The foundation, if there is one.
     #[must_use]
     pub fn foundation(&self) -> Option<&Foundation> {
-        self.foundation.as_ref()
+        self.foundation.as_deref()
+    }
+
+    /// The same, to be kept.
+    pub(crate) fn shared_foundation(&self) -> Option<Arc<Foundation>> {
+        self.foundation.clone()
     }
 
     /// The labels of the units.

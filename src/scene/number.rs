@@ -82,7 +82,7 @@ impl Scene {
     ///
     /// Every [`SceneError`] of [`Foundation::checked`], above all that it lies above a support.
     pub fn with_ground_moved(&self, down: f64) -> Result<Self, SceneError> {
-        let mut foundation = self.foundation.clone();
+        let mut foundation = self.foundation().cloned();
         match &mut foundation {
             None => {}
             Some(Foundation::Flat { depth }) => *depth += down,
@@ -203,7 +203,7 @@ impl Numbers {
             uniform: load.uniform(),
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),
-            foundation: scene.foundation.clone(),
+            foundation: scene.foundation().cloned(),
         }
     }
 
