@@ -91,5 +91,5 @@ pub mod tolerance;
 pub mod verdict;
 mod witness;
 
-pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, left_out, solve, solve_exactly, solve_raw};
+pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, left_out, solve, solve_exactly, solve_raw, solve_raw_near};
 pub use witness::Witness;

@@ -85,7 +85,8 @@ impl Solution {
 ///
 /// Those of [`solve_raw`]. An answer that fails our check is none: its [`Verdict`] says why.
 pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError> {
-    Ok(solve_raw(scene, settings)?.judged(&Witness::of(scene), &Demand::default()))
+    let witness = Witness::of(scene);
+    Ok(solve_raw_near(&witness, settings)?.judged(&witness, &Demand::default()))
 }
 
 /// Solves `scene` by beam theory, without a grid: the places where the beam lifts off are unknowns. And judges the answer.
@@ -170,7 +171,18 @@ impl Exact {
 /// A [`SceneError`] if the grid is too coarse or the scene leaves the range of `f64`. A solver that fails is no error:
 /// [`RawSolution::solved`] says so.
 pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, SceneError> {
-    by_route(scene, settings, None)
+    by_route(scene, settings, Start::Anywhere)
+}
+
+/// The same for a scene whose answers have a witness. Where a survey has points between the nodes of coarser grids, the active set
+/// starts from the contacts of beam theory: that costs no more, since the certificate asks for them as well, and is far nearer. The
+/// solver's status says so.
+///
+/// # Errors
+///
+/// Those of [`solve_raw`].
+pub fn solve_raw_near(witness: &Witness<'_>, settings: &Settings) -> Result<RawSolution, SceneError> {
+    by_route(witness.scene(), settings, Start::Near(witness))
 }
 
 /// The row of a route that is left out of a comparison: an answer without numbers, for which the solver is not asked. `why` takes
@@ -180,10 +192,19 @@ pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, Scen
 ///
 /// Those of [`solve_raw`].
 pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<RawSolution, SceneError> {
-    by_route(scene, settings, Some(why))
+    by_route(scene, settings, Start::LeftOut(why))
 }
 
-fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Result<RawSolution, SceneError> {
+/// How a route starts.
+enum Start<'a> {
+    Anywhere,
+    /// Near the contacts of a witness, where it has better ones than coarser grids.
+    Near(&'a Witness<'a>),
+    /// Not at all, for this reason.
+    LeftOut(String),
+}
+
+fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<RawSolution, SceneError> {
     let Settings { method, solver, intervals, tolerance } = *settings;
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
@@ -192,10 +213,11 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
         let program = method.qp(&discrete);
-        let mut answer = match (left_out, solver) {
-            (Some(why), _) => Answer::refused(program.dimension(), why),
-            (None, Solver::ActiveSet) => multigrid::solve(&scaled.scene, method, &discrete)?,
-            (None, other) => other.run(program.as_ref(), tolerance),
+        let mut answer = match (start, solver) {
+            (Start::LeftOut(why), _) => Answer::refused(program.dimension(), why),
+            (Start::Near(witness), Solver::ActiveSet) => near(witness, &scaled.scene, method, &discrete)?,
+            (Start::Anywhere, Solver::ActiveSet) => multigrid::solve(&scaled.scene, method, &discrete, None)?,
+            (_, other) => other.run(program.as_ref(), tolerance),
         };
         let (x, gradient) = (take(&mut answer.x), take(&mut answer.gradient));
         let nodal = if solver == Solver::ActiveSet {
@@ -232,4 +254,17 @@ fn by_route(scene: &Scene, settings: &Settings, left_out: Option<String>) -> Res
         iterations: answer.iterations,
         work: answer.work,
     })
+}
+
+/// The active set from the contacts of a witness, if these are worth a start.
+fn near(witness: &Witness<'_>, scaled: &Scene, method: Method, discrete: &Discrete) -> Result<Answer, SceneError> {
+    let length = witness.scene().beam().length();
+    let contacts = multigrid::coarser(discrete.intervals).and_then(|coarse| witness.start(discrete.intervals, coarse));
+    let free = contacts.map(|contacts| multigrid::nearest(discrete, contacts, length));
+    let known = free.is_some();
+    let mut answer = multigrid::solve(scaled, method, discrete, free)?;
+    if known {
+        answer.message.push_str(", from the contacts of beam theory");
+    }
+    Ok(answer)
 }

@@ -4,6 +4,9 @@
 //! come from beam theory. Looking for them may cost no more than in proportion to the solve that is certified; where it would,
 //! or where beam theory has no answer, the answer's own contacts serve, which are at nodes of its grid, and the bounds are
 //! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then.
+//!
+//! Where coarser grids do not see the ground, the same contacts are where the active set starts: a discrete problem has one
+//! solution, so that a start says how long it takes and nothing of what comes out.
 
 use std::sync::OnceLock;
 
@@ -23,14 +26,17 @@ const PER_NODE: usize = 20;
 #[derive(Debug)]
 pub struct Witness<'a> {
     scene: &'a Scene,
-    theory: OnceLock<Option<Proof>>,
+    /// The contacts of beam theory, if it has an answer.
+    theory: OnceLock<Option<Vec<Contact>>>,
+    /// What they prove.
+    proof: OnceLock<Option<Proof>>,
 }
 
 impl<'a> Witness<'a> {
     /// Of a scene that has not been looked at yet: beam theory is asked when the first certificate needs it.
     #[must_use]
     pub fn of(scene: &'a Scene) -> Self {
-        Self { scene, theory: OnceLock::new() }
+        Self { scene, theory: OnceLock::new(), proof: OnceLock::new() }
     }
 
     /// The contacts of a solution that is already there, if it is one.
@@ -38,7 +44,7 @@ impl<'a> Witness<'a> {
     pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
         let witness = Self::of(scene);
         // Nothing was found before.
-        let _ = witness.theory.set(proof(scene, exact));
+        let _ = witness.theory.set(contacts(exact));
         witness
     }
 
@@ -54,23 +60,34 @@ impl<'a> Witness<'a> {
     ///
     /// Those of [`certify`].
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
-        let proven = match self.theory.get() {
-            None if points(self.scene) <= ALWAYS + PER_NODE * judged.places() => self
-                .theory
-                .get_or_init(|| theory::solve(self.scene).ok().and_then(|exact| proof(self.scene, &exact)))
-                .as_ref(),
-            found => found.and_then(Option::as_ref),
-        };
+        let proof = |contacts: &[Contact]| Proof::of(self.scene, contacts).ok();
+        let contacts = self.contacts(judged.places());
+        let proven = contacts.and_then(|contacts| self.proof.get_or_init(|| proof(contacts)).as_ref());
         match proven {
             Some(proof) => Ok(proof.judge(judged)),
             None => certify(self.scene, judged, own),
         }
     }
+
+    /// The contacts of beam theory for whoever is about to solve the scene on a grid, if a survey has points between the nodes of a
+    /// `coarser` one, whose contacts say little then.
+    pub(crate) fn start(&self, intervals: usize, coarser: usize) -> Option<&[Contact]> {
+        if points(self.scene) <= coarser { None } else { self.contacts(intervals) }
+    }
+
+    /// The contacts of beam theory, if it is worth to look for them for so many nodes.
+    fn contacts(&self, nodes: usize) -> Option<&[Contact]> {
+        let found = match self.theory.get() {
+            None if ALWAYS + PER_NODE * nodes < points(self.scene) => None,
+            _ => self.theory.get_or_init(|| theory::solve(self.scene).ok().and_then(|exact| contacts(&exact))).as_ref(),
+        };
+        found.map(Vec::as_slice)
+    }
 }
 
-/// What the contacts of an exact solution prove.
-fn proof(scene: &Scene, exact: &Exact) -> Option<Proof> {
-    exact.solved.then(|| Proof::of(scene, &exact.state.contacts).ok()).flatten()
+/// The contacts of an exact solution, if it is one.
+fn contacts(exact: &Exact) -> Option<Vec<Contact>> {
+    exact.solved.then(|| exact.state.contacts.clone())
 }
 
 /// What beam theory has to look at.

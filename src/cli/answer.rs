@@ -7,7 +7,7 @@ use palkki::route::Status;
 use palkki::state::Nodes;
 use palkki::theory::{self, TheoryError};
 use palkki::verdict::{Demand, Refusal};
-use palkki::{Settings, Solution, Witness, left_out, solve_raw};
+use palkki::{Settings, Solution, Witness, left_out, solve_raw, solve_raw_near};
 
 use super::input::Input;
 use super::output::Failure;
@@ -86,7 +86,7 @@ impl Answer {
     /// The answer of a method on a grid, certified from a witness.
     pub(super) fn discretised(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let start = Instant::now();
-        let raw = solve_raw(&input.scene, settings).map_err(|error| input.error(error))?;
+        let raw = solve_raw_near(witness, settings).map_err(|error| input.error(error))?;
         let seconds = start.elapsed().as_secs_f64();
         Ok(Self::on_grid(input, settings, raw.judged(witness, &Demand::default()), seconds))
     }

@@ -66,15 +66,21 @@ impl Grid {
 
     /// The node at a place, if there is one but for rounding.
     #[must_use]
+    pub fn node_at(&self, x: f64) -> Option<usize> {
+        let node = self.nearest(x / self.length);
+        is_same_place(x, self.place(node), self.length).then_some(node)
+    }
+
+    /// The node nearest to a place that is given as a share of the length.
+    #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         clippy::cast_precision_loss,
-        reason = "x lies on the beam, so the quotient lies between 0 and the number of intervals"
+        reason = "a share of the beam lies between 0 and 1, so that this is between 0 and the number of intervals"
     )]
-    pub fn node_at(&self, x: f64) -> Option<usize> {
-        let node = ((x / self.length * self.intervals as f64).round() as usize).min(self.intervals);
-        is_same_place(x, self.place(node), self.length).then_some(node)
+    pub(crate) fn nearest(&self, share: f64) -> usize {
+        ((share * self.intervals as f64).round() as usize).min(self.intervals)
     }
 
     /// The least number of equal intervals, of at most 10 000, with a node at every support of `scene`.
