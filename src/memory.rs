@@ -1,11 +1,25 @@
-//! Whether there is memory for a grid, asked before it is filled: without it the program would be aborted, with no word of why.
+//! Memory for a grid. Whether there is enough is asked before it is filled: without it the program would be aborted, with no word of
+//! why.
 
 /// True if so many pieces of so many bytes can be had at once now. They are given back at once.
 ///
 /// A system that promises more memory than it has says yes to anything below its limits.
 pub(crate) fn can_be_had(pieces: usize, bytes: usize) -> bool {
+    /// Any machine that runs has so much, and asking is not worth its time.
+    const LITTLE: usize = 1 << 20;
     let Some(sum) = pieces.checked_mul(bytes) else { return false };
-    Vec::<u8>::new().try_reserve_exact(sum).is_ok()
+    sum <= LITTLE || Vec::<u8>::new().try_reserve_exact(sum).is_ok()
+}
+
+/// So many zeros. Few come from memory that was just given back and is near, many from the system, which has them.
+pub(crate) fn zeros(count: usize) -> Vec<f64> {
+    const FEW: usize = 4096;
+    if FEW < count {
+        return vec![0.0; count];
+    }
+    let mut zeros = Vec::with_capacity(count);
+    zeros.resize(count, 0.0);
+    zeros
 }
 
 #[cfg(test)]

@@ -34,6 +34,7 @@ use super::Discrete;
 use super::held_beam::{Beam, Overhang};
 use super::span::{Span, links};
 use super::supports::NodeSupport;
+use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
 use crate::state::Discretisation;
 
@@ -54,33 +55,41 @@ pub(crate) struct OnContacts {
 impl ContactSet {
     /// Contact at some nodes, ascending.
     pub(crate) fn at(discrete: &Discrete, contacts: impl Iterator<Item = usize>) -> Self {
-        Self::part(discrete, contacts, &(0..=discrete.intervals), [true; 2])
+        let count = contacts.size_hint().0;
+        Self::part(discrete, contacts, count, &(0..=discrete.intervals), [true; 2])
     }
 
-    /// Contact at nodes of a part of the beam, and the supports there.
+    /// Contact at nodes of a part of the beam, about as many as `count`, and the supports there.
     pub(crate) fn part(
         discrete: &Discrete,
         contacts: impl Iterator<Item = usize>,
+        count: usize,
         part: &RangeInclusive<usize>,
         overhangs: [bool; 2],
     ) -> Self {
-        let mut supports = discrete.supports().within(part).iter().peekable();
-        let mut nodes = Vec::with_capacity(contacts.size_hint().0 + supports.len() + 1);
+        let mut supports = discrete.supports().within(part);
+        let mut nodes = Vec::with_capacity(count + 2 * supports.len());
         let hold = |nodes: &mut Vec<usize>, support: &NodeSupport| {
             nodes.push(support.node);
             if support.held.slope.is_some() {
                 nodes.push(support.node);
             }
         };
-        for contact in contacts {
-            while let Some(support) = supports.next_if(|support| support.node <= contact) {
-                hold(&mut nodes, support);
+        // Most contacts are before the next support and none of those that are held already.
+        let next = |supports: &[NodeSupport]| supports.first().map_or(usize::MAX, |support| support.node);
+        let (mut support, mut held) = (next(supports), usize::MAX);
+        contacts.for_each(|contact| {
+            while support <= contact {
+                hold(&mut nodes, &supports[0]);
+                held = support;
+                supports = &supports[1..];
+                support = next(supports);
             }
-            if nodes.last() != Some(&contact) {
+            if contact != held {
                 nodes.push(contact);
             }
-        }
-        supports.for_each(|support| hold(&mut nodes, support));
+        });
+        supports.iter().for_each(|support| hold(&mut nodes, support));
         Self { nodes, overhangs }
     }
 
@@ -107,12 +116,17 @@ impl ContactSet {
         range: Range<usize>,
     ) -> Result<OnContacts, NotPositiveDefinite> {
         let beam = self.beam(discrete, discretisation, span)?;
-        let mut nodal = OnContacts { contact_force: vec![0.0; range.len()], clearance: vec![0.0; range.len()] };
+        let mut nodal = OnContacts { contact_force: zeros(range.len()), clearance: zeros(range.len()) };
         beam.forces(|node, force| {
-            if range.contains(&node) && discrete.supports().at(node).is_none() {
-                nodal.contact_force[node - range.start] = force;
+            if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
+                *contact_force = force;
             }
         });
+        for support in discrete.supports().all() {
+            if let Some(contact_force) = nodal.contact_force.get_mut(support.node.wrapping_sub(range.start)) {
+                *contact_force = 0.0;
+            }
+        }
         beam.clearances(&range, &mut nodal.clearance);
         Ok(nodal)
     }
@@ -156,7 +170,8 @@ impl ContactSet {
         equations.push(given(outermost[0]))?;
         // Report: three-moments
         let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
-        let mut left = span(nodes[0], nodes[1]);
+        // Of a beam on two nodes all moments are given, and no span has to be known.
+        let mut left = if 1 < end { span(nodes[0], nodes[1]) } else { Span::INTERVAL };
         for i in 1..end {
             let right = span(nodes[i], nodes[i + 1]);
             let (a, b) = (left.steps, right.steps);

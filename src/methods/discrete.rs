@@ -6,8 +6,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::contact_set::ContactSet;
+use super::held_beam;
 use super::supports::Supports;
+use crate::memory::zeros;
 use crate::qp::Sizes;
 use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Discretisation;
@@ -57,6 +58,15 @@ impl Discrete {
             _ => discrete.measured(),
         };
         Ok(Self { sizes, ..discrete })
+    }
+
+    /// The same on a coarser grid, with the sizes of this one.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
+    pub(crate) fn coarser(&self, scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
+        Ok(Self { sizes: self.sizes, ..Self::unmeasured(scene, intervals)? })
     }
 
     fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
@@ -161,9 +171,9 @@ impl Discrete {
     /// See [`sizes`](Self::sizes).
     fn measured(&self) -> Sizes {
         let basic = self.basic(self.loads.clone());
-        let free = ContactSet::at(&basic, std::iter::empty()).solve(&basic, Discretisation::BeamElements);
         // Above ground at zero, a clearance is a deflection upwards.
-        let free = free.map_or_else(|_| Vec::new(), |free| free.clearance);
+        let free = held_beam::on_supports(&basic, Discretisation::BeamElements).map(|beam| beam.clearance());
+        let free = free.unwrap_or_default();
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
         let room: Vec<f64> = self.nodes().zip(&self.depths).map(|(node, gap)| gap - line(node)).collect();
@@ -194,9 +204,36 @@ impl Discrete {
     /// Where a built-in support holds that one, it is on one side of it twice, and the slope there is that of the support.
     #[inline]
     pub(super) fn bend(&self, left: usize, node: usize, right: usize) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-        let [before, behind] = [node - left, right - node].map(|steps| self.spacing * steps as f64);
-        let place = |i: usize| self.grid.place(i);
+        if !self.supports.are_outside(left, right) {
+            return self.bend_at_supports(left, node, right);
+        }
+        match (self.profile.as_deref(), &self.shape) {
+            (Some(Foundation::Flat { .. }), None) => 0.0,
+            (Some(profile), shape) => self.bend_of_ground(profile, shape.as_deref(), [left, node, right]),
+            (None, _) => self.bend_at_supports(left, node, right),
+        }
+    }
+
+    /// Lengths of the chords from the middle one of three nodes to the others.
+    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+    fn chords(&self, [left, node, right]: [usize; 3]) -> [f64; 2] {
+        [self.spacing * (node - left) as f64, self.spacing * (right - node) as f64]
+    }
+
+    /// The bend of the gap between a profile and an own shape.
+    fn bend_of_ground(&self, profile: &Foundation, shape: Option<&Foundation>, nodes: [usize; 3]) -> f64 {
+        let [before, behind] = self.chords(nodes);
+        let [left, place, right] = nodes.map(|i| self.grid.place(i));
+        let bend = |profile: &Foundation| match profile {
+            Foundation::Flat { .. } => 0.0,
+            profile => profile.bend(place, before, behind, [left, right]),
+        };
+        shape.map_or_else(|| bend(profile), |shape| bend(profile) - bend(shape))
+    }
+
+    /// The same where supports may hold some of the nodes, or where the ground is known at the nodes only.
+    fn bend_at_supports(&self, left: usize, node: usize, right: usize) -> f64 {
+        let [before, behind] = self.chords([left, node, right]);
         let chord = |from: usize, to: usize, length: f64| (self.level(to) - self.level(from)) / length;
         if left == node || node == right {
             let held = self.supports.at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
@@ -209,13 +246,7 @@ impl Discrete {
         if below != [None; 3] && self.drops_off([left, node, right], below, [before, behind]) {
             return chord(node, right, behind) - chord(left, node, before);
         }
-        let mut bend = match profile {
-            Foundation::Flat { .. } => 0.0,
-            profile => profile.bend(place(node), before, behind, [place(left), place(right)]),
-        };
-        if let Some(shape) = &self.shape {
-            bend -= shape.bend(place(node), before, behind, [place(left), place(right)]);
-        }
+        let mut bend = self.bend_of_ground(profile, self.shape.as_deref(), [left, node, right]);
         // Supports are not on the foundation.
         if let Some(below) = below[0] {
             bend -= below / before;
@@ -253,7 +284,7 @@ impl Discrete {
 
     /// The beam on other supports, above ground at zero and under other loads.
     pub(super) fn on(&self, supports: Supports, loads: Vec<f64>) -> Self {
-        let depths = vec![0.0; supports.nodes().len()];
+        let depths = zeros(supports.nodes().len());
         self.changed(supports, depths, loads)
     }
 

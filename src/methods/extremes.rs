@@ -105,11 +105,14 @@ fn cubic_extremes(deflection: Values<'_>, moments: Values<'_>, unit: f64, seen: 
         if !beyond(of_block(deflection), of_block(moments)) {
             continue;
         }
+        let mut left = [deflection, moments].map(|values| values.at(first));
         for k in first..end {
-            let [v, m] = [deflection, moments].map(|values| [values.at(k), values.at(k + 1)]);
+            let right = [deflection, moments].map(|values| values.at(k + 1));
+            let [v, m] = [[left[0], right[0]], [left[1], right[1]]];
             if beyond([v[0].max(v[1]), v[0].min(v[1])], m) {
                 found = stationary(v, m.map(|m| unit * m)).fold(found, |found, [s, v]| found.beyond(number(k) + s, v));
             }
+            left = right;
         }
     }
     found

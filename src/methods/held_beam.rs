@@ -13,6 +13,7 @@ use std::ops::Range;
 use super::contact_set::ContactSet;
 use super::span::{Span, links};
 use super::{Discrete, statics};
+use crate::memory::zeros;
 use crate::qp::NotPositiveDefinite;
 use crate::state::Discretisation;
 
@@ -22,6 +23,9 @@ const UNITS: f64 = 16.0;
 
 /// Negative clearances below this share of their size are looked at twice.
 const NEAR_ZERO: f64 = 1e-12;
+
+/// Nodes of a stretch that needs no memory of its own.
+const SHORT: usize = 32;
 
 /// What an overhang leaves at the node from which it hangs: the sum of its loads, and their moment, negative where they bend it
 /// down.
@@ -133,7 +137,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         let mut buffer = Vec::new();
         for (i, pair) in self.nodes.windows(2).enumerate() {
             // In dense contact there is nothing between.
-            if range.start.max(pair[0] + 1) < range.end.min(pair[1]) {
+            if pair[0] + 1 < pair[1] && range.start.max(pair[0] + 1) < range.end.min(pair[1]) {
                 self.clearances_in(&self.stretch(i), range, clearance, &mut buffer);
             }
         }
@@ -171,7 +175,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
 
     /// The same strictly between the ends of a stretch.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-    fn clearances_in(&self, stretch: &Stretch, range: &Range<usize>, clearance: &mut [f64], curvature: &mut Vec<f64>) {
+    fn clearances_in(&self, stretch: &Stretch, range: &Range<usize>, clearance: &mut [f64], buffer: &mut Vec<f64>) {
         let discrete = self.discrete;
         let &Stretch { nodes: [first, last], moments: ends, levels: [from, to], .. } = stretch;
         let inner = range.start.max(first + 1)..range.end.min(last);
@@ -190,7 +194,13 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             }
         };
         let [[m0, sag0], [m1, sag1]] = [inner.start - 1, inner.end].map(at);
-        curvature.resize(inner.len(), 0.0);
+        let mut short = [0.0; SHORT];
+        let curvature = if let Some(short) = short.get_mut(..inner.len()) {
+            short
+        } else {
+            buffer.resize(inner.len(), 0.0);
+            &mut buffer[..]
+        };
         statics::funicular(&discrete.loads[inner.clone()], [m0, m1], 1.0, curvature);
         // Mohr's analogy, in 6 EI / Δ³.
         statics::curvatures(curvature, [m0, m1], |m| match self.discretisation {
@@ -227,7 +237,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     /// Moments at all nodes \[force · length\]; beside a built-in support that of the side where it is larger.
     pub(super) fn moments(&self) -> Vec<f64> {
         let spacing = self.discrete.spacing;
-        let mut moments = vec![0.0; self.discrete.intervals + 1];
+        let mut moments = zeros(self.discrete.intervals + 1);
         let stretches = (0..self.nodes.len() - 1).map(|i| self.stretch(i));
         for Stretch { nodes: [first, last], moments: ends, .. } in
             stretches.chain([0, 1].into_iter().filter_map(|side| self.overhang(side)))
@@ -243,11 +253,18 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         moments
     }
 
+    /// Clearances at all nodes but supported ends, zero at those that are held.
+    pub(super) fn clearance(&self) -> Vec<f64> {
+        let nodes = self.discrete.nodes();
+        let mut clearance = zeros(nodes.len());
+        self.clearances(&nodes, &mut clearance);
+        clearance
+    }
+
     /// Deflections at all nodes but supported ends of a beam that only supports hold, above ground at zero.
     pub(super) fn deflection(&self) -> Vec<f64> {
         let nodes = self.discrete.nodes();
-        let mut deflection = vec![0.0; nodes.len()];
-        self.clearances(&nodes, &mut deflection);
+        let mut deflection = self.clearance();
         deflection.iter_mut().for_each(|value| *value = -*value);
         for support in self.discrete.supports().inner() {
             deflection[support.node - nodes.start] = support.held.deflection;

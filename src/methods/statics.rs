@@ -5,7 +5,7 @@
 const BLOCK: usize = 64;
 
 /// Places of the nodes in a block, as numbers.
-const PLACES: [f64; BLOCK] = {
+static PLACES: [f64; BLOCK] = {
     let mut places = [1.0; BLOCK];
     let mut k = 1;
     while k < BLOCK {
@@ -22,7 +22,13 @@ const PLACES: [f64; BLOCK] = {
 /// that into `n ε` of the largest height. So forces go to the ends of blocks by the law of the lever; the block ends are a
 /// polygon with fewer nodes, found the same way; and within a block everything is small against its ends. Rounding is then
 /// that of some hundred operations for any n, and near an end it is relative to the distance from that end.
+#[inline]
+#[expect(clippy::cast_precision_loss, reason = "a short polygon")]
 pub(super) fn funicular(f: &[f64], ends: [f64; 2], unit: f64, y: &mut [f64]) {
+    if f.len() < BLOCK {
+        let length = f.len() as f64 + 1.0;
+        return string(f, length, lever(f, length)[0], ends, unit, y);
+    }
     polygon(f, 1.0, ends, unit, y);
 }
 
@@ -67,6 +73,7 @@ fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
 }
 
 /// A short polygon of the given length that begins with the given slope above its chord: forces to slopes, slopes to heights.
+#[inline]
 fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     // A whole block has a power of two for its length, and loses nothing by a product instead of a quotient.
     let share = 1.0 / length;
@@ -77,13 +84,14 @@ fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: 
         slope -= f;
         *y = height;
     }
-    for (y, place) in y.iter_mut().zip(PLACES) {
+    for (y, place) in y.iter_mut().zip(&PLACES) {
         *y = ((ends[0] * ((length - place) * share) + ends[1] * (place * share)) + *y) * unit;
     }
 }
 
 /// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length. Each of the lanes waits for itself
 /// only.
+#[inline]
 fn lever(f: &[f64], length: f64) -> [f64; 2] {
     const LANES: usize = 4;
     let (mut left, mut right) = ([0.0; LANES], [0.0; LANES]);

@@ -81,6 +81,12 @@ impl Supports {
         }
     }
 
+    /// Whether a range of nodes, the last one included, has none as far as can be told at once: most beams have none inside.
+    #[inline]
+    pub(crate) fn are_outside(&self, first: usize, last: usize) -> bool {
+        self.inner.is_empty() && self.first() <= first && last < self.nodes().end
+    }
+
     /// The first node that is no supported end.
     #[inline]
     pub(crate) fn first(&self) -> usize {

@@ -5,6 +5,7 @@
 //! *Nested grids.* The active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
 //! has to change. Coarser grids only have to give a good guess. All methods are one beam on a set of contacts, or one chain
 //! of links, and what is exchanged here are its contact forces, as in the force method: they are free where there is contact.
+//! Of ground that is rough between the nodes of a coarser grid its contact says little; whoever knows a better one brings it.
 //!
 //! *Windows* (`windows.rs`) around the borders of contact, where a guess from a coarser grid is wrong as a rule, are solved for
 //! themselves before the whole. What is called optimal has passed a solve of the whole, which looks at every node.
@@ -23,8 +24,9 @@ use part::Parts;
 use refined::refined;
 use windows::Windows;
 
-/// Up to here the start with contact everywhere takes a handful of solves.
-const COARSEST: usize = 30;
+/// A coarser grid has so many intervals at least: on fewer, contact says little. Tuned on waves and rough polylines of 20 to 3000
+/// intervals: of 10, 15 and 30 it takes the least work on all of these grids, a third less than 30 on a hundred intervals.
+const COARSEST: usize = 10;
 
 /// From here on the next grid may be finer by more: contact is wrong near lift-off points only.
 const FINE: usize = 1000;
@@ -93,7 +95,7 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     if coarse < COARSEST {
         return Ok(FreeSet::all(discrete.nodes().len()));
     }
-    let coarse = Discrete::new(scene, coarse)?;
+    let coarse = discrete.coarser(scene, coarse)?;
     let mut free = start(scene, method, &coarse, cost)?;
     let beam = Parts::new(&coarse, method.discretisation());
     Windows { beam: &beam, cost }.guess(&mut free);

@@ -41,16 +41,15 @@ impl<'a> Parts<'a> {
     /// between all of these.
     fn contacts(&self, free: &FreeSet, range: Range<usize>) -> ContactSet {
         let first = self.discrete.nodes().start;
-        let left: Vec<usize> = free.before(range.start).map(|i| i + first).take(FAR).collect();
-        let inside = free.iter().skip(range.start).take(range.len()).filter(|free| *free).count();
-        let mut nodes: Vec<usize> = Vec::with_capacity(left.len() + inside + FAR);
-        nodes.extend(left.iter().rev());
-        nodes.extend(free.from(range.start).take(inside + FAR).map(|i| i + first));
+        let left: Vec<usize> = free.before(range.start).take(FAR).collect();
+        let right: Vec<usize> = free.within(range.end..free.dimension()).take(FAR).collect();
         // Where there are fewer, the beam ends there.
-        let ends = [left.len() < FAR, nodes.len() < left.len() + inside + FAR];
-        let from = if ends[0] { 0 } else { nodes[0] };
-        let to = if ends[1] { self.discrete.intervals } else { nodes[nodes.len() - 1] };
-        ContactSet::part(self.discrete, nodes.into_iter(), &(from..=to), ends)
+        let ends = [left.len() < FAR, right.len() < FAR];
+        let from = if ends[0] { 0 } else { left[FAR - 1] + first };
+        let to = if ends[1] { self.discrete.intervals } else { right[FAR - 1] + first };
+        let count = left.len() + free.count(range.clone()) + right.len();
+        let contacts = left.into_iter().rev().chain(free.within(range)).chain(right).map(|i| i + first);
+        ContactSet::part(self.discrete, contacts, count, &(from..=to), ends)
     }
 
     /// Makes contact at the nodes on which a rigid beam would rest the only one, if contact does not hold the beam.

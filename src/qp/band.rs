@@ -54,8 +54,8 @@ impl<const W: usize> Band<W> {
         let pivot = row.diagonal - taken.diagonal;
         let rest = row.right - taken.right;
         // The comparisons also refuse NaN.
-        if !(0.0 < pivot && pivot < f64::INFINITY && rest.is_finite()) {
-            return Err(NotPositiveDefinite { index: self.right.len(), pivot });
+        if !((0.0 < pivot) & (pivot < f64::INFINITY) & (rest.abs() < f64::INFINITY)) {
+            return Err(self.refused(pivot));
         }
         let inverse = 1.0 / pivot;
         let right = rest * inverse;
@@ -76,6 +76,11 @@ impl<const W: usize> Band<W> {
         self.above.push(above);
         self.right.push(right);
         Ok(())
+    }
+
+    #[cold]
+    fn refused(&self, pivot: f64) -> NotPositiveDefinite {
+        NotPositiveDefinite { index: self.right.len(), pivot }
     }
 
     /// `x`.

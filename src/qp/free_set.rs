@@ -40,7 +40,7 @@ impl FreeSet {
 
     /// The free variables, ascending.
     pub fn variables(&self) -> impl Iterator<Item = usize> + '_ {
-        self.from(0)
+        self.within(0..self.free.len())
     }
 
     /// Frees `x_i`, or holds it at zero.
@@ -64,10 +64,17 @@ impl FreeSet {
         self.free[start..start + part.dimension()].copy_from_slice(&part.free);
     }
 
-    /// The free variables from `x_start` on, ascending.
-    pub fn from(&self, start: usize) -> impl Iterator<Item = usize> + '_ {
-        let chunks = self.free[start..].chunks(STRIDE).enumerate().filter(|(_, chunk)| any(chunk));
+    /// The free variables of a range, ascending.
+    pub fn within(&self, range: Range<usize>) -> impl Iterator<Item = usize> + '_ {
+        let start = range.start;
+        let chunks = self.free[range].chunks(STRIDE).enumerate().filter(|(_, chunk)| any(chunk));
         chunks.flat_map(move |(c, chunk)| (0..chunk.len()).filter(|&k| chunk[k]).map(move |k| start + c * STRIDE + k))
+    }
+
+    /// How many variables of a range are free.
+    #[must_use]
+    pub fn count(&self, range: Range<usize>) -> usize {
+        self.free[range].iter().filter(|free| **free).count()
     }
 
     /// The free variables before `x_end`, descending.
@@ -117,7 +124,7 @@ mod tests {
             let set: FreeSet = (0..1000).map(|i| (from..to).contains(&i) || i == 990).collect();
             for place in [0, 1, 255, 256, 300, 991, 1000] {
                 let expected: Vec<usize> = (place..1000).filter(|&i| set.contains(i)).collect();
-                assert_eq!(set.from(place).collect::<Vec<_>>(), expected, "{from}..{to}, from {place}");
+                assert_eq!(set.within(place..1000).collect::<Vec<_>>(), expected, "{from}..{to}, from {place}");
                 let expected: Vec<usize> = (0..place).rev().filter(|&i| set.contains(i)).collect();
                 assert_eq!(set.before(place).collect::<Vec<_>>(), expected, "{from}..{to}, before {place}");
             }

@@ -141,7 +141,7 @@ pub(crate) fn optimum(
 /// gradient. Variables and gradients count from `start`.
 pub(crate) fn exchange(free: &mut FreeSet, start: usize, wrong: &[usize], gradient: &[f64]) {
     wrong.iter().for_each(|&k| free.set(start + k, false));
-    steepest(wrong, gradient).into_iter().for_each(|k| free.set(start + k, true));
+    each_steepest(wrong, gradient, |k| free.set(start + k, true));
 }
 
 /// Step 1° of the paper's algorithm, see [`Qp::stationary`].
@@ -176,16 +176,41 @@ pub(crate) fn solves_within(work: usize, n: usize) -> usize {
 
 /// Variables on the wrong side at a point: free ones that are negative, and those at zero with a negative gradient.
 pub(crate) fn violators(point: &Stationary, free: &FreeSet) -> Vec<usize> {
-    let values = point.x.iter().zip(&point.gradient).zip(free.iter()).enumerate();
-    let negative = values.filter(|(_, ((x, slope), free))| if *free { **x < 0.0 } else { **slope < 0.0 });
-    negative.map(|(k, _)| k).collect()
+    /// As a rule they are none or few.
+    const FEW: usize = 32;
+    let mut wrong = Vec::new();
+    for (k, ((x, slope), free)) in point.x.iter().zip(&point.gradient).zip(free.iter()).enumerate() {
+        if (if free { *x } else { *slope }) < 0.0 {
+            if wrong.is_empty() {
+                wrong.reserve(FEW);
+            }
+            wrong.push(k);
+        }
+    }
+    wrong
 }
 
 /// Of each run of neighbours with a negative value the one with the smallest: of gradients, those to release.
 pub(super) fn steepest(variables: &[usize], values: &[f64]) -> Vec<usize> {
-    let steep: Vec<usize> = variables.iter().copied().filter(|&k| values[k] < 0.0).collect();
-    let runs = steep.chunk_by(|i, j| i + 1 == *j);
-    runs.filter_map(|run| run.iter().copied().min_by(|&i, &j| values[i].total_cmp(&values[j]))).collect()
+    let mut steepest = Vec::new();
+    each_steepest(variables, values, |k| steepest.push(k));
+    steepest
+}
+
+/// The same one by one.
+fn each_steepest(variables: &[usize], values: &[f64], mut visit: impl FnMut(usize)) {
+    // Of a run that goes on: the last one, and the one with the smallest value.
+    let mut run: Option<[usize; 2]> = None;
+    for &k in variables.iter().filter(|&&k| values[k] < 0.0) {
+        run = Some(match run {
+            Some([last, least]) if last + 1 == k => [k, if values[k] < values[least] { k } else { least }],
+            ended => {
+                ended.into_iter().for_each(|[_, least]| visit(least));
+                [k, k]
+            }
+        });
+    }
+    run.into_iter().for_each(|[_, least]| visit(least));
 }
 
 /// Changes the free variables until the point is optimal. Returns it, and whether nothing is on the wrong side; `solves` counts.

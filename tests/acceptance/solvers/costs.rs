@@ -78,6 +78,19 @@ fn work_is_counted_in_unknowns() {
     }
 }
 
+/// Grids of some dozen intervals start from a coarser one as well.
+#[test]
+fn the_example_is_worth_a_handful_of_solves_on_small_grids() {
+    const HANDFUL: usize = 5;
+    for method in Method::ALL {
+        for intervals in [20, 30, 60, 100, 300] {
+            let raw = run(&example(), method, Solver::ActiveSet, intervals);
+            let most = HANDFUL * raw.unknowns;
+            assert!(raw.solved && raw.work <= most, "{method}, {intervals}: {} of {most}", raw.work);
+        }
+    }
+}
+
 /// Windows keep the number of solves from growing with the grid: ten times as many nodes, at most twice as many solves.
 /// Up to some thousand nodes grids are solved as a whole and not in windows, in fewer solves.
 #[test]
