@@ -17,7 +17,7 @@ use palkki::theory::Exact;
 const MOST_PARTS: u32 = 10_000;
 
 /// Places and weights of five-point Gauss quadrature on `[−1, 1]`: of a load, a pressure, a moment, over a two-hundredth of the beam.
-const FIVE: [[f64; 2]; 5] = [
+pub(crate) const FIVE: [[f64; 2]; 5] = [
     [0.0, 0.568_888_888_888_888_9],
     [0.538_469_310_105_683_1, 0.478_628_670_499_366_5],
     [-0.538_469_310_105_683_1, 0.478_628_670_499_366_5],

@@ -47,7 +47,7 @@ fn support(random: &mut Random, draft: &Draft, at: f64) -> Support {
 }
 
 /// So many supports, most of them where a coarse grid has a node.
-fn supports(random: &mut Random, draft: &Draft, count: usize) -> Vec<Support> {
+pub(super) fn supports(random: &mut Random, draft: &Draft, count: usize) -> Vec<Support> {
     let parts = random.pick(&[2, 3, 4, 5, 6, 8, 12]);
     let places = (0..count).map(|_| match random.below(8) {
         0 => 0.0,

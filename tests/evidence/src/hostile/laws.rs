@@ -7,8 +7,8 @@ use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate};
 use palkki::route::RawSolution;
 use palkki::scene::Scene;
 use palkki::state::{ContactState, Motion};
-use palkki::theory::Exact;
-use palkki::verdict::certificate;
+use palkki::theory::{self, Exact};
+use palkki::verdict::{Demand, Verdict, certificate};
 use palkki::{Settings, Witness};
 
 use crate::authority::rational::number;
@@ -30,19 +30,25 @@ const SAME: f64 = 1e-4;
 /// Share of the sizes that make up an energy, or of the largest deflection, that twelve digits of theory leave open.
 pub(super) const THEORY: f64 = 1e-9;
 
+/// What a certified answer of theory is certain to, as a share of the forces beside.
+pub(super) const CERTAIN: f64 = 1e-6;
+
+/// Ground that is nearer than this share of the deflection to the level of a support may be level but for rounding.
+pub(super) const LEVEL: f64 = 1e-12;
+
 /// The least deflection that answers are measured by, as a share of what all forces together would cause: that of the judge,
 /// sixteen units in the last place over what is certified.
 const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 
 /// Deflection in the middle by a force of one there, `l³/48EI`.
-fn flexibility(scene: &Scene) -> f64 {
+pub(super) fn flexibility(scene: &Scene) -> f64 {
     let length = scene.beam().length();
     length / scene.beam().bending_stiffness() * length * length / 48.0
 }
 
 /// Forces and deflections of a state, as sizes. Without loads it is what is given that sets them, the depth of the foundation first,
 /// as it does for the judge; and a beam that cannot move has a deflection of rounding.
-fn sizes(scene: &Scene, state: &ContactState) -> (f64, f64) {
+pub(super) fn sizes(scene: &Scene, state: &ContactState) -> (f64, f64) {
     let length = scene.beam().length();
     let contacts: f64 = state.contacts.iter().map(|c| c.force.abs()).sum();
     let reactions: f64 = state.supports.iter().map(|s| s.force.abs()).sum();
@@ -58,8 +64,14 @@ fn forces(scene: &Scene, state: &ContactState) -> f64 {
     sizes(scene, state).0
 }
 
+/// The answer of beam theory, if it is certified.
+pub(super) fn certified(scene: &Scene) -> Option<Exact> {
+    let exact = theory::solve(scene).ok()?;
+    Verdict::of_exact(scene, &exact, &Demand::default()).refusal.is_none().then_some(exact)
+}
+
 /// True also for what is no number.
-fn exceeds(value: f64, limit: f64) -> bool {
+pub(super) fn exceeds(value: f64, limit: f64) -> bool {
     value.is_nan() || limit < value
 }
 

@@ -89,6 +89,11 @@ pub(super) fn bumps(random: &mut Random) -> Draft {
 
 /// A sum of Chebyshev's polynomials up to a degree from 10 to 20, in powers of the place.
 pub(super) fn high_degree(random: &mut Random) -> Draft {
+    chebyshev_sum(random, |random| 10 + random.below(11))
+}
+
+/// The same up to a degree of any kind, which is drawn after the loads.
+pub(super) fn chebyshev_sum(random: &mut Random, degree: impl Fn(&mut Random) -> usize) -> Draft {
     let mut draft = beam_with_loads(random, 3);
     // Coefficients without rounding, half of the time.
     if random.once_in(2) {
@@ -96,7 +101,7 @@ pub(super) fn high_degree(random: &mut Random) -> Draft {
         let load = PointLoad { at: random.between(0.0, draft.length), force: draft.length };
         (draft.linear, draft.point) = (Vec::new(), vec![load]);
     }
-    let degree = 10 + random.below(11);
+    let degree = degree(random);
     let depth = sag(&draft) * power(random, -4.0, 1.0);
     let alone = random.once_in(2);
     let mut sum = vec![depth * random.between(1.0, 1.5)];

@@ -47,6 +47,15 @@ fn statics(draft: &Draft) -> Option<Statics> {
     })
 }
 
+/// Whether the resultant of the loads is above a place.
+fn above(draft: &Draft, about: f64) -> bool {
+    let turn = draft.load().ok().and_then(|load| {
+        let [_, moment] = resultant_and_moment(&load, draft.length, about)?;
+        Some((moment, exactly(5.0 * f64::EPSILON * load.magnitude(draft.length) * draft.length)?))
+    });
+    turn.is_some_and(|(moment, within)| moment <= within && -moment <= within)
+}
+
 /// A scene is none of those that have to be refused, and is said to be held by what holds it.
 pub(super) fn accepted(trial: &mut Trial, draft: &Draft, scene: &Scene) {
     /// Of the depth of the ground: far more than what is level but for rounding.
@@ -59,10 +68,14 @@ pub(super) fn accepted(trial: &mut Trial, draft: &Draft, scene: &Scene) {
             }
         }
     }
-    let balance = scene.scaled().map(|scaled| scaled.balance);
+    let scaled = scene.scaled();
+    let unit = scaled.as_ref().map_or(1.0, |scaled| scaled.scale.length);
+    let balance = scaled.map(|scaled| scaled.balance);
     let agree = match (statics(draft), &balance) {
         (None, _) | (_, Err(_)) | (Some(Statics::Held), Ok(Balance::Held)) => true,
         (Some(Statics::Stands), Ok(Balance::Stands(_))) => true,
+        // On an inner crest, with the resultant above it.
+        (Some(Statics::Stands), Ok(Balance::Neutral { about, .. })) => above(draft, about * unit),
         (Some(Statics::Border), Ok(balance)) => *balance != Balance::Held,
         (Some(_), Ok(_)) => false,
     };

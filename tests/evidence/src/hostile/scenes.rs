@@ -8,6 +8,7 @@ use crate::random::Random;
 use super::edges::{borders, extreme, spiky};
 use super::held::{crowded, lying, margins, shaped, supported};
 use super::near::{bumps, coincident, high_degree, waves};
+use super::supports::{at_supports, balanced, dwarfed, in_tiny_units, level, many, middle_degree, washboard};
 
 /// What a scene tries.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,6 +45,22 @@ pub enum Family {
     Margins,
     /// Supports beside each other, beside loads and points of the ground, and beyond the ends.
     Crowded,
+    /// Loads and points of the ground at supports, or from the last bit to a millionth of the beam beside them.
+    AtSupports,
+    /// Up to forty supports.
+    Many,
+    /// One force that dwarfs all others.
+    Dwarfed,
+    /// Bodies in balance above a crest or a support.
+    Balanced,
+    /// Ground at the level of a support, or off it by next to nothing.
+    Level,
+    /// Deflections and forces of very small and very large numbers.
+    Units,
+    /// Polynomials of degree 2 to 9.
+    MiddleDegree,
+    /// Waves and a load that moves over them.
+    Washboard,
 }
 
 impl Family {
@@ -54,6 +71,17 @@ impl Family {
     pub(super) const SECOND: [Self; 4] = [Self::Coincident, Self::Bumps, Self::HighDegree, Self::Waves];
     /// Those that the seeds from [`THIRD`](super::THIRD) choose from.
     pub(super) const THIRD: [Self; 5] = [Self::Supported, Self::Shaped, Self::Lying, Self::Margins, Self::Crowded];
+    /// Those that the seeds from [`FOURTH`](super::FOURTH) choose from.
+    pub(super) const FOURTH: [Self; 8] = [
+        Self::AtSupports,
+        Self::Many,
+        Self::Dwarfed,
+        Self::Balanced,
+        Self::Level,
+        Self::Units,
+        Self::MiddleDegree,
+        Self::Washboard,
+    ];
 
     /// Its name in tables.
     #[must_use]
@@ -75,6 +103,14 @@ impl Family {
             Self::Lying => "free bodies",
             Self::Margins => "about to turn over",
             Self::Crowded => "crowded supports",
+            Self::AtSupports => "at supports",
+            Self::Many => "many supports",
+            Self::Dwarfed => "dwarfed",
+            Self::Balanced => "in balance",
+            Self::Level => "level ground",
+            Self::Units => "tiny units",
+            Self::MiddleDegree => "middle degree",
+            Self::Washboard => "washboard",
         }
     }
 
@@ -97,6 +133,14 @@ impl Family {
             Self::Lying => lying(random),
             Self::Margins => margins(random),
             Self::Crowded => crowded(random),
+            Self::AtSupports => at_supports(random),
+            Self::Many => many(random),
+            Self::Dwarfed => dwarfed(random),
+            Self::Balanced => balanced(random),
+            Self::Level => level(random),
+            Self::Units => in_tiny_units(random),
+            Self::MiddleDegree => middle_degree(random),
+            Self::Washboard => washboard(random),
         }
     }
 }

@@ -28,6 +28,10 @@ pub struct Count {
     pub contradicted: usize,
     /// Runs in which an answer was compared with that in other units.
     pub rescaled: usize,
+    /// Runs in which derivatives were compared with differences.
+    pub derived: usize,
+    /// Runs in which a sweep was compared with its rows.
+    pub swept: usize,
     /// The most lists of contacts that theory tried, the most iterations of a route.
     pub work: [usize; 2],
     /// Runs in which something is wrong.
@@ -72,6 +76,8 @@ impl Tally {
                 (&mut a.all_but_turns, b.all_but_turns),
                 (&mut a.contradicted, b.contradicted),
                 (&mut a.rescaled, b.rescaled),
+                (&mut a.derived, b.derived),
+                (&mut a.swept, b.swept),
                 (&mut a.wrong, b.wrong),
                 (&mut a.panics, b.panics),
             ];
@@ -106,6 +112,8 @@ impl Tally {
         }
         count.contradicted += usize::from(trial.contradicted);
         count.rescaled += usize::from(trial.rescaled);
+        count.derived += usize::from(trial.derived);
+        count.swept += usize::from(trial.swept);
         for (most, work) in count.work.iter_mut().zip(trial.work) {
             *most = work.max(*most);
         }

@@ -9,13 +9,18 @@ use palkki::scene::file::{FileError, ReadProblem, parse};
 use palkki::scene::{Grid, Scene, SceneError};
 use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Refusal, Verdict};
-use palkki::{Settings, solve_raw};
+use palkki::{Settings, Witness, solve_raw};
 
+use super::alike::{continuous, mirror, near};
+use super::derivatives::derivatives;
+use super::energies::{backed, bracketed, castigliano, in_balance, locally, stands};
+use super::fractions::by_moments;
 use super::laws::{THEORY, balanced, judge, lies_on_ground, name, overlap, presses, same, turns_above_ground, within};
+use super::moving::{sweep, tolerance};
 use super::refusals::{accepted, refused};
 use super::scenes::Family;
 use super::units::in_other_units;
-use super::{SECOND, THIRD};
+use super::{FOURTH, SECOND, THIRD};
 
 /// Intervals of the finest grid.
 const MOST_INTERVALS: usize = 60;
@@ -41,6 +46,10 @@ pub(crate) struct Trial {
     pub(crate) contradicted: bool,
     /// True if an answer was compared with that in other units.
     pub(crate) rescaled: bool,
+    /// True if derivatives were compared with differences.
+    pub(crate) derived: bool,
+    /// True if a sweep was compared with its rows.
+    pub(crate) swept: bool,
     /// Lists of contacts that theory tried, and iterations of the routes: the most.
     pub(crate) work: [usize; 2],
     /// What is wrong. Empty, or the program is.
@@ -55,7 +64,8 @@ pub(crate) fn draft(seed: u64) -> (Family, Draft, Random) {
     let family = match seed {
         seed if seed < SECOND => random.pick(&Family::FIRST),
         seed if seed < THIRD => random.pick(&Family::SECOND),
-        _ => random.pick(&Family::THIRD),
+        seed if seed < FOURTH => random.pick(&Family::THIRD),
+        _ => random.pick(&Family::FOURTH),
     };
     let draft = family.draft(&mut random);
     (family, draft, random)
@@ -67,17 +77,22 @@ pub(super) fn read(text: &str) -> Result<Scene, Box<FileError>> {
 
 /// Run number `seed`.
 pub(crate) fn run(seed: u64) -> (Family, Trial) {
-    let (family, draft, mut random) = draft(seed);
+    let (family, draft, random) = draft(seed);
+    (family, of_draft(family, &draft, random))
+}
+
+/// All laws asked of a scene.
+fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
     let mut trial = Trial::default();
     let scene = match read(&draft.text()) {
         Ok(scene) => scene,
         Err(error) => {
-            refused(&mut trial, &draft, &error);
-            return (family, trial);
+            refused(&mut trial, draft, &error);
+            return trial;
         }
     };
     trial.accepted = true;
-    accepted(&mut trial, &draft, &scene);
+    accepted(&mut trial, draft, &scene);
 
     let exact = theory::solve(&scene).ok();
     let bounds = exact.as_ref().and_then(|exact| {
@@ -93,7 +108,7 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         balanced(&mut trial, "theory", &scene, &exact.state);
         presses(&mut trial, "theory", &scene, exact);
         turns_above_ground(&mut trial, "theory", &scene, exact);
-        if Family::THIRD.contains(&family) && trial.certified {
+        if !Family::FIRST.contains(&family) && !Family::SECOND.contains(&family) && trial.certified {
             let violated =
                 violated(&scene, exact, THEORY).into_iter().map(|what| format!("theory: certified, but {what}"));
             trial.wrong.extend(violated);
@@ -103,6 +118,13 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         }
     }
 
+    if Family::FOURTH.contains(&family) {
+        at_length(&mut trial, draft, &scene, exact.as_ref(), &mut random);
+        // Grids have had their turn with the other dice.
+        if !random.once_in(4) {
+            return trial;
+        }
+    }
     let settings = on_fitting_grid(&scene, settings(&mut random));
     let reference = Settings { solver: Solver::ActiveSet, method: same_optimum(settings.method), ..settings };
     let judged = |trial: &mut Trial, settings: &Settings| {
@@ -115,9 +137,14 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
             }
         };
         if outcome.solved {
-            lies_on_ground(trial, &name(settings), &draft, &scene, &outcome.state);
+            lies_on_ground(trial, &name(settings), draft, &scene, &outcome.state);
         }
         let certificate = judge(trial, &scene, settings, &outcome, exact.as_ref());
+        if Family::FOURTH.contains(&family) {
+            let witness = exact.as_ref().map_or_else(|| Witness::of(&scene), |exact| Witness::known(&scene, exact));
+            let verdict = Verdict::of_raw(&outcome, &witness, &Demand::default());
+            backed(trial, &name(settings), &scene, &outcome.state, &verdict);
+        }
         if let (Some(a), Some(b)) = (&bounds, &certificate) {
             overlap(trial, settings, a, b);
         }
@@ -137,9 +164,37 @@ pub(crate) fn run(seed: u64) -> (Family, Trial) {
         }
     }
     if random.once_in(8) {
-        in_other_units(&mut trial, &draft, &scene, exact.as_ref(), &reference, &mut random);
+        in_other_units(&mut trial, draft, &scene, exact.as_ref(), &reference, &mut random);
     }
-    (family, trial)
+    trial
+}
+
+/// The laws of beam theory that take more solves than one: of proven energies, and one of those of scenes beside each other.
+fn at_length(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: Option<&Exact>, random: &mut Random) {
+    let certified = trial.certified;
+    in_balance(trial, draft, exact, certified);
+    if let Some(exact) = exact.filter(|_| trial.certified) {
+        let verdict = Verdict::of_exact(scene, exact, &Demand::default());
+        backed(trial, "theory", scene, &exact.state, &verdict);
+        stands(trial, &exact.state);
+        locally(trial, draft, scene, exact);
+        if let Some(certificate) = &verdict.certificate {
+            bracketed(trial, scene, exact, certificate);
+        }
+        near(trial, draft, exact);
+        by_moments(trial, draft, scene, exact);
+        match random.below(3) {
+            0 => continuous(trial, draft, scene, exact),
+            1 => mirror(trial, draft, exact),
+            _ => {}
+        }
+        match random.below(8) {
+            0 | 1 => castigliano(trial, scene, exact),
+            2..=4 => derivatives(trial, draft, scene, exact, random),
+            5 => sweep(trial, draft, scene, random),
+            _ => tolerance(trial, draft, scene, exact, random),
+        }
+    }
 }
 
 /// Whether the resultant of the loads is nearer than this share of the beam to the place over which the beam would turn, its one support
@@ -186,4 +241,70 @@ fn settings(random: &mut Random) -> Settings {
     // Iterations of these two can be very many.
     let most = if matches!(solver, Solver::Osqp | Solver::Nsor) { 12 } else { MOST_INTERVALS };
     Settings::new(method, solver, 2 + random.below(most - 1))
+}
+
+/// What is wrong with the answers to a scene, each law asked of it once.
+pub(super) fn wrong(draft: &Draft) -> Vec<String> {
+    let mut random = Random::new(1);
+    let mut trial = of_draft(Family::AtSupports, draft, random.clone());
+    if let Ok(scene) = read(&draft.text())
+        && let Some(exact) = theory::solve(&scene).ok().filter(|_| trial.certified)
+    {
+        castigliano(&mut trial, &scene, &exact);
+        continuous(&mut trial, draft, &scene, &exact);
+        mirror(&mut trial, draft, &exact);
+        for _ in 0..3 {
+            derivatives(&mut trial, draft, &scene, &exact, &mut random);
+            sweep(&mut trial, draft, &scene, &mut random);
+        }
+        tolerance(&mut trial, draft, &scene, &exact, &mut random);
+    }
+    trial.wrong.sort();
+    trial.wrong.dedup();
+    trial.wrong
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use palkki::scene::{Foundation, LinearLoad, PointLoad, Support};
+
+    fn beam(level: f64) -> Draft {
+        let held = |at, level| Support { at, level, slope: None };
+        Draft {
+            length: 10.0,
+            stiffness: 1.3,
+            linear: vec![LinearLoad { from: 2.0, to: 10.0, start: 1.0, end: 2.0 }],
+            point: vec![PointLoad { at: 5.0, force: 1.0 }, PointLoad { at: 6.000_001, force: 1.0 }],
+            ground: Some(Foundation::Polyline { points: vec![[0.0, 9.0], [4.0, 0.5], [10.0, 9.0]] }),
+            supports: Some(vec![held(0.0, 0.0), held(6.0, level), held(10.0, 0.0)]),
+            ..Draft::default()
+        }
+    }
+
+    /// Each law that asks for more than one solve is content with the answer of a scene, and complains of that of another one.
+    #[test]
+    fn laws_complain_of_the_answer_of_another_scene() {
+        let laws: [(&str, fn(&mut Trial, &Draft, &Scene, &Exact)); 6] = [
+            ("castigliano", |trial, _, scene, exact| castigliano(trial, scene, exact)),
+            ("continuous", continuous),
+            ("by_moments", by_moments),
+            ("near", |trial, draft, _, exact| near(trial, draft, exact)),
+            ("mirror", |trial, draft, _, exact| mirror(trial, draft, exact)),
+            ("bracketed", |trial, _, scene, exact| {
+                let own = theory::solve(scene).expect("an answer");
+                let verdict = Verdict::of_exact(scene, &own, &Demand::default());
+                bracketed(trial, scene, exact, &verdict.certificate.expect("bounds"));
+            }),
+        ];
+        let [draft, other] = [0.1, 0.11].map(beam);
+        let [scene, other] = [&draft, &other].map(|draft| draft.scene().expect("a scene"));
+        for (name, law) in laws {
+            for (answered, wrong) in [(&scene, false), (&other, true)] {
+                let mut trial = Trial::default();
+                law(&mut trial, &draft, &scene, &theory::solve(answered).expect("an answer"));
+                assert_eq!(!trial.wrong.is_empty(), wrong, "{name}: {:?}", trial.wrong);
+            }
+        }
+    }
 }
