@@ -35,6 +35,8 @@ pub(crate) struct Family {
     pub(crate) route_solved: usize,
     pub(crate) route_not_solved: usize,
     pub(crate) contradicted: usize,
+    pub(crate) derived: usize,
+    pub(crate) swept: usize,
     most_lists: usize,
     most_iterations: usize,
     pub(crate) wrong: usize,
@@ -45,7 +47,7 @@ impl Family {
     fn new(family: &str, count: Count) -> Self {
         // How many were compared in other units is for the suite, which asks that there are some.
         let Count { runs, refused, exact, bounded, certified, all_but_turns, .. } = count;
-        let Count { reference, route, contradicted, work, wrong, panics, .. } = count;
+        let Count { reference, route, contradicted, derived, swept, work, wrong, panics, .. } = count;
         Self {
             family: family.to_owned(),
             runs,
@@ -61,6 +63,8 @@ impl Family {
             route_solved: route[0],
             route_not_solved: route[1],
             contradicted,
+            derived,
+            swept,
             most_lists: work[0],
             most_iterations: work[1],
             wrong,

@@ -162,13 +162,12 @@ pub(super) fn tolerance(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: 
     }
     for _ in 0..4 {
         let mut other = moved(ground, tolerance * random.pick(&[-1.0, 1.0, 0.5, -0.5]));
-        if let (Foundation::Polyline { points }, true) = (&mut other, random.once_in(2)) {
-            if let Foundation::Polyline { points: given } = ground {
-                points
-                    .iter_mut()
-                    .zip(given)
-                    .for_each(|(p, given)| p[1] = given[1] + tolerance * random.between(-1.0, 1.0));
-            }
+        if let Foundation::Polyline { points } = &mut other
+            && random.once_in(2)
+        {
+            // Each depth by itself.
+            let given = draft.points().iter().map(|p| p[1]);
+            points.iter_mut().zip(given).for_each(|(p, depth)| p[1] = depth + tolerance * random.between(-1.0, 1.0));
         }
         let other = Draft { ground: Some(other), ..draft.clone() };
         let Some(there) = other.scene().ok().as_ref().and_then(certified) else { continue };

@@ -269,6 +269,8 @@ mod tests {
     use super::*;
     use palkki::scene::{Foundation, LinearLoad, PointLoad, Support};
 
+    type Law = fn(&mut Trial, &Draft, &Scene, &Exact);
+
     fn beam(level: f64) -> Draft {
         let held = |at, level| Support { at, level, slope: None };
         Draft {
@@ -285,7 +287,7 @@ mod tests {
     /// Each law that asks for more than one solve is content with the answer of a scene, and complains of that of another one.
     #[test]
     fn laws_complain_of_the_answer_of_another_scene() {
-        let laws: [(&str, fn(&mut Trial, &Draft, &Scene, &Exact)); 6] = [
+        let laws: [(&str, Law); 6] = [
             ("castigliano", |trial, _, scene, exact| castigliano(trial, scene, exact)),
             ("continuous", continuous),
             ("by_moments", by_moments),

@@ -13,6 +13,8 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         wrong => sum(|family| family.wrong),
         panics => sum(|family| family.panics),
         contradicted => sum(|family| family.contradicted),
+        derived => sum(|family| family.derived),
+        swept => sum(|family| family.swept),
         solved => sum(|family| family.theory_solved),
         bounded => sum(|family| family.theory_bounded),
         certified => sum(|family| family.theory_certified),
