@@ -14,7 +14,7 @@ mod units;
 pub use borders::borders;
 pub use sizes::{INTERVALS, POWERS, deep, sizes};
 pub use supports::supports;
-pub use surveys::{Ground, survey};
+pub use surveys::{Ground, survey, survey_from};
 pub use units::units;
 
 use palkki::scene::{Scene, SceneError};

@@ -26,7 +26,7 @@ const STIFFNESS: f64 = 1.3;
 /// Depth of the highest point of the ground below the supports; the lowest lies 1 deeper.
 const SHALLOWEST: f64 = 0.01;
 
-/// One seed for all: a longer survey is another one.
+/// The seed of those that are measured: a longer survey is another one.
 const SEED: u64 = 0x1a5e;
 
 impl Ground {
@@ -44,8 +44,8 @@ impl Ground {
     }
 
     /// Heights at the ends of so many equal segments, of any size.
-    fn heights(self, segments: u32) -> Vec<f64> {
-        let mut random = Random::new(SEED);
+    fn heights(self, seed: u64, segments: u32) -> Vec<f64> {
+        let mut random = Random::new(seed);
         match self {
             Self::Walk => {
                 let mut height = 0.0;
@@ -80,7 +80,16 @@ impl Ground {
 ///
 /// A [`SceneError`] for a load that is no number, and for no segment at all.
 pub fn survey(ground: Ground, segments: u32, load: f64) -> Result<Scene, SceneError> {
-    let heights = ground.heights(segments);
+    survey_from(ground, SEED, segments, load)
+}
+
+/// One of any number of such surveys.
+///
+/// # Errors
+///
+/// Those of [`survey`].
+pub fn survey_from(ground: Ground, seed: u64, segments: u32, load: f64) -> Result<Scene, SceneError> {
+    let heights = ground.heights(seed, segments);
     let range = heights.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], h| [lo.min(*h), hi.max(*h)]);
     let depth = |height: f64| SHALLOWEST + (height - range[0]) / (range[1] - range[0]);
     let place = |i: u32| LENGTH * (f64::from(i) / f64::from(segments));
