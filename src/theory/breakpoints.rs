@@ -38,6 +38,10 @@ impl PiecewiseScene {
         let own_size = own.map_or(0.0, |own| own.magnitude(length));
         let mut given = Self {
             length,
+            run_ends: run_ends(&cells, &breakpoints, degree.is_some_and(|degree| degree < 2)),
+            roughest: breakpoints
+                .iter()
+                .fold([0.0; 2], |[kink, step], j| [j.kink.abs().max(kink), j.step.abs().max(step)]),
             cells,
             breakpoints,
             shapes,
@@ -156,6 +160,24 @@ fn breakpoints(
         breakpoints[i].force += p.force / stiffness;
     }
     breakpoints
+}
+
+/// The breakpoints between two cells under different lines of load, or under a force; all of them if the ground is not straight.
+fn run_ends(cells: &[Cell], breakpoints: &[Breakpoint], is_straight: bool) -> Vec<usize> {
+    /// Rounding of a line that is evaluated in two cells, as a share of the load.
+    const ROUNDING: f64 = 4.0 * f64::EPSILON;
+    let mut start = &cells[0];
+    let mut ends = |i: &usize| {
+        let cell = &cells[*i];
+        let jump = (start.load + start.load_slope * (cell.lo - start.lo) - cell.load).abs();
+        let is_one = start.load_slope.to_bits() == cell.load_slope.to_bits() && jump <= ROUNDING * cell.load.abs();
+        let ends = !is_straight || !is_one || breakpoints[*i].force != 0.0;
+        if ends {
+            start = cell;
+        }
+        ends
+    };
+    (1..cells.len()).filter(|i| ends(i)).collect()
 }
 
 /// Cuts between `lo` and `hi` into equal parts no longer than `most`.

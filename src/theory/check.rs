@@ -1,9 +1,9 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
-use super::bernstein::lowest_below;
 use super::forces::{force_beside, forces, moments, pulling_couple, unbalanced};
 use super::list::{Beside, Kind, List, Node, Unknown, Zone};
 use super::newton;
+use super::penetration::deepest;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
@@ -25,6 +25,21 @@ pub(super) struct Checked {
     pub(super) faults: Vec<(usize, Violation)>,
     /// Worst violation of any condition, scaled; what the tolerance is compared with.
     pub(super) worst: f64,
+    /// What violations were measured against.
+    scale: Scale,
+}
+
+impl Checked {
+    /// By how much a span may penetrate the ground at a place.
+    pub(super) fn allowed(&self, given: &PiecewiseScene, span: &Span, at: f64) -> f64 {
+        TOLERANCE * self.scale.depth_in(given, span, at)
+    }
+
+    /// The length of the shorter span beside a node.
+    pub(super) fn shortest_beside(&self, node: usize) -> f64 {
+        let beside = [node, node + 1].into_iter().filter_map(|i| self.spans.binary_search_by_key(&i, |(j, _)| *j).ok());
+        beside.fold(f64::INFINITY, |least, i| self.spans[i].1.length().min(least))
+    }
 }
 
 /// A violation below this is rounding: conditions are met to 12 digits of the largest deflection and moment, and of the forces and
@@ -35,6 +50,9 @@ pub(super) const TOLERANCE: f64 = 1e-12;
 /// Deflections, forces and moments are measured against these, but at least against this part of what the loads
 /// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
 const AT_REST: f64 = 1e-3;
+
+/// Places of a piece of many cells at which the largest deflection and moment are looked for.
+const PARTS: u32 = 8;
 
 /// A contact that would have to move by less than this fraction of the beam is where it should be: a few units of the last
 /// place of its position, which for steep profiles may be a jump of the moment above its tolerance.
@@ -74,8 +92,9 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
         if !given.founded {
             continue;
         }
-        let (at, depth) = penetration(given, &pieces, span, &scale).unwrap_or((span.a.x, 0.0));
-        judge.measure(depth, scale.depth_at(given, at), *i, Violation::Penetration { at, depth });
+        let allowed = |x: f64| TOLERANCE * scale.depth_in(given, span, x);
+        let (at, depth) = deepest(given, &pieces, span, allowed).unwrap_or((span.a.x, 0.0));
+        judge.measure(depth, scale.depth_in(given, span, at), *i, Violation::Penetration { at, depth });
         judge.turns_at_supports(given, list, *i, span, &scale);
     }
     for zone in list.zones() {
@@ -107,12 +126,12 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     let carried = scale.force.max(AT_REST * given.resultant.abs());
     judge.measure(BALANCE * force.abs(), carried, 0, Violation::Unbalanced { force });
     let Judge { faults, worst } = judge;
-    Checked { pieces, spans, forces, moments, faults, worst }
+    Checked { pieces, spans, forces, moments, faults, worst, scale }
 }
 
 /// The beam by pieces, from end to end.
 fn all_pieces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)]) -> Vec<Piece> {
-    let mut pieces = Vec::with_capacity(2 * given.cells.len());
+    let mut pieces = Vec::with_capacity(2 * spans.len());
     let (mut next_span, mut next_zone) = (spans.iter().peekable(), list.zones());
     for i in 0..=list.nodes.len() {
         if list.in_zone_before(i) {
@@ -255,32 +274,6 @@ impl Judge {
     }
 }
 
-/// The deepest penetration in a span, if it is deeper than rounding: `(place, depth)`.
-fn penetration(given: &PiecewiseScene, pieces: &[Piece], span: &Span, scale: &Scale) -> Option<(f64, f64)> {
-    let first = pieces.partition_point(|p| p.hi <= span.a.x);
-    let mut taylor = vec![0.0; given.terms];
-    let mut worst: Option<(f64, f64)> = None;
-    for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
-        let bar =
-            |worst: Option<(f64, f64)>| worst.map_or(TOLERANCE * scale.depth_at(given, piece.lo), |(_, depth)| depth);
-        piece.clearance(given, &mut taylor);
-        piece.outwards(&mut taylor);
-        if let Some((s, value)) = lowest_below(&taylor, piece.width(), -bar(worst)) {
-            worst = Some((piece.place(s), -value));
-        }
-        // An edge at the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
-        let edge = given.breakpoint_at(piece.hi).filter(|&breakpoint| given.is_edge(breakpoint) && piece.hi < span.b.x);
-        if let Some(edge) = edge {
-            piece.deflection(given, &mut taylor);
-            let depth = derivatives(&taylor, piece.hi - piece.anchor)[0] - given.breakpoints[edge].depth;
-            if bar(worst) < depth {
-                worst = Some((piece.hi, depth));
-            }
-        }
-    }
-    worst
-}
-
 /// How much beam and profile are bent at the ends of a span: what bends there are measured against.
 fn most_bent(given: &PiecewiseScene, span: &Span) -> f64 {
     let bends = [span.at_a[2], span.at_b[2], span.beam_a[2], span.beam_b[2]];
@@ -293,8 +286,11 @@ fn moment_at_rest(given: &PiecewiseScene) -> f64 {
 }
 
 /// What violations are measured against that belong to the whole beam.
+#[derive(Debug, Clone)]
 struct Scale {
     /// Largest deflection.
+    depth: f64,
+    /// The same, but at least that of a beam at rest.
     deflection: f64,
     /// Largest of all forces.
     force: f64,
@@ -309,8 +305,11 @@ impl Scale {
         let (mut depth, mut moment) = (0.0_f64, 0.0_f64);
         for piece in pieces {
             piece.deflection(given, &mut taylor);
-            for t in [0.0, 0.5 * (piece.lo + piece.hi) - piece.anchor] {
-                let [v, _, v2, _] = derivatives(&taylor, t);
+            piece.outwards(&mut taylor);
+            // Over many cells it may be largest anywhere.
+            let parts = if piece.count() == 1 { 2 } else { PARTS };
+            for part in (0..parts).map(f64::from) {
+                let [v, _, v2, _] = derivatives(&taylor, piece.width() * (part / f64::from(parts)));
                 depth = depth.max(v.abs());
                 moment = moment.max(v2.abs());
             }
@@ -318,8 +317,8 @@ impl Scale {
         let force = forces.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
         // A beam at rest has nothing but rounding: of what its loads could do to it, and of the profile.
         let (l, load) = (given.length, AT_REST * given.total_load);
-        let deflection = depth.max(load * l * l * l / 384.0);
-        Self { deflection, force: force.max(moment / l).max(load), moment: moment.max(moment_at_rest(given)) }
+        let deflection = depth.max(sag_at_rest(given, l));
+        Self { depth, deflection, force: force.max(moment / l).max(load), moment: moment.max(moment_at_rest(given)) }
     }
 
     /// Largest deflection, or the rounding of the profile if that is larger, beside a support, where the profile may be known far
@@ -329,8 +328,14 @@ impl Scale {
     }
 
     /// Largest deflection, and the rounding of the profile at a place: near a support a polynomial is known far better than
-    /// where its highest powers have grown.
-    fn depth_at(&self, given: &PiecewiseScene, x: f64) -> f64 {
-        self.deflection.max(AT_REST * given.magnitude_at(x))
+    /// where its highest powers have grown. A span is at rest beside what the loads could do to a beam of its own length.
+    fn depth_in(&self, given: &PiecewiseScene, span: &Span, x: f64) -> f64 {
+        let at_rest = sag_at_rest(given, span.length());
+        self.depth.max(at_rest).max(AT_REST * given.magnitude_at(x))
     }
+}
+
+/// The least deflection that penetration is measured against, on a length.
+fn sag_at_rest(given: &PiecewiseScene, length: f64) -> f64 {
+    AT_REST * given.total_load * length * length * length / 384.0
 }

@@ -134,10 +134,13 @@ impl Exact {
             return f64::INFINITY;
         }
         let [left, right] = [false, true].map(|right| {
-            let (piece, t) = self.piece(x, right);
+            let (piece, place) = self.piece(x, right);
+            // At a break the cell on the same side as the piece.
+            let cell = if right { self.given.cell_from(place) } else { self.given.cell_to(place) };
+            let part = piece.part_in(&self.given, cell);
             let mut taylor = vec![0.0; self.given.terms];
-            piece.clearance(&self.given, &mut taylor);
-            derivatives(&taylor, t)[0]
+            part.clearance(&self.given, &mut taylor);
+            derivatives(&taylor, place - part.anchor)[0]
         });
         left.min(right) * self.scale.depth
     }
@@ -150,23 +153,29 @@ impl Exact {
             return Extremes::default();
         }
         let Scale { length, depth, .. } = self.scale;
-        let inside = |piece: &&Piece| {
+        let inside = |piece: &Piece| {
             let middle = 0.5 * (piece.lo + piece.hi) * length;
             from <= middle && middle <= to
         };
-        let Extremes { max, max_at, min, min_at } =
-            summary::clearance_extremes(&self.given, self.pieces.iter().filter(inside));
+        let mut parts = Vec::new();
+        for piece in &self.pieces {
+            let start = parts.len();
+            parts.extend(piece.parts(&self.given).filter(inside));
+            if !piece.is_from_the_left() {
+                parts[start..].reverse();
+            }
+        }
+        let Extremes { max, max_at, min, min_at } = summary::clearance_extremes(&self.given, parts.iter());
         Extremes { max: max * depth, max_at: max_at * length, min: min * depth, min_at: min_at * length }
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
-        let (piece, _) = self.piece(x, true);
+        let (piece, at) = self.piece(x, true);
         if piece.state.is_some() || !self.given.founded {
             return 0.0;
         }
-        let at = (x / self.scale.length).max(piece.lo).min(piece.hi);
         -self.given.drive(piece.cell, at) * self.stiffness * self.scale.force / self.scale.length
     }
 
@@ -174,9 +183,7 @@ impl Exact {
     pub fn forces_inside_zones(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let inside = |x: f64| self.state.contacts.iter().any(|c| c.from < x && x < c.to);
         self.given
-            .breakpoints
-            .iter()
-            .filter(|j| j.force != 0.0)
+            .forces()
             .map(|j| (j.x * self.scale.length, j.force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))
     }
@@ -191,21 +198,21 @@ impl Exact {
         self.pieces.iter().map(of).sum()
     }
 
-    /// The piece at `x`, of two the left or the right one, and the distance from its anchor.
+    /// The piece at `x`, of two the left or the right one, and the dimensionless place on it.
     fn piece(&self, x: f64, right: bool) -> (&Piece, f64) {
         let x = x / self.scale.length;
         let i =
             if right { self.pieces.partition_point(|p| p.hi <= x) } else { self.pieces.partition_point(|p| p.hi < x) };
         let piece = &self.pieces[i.min(self.pieces.len() - 1)];
-        (piece, x.max(piece.lo).min(piece.hi) - piece.anchor)
+        (piece, x.max(piece.lo).min(piece.hi))
     }
 
     /// `v, v', v'', v'''` at `x`, dimensionless.
     fn beam(&self, x: f64, right: bool) -> [f64; 4] {
-        let (piece, t) = self.piece(x, right);
+        let (piece, place) = self.piece(x, right);
         let mut taylor = vec![0.0; self.given.terms];
         piece.deflection(&self.given, &mut taylor);
-        derivatives(&taylor, t)
+        derivatives(&taylor, place - piece.anchor)
     }
 }
 

@@ -185,7 +185,7 @@ pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
     if span.is_overhang() {
         add(if span.a.x <= 0.0 { span.at_a[0] } else { span.at_b[0] });
     }
-    for piece in &pieces {
+    for piece in pieces.iter().flat_map(|piece| piece.parts(given)) {
         if let Some(breakpoint) = given.breakpoint_at(piece.hi).filter(|&i| given.is_edge(i) && inside(piece.hi)) {
             piece.deflection(given, &mut taylor);
             let deflection = derivatives(&taylor, piece.hi - piece.anchor)[0];

@@ -56,7 +56,8 @@ fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
         let mut least = f64::INFINITY;
         for _ in 0..STEPS {
             let before = least;
-            for piece in pieces.iter().filter(|piece| if left { piece.hi <= about } else { about <= piece.lo }) {
+            let pieces = pieces.iter().filter(|piece| if left { piece.hi <= about } else { about <= piece.lo });
+            for piece in pieces.flat_map(|piece| piece.parts(given)) {
                 piece.clearance(given, &mut taylor);
                 let base = if least.is_finite() { least } else { 0.0 };
                 let turn = sign * base;

@@ -1,9 +1,10 @@
-//! The beam by pieces: over each part of a cell it is one polynomial, and so is (or nearly so, for a cosine) the clearance.
+//! The beam by pieces: over each of them it is one polynomial, from a contact over all cells under one line of load to the next
+//! contact, or to the middle between the two. In each of its cells the clearance is one polynomial (or nearly so, for a cosine).
 
 use super::piecewise::PiecewiseScene;
 use super::span::{End, Hold, Span, difference};
 
-/// A part of a cell over which the beam is one polynomial.
+/// A part of the beam that is one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Piece {
     /// Left end.
@@ -12,8 +13,10 @@ pub(super) struct Piece {
     pub(super) hi: f64,
     /// Where its polynomial starts: the end that is nearer to the contact, or support, from which it was computed.
     pub(super) anchor: f64,
-    /// The cell.
+    /// The cell at the anchor.
     pub(super) cell: usize,
+    /// The cell at its other end.
+    far: usize,
     /// What is known at the anchor; [`None`] inside a zone, where the beam is the profile.
     pub(super) state: Option<State>,
 }
@@ -27,8 +30,11 @@ pub(super) struct State {
     pub(super) clearance: [f64; 4],
 }
 
+/// Over so many breaks of straight ground the clearance is carried; farther away its rounding is not felt.
+pub(super) const NEAR: usize = 64;
+
 impl Piece {
-    /// Taylor coefficients of the clearance `h` at the anchor.
+    /// Taylor coefficients of the clearance `h` at the anchor, in its cell.
     pub(super) fn clearance(&self, given: &PiecewiseScene, out: &mut [f64]) {
         let Some(State { clearance: [h, h1, h2, h3], .. }) = self.state else {
             return out.fill(0.0);
@@ -50,7 +56,7 @@ impl Piece {
 
     /// A place `s ≥ 0` away from the anchor.
     pub(super) fn place(&self, s: f64) -> f64 {
-        if self.anchor <= self.lo { self.lo + s } else { self.hi - s }
+        if self.is_from_the_left() { self.lo + s } else { self.hi - s }
     }
 
     /// Its length.
@@ -60,9 +66,103 @@ impl Piece {
 
     /// Turns coefficients in powers of `x − anchor` into powers of the distance from the anchor.
     pub(super) fn outwards(&self, taylor: &mut [f64]) {
-        if self.lo < self.anchor {
+        if !self.is_from_the_left() {
             taylor.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
         }
+    }
+
+    /// True if it was computed from its left end.
+    pub(super) fn is_from_the_left(&self) -> bool {
+        self.anchor <= self.lo
+    }
+
+    /// The number of its cells.
+    pub(super) fn count(&self) -> usize {
+        self.cell.abs_diff(self.far) + 1
+    }
+
+    /// Its cell number `k`, as counted from the anchor.
+    pub(super) fn nth(&self, k: usize) -> usize {
+        if self.is_from_the_left() { self.cell + k } else { self.cell - k }
+    }
+
+    /// The part of it in a cell, or the nearest one that it has.
+    pub(super) fn part_in(&self, given: &PiecewiseScene, cell: usize) -> Self {
+        let k = if self.is_from_the_left() { cell.saturating_sub(self.cell) } else { self.cell.saturating_sub(cell) };
+        let k = k.min(self.count() - 1);
+        self.part(given, k, k)
+    }
+
+    /// Each of its cells for itself, from the anchor on.
+    pub(super) fn parts<'a>(&self, given: &'a PiecewiseScene) -> impl Iterator<Item = Self> + use<'a> {
+        let whole = *self;
+        (0..whole.count()).map(move |k| whole.part(given, k, k))
+    }
+
+    /// Its cells from number `k` to number `last`, with what is known at their near end.
+    pub(super) fn part(&self, given: &PiecewiseScene, k: usize, last: usize) -> Self {
+        let (cell, far, right) = (self.nth(k), self.nth(last), self.is_from_the_left());
+        let near_end = |k: usize, cell: usize, end: f64| match (k, right) {
+            (0, _) => end,
+            (_, true) => given.cells[cell].lo,
+            (_, false) => given.cells[cell].hi,
+        };
+        let far_end = |end: f64| match (far == self.far, right) {
+            (true, _) => end,
+            (_, true) => given.cells[far].hi,
+            (_, false) => given.cells[far].lo,
+        };
+        let [lo, hi] = if right {
+            [near_end(k, cell, self.lo), far_end(self.hi)]
+        } else {
+            [far_end(self.lo), near_end(k, cell, self.hi)]
+        };
+        let anchor = if right { lo } else { hi };
+        let state = if k == 0 { self.state } else { self.state.map(|state| self.carried(given, &state, k)) };
+        Self { lo, hi, anchor, cell, far, state }
+    }
+
+    /// What is known at the beginning of its cell number `k`, or of the cell behind its last one.
+    fn carried(&self, given: &PiecewiseScene, state: &State, k: usize) -> State {
+        let right = self.is_from_the_left();
+        // The break at which cell `k` begins, from here, and the cell.
+        let at = |k: usize| if right { self.cell + k } else { self.cell + 1 - k };
+        let cell = self.nth(k);
+        let x = given.breakpoints[at(k)].x;
+        let taylor = beam_taylor(given, self.cell, self.anchor, &state.beam);
+        let beam = derivatives(&taylor, x - self.anchor);
+        let clearance = (k <= NEAR && given.is_straight(cell) && given.is_straight(self.cell)).then(|| {
+            let [h, h1, h2, h3] = state.clearance;
+            let mut clearance = derivatives(&[h, h1, h2 / 2.0, h3 / 6.0, -taylor[4], -taylor[5]], x - self.anchor);
+            let slope = |cell: usize| given.derivative(cell, x, 1);
+            let mut size = slope(self.cell).abs() * (x - self.anchor).abs();
+            let sign = if right { 1.0 } else { -1.0 };
+            for j in 1..=k {
+                let breakpoint = &given.breakpoints[at(j)];
+                let distance = (x - breakpoint.x).abs();
+                clearance[0] += sign * breakpoint.step + breakpoint.kink * distance;
+                clearance[1] += sign * breakpoint.kink;
+                size += breakpoint.step.abs() + 2.0 * slope(self.nth(j)).abs() * distance;
+            }
+            (clearance, size)
+        });
+        // Along cliffs the kinks are known no better than their heights.
+        match clearance.filter(|(_, size)| size.abs() < given.breakpoints[at(k)].depth.abs()) {
+            Some((clearance, _)) => State { beam, clearance },
+            None => State { beam, clearance: difference(&given.derivatives(cell, x), &beam) },
+        }
+    }
+
+    /// What is known behind its far end, where a force may act.
+    fn beyond(&self, given: &PiecewiseScene) -> Option<State> {
+        let breakpoint = if self.is_from_the_left() { self.far + 1 } else { self.far };
+        let force = if self.is_from_the_left() { 1.0 } else { -1.0 } * given.breakpoints[breakpoint].force;
+        self.state.map(|state| {
+            let mut state = self.carried(given, &state, self.count());
+            state.beam[3] += force;
+            state.clearance[3] -= force;
+            state
+        })
     }
 }
 
@@ -103,46 +203,33 @@ fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
 /// The pieces of a span, from left to right: computed from both ends up to where they meet.
 pub(super) fn pieces_of(given: &PiecewiseScene, span: &Span, out: &mut Vec<Piece>) {
     let middle = meeting(given, span);
-    let mut state = State { beam: span.beam_a, clearance: span.at_a };
-    let mut cell = span.a.cell;
-    let mut from = span.a.x;
-    loop {
-        let end = given.cells[cell].hi;
-        let last = middle <= end || span.b.cell <= cell;
-        let to = if last { middle } else { end };
-        out.push(Piece { lo: from, hi: to, anchor: from, cell, state: Some(state) });
-        if last {
-            break;
+    // The cells that the middle is in: two where it is a break.
+    let inside = &given.breakpoints[span.a.cell + 1..(span.b.cell + 1).max(span.a.cell + 1)];
+    let [left, right] =
+        [inside.partition_point(|j| j.x < middle), inside.partition_point(|j| j.x <= middle)].map(|i| span.a.cell + i);
+    let right = right.min(span.b.cell);
+    let mut state = Some(State { beam: span.beam_a, clearance: span.at_a });
+    let mut lo = span.a.x;
+    for [cell, far] in given.runs(span.a.cell, left) {
+        let hi = if far == left { middle } else { given.cells[far].hi };
+        let piece = Piece { lo, hi, anchor: lo, cell, far, state };
+        out.push(piece);
+        if far < left {
+            (state, lo) = (piece.beyond(given), hi);
         }
-        state = carried(given, &state, [from, to], [cell, cell + 1], given.breakpoints[cell + 1].force);
-        cell += 1;
-        from = to;
     }
     let meeting = out.len();
-    let mut state = State { beam: span.beam_b, clearance: span.at_b };
-    let mut right = span.b.cell;
-    let mut to = span.b.x;
-    loop {
-        let start = given.cells[right].lo;
-        let last = right <= cell || start <= middle;
-        let from = if last { middle } else { start };
-        out.push(Piece { lo: from, hi: to, anchor: to, cell: right, state: Some(state) });
-        if last {
-            break;
+    let mut state = Some(State { beam: span.beam_b, clearance: span.at_b });
+    let mut hi = span.b.x;
+    for [far, cell] in given.runs(right, span.b.cell).rev() {
+        let lo = if far == right { middle } else { given.cells[far].lo };
+        let piece = Piece { lo, hi, anchor: hi, cell, far, state };
+        out.push(piece);
+        if right < far {
+            (state, hi) = (piece.beyond(given), lo);
         }
-        state = carried(given, &state, [to, from], [right, right - 1], -given.breakpoints[right].force);
-        right -= 1;
-        to = from;
     }
     out[meeting..].reverse();
-}
-
-/// The state carried on through a cell to its other end, and over the breakpoint there into the next cell; `v'''` jumps by the
-/// load on the breakpoint.
-fn carried(given: &PiecewiseScene, state: &State, [from, to]: [f64; 2], [cell, next]: [usize; 2], jump: f64) -> State {
-    let mut beam = derivatives(&beam_taylor(given, cell, from, &state.beam), to - from);
-    beam[3] += jump;
-    State { beam, clearance: difference(&given.derivatives(next, to), &beam) }
 }
 
 /// The pieces of a zone, in which the beam is the profile.
@@ -150,7 +237,7 @@ pub(super) fn pieces_of_zone(given: &PiecewiseScene, from: f64, to: f64, out: &m
     for cell in given.cell_from(from)..=given.cell_to(to) {
         let (lo, hi) = (given.cells[cell].lo.max(from), given.cells[cell].hi.min(to));
         if lo < hi {
-            out.push(Piece { lo, hi, anchor: lo, cell, state: None });
+            out.push(Piece { lo, hi, anchor: lo, cell, far: cell, state: None });
         }
     }
 }

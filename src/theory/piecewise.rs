@@ -64,6 +64,11 @@ pub(super) struct PiecewiseScene {
     pub(super) cells: Vec<Cell>,
     /// One more than cells: breakpoint `i` is the left end of cell `i`.
     pub(super) breakpoints: Vec<Breakpoint>,
+    /// Where a run of cells ends over which the beam is one polynomial: breakpoints between two cells whose loads are not one line,
+    /// or at which a force acts, and on curved ground all of them; from left to right.
+    pub(super) run_ends: Vec<usize>,
+    /// The largest kink of the profile, and its largest step.
+    pub(super) roughest: [f64; 2],
     /// The smooth pieces of the profile.
     pub(super) shapes: Vec<Shape>,
     /// Where they end, but the last.
@@ -119,18 +124,49 @@ impl PiecewiseScene {
         c.load + c.load_slope * (x - c.lo)
     }
 
+    /// The cells from `first` to `last` in runs over straight ground under one line of load, each by its first and its last cell.
+    pub(super) fn runs(&self, first: usize, last: usize) -> impl DoubleEndedIterator<Item = [usize; 2]> {
+        let from = self.run_ends.partition_point(|&end| end <= first);
+        let to = self.run_ends.partition_point(|&end| end <= last).max(from);
+        let ends = &self.run_ends[from..to];
+        let start = move |i: usize| i.checked_sub(1).map_or(first, |i| ends[i]);
+        (0..=ends.len()).map(move |i| [start(i), ends.get(i).map_or(last, |&end| end - 1)])
+    }
+
+    /// The runs of [`Self::runs`] between two places in cells `first` and `last`, each with its first cell; without those of
+    /// no length.
+    pub(super) fn loaded(
+        &self,
+        [from, to]: [f64; 2],
+        [first, last]: [usize; 2],
+    ) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let run = move |[start, end]: [usize; 2]| (start, [self.cells[start].lo.max(from), self.cells[end].hi.min(to)]);
+        self.runs(first, last).map(run).filter(|(_, [lo, hi])| lo < hi)
+    }
+
+    /// The forces at the breakpoints between cells `first` and `last`.
+    pub(super) fn forces_between(&self, first: usize, last: usize) -> impl Iterator<Item = &Breakpoint> {
+        self.runs(first, last).skip(1).map(|[start, _]| &self.breakpoints[start]).filter(|j| j.force != 0.0)
+    }
+
+    /// All breakpoints at which a force acts, from left to right.
+    pub(super) fn forces(&self) -> impl Iterator<Item = &Breakpoint> {
+        let inside = self.run_ends.iter().map(|&i| &self.breakpoints[i]);
+        let all = self.breakpoints.first().into_iter().chain(inside).chain(self.breakpoints.last());
+        all.filter(|j| j.force != 0.0)
+    }
+
     /// The resultant of the loads between `from` and `to`, without point loads at these two.
     pub(super) fn load_inside(&self, from: f64, to: f64) -> f64 {
         let (first, last) = (self.cell_from(from), self.cell_to(to));
-        let mut sum = 0.0;
-        for cell in first..=last {
-            let c = &self.cells[cell];
-            let (lo, hi) = (c.lo.max(from), c.hi.min(to));
-            if lo < hi {
-                sum += 0.5 * (self.load(cell, lo) + self.load(cell, hi)) * (hi - lo);
-            }
-        }
-        sum + self.breakpoints_inside(from, to).map(|j| self.breakpoints[j].force).sum::<f64>()
+        let mean = |(cell, [lo, hi]): (usize, [f64; 2])| 0.5 * (self.load(cell, lo) + self.load(cell, hi)) * (hi - lo);
+        let spread: f64 = self.loaded([from, to], [first, last]).map(mean).sum();
+        spread + self.forces_between(first, last).map(|j| j.force).sum::<f64>()
+    }
+
+    /// True if the profile of a cell is a straight line.
+    pub(super) fn is_straight(&self, cell: usize) -> bool {
+        self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
     /// `u'''' − q` in `cell`: what drives the clearance where nothing touches, and minus the pressure where it does.
@@ -166,6 +202,12 @@ impl PiecewiseScene {
     pub(super) fn cell_ahead(&self, x: f64, cell: usize, change: f64) -> usize {
         let ahead = if change < 0.0 { self.cell_to(x) } else { self.cell_from(x) };
         if self.cells[ahead].shape == self.cells[cell].shape { ahead } else { cell }
+    }
+
+    /// How far the profile of a cell goes up or down from one end to the other.
+    pub(super) fn rise(&self, cell: usize) -> f64 {
+        let Cell { lo, hi, .. } = self.cells[cell];
+        (self.derivative(cell, hi, 0) - self.derivative(cell, lo, 0)).abs()
     }
 
     /// Depth at `x`; at a step the smaller one.

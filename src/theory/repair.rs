@@ -11,10 +11,10 @@ use super::piecewise::PiecewiseScene;
 use super::span::Span;
 use super::violation::Violation;
 
-/// The list with its faults repaired as far as each of them says how.
-pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked) -> List {
+/// The list with these faults repaired as far as each of them says how.
+pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(usize, Violation)]) -> List {
     let mut repair = Repair { given, list, checked, keep: vec![true; list.nodes.len()], added: Vec::new() };
-    for &(i, fault) in &checked.faults {
+    for &(i, fault) in faults {
         match fault {
             Violation::Inverted { .. } => (repair.keep[i], repair.keep[i + 1]) = (false, false),
             Violation::Tension { .. } => repair.tension(i),

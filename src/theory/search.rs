@@ -3,9 +3,10 @@
 //! A chain of links above samples of the profile says where the beam touches, more or less; Newton's method settles the
 //! places; the check of all conditions has the last word. What fails its check changes the list. Where that ends without
 //! an answer, the chain gets more samples near its contacts and where the check failed, and says it again: a chain never
-//! cycles, and no scene needs another kind of search.
+//! cycles, and no scene needs another kind of search. A list that passes is looked at closely ([`super::close`]).
 
 use super::check::{Checked, check};
+use super::close::closer;
 use super::guess::{LONG, Samples};
 use super::list::List;
 use super::newton;
@@ -75,15 +76,18 @@ fn free(given: &PiecewiseScene) -> Found {
 /// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
 /// piece of the scene.
 pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Found {
-    let mut best = free(given);
-    if best.solved() || !given.founded {
-        return best;
+    // On a profile of so many cells a guess, which may be the free beam, is cheaper than this check, which most beams fail.
+    let is_long = LONG < given.cells.len();
+    let mut best = (!given.founded || !is_long).then(|| free(given));
+    let is_solved = |best: &Option<Found>| best.as_ref().is_some_and(Found::solved);
+    if let Some(free) = best.take_if(|free| free.solved() || !given.founded) {
+        return free;
     }
     let mut places = Vec::new();
     for list in near {
         best = with_repairs(given, list, ROUNDS_FROM_NEAR, best, &mut places);
-        if best.solved() {
-            return best;
+        if let Some(found) = best.take_if(|found| found.solved()) {
+            return found;
         }
     }
     let mut samples = Samples::first(given, LINKS);
@@ -93,7 +97,7 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         guess = samples.chain(given);
     }
     let mut left = MULTIPLE * samples.count() + MOST_SAMPLES;
-    let guesses = if given.cells.len() <= LONG { GUESSES } else { GUESSES_OF_LONG };
+    let guesses = if is_long { GUESSES_OF_LONG } else { GUESSES };
     for turn in 0..guesses {
         if 0 < turn {
             samples = samples.refined(given, &guess.touches, &places);
@@ -105,11 +109,22 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         }
         places.clear();
         best = with_repairs(given, samples.list(given, &guess), ROUNDS, best, &mut places);
-        if best.solved() {
+        if is_solved(&best) {
             break;
         }
     }
-    best
+    match best {
+        Some(found) if found.solved() || !is_long => found,
+        found => better(found, free(given)),
+    }
+}
+
+/// The better of what was found before, if anything was, and of a list.
+fn better(before: Option<Found>, found: Found) -> Found {
+    match before {
+        Some(before) => before.better(found),
+        None => found,
+    }
 }
 
 /// The best of what was found before and of up to `rounds` lists, each with the faults of the one before repaired, `list` the first
@@ -118,9 +133,9 @@ fn with_repairs(
     given: &PiecewiseScene,
     mut list: List,
     rounds: usize,
-    mut best: Found,
+    mut best: Option<Found>,
     places: &mut Vec<f64>,
-) -> Found {
+) -> Option<Found> {
     let (mut strikes, mut fewest) = (0, usize::MAX);
     for _ in 0..rounds {
         let run = newton::solve(given, &mut list);
@@ -130,9 +145,9 @@ fn with_repairs(
         let checked = check(given, &normal);
         let found = Found { list: normal, checked, steps: run.steps, lists: 1, converged: run.converged && !changed };
         if found.solved() {
-            return best.better(found);
+            return Some(better(best, closer(given, found)));
         }
-        list = repaired(given, &found.list, &found.checked);
+        list = repaired(given, &found.list, &found.checked, &found.checked.faults);
         let faults = found.checked.faults.len();
         strikes += match (fewest <= faults, run.converged) {
             (true, true) => 1,
@@ -142,7 +157,7 @@ fn with_repairs(
         fewest = fewest.min(faults);
         let ends = list == found.list && !changed || STRIKES <= strikes;
         places.extend(found.checked.faults.iter().filter_map(|(_, fault)| fault.place()));
-        best = best.better(found);
+        best = Some(better(best, found));
         if ends {
             break;
         }

@@ -117,9 +117,8 @@ impl Span {
         let heights = [0, 1].map(|i| ends[i].hold.height());
         let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
         let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / (l * l);
-        let in_clearance =
-            chord(heights).max(profiles[0][2].abs().max(profiles[1][2].abs())).max(broken(given, &a, &b));
-        let in_beam = chord(levels) < in_clearance;
+        let in_clearance = chord(heights).max(profiles[0][2].abs().max(profiles[1][2].abs()));
+        let in_beam = chord(levels) < in_clearance || is_broken(given, &a, &b, chord(levels));
         let rise = if in_beam {
             let beyond = |i: usize| if ends[i].hold == Hold::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
             levels[1] - levels[0] + (beyond(1) - beyond(0))
@@ -238,15 +237,12 @@ impl Overhang {
             sum.turn += force * r * r / 2.0;
             sum.sag += force * r * r * (3.0 * length - r) / 6.0;
         };
-        for cell in given.cell_from(from)..=given.cell_to(to) {
-            let (lo, hi) = (given.cells[cell].lo.max(from), given.cells[cell].hi.min(to));
-            if lo < hi {
-                for (at, weight) in given.load_rule.points(lo, hi) {
-                    add(at, weight * given.load(cell, at));
-                }
+        for (cell, [lo, hi]) in given.loaded([from, to], [given.cell_from(from), given.cell_to(to)]) {
+            for (at, weight) in given.load_rule.points(lo, hi) {
+                add(at, weight * given.load(cell, at));
             }
         }
-        for breakpoint in given.breakpoints.iter().filter(|j| j.force != 0.0) {
+        for breakpoint in given.forces() {
             let beyond = if at_left { breakpoint.x < x } else { x < breakpoint.x };
             if beyond {
                 add(breakpoint.x, breakpoint.force);
@@ -256,12 +252,13 @@ impl Overhang {
     }
 }
 
-/// What kinks and steps inside a span do to `h''`, taken one by one: over a cliff that goes down and up again they are
-/// huge and cancel, and so `h` is not what to compute there.
-fn broken(given: &PiecewiseScene, a: &End, b: &End) -> f64 {
+/// True if one of the kinks and steps inside a span does more than this to `h''`: over a cliff that goes down and up again they
+/// are huge and cancel, and so `h` is not what to compute there.
+fn is_broken(given: &PiecewiseScene, a: &End, b: &End, bend: f64) -> bool {
     let l = b.x - a.x;
-    let breakpoints = given.breakpoints_between(a.cell, b.cell).iter();
-    breakpoints.fold(0.0_f64, |most, j| most.max((4.0 * j.kink.abs() + 6.0 * j.step.abs() / l) / l))
+    let more = |[kink, step]: [f64; 2]| bend < (4.0 * kink + 6.0 * step / l) / l;
+    let inside = || given.breakpoints_between(a.cell, b.cell).iter();
+    more(given.roughest) && inside().any(|j| more([j.kink.abs(), j.step.abs()]))
 }
 
 /// Which fourth derivative.
@@ -343,19 +340,12 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
         Drive::Clearance => given.drive_without_waves(cell, x),
     };
     let sign = if of == Drive::Load { 1.0 } else { -1.0 };
-    for cell in a.cell..=b.cell {
-        let (lo, hi) = (given.cells[cell].lo.max(a.x), given.cells[cell].hi.min(b.x));
-        if lo < hi {
-            for (x, weight) in given.load_rule.points(lo, hi) {
-                add(x, weight * drive(cell, x));
-            }
+    for (cell, [lo, hi]) in given.loaded([a.x, b.x], [a.cell, b.cell]) {
+        for (x, weight) in given.load_rule.points(lo, hi) {
+            add(x, weight * drive(cell, x));
         }
     }
-    for breakpoint in given.breakpoints_between(a.cell, b.cell) {
-        if breakpoint.force != 0.0 {
-            add(breakpoint.x, sign * breakpoint.force);
-        }
-    }
+    given.forces_between(a.cell, b.cell).for_each(|j| add(j.x, sign * j.force));
     if of == Drive::Load {
         return FixedEnd { moment, shear };
     }

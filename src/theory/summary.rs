@@ -111,7 +111,7 @@ fn energy(given: &PiecewiseScene, pieces: &[Piece]) -> f64 {
             0.5 * v2 * v2 - given.load(piece.cell, piece.place(s)) * v
         });
     }
-    for breakpoint in given.breakpoints.iter().filter(|j| j.force != 0.0) {
+    for breakpoint in given.forces() {
         let i = pieces.partition_point(|p| p.hi < breakpoint.x).min(pieces.len() - 1);
         let piece = &pieces[i];
         piece.deflection(given, &mut taylor);

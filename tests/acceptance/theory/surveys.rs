@@ -2,8 +2,9 @@
 //! grid can be fine enough.
 
 use palkki::route::{Method, Solver};
+use palkki::solve_exactly;
 use palkki::theory::{self, Exact};
-use palkki_evidence::extremes::{Ground, survey};
+use palkki_evidence::extremes::{Ground, survey, survey_from};
 
 use crate::scenes::run;
 
@@ -43,5 +44,52 @@ fn surveys_of_a_thousand_points_agree_with_a_fine_grid_in_energy() {
             let off = ((raw.state.energy - exact.state.energy) / exact.state.energy).abs();
             assert!(off <= OFF, "{}, {load}: energies differ by {off:e}", ground.name());
         }
+    }
+}
+
+/// A bound on the deflection may be this share of the largest at most: a tenth of the millionth that is asked for.
+const SHARE: f64 = 1e-7;
+
+/// Where the beam lies on most of the points of a survey, each of them that is missing, or rounded, is one that its deflection has to
+/// be lifted over.
+#[test]
+fn smooth_surveys_are_certified_with_a_margin_of_ten() {
+    for (segments, seeds) in [(1000, 10), (3000, 10), (20_000, 4), (100_000, 1)] {
+        for load in LOADS {
+            for seed in 0..seeds {
+                let scene = survey_from(Ground::Smooth, seed, segments, load).expect("a scene");
+                let answer = solve_exactly(&scene).expect("an answer");
+                let told = format!("{segments} points, load {load}, seed {seed}");
+                let exact = answer.exact.as_ref().expect("the exact solution");
+                assert!(exact.solved, "{told}: {:?}", exact.violations);
+                let share = answer.verdict.error;
+                assert!(share <= SHARE, "{told}: certain to {share:e}");
+            }
+        }
+    }
+}
+
+/// However many points the ground has: between two contacts the beam is one polynomial, and its energy is a sum over contacts.
+#[test]
+fn the_energy_above_a_million_points_is_within_its_bounds() {
+    for ground in [Ground::Walk, Ground::Noise] {
+        let scene = survey_from(ground, 0x1a63, 1_000_000, 1.0).expect("a scene");
+        let answer = solve_exactly(&scene).expect("an answer");
+        let energy = answer.state.energy;
+        let bounds = answer.verdict.certificate.expect("bounds");
+        let told = format!("{}: {energy:?} beside {:?}", ground.name(), [bounds.energy_lower, bounds.energy_upper]);
+        assert!(bounds.energy_lower <= energy && energy <= bounds.energy_upper, "{told}");
+    }
+}
+
+/// On a long profile a list is guessed before the beam without contact is looked at; where it touches nothing, that is the guess.
+#[test]
+fn above_many_points_the_first_list_is_the_answer() {
+    for ground in [Ground::Walk, Ground::Noise] {
+        for load in LOADS {
+            assert_eq!(certified(ground, 10_000, load).lists, 1, "{}, load {load}", ground.name());
+        }
+        let exact = certified(ground, 10_000, 1e-4);
+        assert!(exact.lists == 1 && exact.state.contacts.is_empty(), "{}: {:?}", ground.name(), exact.state.contacts);
     }
 }

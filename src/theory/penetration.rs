@@ -1,0 +1,148 @@
+//! Where the beam is deepest in the ground: cell by cell beside a contact, and farther away over many cells of straight ground at
+//! once, which are clear if the beam reaches nowhere as deep as their shallowest point.
+
+use super::bernstein::{lowest_below, range};
+use super::piece::{NEAR, Piece, derivatives};
+use super::piecewise::PiecewiseScene;
+use super::span::Span;
+
+/// Cells that are looked at together, at most, and how many times more of them after some that are clear.
+const MOST: usize = 4096;
+const MORE: usize = 4;
+
+/// The deepest penetration in a span, if it is deeper than what is `allowed` at a place: `(place, depth)`.
+pub(super) fn deepest(
+    given: &PiecewiseScene,
+    pieces: &[Piece],
+    span: &Span,
+    allowed: impl Fn(f64) -> f64,
+) -> Option<(f64, f64)> {
+    let first = pieces.partition_point(|p| p.hi <= span.a.x);
+    let mut taylor = vec![0.0; given.terms];
+    let mut worst: Option<(f64, f64)> = None;
+    for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
+        let (all, mut i, mut together) = (piece.count(), 0, 1);
+        // From left to right. Beside its anchor the clearance of a piece is known better than its deflection.
+        let cells = |i: usize, count: usize| {
+            if piece.is_from_the_left() { [i, i + count - 1] } else { [all - i - count, all - 1 - i] }
+        };
+        let room = |i: usize| match (given.is_straight(piece.cell), piece.is_from_the_left()) {
+            (false, _) => 1,
+            (true, true) if i <= NEAR => 1,
+            (true, true) => all - i,
+            (true, false) => (all - i).saturating_sub(NEAR + 1).max(1),
+        };
+        while i < all {
+            let count = together.min(room(i));
+            let [k, last] = cells(i, count.max(1));
+            if 1 < count {
+                let block = piece.part(given, k, last);
+                let bar = worst.map_or_else(|| allowed(block.lo), |(_, depth)| depth);
+                let clear = is_clear(given, &block, bar, &mut taylor);
+                (i, together) = if clear { (i + count, MOST.min(MORE * count)) } else { (i, count / MORE) };
+                continue;
+            }
+            let part = piece.part(given, k, k);
+            let bar = |worst: Option<(f64, f64)>| worst.map_or_else(|| allowed(part.lo), |(_, depth)| depth);
+            part.clearance(given, &mut taylor);
+            part.outwards(&mut taylor);
+            if let Some((s, value)) = lowest_below(&taylor, part.width(), -bar(worst)) {
+                worst = Some((part.place(s), -value));
+            }
+            // At the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
+            let edge = &given.breakpoints[part.cell + 1];
+            let is_inside = edge.x <= part.hi && edge.x < span.b.x && given.is_edge(part.cell + 1);
+            let is_cliff = || edge.step != 0.0 || edge.depth.abs() <= given.rise(part.cell);
+            if is_inside && (!given.is_straight(part.cell) || is_cliff()) {
+                part.deflection(given, &mut taylor);
+                let depth = derivatives(&taylor, part.hi - part.anchor)[0] - edge.depth;
+                if bar(worst) < depth {
+                    worst = Some((part.hi, depth));
+                }
+            }
+            (i, together) = (i + 1, MORE);
+        }
+    }
+    worst
+}
+
+/// True if the beam reaches nowhere deeper than some depth below the shallowest point of the straight ground below a piece.
+fn is_clear(given: &PiecewiseScene, piece: &Piece, depth: f64, taylor: &mut [f64]) -> bool {
+    piece.deflection(given, taylor);
+    piece.outwards(taylor);
+    let [one, other] = [piece.nth(0), piece.nth(piece.count() - 1)];
+    let shallowest = given.breakpoints[one.min(other)..=one.max(other) + 1]
+        .iter()
+        .fold(f64::INFINITY, |least, j| least.min(j.depth));
+    range(taylor, piece.width()).is_some_and(|[_, most]| most <= shallowest + depth)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::list::List;
+    use super::super::piece::pieces_of;
+    use super::*;
+    use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
+
+    /// Ground of so many points with one that is the shallowest, and a beam that sags into it or not.
+    fn given(count: u32, at: u32, depth: f64) -> PiecewiseScene {
+        let beam = Beam::new(1.0, 1.0).expect("a beam");
+        let point = vec![PointLoad { at: 0.7, force: 1.0 }];
+        let load = Load::new(&beam, 10.0, Vec::new(), point).expect("a load");
+        let rough = |i: u32| 0.01 * f64::from(i * 7919 % 101);
+        let points =
+            (0..=count).map(|i| [f64::from(i) / f64::from(count), if i == at { depth } else { 0.2 + rough(i) }]);
+        let foundation = Foundation::Polyline { points: points.collect() };
+        PiecewiseScene::new(&Scene::new(beam, load, Some(foundation)).expect("a scene"))
+    }
+
+    /// The beam without contact is in the ground at one point or nowhere, wherever that point is among ten thousand: what is found by
+    /// many cells at once is what is found cell by cell.
+    #[test]
+    fn one_point_among_many_is_found() {
+        const COUNT: u32 = 10_000;
+        for at in (1..COUNT).step_by(199) {
+            let given = given(COUNT, at, 0.05);
+            let (_, span) = List::free(&given).spans(&given).next().expect("a span");
+            let mut pieces = Vec::new();
+            pieces_of(&given, &span, &mut pieces);
+            assert!(pieces.len() <= 4, "one for each run and side: {}", pieces.len());
+            let mut taylor = vec![0.0; given.terms];
+            let mut clearance = |part: Piece| {
+                part.clearance(&given, &mut taylor);
+                [part.lo, part.hi].map(|x| (x, derivatives(&taylor, x - part.anchor)[0]))
+            };
+            let parts = pieces.iter().flat_map(|piece| piece.parts(&given)).flat_map(&mut clearance);
+            let (place, least) = parts.min_by(|a, b| a.1.total_cmp(&b.1)).expect("a piece");
+            let found = deepest(&given, &pieces, &span, |_| 0.0);
+            match found {
+                Some((x, depth)) => {
+                    assert!((x - place).abs() < 1e-12 && (depth + least).abs() < 1e-15, "{at}: {found:?}")
+                }
+                None => assert!(0.0 <= least, "{at}: {least:e} at {place}"),
+            }
+        }
+    }
+
+    /// The clearance that is carried over kinks is that of depth and deflection.
+    #[test]
+    fn cells_continue_each_other() {
+        for at in 1..200 {
+            let given = given(200, at, 0.1);
+            let (_, span) = List::free(&given).spans(&given).next().expect("a span");
+            let mut pieces = Vec::new();
+            pieces_of(&given, &span, &mut pieces);
+            for part in pieces.iter().flat_map(|piece| piece.parts(&given)) {
+                let mut taylor = vec![0.0; given.terms];
+                for x in [part.lo, 0.5 * (part.lo + part.hi), part.hi] {
+                    part.clearance(&given, &mut taylor);
+                    let clearance = derivatives(&taylor, x - part.anchor)[0];
+                    part.deflection(&given, &mut taylor);
+                    let deflection = derivatives(&taylor, x - part.anchor)[0];
+                    let depth = given.derivative(part.cell, x, 0);
+                    assert!((depth - deflection - clearance).abs() < 1e-14, "{at}, at {x}");
+                }
+            }
+        }
+    }
+}
