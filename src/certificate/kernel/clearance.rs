@@ -12,13 +12,16 @@
 
 use super::contact_node::{ContactNode, EnclosedScene, Slope};
 use super::interval::Interval;
-use super::polynomial::{Polynomial, number};
-use super::span::Span;
+use super::load::cells;
+use super::polynomial::Polynomial;
+use super::span::{Curve, Span};
 
 /// Parts into which a cell is cut before it is given up.
 const MOST_PARTS: usize = 200;
 /// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
 const SMALLEST_PART: f64 = 1.0 / 8.0;
+/// And until the bound is no more than so many times of what there is at one of their ends.
+const MOST_EXCESS: f64 = 2.0;
 
 /// The ends of a span: nodes, or free ends of the beam.
 type Ends<'a> = [Option<&'a ContactNode>; 2];
@@ -32,7 +35,7 @@ fn power(enclosed: &EnclosedScene<'_>, end: Option<&ContactNode>) -> usize {
 }
 
 /// `α φ` about the left end of the span, zero where it is clear; [`None`] if no lift of this shape is enough.
-pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) -> Option<Polynomial> {
+pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, parts: &[Curve], ends: Ends<'_>) -> Option<Polynomial> {
     // From each node to the middle, or to the free end.
     let middle = match ends {
         [None, _] => span.from,
@@ -41,56 +44,83 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, ends: Ends<'_>) ->
     };
     let mut breaks = enclosed.gap.breaks(span.from, span.to);
     breaks.push(middle);
-    let curve = span.curve(breaks, enclosed.load, enclosed.stiffness);
-    // The clearance about that end of a cell that is nearer to the node, and seen from there.
-    let from_the_left = curve
-        .iter()
-        .take_while(|(cell, _)| cell[0] < middle)
-        .map(|(cell, v)| (cell[0], cell[1], enclosed.gap.about(cell[0], *cell).minus(v)));
-    let [v, slope, curvature, third] = span.end;
-    let at_end = [v, slope, curvature / number(2), third / number(6)];
-    let from_the_right = curve.iter().rev().take_while(|(cell, _)| middle < cell[1]).map(|(cell, v)| {
-        let v = v.shifted(Interval::exact(cell[1]) - Interval::exact(cell[0]));
-        let v = if span.to <= cell[1] { v.known(&at_end) } else { v };
-        (cell[1], cell[0], enclosed.gap.about(cell[1], *cell).minus(&v).mirrored())
-    });
+    breaks.extend(enclosed.load.breaks(span.from, span.to));
+    let cells = cells(span.from, span.to, breaks);
+    let meeting = cells.partition_point(|cell| cell[0] < middle);
     let powers = ends.map(|end| power(enclosed, end));
     let [about_left, about_right] = [powers, [powers[1], powers[0]]].map(|powers| shape(span, powers));
-    let left = ends[0].map_or(Some(0.0), |node| beside(enclosed, node, false, about_left, from_the_left))?;
-    let right = ends[1].map_or(Some(0.0), |node| beside(enclosed, node, true, about_right, from_the_right))?;
+    let sides = [0, 1].map(|side| Side { enclosed, parts, from_the_left: side == 1 });
+    let left = ends[0].map_or(Some(0.0), |node| sides[0].lift(node, about_left, &cells[..meeting]))?;
+    let right = ends[1].map_or(Some(0.0), |node| sides[1].lift(node, about_right, &cells[meeting..]))?;
     Some(about_left.times(Interval::exact(left.max(right))))
 }
 
-/// `α` for cells on the left or the right side of a node, with `φ` and the clearance as seen from there.
-fn beside(
-    enclosed: &EnclosedScene<'_>,
-    node: &ContactNode,
+/// Cells on one side of a node: seen from there, and each about that end of it that is nearer.
+struct Side<'a> {
+    enclosed: &'a EnclosedScene<'a>,
+    /// The span, by parts known from both ends.
+    parts: &'a [Curve],
+    /// Whether the cells are on the left side of the node.
     from_the_left: bool,
-    shape: Polynomial,
-    cells: impl Iterator<Item = (f64, f64, Polynomial)>,
-) -> Option<f64> {
-    let apart = |a: f64, b: f64| Interval::exact(a.max(b)) - Interval::exact(a.min(b));
-    let mut most = 0.0;
-    let mut order = enclosed.order(node, from_the_left);
-    // What vanishes at the node is small beside it, also behind the end of a short cell.
-    let mut known = vec![Interval::ZERO; order];
-    for (near, far, clearance) in cells {
-        let (width, distance) = (apart(near, far), apart(near, node.x));
-        let clearance = clearance.known(&known);
-        let [quotient, shape] = [clearance, shape].map(|of| of.divided(order));
-        let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
-        most = part.lift(most, &mut MOST_PARTS.clone())?;
-        order = 0;
-        known.clear();
-        // Over a kink the value goes on, and over a smooth place the slope as well.
-        if enclosed.gap.is_continuous_at(far) {
-            known.push(clearance.at(width));
-        }
-        if enclosed.gap.is_smooth_at(far) {
-            known.push(clearance.derivative().at(width));
-        }
+}
+
+impl Side<'_> {
+    /// `v(place + s)` between two places of a part.
+    fn deflection(&self, place: f64, [from, to]: [f64; 2]) -> Option<Polynomial> {
+        let part = self.parts.partition_point(|(part, _)| part[1] <= from);
+        let &(part, known) = self.parts.get(part).filter(|(part, _)| part[0] <= from && to <= part[1])?;
+        let end = usize::from(self.from_the_left);
+        Some(known[end].shifted(Interval::exact(place) - Interval::exact(part[end])))
     }
-    Some(most)
+
+    /// Whether the span is clear of the foundation between two places, at a glance.
+    fn is_clear(&self, [from, to]: [f64; 2]) -> bool {
+        let most = self.deflection(from, [from, to]).map(|v| v.range(Interval::exact(to) - Interval::exact(from)).hi());
+        most.is_some_and(|most| most <= self.enclosed.gap.least(from, to))
+    }
+
+    /// `α` for these cells, from left to right.
+    fn lift(&self, node: &ContactNode, shape: Polynomial, cells: &[[f64; 2]]) -> Option<f64> {
+        /// Cells that are looked at together, at most, and how many more at once than before.
+        const MOST: usize = 4096;
+        const MORE: usize = 4;
+        let Self { enclosed, from_the_left, .. } = *self;
+        let nth = |i: usize| cells[if from_the_left { cells.len() - 1 - i } else { i }];
+        let apart = |a: f64, b: f64| Interval::exact(a.max(b)) - Interval::exact(a.min(b));
+        let mut most = 0.0;
+        let mut order = enclosed.order(node, from_the_left);
+        // What vanishes at the node is small beside it, also behind the end of a short cell.
+        let mut known = vec![Interval::ZERO; order];
+        let (mut i, mut together) = (0, 1);
+        while i < cells.len() {
+            let count = together.min(cells.len() - i);
+            if 1 < count {
+                let [first, last] = [nth(i), nth(i + count - 1)];
+                if self.is_clear([first[0].min(last[0]), first[1].max(last[1])]) {
+                    (i, together) = (i + count, MOST.min(MORE * count));
+                    known.clear();
+                } else {
+                    together = count / MORE;
+                }
+                continue;
+            }
+            let cell = nth(i);
+            let [near, far] = if from_the_left { [cell[1], cell[0]] } else { cell };
+            let (width, distance) = (apart(near, far), apart(near, node.x));
+            let clearance = enclosed.gap.about(near, cell).minus(&self.deflection(near, cell)?);
+            let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&known);
+            let [quotient, shape] = [clearance, shape].map(|of| of.divided(order));
+            let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
+            most = part.lift(most, &mut MOST_PARTS.clone())?;
+            order = 0;
+            known.clear();
+            if let Some(kink) = enclosed.gap.kink(far) {
+                known.extend([clearance.at(width), clearance.derivative().at(width) + kink]);
+            }
+            (i, together) = (i + 1, MORE);
+        }
+        Some(most)
+    }
 }
 
 /// `φ` about the left end of the span, with its powers at both ends; and with these exchanged, seen from the right end.
@@ -130,7 +160,8 @@ impl Part {
         // Close to a node, and not at it, `φ` may be far smaller at one end of a part than at the other.
         let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
         let is_rounding = -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
-        let inside = self.clearance.at(Interval::ZERO).hi() < 0.0 || self.clearance.at(self.width).hi() < 0.0;
+        let deepest = self.clearance.at(Interval::ZERO).hi().min(self.clearance.at(self.width).hi());
+        let inside = lowest >= MOST_EXCESS * deepest;
         let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
         let is_known = is_even && is_small && (is_rounding || inside);
         if enough.is_finite() && (is_known || *parts == 0) {

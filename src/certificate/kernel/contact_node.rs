@@ -129,8 +129,21 @@ impl EnclosedScene<'_> {
         let ends = [place(left, 0.0), place(right, self.length)];
         let hangs = ends[0] < ends[1] && !left.is_some_and(|node| node.lies);
         hangs.then(|| {
-            Span::new(ends, [left, right].map(|node| node.map(|node| self.end(node))), self.load, self.stiffness)
+            let rise = self.rise(left, right);
+            Span::new(ends, [left, right].map(|node| node.map(|node| self.end(node))), self.load, self.stiffness, rise)
         })
+    }
+
+    /// `v₁ − v₀ − θ₀ L` between two contacts on a polyline.
+    fn rise(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Interval> {
+        let on_ground = |node: &&ContactNode| self.support(node.x).is_none();
+        let (left, right) = (left.filter(on_ground)?, right.filter(on_ground)?);
+        self.gap.shape.level()?;
+        let slope = match left.slope {
+            Slope::OfGround { from_the_left } if !from_the_left || self.gap.is_smooth_at(left.x) => None,
+            _ => Some(self.end(left)[1]),
+        };
+        self.gap.ground.rise(left.x, right.x, slope)
     }
 }
 

@@ -49,6 +49,45 @@ impl<'a> EnclosedFoundation<'a> {
         }
     }
 
+    /// At most any depth between two places, found without a look at each cell; minus infinity where that cannot be.
+    pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
+        match self.given {
+            Foundation::Flat { depth } => *depth,
+            Foundation::Polyline { points } => {
+                // Also the far ends of the segments that the two places are on.
+                let first = points.partition_point(|p| p[0] <= from).saturating_sub(1);
+                let part = &points[first..];
+                part.iter()
+                    .take(1 + part.partition_point(|p| p[0] < to))
+                    .fold(f64::INFINITY, |least, p| least.min(p[1]))
+            }
+            _ => f64::NEG_INFINITY,
+        }
+    }
+
+    /// `u(to) − u(from) − θ (to − from)` over a few segments of a polyline, with the slope `θ` that is given or else that of the
+    /// segment which goes on to the right: from its kinks, so that rounding is that of slopes, and not that of depths.
+    pub(crate) fn rise(&self, from: f64, to: f64, slope: Option<Interval>) -> Option<Interval> {
+        const MOST: usize = 256;
+        let Foundation::Polyline { points } = self.given else { return None };
+        let [first, beyond] = [points.partition_point(|p| p[0] <= from), points.partition_point(|p| p[0] < to)];
+        let has_step = [from, to].iter().any(|x| 1 < self.points_at(*x).len());
+        if has_step || first == 0 || beyond < first || MOST < beyond - first || points.len() <= beyond {
+            return None;
+        }
+        let run = &points[first - 1..=beyond];
+        let slopes: Vec<Interval> = run.windows(2).map(|w| secant(w[0], w[1])).collect();
+        let at = Interval::exact(to);
+        let start = slope.map_or(Interval::ZERO, |slope| (slopes[0] - slope) * (at - Interval::exact(from)));
+        let kinks = slopes.windows(2).zip(&run[1..]);
+        Some(kinks.fold(start, |sum, (w, point)| sum + (w[1] - w[0]) * (at - Interval::exact(point[0]))))
+    }
+
+    /// The depth, where it is the same everywhere.
+    pub(crate) fn level(&self) -> Option<f64> {
+        if let Foundation::Flat { depth } = self.given { Some(*depth) } else { None }
+    }
+
     /// `u(origin + s)` between two places without a break between them, on which the origin is.
     pub(crate) fn about(&self, origin: f64, [from, to]: [f64; 2]) -> Polynomial {
         match self.given {
@@ -105,6 +144,11 @@ impl<'a> EnclosedFoundation<'a> {
         let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
         points.get(first..beyond).unwrap_or_default()
     }
+}
+
+/// The slope from one point to another.
+fn secant([x, u]: [f64; 2], [end, depth]: [f64; 2]) -> Interval {
+    (Interval::exact(depth) - Interval::exact(u)) / (Interval::exact(end) - Interval::exact(x))
 }
 
 /// The segment of a polyline that begins at a place or goes through it, about an origin on it.

@@ -29,6 +29,12 @@ impl EnclosedGap<'_> {
         self.about(from, [from, to])
     }
 
+    /// At most any gap between two places; minus infinity where that cannot be said without a look at each cell.
+    pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
+        let own = self.shape.level().unwrap_or(f64::INFINITY);
+        (Interval::exact(self.ground.least(from, to)) - Interval::exact(own)).lo()
+    }
+
     /// The gap and its first three derivatives at a place, on one of its sides.
     pub(crate) fn jet(&self, x: f64, from_the_left: bool) -> [Interval; 4] {
         let [ground, own] = [self.ground, self.shape].map(|profile| profile.jet(x, from_the_left));
@@ -45,9 +51,11 @@ impl EnclosedGap<'_> {
         self.ground.is_smooth_at(x) && self.shape.is_smooth_at(x)
     }
 
-    /// False at steps.
-    pub(crate) fn is_continuous_at(&self, x: f64) -> bool {
-        self.ground.points_at(x).len().max(self.shape.points_at(x).len()) < 2
+    /// What its slope is larger by on the right side of a place than on the left; [`None`] at a step.
+    pub(crate) fn kink(&self, x: f64) -> Option<Interval> {
+        let has_step = [self.ground, self.shape].iter().any(|profile| 1 < profile.points_at(x).len());
+        let kink = || self.jet(x, false)[1] - self.jet(x, true)[1];
+        (!has_step).then(|| if self.is_smooth_at(x) { Interval::ZERO } else { kink() })
     }
 
     /// True if it is one smooth curve between two places.

@@ -99,14 +99,14 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         } else {
             shears.push([span.start, span.end].map(|jet| -(stiffness * jet[3])));
         }
-        let mut curve = span.curve(Vec::new(), enclosed.load, enclosed.stiffness);
-        let lift = clearance::lift(enclosed, span, ends(i))?;
+        let parts = span.curves(enclosed.load, enclosed.stiffness);
+        let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
         lifted = lifted.max(lift.range(length).magnitude());
-        for ([from, _], v) in &mut curve {
-            *v = v.minus(&lift.shifted(Interval::exact(*from) - Interval::exact(span.from)));
-        }
-        pieces.extend(curve.into_iter().map(|([from, to], v)| Piece { from, to, v, follows: false }));
+        pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
+            let v = v.minus(&lift.shifted(Interval::exact(from) - Interval::exact(span.from)));
+            Piece { from, to, v, follows: false }
+        }));
     }
     let point = |x: f64| enclosed.load.point(x).unwrap_or(Interval::ZERO);
     let forces: Vec<Interval> =

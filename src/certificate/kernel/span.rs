@@ -15,6 +15,9 @@ use super::polynomial::{Polynomial, number};
 /// `v, v', v'', v'''` at a place.
 pub(crate) type Jet = [Interval; 4];
 
+/// The deflection between two places, about each of them.
+pub(crate) type Curve = ([f64; 2], [Polynomial; 2]);
+
 /// A span with its deflection.
 #[derive(Debug, Clone)]
 pub(crate) struct Span {
@@ -59,12 +62,14 @@ fn march(
 }
 
 impl Span {
-    /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free.
+    /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free; `rise` is
+    /// `v₁ − v₀ − θ₀ L` if that is known in another way, too.
     pub(crate) fn new(
         [from, to]: [f64; 2],
         ends: [Option<[Interval; 2]>; 2],
         load: &EnclosedLoad,
         stiffness: f64,
+        rise: Option<Interval>,
     ) -> Self {
         let (_, own) = march([Interval::ZERO; 4], from, to, load.breaks(from, to), load, stiffness);
         let length = Interval::exact(to) - Interval::exact(from);
@@ -72,7 +77,8 @@ impl Span {
         let [half, sixth] = [length * length / number(2), length * length * length / number(6)];
         let (left, right, [curvature, third]) = match ends {
             [Some(left), Some(right)] => {
-                let rise = right[0] - left[0] - own[0] - left[1] * length;
+                let straight = right[0] - left[0] - left[1] * length;
+                let rise = rise.map_or(straight, |rise| rise.meet(straight)) - own[0];
                 let turn = right[1] - left[1] - own[1];
                 let curvature = (number(6) * rise / length - number(2) * turn) / length;
                 (left, right, [curvature, (number(6) * turn - number(12) * rise / length) / (length * length)])
@@ -97,6 +103,20 @@ impl Span {
             end: [right[0], right[1], curvature + third * length + own[2], third + own[3]],
             loaded: [own[2], own[3]].map(|v| v * Interval::exact(stiffness)),
         }
+    }
+
+    /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`. No
+    /// break of the foundation is gone over, at which its rounding would grow.
+    pub(crate) fn curves(&self, load: &EnclosedLoad, stiffness: f64) -> Vec<Curve> {
+        let (parts, _) = march(self.start, self.from, self.to, load.breaks(self.from, self.to), load, stiffness);
+        let [v, slope, curvature, third] = self.end;
+        let at_end = [v, slope, curvature / number(2), third / number(6)];
+        let both = |(part, start): ([f64; 2], Polynomial)| {
+            let there = start.shifted(Interval::exact(part[1]) - Interval::exact(part[0]));
+            // At its end the span is known better.
+            (part, [start, if self.to <= part[1] { there.known(&at_end) } else { there }])
+        };
+        parts.into_iter().map(both).collect()
     }
 
     /// Its deflection by cells; `breaks` besides those of the load.
@@ -128,7 +148,8 @@ mod tests {
             let load = Load::new(&beam, q, vec![growing], vec![PointLoad { at: tip, force }]).expect("finite");
             let load = EnclosedLoad::of(&Scene::new(beam.clone(), load, None).expect("well posed"));
             let held = Some([v, sign * slope].map(Interval::exact));
-            let span = Span::new([from, to], if to_the_left { [None, held] } else { [held, None] }, &load, stiffness);
+            let span =
+                Span::new([from, to], if to_the_left { [None, held] } else { [held, None] }, &load, stiffness, None);
             let (at_support, at_tip) = if to_the_left { (span.end, span.start) } else { (span.start, span.end) };
             let bent = a * a * a * (q * a / 8.0 + 11.0 * r * a * a / 120.0 + force / 3.0) / stiffness;
             let expected = [

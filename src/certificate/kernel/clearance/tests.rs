@@ -36,7 +36,8 @@ fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) ->
         }
         let middle = 0.5 * (span.to - span.from);
         let there = phi(middle, span.to - span.from, left, right);
-        let lift = lift(enclosed, &span, [Some(&left), Some(&right)]);
+        let parts = span.curves(enclosed.load, enclosed.stiffness);
+        let lift = lift(enclosed, &span, &parts, [Some(&left), Some(&right)]);
         (lift.map(|lift| lift.at(Interval::exact(middle)).hi() / there), needed)
     })
 }
