@@ -11,7 +11,7 @@
 //! |d| ≤ max(|d_a|, |d_b|) + w²/8 · max |d''|,      |d''| ≤ max(|d''_a|, |d''_b|) + w²/8 · max |v̂'''' − v''''|
 //! ```
 
-use super::hold::OUTWARDS;
+use super::hold::{OUTWARDS, near};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::number;
@@ -25,7 +25,7 @@ pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
 
 /// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
 pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
-    let bounds = pair.holds.iter().map(|hold| (factor * hold.lever(part) + hold.shift(part)) * OUTWARDS);
+    let bounds = near(&pair.holds, part).iter().map(|hold| (factor * hold.lever(part) + hold.shift(part)) * OUTWARDS);
     bounds.fold(f64::INFINITY, f64::min)
 }
 

@@ -45,6 +45,15 @@ impl Place {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hold(pub(crate) Place, pub(crate) Place);
 
+/// Of holds from left to right those near a part of the beam, so that the price of a bound does not grow with all of them. Each hold
+/// by itself bounds what is asked, so that any of them may be left out.
+pub(crate) fn near(holds: &[Hold], [a, _]: [f64; 2]) -> &[Hold] {
+    /// On each side; of places that are known exactly the nearest two are the best (*tuned* for those in zones).
+    const MOST: usize = 64;
+    let next = holds.partition_point(|hold| hold.0.from <= a);
+    &holds[next.saturating_sub(MOST)..holds.len().min(next + MOST)]
+}
+
 impl Hold {
     /// At least `√(3 EI c(x, x))` for `a ≤ x ≤ b`.
     pub(crate) fn lever(&self, [a, b]: [f64; 2]) -> f64 {
@@ -195,5 +204,26 @@ mod tests {
         // The worst places: far apart for a couple, close together for a share.
         reached(wide.lever_of_couple([6.0, 7.0]), (4.5_f64 + 3.0 * 2.0).sqrt());
         reached(wide.share([6.0, 7.0], 0.5, 0.125), 0.5 + (0.5 * 2.0 + 0.125) / 3.0);
+    }
+
+    /// Hundreds of supports, some of which hold the slope: those near a part bound as well as all of them.
+    #[test]
+    fn the_best_holds_are_near() {
+        let count = 400_u32;
+        let at = |k: u32| f64::from(k) + 0.9 * f64::from(k * 37 % 101) / 101.0;
+        let of = |k: u32| {
+            let two = Some(Hold(Place::at(at(k)), Place::at(at(k + 1))));
+            let one = (k.is_multiple_of(7)).then(|| Hold(Place::at(at(k)), Place::at(at(k))));
+            one.into_iter().chain(two)
+        };
+        // The beam is longer than its supports reach.
+        let holds: Vec<Hold> = (20..count).flat_map(of).collect();
+        for part in (0..4 * (count + 30)).map(|k| [0.25 * f64::from(k), 0.25 * f64::from(k + k % 3)]) {
+            let least =
+                |holds: &[Hold], bound: &dyn Fn(&Hold) -> f64| holds.iter().map(bound).fold(f64::INFINITY, f64::min);
+            let same = |bound: &dyn Fn(&Hold) -> f64| least(near(&holds, part), bound) <= least(&holds, bound);
+            assert!(same(&|hold| hold.lever(part)) && same(&|hold| hold.lever_of_couple(part)), "{part:?}");
+        }
+        assert!(near(&holds, [200.0; 2]).len() < holds.len() / 2);
     }
 }

@@ -1,7 +1,7 @@
 //! What a moment field would have to pull with, and what it costs to cut that off.
 
 use super::contact_node::EnclosedScene;
-use super::hold::{Hold, OUTWARDS};
+use super::hold::{Hold, OUTWARDS, near};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::{Polynomial, number};
@@ -48,7 +48,7 @@ impl TensionCutOff {
         let mut sums = [Interval::ZERO; 2];
         for &(part, force, couple) in &self.pulls {
             let bent = |hold: &Hold| force * hold.lever(part) + couple * hold.lever_of_couple(part);
-            let best = holds.iter().map(|hold| (bent(hold) * OUTWARDS, hold)).min_by(|a, b| a.0.total_cmp(&b.0));
+            let best = near(holds, part).iter().map(|h| (bent(h) * OUTWARDS, h)).min_by(|a, b| a.0.total_cmp(&b.0));
             let [lever, share] = best.map_or([f64::INFINITY; 2], |(m, hold)| [m, hold.share(part, force, couple)]);
             sums = [sums[0] + Interval::exact(lever) / root, sums[1] + Interval::exact(share)];
         }

@@ -202,13 +202,14 @@ fn held_by_contact(
     Some(Held { holds, stops: Some(stops), carried: [0, 1].map(|k| both[0][k] + both[1][k]) })
 }
 
-/// What holds the beam whatever it touches: neighbouring two of its supports, and one at which it cannot turn, or about which the
-/// loads are in balance.
+/// What holds the beam whatever it touches, from left to right: neighbouring two of its supports, and one at which it cannot turn,
+/// or about which the loads are in balance.
 fn held(enclosed: &EnclosedScene<'_>, turns_about: Option<f64>) -> Vec<Hold> {
-    let twice = |x: f64| Hold(Place::at(x), Place::at(x));
-    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
-    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    two.chain(one.chain(turns_about).map(twice)).collect()
+    let two = enclosed.supports.windows(2).map(|w| [w[0].x, w[1].x]);
+    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x).chain(turns_about).map(|x| [x; 2]);
+    let mut holds: Vec<Hold> = two.chain(one).map(|[a, b]| Hold(Place::at(a), Place::at(b))).collect();
+    holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    holds
 }
 
 /// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
@@ -267,6 +268,7 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
         let places: Vec<Place> = beside(from, true).into_iter().chain(held).chain(beside(to, false)).collect();
         pair.holds.extend(places.windows(2).map(|w| Hold(w[0], w[1])));
     }
+    pair.holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
 }
 
 /// Of places that press the two that hold the beam best: strongly, and far apart.
@@ -310,10 +312,9 @@ fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> 
     }
     // On smooth ground a beam that touches it inside is tangent to it.
     let tangent = enclosed.supports.is_empty() && enclosed.gap.is_smooth_at(x) && 0.0 < x && x < enclosed.length;
-    for [left, right] in [[(x - far).max(0.0), x], [x, (x + far).min(enclosed.length)]].into_iter().filter(|_| tangent)
-    {
-        let smooth = enclosed.gap.breaks(left, right).into_iter().filter(|y| !enclosed.gap.is_smooth_at(*y));
-        let [left, right] = smooth.fold([left, right], |[a, b], y| if y < x { [a.max(y), b] } else { [a, b.min(y)] });
+    for [a, b] in [[(x - far).max(0.0), x], [x, (x + far).min(enclosed.length)]].into_iter().filter(|_| tangent) {
+        let smooth = enclosed.gap.breaks(a, b).into_iter().filter(|y| !enclosed.gap.is_smooth_at(*y));
+        let [left, right] = smooth.fold([a, b], |[a, b], y| if y < x { [a.max(y), b] } else { [a, b.min(y)] });
         let mut bend = 0.0_f64;
         for piece in pieces.iter().filter(|piece| left < piece.to && piece.from < right && !piece.follows) {
             let [from, to] = [piece.from.max(left), piece.to.min(right)];
