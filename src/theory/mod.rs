@@ -13,7 +13,7 @@
 //!    `neutral` has the beams that rest on one place and may turn there.
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
-//! 8. `sensitivity`, `derivatives`: how the answer changes with the numbers of the scene.
+//! 8. `sensitivity`, `derivatives`, `changes`, `spread`: how the answer changes with the numbers of the scene, and where its kind does.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
@@ -24,6 +24,7 @@
 mod bernstein;
 mod breakpoints;
 mod chain;
+mod changes;
 mod check;
 mod close;
 pub mod closed;
@@ -49,14 +50,16 @@ mod sensitivity;
 mod shape;
 mod solve;
 mod span;
+mod spread;
 mod summary;
 mod tension;
 mod violation;
 
 pub use closed::{FlatSolution, flat};
-pub use derivatives::{By, ContactDerivative, Derivative, Missing, Spread};
+pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
 pub use margin::Margin;
 pub use pattern::{Pattern, Touch, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};
+pub use spread::Spread;
 pub use violation::Violation;

@@ -1,0 +1,183 @@
+//! Where the kind of an answer changes: what vanishes, ground that is level with supports, loads at the ends of zones.
+
+use super::derivatives::Missing;
+use super::exact::Exact;
+use super::list::{Beside, Kind, Node};
+use super::margin::lowest;
+use super::piecewise::AtSupport;
+use super::sensitivity::{bend, standing};
+use super::span::Span;
+use crate::scene::{Foundation, Held, Scene};
+use crate::state::Contact;
+
+/// The ground at a support.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Ground {
+    /// It starts at the level of the support, and cannot rise.
+    pub(super) meets: bool,
+    /// The beam lies on it beside the support, and how it leaves it.
+    pub(super) rests: Option<Missing>,
+    /// It is level around the support, which may move along it.
+    pub(super) level: bool,
+    /// The slope of the axis of the beam to its left and to its right.
+    pub(super) axis: [f64; 2],
+}
+
+/// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes.
+pub(super) const AT_A_CHANGE: f64 = 1e-9;
+
+impl Exact {
+    /// What the ground does at the supports, from left to right.
+    pub(super) fn at_supports(&self, scene: &Scene) -> Vec<Ground> {
+        let nodes = self.list.nodes.iter().enumerate();
+        let held = scene.held();
+        let ground = |(i, node): (usize, &Node)| Some(self.at_support(scene, i, &held[node.support()?]));
+        nodes.filter_map(ground).collect()
+    }
+
+    fn at_support(&self, scene: &Scene, i: usize, held: &Held) -> Ground {
+        let (given, length) = (&self.given, scene.beam().length());
+        let node = &self.list.nodes[i];
+        let Kind::Support(index, beside) = node.kind else { return Ground::default() };
+        let support = &given.supports[index];
+        let bridged = self.bridged(support);
+        let crowded = self.crowded(i);
+        let by_ground = !support.built_in && support.slope.is_some();
+        let rests = (by_ground || beside != [Beside::Apart; 2] || crowded).then(|| {
+            let pushes = |zone: bool, cell: usize| zone && given.drive(cell, node.x) != 0.0;
+            let pressed = pushes(self.list.in_zone_before(i), given.cell_to(node.x))
+                || pushes(self.list.in_zone_before(i + 1), given.cell_from(node.x));
+            let [left, right] = self.bends(i);
+            let couple = AT_A_CHANGE * self.largest_node_force() * given.length < (right - left).abs();
+            if pressed || couple || crowded { Missing::Parts } else { Missing::Unloaded }
+        });
+        // Level ground on both sides, where there is a beam.
+        let level = scene.foundation().is_some_and(|ground| {
+            let flat = ground.sides(held.at).into_iter().all(|[_, slope]| slope == 0.0);
+            flat && curvature(ground, held.at) == 0.0 && held.meets == [0.0 < held.at, held.at < length]
+        });
+        let ends = super::sensitivity::ends(&self.spans, i);
+        let slope = ends[0].map(|span| span.beam_b[1]).or(ends[1].map(|span| span.beam_a[1])).unwrap_or(0.0);
+        let own = scene.beam().shape().map_or([0.0; 2], |own| own.sides(held.at).map(|[_, slope]| slope));
+        let axis = own.map(|own| own + slope * self.scale.depth / self.scale.length);
+        Ground { meets: bridged || held.meets.contains(&true), rests, level, axis }
+    }
+
+    /// True if the gap between a support and the ground is none, or next to none.
+    fn bridged(&self, support: &AtSupport) -> bool {
+        let size = self.state.deflection.magnitude() / self.scale.depth;
+        self.given.founded && support.clearance.into_iter().any(|gap| gap <= AT_A_CHANGE * size)
+    }
+
+    /// True of a support and of a contact that are side by side: a gap that is small is bridged over a distance that is small as
+    /// its root.
+    pub(super) fn crowded(&self, i: usize) -> bool {
+        let nodes = &self.list.nodes;
+        let near = |[a, b]: [&Node; 2]| {
+            let support = a.support().or(b.support()).map(|index| &self.given.supports[index]);
+            a.support().is_some() != b.support().is_some()
+                && (b.x - a.x).abs() <= AT_A_CHANGE.sqrt() * self.given.length
+                && support.is_some_and(|support| self.bridged(support))
+        };
+        let beside = |left: usize| nodes.get(left).zip(nodes.get(left + 1)).is_some_and(|(a, b)| near([a, b]));
+        beside(i) || i.checked_sub(1).is_some_and(beside)
+    }
+
+    /// `v''` to the left and to the right of a node, that of the ground in a zone, and zero where there is no beam.
+    pub(super) fn bends(&self, i: usize) -> [f64; 2] {
+        let (given, x) = (&self.given, self.list.nodes[i].x);
+        let [left, right] = super::sensitivity::ends(&self.spans, i);
+        let zone = |before: usize, cell: usize| {
+            if self.list.in_zone_before(before) { given.derivative(cell, x, 2) } else { 0.0 }
+        };
+        [
+            left.map_or_else(|| zone(i, given.cell_to(x)), |span| span.beam_b[2]),
+            right.map_or_else(|| zone(i + 1, given.cell_from(x)), |span| span.beam_a[2]),
+        ]
+    }
+
+    fn largest_node_force(&self) -> f64 {
+        self.forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()))
+    }
+
+    /// True if the beam lies along the ground somewhere without pressing on it, as one without weight does beyond a contact.
+    pub(super) fn lies(&self) -> bool {
+        let size = AT_A_CHANGE * self.state.deflection.magnitude() / self.scale.depth;
+        let at = |[h, slope, bend, third]: [f64; 4], l: f64| {
+            [h, slope * l, bend * l * l, third * l * l * l].into_iter().all(|h| h.abs() <= size)
+        };
+        let along = |span: &Span| at(span.at_a, span.length()) && at(span.at_b, span.length());
+        self.given.founded && self.spans.iter().any(|(_, span)| along(span))
+    }
+
+    /// True if the ground presses at node `end`, an end of the zone before node `i`.
+    pub(super) fn presses(&self, end: usize, i: usize) -> bool {
+        let x = self.list.nodes[end].x;
+        let cell = if end == i { self.given.cell_to(x) } else { self.given.cell_from(x) };
+        let least = AT_A_CHANGE * self.largest_node_force().max(self.given.total_load);
+        // The place of a lift-off follows from the force there; a tip stays where it is.
+        let is_tip = self.list.nodes[end].kind == Kind::Tip;
+        least < self.forces[end] || is_tip && least < self.given.drive(cell, x).abs() * self.given.length
+    }
+
+    /// True if a load stands on node `i`, and a zone ends there.
+    pub(super) fn jumps(&self, i: usize) -> bool {
+        standing(&self.given, &self.list, i) != 0.0 && self.list.ends_zone(i)
+    }
+
+    /// True if the load at `at` stands on an end of a zone.
+    pub(super) fn ends_zone(&self, at: f64) -> bool {
+        let list = &self.list;
+        list.nodes.iter().enumerate().any(|(i, node)| node.x <= at && at <= node.x && list.ends_zone(i))
+    }
+
+    /// True if the load `force` at `at` stands on a zone, and it or what stands there besides pulls.
+    pub(super) fn pulls(&self, at: f64, force: f64) -> bool {
+        let given = &self.given;
+        let all = given.breakpoint_at(at).map_or(force, |i| given.breakpoints[i].force);
+        let least = -AT_A_CHANGE * force.abs();
+        self.list.zones().any(|zone| zone.from <= at && at <= zone.to) && force.min(all - force) < least
+    }
+
+    /// True where a force, a bend, a length or a clearance vanishes.
+    pub(super) fn at_a_change(&self) -> bool {
+        let (given, nodes) = (&self.given, &self.list.nodes);
+        let largest = self.largest_node_force();
+        let moments = self.spans.iter().flat_map(|(_, span)| [span.beam_a[2], span.beam_b[2]]);
+        let bent =
+            moments.fold(0.0, |most: f64, moment| most.max(moment.abs())).max(largest * given.length * AT_A_CHANGE);
+        let size = self.state.deflection.magnitude() / self.scale.depth;
+        let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
+        let at_node = nodes.iter().enumerate().any(|(i, node)| match node.kind {
+            Kind::Smooth => small(self.forces[i], largest) || small(bend(&self.spans, i), bent),
+            Kind::Edge(_) | Kind::ZoneStart | Kind::ZoneEnd => small(self.forces[i], largest),
+            Kind::Support(_, beside) => beside != [Beside::Apart; 2],
+            Kind::Tip => false,
+        });
+        let short = self.list.zones().any(|zone| small(zone.to - zone.from, given.length));
+        // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
+        let carried = self.touches();
+        let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
+        let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
+        let contacts = &self.state.contacts;
+        let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
+        let touches = |span| given.founded && lowest(given, span).is_some_and(|least| small(least, size));
+        at_node || short || unloaded || self.spans.iter().any(|(_, span)| touches(span))
+    }
+}
+
+/// The second derivative of a profile, which is smooth there.
+pub(super) fn curvature(profile: &Foundation, x: f64) -> f64 {
+    match profile {
+        Foundation::Flat { .. } | Foundation::Polyline { .. } => 0.0,
+        Foundation::Polynomial { coefficients } => {
+            #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
+            let terms = coefficients.iter().enumerate().skip(2).rev().map(|(j, c)| (j * (j - 1)) as f64 * c);
+            terms.fold(0.0, |sum, c| sum * x + c)
+        }
+        Foundation::Cosine { amplitude, wavelength, phase, .. } => {
+            let rate = 2.0 * std::f64::consts::PI / wavelength;
+            -amplitude * rate * rate * libm::cos(rate * x + phase)
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! How far the forces of an exact answer are off if depths of the ground are: to first order, from its derivatives.
+
+use super::derivatives::{Asked, By};
+use super::exact::Exact;
+use super::list::{Beside, Kind, Node};
+use super::sensitivity::Change;
+
+/// How far forces may be off, by estimate: magnitudes \[force\].
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Spread {
+    /// Of the supports, from left to right.
+    pub supports: Vec<f64>,
+    /// Of the resultants of the contacts.
+    pub contacts: Vec<f64>,
+}
+
+impl Exact {
+    /// How far forces are off to first order if the depth under each contact by itself may be off by `tolerance`: the sum of the
+    /// magnitudes of all derivatives. Under a zone the ground moves as a whole.
+    #[must_use]
+    pub fn spread(&self, tolerance: f64) -> Option<Spread> {
+        let nodes = &self.list.nodes;
+        let none =
+            Spread { supports: vec![0.0; self.state.supports.len()], contacts: vec![0.0; self.state.contacts.len()] };
+        let stretches = (0..=nodes.len()).filter_map(|i| match nodes.get(i).map(|node| node.kind) {
+            _ if self.list.in_zone_before(i) => Some((i - 1, i)),
+            Some(Kind::Smooth | Kind::Edge(_)) => Some((i, i)),
+            _ => None,
+        });
+        // Where the ground parts from a support forces change as a root of the distance.
+        let rests = |(i, node): (usize, &Node)| match node.kind {
+            Kind::Support(index, beside) => {
+                let support = &self.given.supports[index];
+                beside != [Beside::Apart; 2] || support.slope.is_some() && !support.built_in || self.crowded(i)
+            }
+            _ => false,
+        };
+        if nodes.iter().enumerate().any(rests) {
+            return None;
+        }
+        let linear = self.sensitivity()?;
+        stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
+            let of = Change::GroundUnder(from, to);
+            let derivative = self.derivative(
+                &linear,
+                Asked { by: By::Depth, change: of, unit: self.scale.depth, one_sided: false, parts: None },
+            );
+            let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
+            sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
+            sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));
+            Some(sum)
+        })
+    }
+}
