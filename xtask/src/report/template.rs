@@ -33,6 +33,7 @@ pub(super) fn environment(excerpts: BTreeMap<String, Excerpt>) -> Environment<'s
     environment.add_filter("fixed", |value: f64, places: usize| Ok(text::fixed(finite(value)?, places)));
     environment.add_filter("digits", |value: f64, digits: usize| Ok(text::significant(finite(value)?, digits)));
     environment.add_filter("sci", |value: f64, places: usize| Ok(text::times_ten(finite(value)?, places)));
+    environment.add_filter("bound", |value: f64| Ok(text::bound(finite(value)?)));
     environment.add_filter("percent", |value: f64, places: usize| {
         Ok(format!("{} %", text::fixed(100.0 * finite(value)?, places)))
     });

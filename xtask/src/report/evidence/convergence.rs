@@ -19,7 +19,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (differences, energy) =
         (of_the_example(Method::Complementarity, &GRIDS)?, of_the_example(Method::Displacement, &GRIDS)?);
     let fast = differences.iter().any(|s| s.quantity == Quantity::Energy && 2.5 < s.order);
-    let first_force = study.ledger()?.usable.grids.iter().map(|grid| (grid.intervals, grid.first_force));
+    let first_force = study.ledger()?.grids.iter().map(|grid| (grid.intervals, grid.first_force));
     let first_force: Vec<_> = first_force.map(|(intervals, error)| context! { intervals, error }).collect();
 
     let grids: Vec<usize> = (0..=HALVINGS).map(|k| COARSEST << k).collect();

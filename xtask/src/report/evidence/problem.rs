@@ -101,7 +101,7 @@ pub(super) fn methods(study: &Study<'_>) -> Result<Evidence, Cause> {
         }
     }
     // The condition of K and C.
-    let digits = &study.ledger()?.recommendation.digits;
+    let digits = &study.ledger()?.digits;
     let conditions: Vec<String> =
         digits.iter().map(|d| format!("{} with {} intervals", times_ten(d.condition, 1), d.intervals)).collect();
     Ok(Evidence::new(context! {

@@ -5,110 +5,45 @@ use palkki::methods::Method;
 use palkki::scene::{Foundation, Load, PointLoad, Scene, SceneError};
 use palkki::solvers::Solver;
 use palkki::{Settings, solve_raw};
+use serde_json::json;
 
-use super::{Claim, Verdict, bound};
+use super::{Claim, Verdict};
+use crate::compare::largest;
 use crate::paper::{INTERVALS, PRINTED_FORCE, PRINTED_REACTION, PRINTED_USEFUL_INTERVALS, beam, example, theory};
 
 /// "The reaction became approximately 1,14 (n = 29), beam theory gives 1,18": the two printed numbers, computed again.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Printed {
-    /// `T` by beam theory.
-    pub reaction_by_theory: f64,
-    /// Contact force at the first node in contact, force method, 30 intervals.
-    pub first_force: f64,
-    /// Where that node is.
-    pub first_place: f64,
-    /// Reaction of the left support on the same grid, with the load of half an interval on the support.
-    pub end_reaction: f64,
-    /// The first contact force by finite differences.
-    pub first_force_by_differences: f64,
-}
-
-/// Half a unit of the last printed digit.
-const HALF_A_UNIT: f64 = 0.005;
-
-/// Measures on the example.
-///
-/// # Errors
-///
-/// None for the example; the type is that of [`solve_raw`].
-pub fn printed() -> Result<Printed, SceneError> {
+pub(super) fn printed_numbers() -> Result<Claim, SceneError> {
     let first = |method| -> Result<(f64, f64, f64), SceneError> {
         let state = solve_raw(&example()?, &Settings::new(method, Solver::ActiveSet, INTERVALS))?.state;
         let nodes = state.nodes.unwrap_or_default();
         let index = nodes.contact_force.iter().position(|p| 0.0 < *p).unwrap_or(0);
         Ok((nodes.x[index], nodes.contact_force[index], state.reactions.left))
     };
-    let (first_place, first_force, end_reaction) = first(Method::Force)?;
-    let (_, first_force_by_differences, _) = first(Method::Complementarity)?;
-    Ok(Printed {
-        reaction_by_theory: theory().reaction,
-        first_force,
-        first_place,
-        end_reaction,
-        first_force_by_differences,
-    })
-}
-
-impl Printed {
-    /// Whether both numbers round to what is printed.
-    #[must_use]
-    pub fn verdict(&self) -> Verdict {
-        let rounds = |value: f64, printed: f64| (value - printed).abs() <= HALF_A_UNIT;
-        if rounds(self.reaction_by_theory, PRINTED_REACTION) && rounds(self.first_force, PRINTED_FORCE) {
-            Verdict::Confirmed
-        } else {
-            Verdict::Refuted
-        }
-    }
-
-    pub(super) fn claim(&self) -> Claim {
-        Claim {
-            name: "printed_numbers",
-            statement: "The reaction became 1.14 (n = 29); beam theory gives 1.18.",
-            verdict: self.verdict(),
-            reading: None,
-            summary: format!("{:.5} and {:.5}", self.first_force, self.reaction_by_theory),
-            evidence: format!(
-                "Beam theory gives {:.5}. The force method on 30 intervals gives {:.5} as the contact force of its first node \
-                 in contact, at x = {:.4}, which rounds to the printed number; the end reaction of the same grid, {:.5}, does \
-                 not. Finite differences give {:.5} for the first contact force.",
-                self.reaction_by_theory,
-                self.first_force,
-                self.first_place,
-                self.end_reaction,
-                self.first_force_by_differences,
-            ),
-        }
-    }
+    // The reaction of the left support has the load of half an interval on the support.
+    let (place, force, end_reaction) = first(Method::Force)?;
+    let (_, by_differences, _) = first(Method::Complementarity)?;
+    let reaction = theory().reaction;
+    // Half a unit of the last printed digit.
+    let rounds = |value: f64, printed: f64| (value - printed).abs() <= 0.005;
+    // The other two candidates for what "the reaction" may be do not round to what is printed.
+    assert!(!rounds(end_reaction, PRINTED_FORCE) && !rounds(by_differences, PRINTED_FORCE));
+    assert!((place - 7.0 / 3.0).abs() < 1e-12, "the first node in contact, up to rounding: {place}");
+    let verdict = Verdict::of(rounds(reaction, PRINTED_REACTION) && rounds(force, PRINTED_FORCE));
+    let numbers = json!({
+        "reaction": reaction, "force": force, "place": place, "end_reaction": end_reaction, "by_differences": by_differences,
+    });
+    Ok(Claim { name: "printed_numbers", verdict, numbers })
 }
 
 /// "As is well known, cubic shape functions lead to the exact solution of a beam if load and contact pressure are point-like."
 ///
-/// Errors of the displacement method under a single point load on a node, against the textbook formula.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PointForces {
-    /// Largest relative error of a nodal deflection over all grids and places.
-    pub deflection: f64,
-    /// Largest relative error of the moment under the load.
-    pub moment: f64,
-    /// The same error of the deflection by finite differences, for comparison.
-    pub deflection_by_differences: f64,
-}
-
-/// What rounding may make of it on these grids.
-const ROUNDING: f64 = 1e-10;
-
-/// Measures on grids of 2 to 40 intervals with the load on every fourth node; the foundation is out of reach.
-///
-/// # Errors
-///
-/// None for these scenes; the type is that of [`solve_raw`].
+/// Errors under a single point load on a node, against the textbook formula: on grids of 2 to 40 intervals with the load on every
+/// fourth node; the foundation is out of reach.
 #[expect(clippy::cast_precision_loss, reason = "40 intervals")]
-pub fn point_forces() -> Result<PointForces, SceneError> {
+pub(super) fn exact_for_point_forces() -> Result<Claim, SceneError> {
     let beam = beam()?;
     let (l, ei) = (beam.length(), beam.bending_stiffness());
-    let mut evidence = PointForces { deflection: 0.0, moment: 0.0, deflection_by_differences: 0.0 };
+    let (mut deflection, mut moment, mut by_differences) = (0.0_f64, 0.0_f64, 0.0_f64);
     for intervals in [2_usize, 5, 10, 20, 40] {
         for node in (1..intervals).step_by(4) {
             let at = l * node as f64 / intervals as f64;
@@ -122,47 +57,22 @@ pub fn point_forces() -> Result<PointForces, SceneError> {
             for method in [Method::Displacement, Method::Complementarity] {
                 let state = solve_raw(&scene, &Settings::new(method, Solver::ActiveSet, intervals))?.state;
                 let nodes = state.nodes.unwrap_or_default();
-                let errors = nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| (v / exact(x) - 1.0).abs());
-                let error = errors.fold(0.0, f64::max);
+                let error = largest(nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v / exact(x) - 1.0));
                 if method == Method::Displacement {
-                    evidence.deflection = evidence.deflection.max(error);
-                    let moment = (state.moment.max / (at * (l - at) / l) - 1.0).abs();
-                    evidence.moment = evidence.moment.max(moment);
+                    deflection = deflection.max(error);
+                    moment = moment.max((state.moment.max / (at * (l - at) / l) - 1.0).abs());
                 } else {
-                    evidence.deflection_by_differences = evidence.deflection_by_differences.max(error);
+                    by_differences = by_differences.max(error);
                 }
             }
         }
     }
-    Ok(evidence)
-}
-
-impl PointForces {
-    /// Whether only rounding is left.
-    #[must_use]
-    pub fn verdict(&self) -> Verdict {
-        if self.deflection.max(self.moment) <= ROUNDING { Verdict::Confirmed } else { Verdict::Refuted }
-    }
-
-    pub(super) fn claim(&self) -> Claim {
-        Claim {
-            name: "exact_for_point_forces",
-            statement: "Cubic shape functions give the exact deflection of a beam whose load and contact pressure are point forces.",
-            verdict: self.verdict(),
-            reading: None,
-            summary: format!(
-                "true up to rounding; finite differences are off by up to {:.0} % on the same grids",
-                100.0 * self.deflection_by_differences
-            ),
-            evidence: format!(
-                "Against the textbook formula for a point load on a node, with 2 to 40 intervals: deflections at the nodes are off \
-                 by less than {}, the moment under the load by less than {}. Finite differences on the same grids are off by up to {:.0} %.",
-                bound(self.deflection),
-                bound(self.moment),
-                100.0 * self.deflection_by_differences,
-            ),
-        }
-    }
+    let worst = deflection.max(moment);
+    assert!(1e6 * worst < by_differences, "finite differences are not exact, so that the comparison means something");
+    // What rounding may make of it on these grids.
+    let verdict = Verdict::of(worst <= 1e-10);
+    let numbers = json!({ "deflection": deflection, "moment": moment, "by_differences": by_differences });
+    Ok(Claim { name: "exact_for_point_forces", verdict, numbers })
 }
 
 /// Errors of the energy methods on one grid of the example, relative to beam theory.
@@ -184,39 +94,15 @@ pub struct Errors {
     pub holes: usize,
 }
 
-/// "The estimates of the contact pressure distribution and of the deflected shape are entirely usable. Usable results were
-/// obtained when the beam was divided into 20 equal intervals."
-#[derive(Debug, Clone, PartialEq)]
-pub struct Usable {
-    /// The paper's grid, the coarser one that it calls usable, and a fine one.
-    pub grids: [Errors; 3],
-    /// Grids from 20 to 400 intervals in steps of 20 that were looked at for holes.
-    pub grids_looked_at: usize,
-    /// How many of them have a hole in the contact.
-    pub grids_with_holes: usize,
-    /// The largest deviation of a contact force on any of them, as in [`Errors::pressure`], and its number of intervals.
-    pub worst_pressure: (usize, f64),
-}
-
 /// What we call usable: one per cent.
 const USABLE: f64 = 0.01;
 
 /// A grid that nobody could afford in 1984.
 const FINE: usize = 300;
 
-/// Measures on the example.
-///
-/// # Errors
-///
-/// None for the example; the type is that of [`solve_raw`].
-pub fn usable() -> Result<Usable, SceneError> {
-    let grids = [errors(INTERVALS)?, errors(PRINTED_USEFUL_INTERVALS)?, errors(FINE)?];
-    let looked_at: Vec<Errors> = (1..=20).map(|k| errors(20 * k)).collect::<Result<_, _>>()?;
-    let grids_with_holes = looked_at.iter().filter(|e| 0 < e.holes).count();
-    let worst_pressure = looked_at
-        .iter()
-        .fold((0, 0.0), |worst: (usize, f64), e| if worst.1 < e.pressure { (e.intervals, e.pressure) } else { worst });
-    Ok(Usable { grids, grids_looked_at: looked_at.len(), grids_with_holes, worst_pressure })
+/// The paper's grid, the coarser one that it calls usable, and a fine one.
+pub(super) fn grids() -> Result<[Errors; 3], SceneError> {
+    Ok([errors(INTERVALS)?, errors(PRINTED_USEFUL_INTERVALS)?, errors(FINE)?])
 }
 
 /// Errors on one grid.
@@ -233,15 +119,14 @@ pub fn errors(intervals: usize) -> Result<Errors, SceneError> {
     let nodal_load = scene.load().uniform() * scene.beam().length() / intervals as f64;
     let touching: Vec<f64> = nodes.contact_force.iter().copied().filter(|p| 0.0 < *p).collect();
     let inner = &touching[1.min(touching.len())..touching.len().saturating_sub(1)];
-    let worst = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |worst, e| worst.max(e.abs()));
     let exact_moment = exact.reaction * exact.reaction / (2.0 * scene.load().uniform());
     Ok(Errors {
         intervals,
         end_reaction: state.reactions.left / exact.reaction - 1.0,
         first_force: touching.first().map_or(f64::NAN, |p| p / exact.end_force - 1.0),
-        deflection: worst(&mut nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x))),
+        deflection: largest(nodes.x.iter().zip(&nodes.deflection).map(|(&x, v)| v - exact.deflection(x))),
         moment: state.moment.max / exact_moment - 1.0,
-        pressure: worst(&mut inner.iter().map(|p| p / nodal_load - 1.0)),
+        pressure: largest(inner.iter().map(|p| p / nodal_load - 1.0)),
         holes: state.contacts.len().saturating_sub(1),
     })
 }
@@ -254,89 +139,47 @@ impl Errors {
     }
 }
 
-impl Usable {
-    /// Deflected shape, moment and end reaction on the two grids of the paper.
-    #[must_use]
-    pub fn verdict(&self) -> Verdict {
-        let good = |e: &Errors| e.worst() <= USABLE;
-        match (good(&self.grids[0]), good(&self.grids[1])) {
-            (true, true) => Verdict::Confirmed,
-            (false, false) => Verdict::Refuted,
-            _ => Verdict::Qualified,
-        }
-    }
+/// "The estimates of the contact pressure distribution and of the deflected shape are entirely usable. Usable results were
+/// obtained when the beam was divided into 20 equal intervals": deflected shape, moment and end reaction.
+pub(super) fn usable_shape(grids: &[Errors; 3]) -> Claim {
+    let [paper, coarse, fine] = grids;
+    assert_eq!([paper, coarse].map(|grid| grid.intervals), [30, 20], "the grids of the paper");
+    assert!(fine.worst() < USABLE, "{fine:?}");
+    assert!(coarse.end_reaction < 3.0 * USABLE && coarse.deflection < USABLE, "{coarse:?}");
+    let verdict = match [paper, coarse].map(|grid| grid.worst() <= USABLE) {
+        [true, true] => Verdict::Confirmed,
+        [false, false] => Verdict::Refuted,
+        _ => Verdict::Qualified,
+    };
+    let line = |e: &Errors| {
+        json!({
+            "intervals": e.intervals, "end_reaction": e.end_reaction, "moment": e.moment, "deflection": e.deflection,
+            "worst": e.worst(),
+        })
+    };
+    Claim { name: "usable_shape", verdict, numbers: json!({ "grids": [line(paper), line(coarse)] }) }
+}
 
-    /// Pressure distribution: usable only if no finer grid is worse than that of the paper.
-    #[must_use]
-    pub fn pressure_verdict(&self) -> Verdict {
-        let [paper, ..] = &self.grids;
-        if self.worst_pressure.1 <= paper.pressure && self.grids_with_holes == 0 {
-            Verdict::Confirmed
-        } else if paper.pressure <= 1.0 {
-            Verdict::Qualified
-        } else {
-            Verdict::Refuted
-        }
-    }
-
-    pub(super) fn claims(&self) -> [Claim; 2] {
-        let [paper, coarse, fine] = &self.grids;
-        let percent = |e: f64| format!("{:+.2} %", 100.0 * e);
-        let line = |e: &Errors| {
-            format!(
-                "On {} intervals the end reaction is off by {}, the largest moment by {} and the deflection of the nodes by at most {:.2} % of u₀",
-                e.intervals,
-                percent(e.end_reaction),
-                percent(e.moment),
-                100.0 * e.deflection
-            )
-        };
-        let shape = Claim {
-            name: "usable_shape",
-            statement: "The deflected shape is entirely usable on 30 intervals, and usable on 20.",
-            verdict: self.verdict(),
-            reading: None,
-            summary: format!(
-                "deflection, end reaction and moment within {:.2} % on {} intervals, {:.2} % on {}",
-                100.0 * paper.worst(),
-                paper.intervals,
-                100.0 * coarse.worst(),
-                coarse.intervals,
-            ),
-            evidence: format!("We call usable what is within one per cent. {}. {}.", line(paper), line(coarse)),
-        };
-        let pressure = Claim {
-            name: "usable_pressure",
-            statement: "The contact pressure distribution is entirely usable on 30 intervals, and usable on 20.",
-            verdict: self.pressure_verdict(),
-            reading: None,
-            summary: format!(
-                "nodal forces are off by up to {:.0} % of the load of one interval on {} intervals and {:.0} % on {}; their sum converges",
-                100.0 * paper.pressure,
-                paper.intervals,
-                100.0 * self.worst_pressure.1,
-                self.worst_pressure.0,
-            ),
-            evidence: format!(
-                "The first contact force differs from the point force at lift-off by {} on 30 intervals, {} on 20 and {} on {}. \
-                 It does not converge, because neighbouring nodes share that force. The nodal forces between the first and the last \
-                 one, the second one included, differ from q₀Δ by up to {:.0} % on 30, {:.0} % on 20 and {:.0} % on {} intervals, and \
-                 by {:.0} % on {} intervals, the worst of {} grids from 20 to 400 intervals. {} of these grids have an open interval inside the \
-                 contact, where beam theory has none. Resultants converge, nodal pressures do not.",
-                percent(paper.first_force),
-                percent(coarse.first_force),
-                percent(fine.first_force),
-                fine.intervals,
-                100.0 * paper.pressure,
-                100.0 * coarse.pressure,
-                100.0 * fine.pressure,
-                fine.intervals,
-                100.0 * self.worst_pressure.1,
-                self.worst_pressure.0,
-                self.grids_looked_at,
-                self.grids_with_holes,
-            ),
-        };
-        [shape, pressure]
-    }
+/// The same of the pressure distribution: usable only if no finer grid is worse than that of the paper.
+pub(super) fn usable_pressure([paper, coarse, fine]: &[Errors; 3]) -> Result<Claim, SceneError> {
+    let looked_at: Vec<Errors> = (1..=20).map(|k| errors(20 * k)).collect::<Result<_, _>>()?;
+    let holes = looked_at.iter().filter(|e| 0 < e.holes).count();
+    let worst = looked_at.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure)).unwrap_or(paper);
+    // On the paper's grid nodal forces deviate by less than q₀Δ itself; but contacts have holes, and nothing converges.
+    assert!(paper.first_force.abs() < 0.05 && 0.5 < coarse.first_force.abs(), "{paper:?} {coarse:?}");
+    assert!((0.5..1.0).contains(&paper.pressure) && 5.0 < worst.pressure, "{paper:?} {worst:?}");
+    assert!(looked_at.len() < 2 * holes, "{holes} of {}", looked_at.len());
+    let verdict = if worst.pressure <= paper.pressure && holes == 0 {
+        Verdict::Confirmed
+    } else if paper.pressure <= 1.0 {
+        Verdict::Qualified
+    } else {
+        Verdict::Refuted
+    };
+    let grid = |e: &Errors| json!({ "intervals": e.intervals, "force": e.first_force, "pressure": e.pressure });
+    let numbers = json!({
+        "paper": grid(paper), "coarse": grid(coarse), "fine": grid(fine), "worst": grid(worst),
+        "grids": looked_at.len(), "with_holes": holes,
+    });
+    Ok(Claim { name: "usable_pressure", verdict, numbers })
 }

@@ -1,18 +1,19 @@
 //! The claims ledger: what the paper says, what the numbers say now.
 //!
-//! A claim has what is measured (a struct of numbers), the verdict that follows from it, and the words. Verdicts are
-//! computed; the acceptance tests assert them and the numbers behind them. The one claim about the literature, that the force
-//! method was new, cannot be decided by computing and stays open; another is open because what was computed does not decide it.
+//! A claim is one function: it measures, asserts what its words rest on, and returns the verdict with the numbers. The words are in
+//! `report/templates/claims.md`. The one claim about the literature, that the force method was new, cannot be decided by computing
+//! and stays open; another is open because what was computed does not decide it.
 
 pub mod accuracy;
 pub mod curved;
 pub mod energy_methods;
-pub mod extensions;
+mod extensions;
 pub mod four_step;
 pub mod nsor;
 
 use palkki::scene::SceneError;
 use palkki::text::power_of_ten;
+use serde_json::{Value, json};
 
 /// What became of a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +29,11 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Of a claim that holds as stated or does not.
+    fn of(holds: bool) -> Self {
+        if holds { Self::Confirmed } else { Self::Refuted }
+    }
+
     /// Its word in tables.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -40,50 +46,30 @@ impl Verdict {
     }
 }
 
-/// A claim of the paper with its verdict, ready for the ledger.
+/// A claim of the paper, what became of it and the numbers of its words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Claim {
-    /// Short name, also of the test that asserts the verdict.
+    /// Its name in the template and in the snapshot.
     pub name: &'static str,
-    /// What the paper says, in English.
-    pub statement: &'static str,
     /// What became of it.
     pub verdict: Verdict,
-    /// Which of two readings the verdict is about, where the words of the paper allow two.
-    pub reading: Option<&'static str>,
-    /// Why, in a few words with a number.
-    pub summary: String,
-    /// Why, with numbers.
-    pub evidence: String,
+    /// What its words quote.
+    pub numbers: Value,
 }
 
-/// Everything that is measured for the ledger, so that tables and figures can quote the numbers behind the words.
+/// Everything that is measured for the ledger, with the numbers that other tables and figures quote.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ledger {
-    /// The two printed numbers.
-    pub printed: accuracy::Printed,
-    /// Force and displacement method against each other.
-    pub same_result: energy_methods::SameResult,
-    /// Cubic elements under point forces.
-    pub point_forces: accuracy::PointForces,
-    /// Shape and pressure on coarse grids.
-    pub usable: accuracy::Usable,
-    /// The four steps, on many grids and foundations.
-    pub four_step: four_step::Evidence,
-    /// Sweeps of NSOR.
-    pub nsor: nsor::Evidence,
+    /// All claims with their verdicts, in the order of the paper's argument.
+    pub claims: Vec<Claim>,
+    /// Errors on the paper's grid, the coarser one that it calls usable, and a fine one.
+    pub grids: [accuracy::Errors; 3],
+    /// The four steps by each method, on many grids and foundations.
+    pub four_step: Vec<four_step::Count>,
+    /// Sweeps of NSOR by each method.
+    pub nsor: Vec<nsor::Count>,
     /// Digits with and without the matrices.
-    pub recommendation: energy_methods::Recommendation,
-    /// Energies and penetration.
-    pub bounds: energy_methods::BothSides,
-    /// A body that is no beam.
-    pub any_body: extensions::Taut,
-    /// Springs for a foundation.
-    pub elastic_foundation: extensions::Springs,
-    /// No supports.
-    pub unknown_rigid_motion: extensions::Unsupported,
-    /// A ski.
-    pub curved_beam: curved::Curved,
+    pub digits: [energy_methods::Digits; 2],
 }
 
 impl Ledger {
@@ -92,45 +78,32 @@ impl Ledger {
     /// # Errors
     ///
     /// None for the scenes of the paper; the type is that of [`palkki::solve`].
+    ///
+    /// # Panics
+    ///
+    /// If something does not hold on which the words of a claim rest.
     pub fn measure() -> Result<Self, SceneError> {
-        Ok(Self {
-            printed: accuracy::printed()?,
-            same_result: energy_methods::same_result()?,
-            point_forces: accuracy::point_forces()?,
-            usable: accuracy::usable()?,
-            four_step: four_step::measure()?,
-            nsor: nsor::measure()?,
-            recommendation: energy_methods::recommendation()?,
-            bounds: energy_methods::both_sides()?,
-            any_body: extensions::any_body(),
-            elastic_foundation: extensions::elastic_foundation()?,
-            unknown_rigid_motion: extensions::unknown_rigid_motion()?,
-            curved_beam: curved::curved_beam()?,
-        })
-    }
-
-    /// All claims with their verdicts, in the order of the paper's argument.
-    #[must_use]
-    pub fn claims(&self) -> Vec<Claim> {
-        let [shape, pressure] = self.usable.claims();
-        let [direct, edge] = self.four_step.claims();
-        vec![
-            self.printed.claim(),
-            self.same_result.claim(),
-            energy_methods::novelty(),
-            self.point_forces.claim(),
-            shape,
-            pressure,
+        let grids = accuracy::grids()?;
+        let (four_step, nsor, digits) = (four_step::measure()?, nsor::measure()?, energy_methods::digits_lost()?);
+        let [direct, edge] = four_step::claims(&four_step);
+        let claims = vec![
+            accuracy::printed_numbers()?,
+            energy_methods::same_result()?,
+            Claim { name: "novelty_of_the_force_method", verdict: Verdict::Open, numbers: json!({}) },
+            accuracy::exact_for_point_forces()?,
+            accuracy::usable_shape(&grids),
+            accuracy::usable_pressure(&grids)?,
             direct,
             edge,
-            self.nsor.claim(),
-            self.recommendation.claim(),
-            self.bounds.claim(),
-            self.any_body.claim(),
-            self.elastic_foundation.claim(),
-            self.unknown_rigid_motion.claim(),
-            self.curved_beam.claim(),
-        ]
+            nsor::claim(&nsor),
+            energy_methods::whichever_matrix_is_easier(&digits)?,
+            energy_methods::bounded_from_both_sides()?,
+            extensions::any_elastic_body(),
+            extensions::elastic_foundation()?,
+            extensions::unknown_rigid_motion()?,
+            curved::curved_beam()?,
+        ];
+        Ok(Self { claims, grids, four_step, nsor, digits })
     }
 }
 

@@ -1,5 +1,6 @@
 //! The claims of the paper and its advice, beside what was measured.
 
+use minijinja::value::Serde;
 use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
 use palkki::scene::SceneError;
 use palkki_evidence::paper::claims::accuracy::{Errors, errors};
@@ -9,29 +10,25 @@ use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
 use palkki_evidence::paper::example;
 
 use crate::report::evidence::prelude::*;
-use crate::report::links::anchor;
 
-/// The ledger: every claim of the paper, the evidence and the verdict.
+/// The ledger: every claim of the paper, its verdict and the numbers of its words.
 pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
-    let claims = ledger.claims();
+    let claims = &ledger.claims;
     let count = |verdict| claims.iter().filter(|claim| claim.verdict == verdict).count();
-    let by_grid = ledger.four_step.counts.iter().flat_map(|count| &count.by_grid).map(|(n, _)| *n);
-    let summary = claims.iter().map(|claim| {
-        let heading = heading(claim);
-        [format!("[{heading}](pages/claims.md#{})", anchor(&heading)), verdict(claim), claim.summary.clone()]
-    });
+    let by_grid = ledger.four_step.iter().flat_map(|count| &count.by_grid).map(|(n, _)| *n);
+    let of = |claim: &Claim| {
+        (claim.name, context! { verdict => claim.verdict.name(), ..Value::from(Serde(&claim.numbers)) })
+    };
     let values = context! {
         total => claims.len(),
         confirmed => count(Verdict::Confirmed),
         qualified => count(Verdict::Qualified),
         refuted => count(Verdict::Refuted),
         open => count(Verdict::Open),
-        // For `README.md`.
-        summary => Table::new(["claim", "verdict", "evidence"]).rows(summary),
-        entries => claims.iter().map(entry).collect::<Vec<_>>(),
         four_step => context! { coarsest => by_grid.min().unwrap_or(0), finest => FINEST },
         nsor => context! { coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1] },
+        ..Value::from_pairs(claims.iter().map(of))
     };
     let (sweeps, sweeps_data) = sweeps(&ledger.nsor)?;
     let (successes, successes_data) = successes(&ledger.four_step)?;
@@ -39,35 +36,12 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     Evidence::new(values).figures(figures)
 }
 
-fn entry(claim: &Claim) -> Value {
-    context! {
-        name => claim.name,
-        heading => heading(claim),
-        statement => claim.statement,
-        verdict => verdict(claim),
-        evidence => claim.evidence.clone(),
-    }
-}
-
-/// `usable_shape` as a heading, `Usable shape`.
-fn heading(claim: &Claim) -> String {
-    let words = claim.name.replace('_', " ").replace("nsor", "NSOR");
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-/// The verdict, and which reading it is about.
-fn verdict(claim: &Claim) -> String {
-    let reading = claim.reading.map(|reading| format!(", {reading}"));
-    format!("{}{}", claim.verdict.name(), reading.unwrap_or_default())
-}
-
 /// Sweeps over intervals, both logarithmic.
-fn sweeps(found: &nsor::Evidence) -> Result<(String, Table), PlotError> {
+fn sweeps(found: &[nsor::Count]) -> Result<(String, Table), PlotError> {
     let mut panel =
         Panel::new(Axis::new("intervals N").log(), Axis::new("sweeps of NSOR, all factors together").log()).tall(700.0);
     let mut data = Table::new(["method", "intervals", "sweeps", "sweeps_of_the_first_to_converge"]);
-    for (i, count) in found.counts.iter().enumerate() {
+    for (i, count) in found.iter().enumerate() {
         let points = count.sweeps.iter().map(|&(n, s)| [as_number(n), as_number(s)]).collect();
         panel = panel.with(Layer::named(points, Style::of_series(i), count.method.to_string()));
         // Three digits: the last sweeps before the stopping rule holds depend on rounding.
@@ -75,7 +49,7 @@ fn sweeps(found: &nsor::Evidence) -> Result<(String, Table), PlotError> {
         let rows = count.sweeps.iter().zip(&count.own);
         data = data.rows(rows.map(|((n, all), (_, own))| row![count.method, n, digits(*all), digits(*own)]));
     }
-    let of = |best: fn(f64, f64) -> f64| found.counts.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
+    let of = |best: fn(f64, f64) -> f64| found.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
     let svg = Figure::new(
         format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
         "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method; the sweeps of all factors \
@@ -87,11 +61,11 @@ fn sweeps(found: &nsor::Evidence) -> Result<(String, Table), PlotError> {
 }
 
 /// Of all grids of at most so many intervals, the share on which the four steps end at the optimum.
-fn successes(found: &four_step::Evidence) -> Result<(String, Table), PlotError> {
+fn successes(found: &[four_step::Count]) -> Result<(String, Table), PlotError> {
     let y = Axis::new("optimal, of all grids up to N, in per cent").including(&[0.0, 100.0]);
     let mut panel = Panel::new(Axis::new("intervals N"), y).tall(620.0);
     let mut data = Table::new(["method", "intervals", "end_point", "optimal_up_to_here_in_percent"]);
-    for (i, count) in found.counts.iter().enumerate() {
+    for (i, count) in found.iter().enumerate() {
         let mut optimal = 0;
         let shares: Vec<[f64; 2]> = count
             .by_grid
@@ -108,13 +82,13 @@ fn successes(found: &four_step::Evidence) -> Result<(String, Table), PlotError> 
         let style = Style { marker: None, ..Style::of_series(i) };
         panel = panel.with(Layer::named(shares, style, count.method.to_string()));
     }
-    let grids = || found.counts.iter().map(|count| count.grids);
+    let grids = || found.iter().map(|count| count.grids);
     let svg = Figure::new(
         format!(
             "The four steps end at the optimum on {} to {} of {} grids of the example",
             grids().min().unwrap_or(0),
             grids().max().unwrap_or(0),
-            found.grids
+            four_step::GRIDS
         ),
         "Share of the grids of at most N intervals on which the four steps end at the optimum, one line for each method. It is 100 \
          per cent on coarse grids and falls on finer ones.",
@@ -134,12 +108,12 @@ const USABLE: f64 = 0.01;
 /// The paper's advice, and what was measured of it.
 pub(crate) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
     let ledger = study.ledger()?;
-    let [paper, coarse, _] = &ledger.usable.grids;
+    let [paper, coarse, _] = &ledger.grids;
     let solved = |count: &four_step::Count| count.uneven.iter().sum::<usize>();
     let grid = |grid: &Errors| context! { intervals => grid.intervals, worst => grid.worst(), first_force => grid.first_force };
-    let four_steps = || ledger.four_step.counts.iter().map(solved);
+    let four_steps = || ledger.four_step.iter().map(solved);
     let of_nsor = |k: usize| {
-        let thousands = ledger.nsor.counts.iter().map(|count| 1e-3 * as_number(count.on_the_paper_grid()[k]));
+        let thousands = ledger.nsor.iter().map(|count| 1e-3 * as_number(count.on_the_paper_grid()[k]));
         range(thousands).map(|[least, most]| context! { least, most })
     };
     Ok(Evidence::new(context! {
