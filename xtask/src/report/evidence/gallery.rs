@@ -1,6 +1,6 @@
 //! The gallery: the exact solution of every scene file as a card, and all of them on one sheet.
 
-mod card;
+pub(super) mod card;
 
 use palkki::plot::{Curves, sheet};
 use palkki::theory::Exact;
@@ -10,12 +10,12 @@ use super::prelude::*;
 use crate::report::files;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let header = ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "unit of force"];
-    let mut overview = Table::new(header);
+    let header = ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "deflection within"];
+    let (mut overview, mut values) = (Table::new(header), card::values());
     let (mut cards, mut figures, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut residual, mut certified) = (0.0_f64, 0);
     for (name, scene) in scenes::all(study.root)? {
-        let shown = shown(study, scenes::GALLERY, &name, &scene)?;
+        let shown = shown(study, scenes::GALLERY, &name, &scene, &mut values)?;
         residual = residual.max(shown.exact.residual);
         certified += usize::from(shown.certified);
         unknowns.push(shown.exact.unknowns);
@@ -23,15 +23,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let force = load(&scene);
         let forces = [state.reactions.left, state.reactions.right, state.contact_force()];
         let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
-        let unit = scene.units().force.clone().unwrap_or_else(|| "any".to_owned());
-        let link = format!("[{}](#{name})", scene.title());
-        overview.push(row![link, state.regime.name(), shown.exact.unknowns, left, right, contact, unit]);
+        let unit = scene.units().force.as_ref().map_or_else(String::new, |unit| format!(", {unit}"));
+        let link = format!("[{}](#{name}){unit}", scene.title());
+        overview.push(row![link, state.regime.name(), shown.exact.unknowns, left, right, contact, shown.within]);
         cards.push(shown.card);
         let (svg, data) = shown.figure;
         figures.push((format!("scene-{name}"), svg, data));
         solved.push((name, scene, shown.curves));
     }
-    let values = context! {
+    let context = context! {
         count => cards.len(),
         exact => certified,
         fewest => unknowns.iter().min(),
@@ -40,7 +40,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         overview,
         cards,
     };
-    let evidence = Evidence::new(values).figures(figures)?;
+    let evidence = Evidence::new(context).figures(figures)?.data("cards", values)?;
     let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
     let svg = sheet(
         "The gallery: the exact solution of every scene",
@@ -58,21 +58,31 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 pub(super) struct Shown {
     pub(super) exact: Exact,
     pub(super) certified: bool,
+    /// The guaranteed error of the deflection over the largest one.
+    within: String,
     pub(super) card: Value,
     curves: Curves,
     /// The drawing, and the numbers that it draws.
     pub(super) figure: (String, Table),
 }
 
-/// A scene of some directory as a page shows it.
-pub(super) fn shown(study: &Study<'_>, directory: &str, name: &str, scene: &Scene) -> Result<Shown, Cause> {
+/// A scene of some directory as a page shows it; the values of its card become rows of `values`.
+pub(super) fn shown(
+    study: &Study<'_>,
+    directory: &str,
+    name: &str,
+    scene: &Scene,
+    values: &mut Table,
+) -> Result<Shown, Cause> {
     let exact = theory::solve(scene)?;
     let verdict = Verdict::of_exact(scene, &exact, &Demand::default());
     let file = files::text(study.root, &format!("{directory}/{name}.toml"))?;
     let curves = Curves::exact(scene, &exact);
+    let within = verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
     Ok(Shown {
+        within: within.unwrap_or_else(|| "–".to_owned()),
         certified: verdict.status == Status::Certified,
-        card: card::card(name, scene, &exact, &verdict, &file)?,
+        card: card::card(name, scene, &exact, &verdict, &file, values)?,
         figure: (palkki::plot::curves(scene, &curves, "exact solution")?, table(&curves)),
         curves,
         exact,

@@ -4,7 +4,7 @@ use palkki::scene::{Beam, Load, PointLoad};
 use palkki::theory::Exact;
 use palkki_evidence::paper::ends::{FINE, other_ends};
 
-use super::gallery::shown;
+use super::gallery::{card, shown};
 use super::prelude::*;
 
 /// Grids of the table of methods.
@@ -19,10 +19,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         "force method, 30",
         "force method, 300",
     ]);
+    let mut values = card::values();
     let (mut cards, mut figures, mut certified) = (Vec::new(), Vec::new(), 0);
     let (mut stands, mut neutral) = (Value::UNDEFINED, Value::UNDEFINED);
     for (name, scene) in scenes::held(study.root)? {
-        let shown = shown(study, scenes::HELD, &name, &scene)?;
+        let shown = shown(study, scenes::HELD, &name, &scene, &mut values)?;
         certified += usize::from(shown.certified);
         match name.as_str() {
             "table-edge" => stands = standing(&scene, &shown.exact)?,
@@ -34,7 +35,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let (svg, data) = shown.figure;
         figures.push((format!("held-{name}"), svg, data));
     }
-    let values = context! {
+    let context = context! {
         count => cards.len(),
         certified,
         cards,
@@ -50,7 +51,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             }
         },
     };
-    Evidence::new(values).figures(figures)
+    Evidence::new(context).figures(figures)?.data("held-cards", values)
 }
 
 /// The force and the displacement method are the same problem: their energies differ by rounding, which grows with the

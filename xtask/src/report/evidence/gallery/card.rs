@@ -1,4 +1,4 @@
-//! A scene as a card that can be copied into another program: its file, reference, values, tolerances and their sources.
+//! A scene as a card: its story and reference on the page, its values with tolerances and their sources as data.
 
 use palkki::theory::Exact;
 use palkki::verdict::Verdict;
@@ -19,11 +19,21 @@ struct Row {
     proven: Option<f64>,
 }
 
-/// The card of a scene with the text of its file.
-pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, file: &str) -> Result<Value, Cause> {
-    let (story, data) = story(file);
+/// The data of all cards of a page, without rows.
+pub(in crate::report::evidence) fn values() -> Table {
+    Table::new(["scene", "quantity", "unit", "values", "tolerance", "source"])
+}
+
+/// The card of a scene with the text of its file; its values become rows of `table`.
+pub(super) fn card(
+    name: &str,
+    scene: &Scene,
+    exact: &Exact,
+    verdict: &Verdict,
+    file: &str,
+    table: &mut Table,
+) -> Result<Value, Cause> {
     let reference = closed(scene);
-    let mut table = Table::new(["quantity", "value", "tolerance", "source"]);
     for row in rows(scene, exact, verdict) {
         let places = places(row.values.iter().fold(0.0, |most, v| most.max(v.abs())));
         let printed = |value: f64| if value.abs() <= 1e-9 * row.scale { "0".to_owned() } else { fixed(value, places) };
@@ -35,31 +45,23 @@ pub(super) fn card(name: &str, scene: &Scene, exact: &Exact, verdict: &Verdict, 
         };
         // What is printed is right to its last place, unless less is known.
         let last = -i32::try_from(places)?;
-        let tolerance = if error <= ten_to(last) { power_of_ten(last) } else { bound(error) };
-        let unit = if row.unit.is_empty() { String::new() } else { format!(" [{}]", row.unit) };
-        table.push(row![format!("{}{unit}", row.name), values.join(", "), tolerance, source]);
+        let tolerance = if error <= ten_to(last) { last } else { decade(error) + 1 };
+        let unit = if row.unit.is_empty() { "–" } else { &row.unit };
+        table.push(row![name, row.name, unit, values.join(" "), format!("1e{tolerance}"), source]);
     }
-    let certificate =
-        verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
     Ok(context! {
         name,
         title => scene.title(),
-        story,
+        story => story(file),
         certified => verdict.status == Status::Certified,
-        unknowns => exact.unknowns,
-        error => certificate,
         formula => reference.map(|closed| closed.formula),
-        data,
-        table,
     })
 }
 
-/// The comment at the head of a scene file, and what follows it.
-fn story(file: &str) -> (String, &str) {
-    let head = file.split_inclusive('\n').take_while(|line| line.starts_with('#'));
-    let (head, data) = file.split_at(head.map(str::len).sum());
-    let lines: Vec<&str> = head.lines().map(|line| line.trim_start_matches('#').trim()).collect();
-    (lines.join(" "), data.trim())
+/// The comment at the head of a scene file.
+fn story(file: &str) -> String {
+    let head = file.lines().take_while(|line| line.starts_with('#'));
+    head.map(|line| line.trim_start_matches('#').trim()).collect::<Vec<_>>().join(" ")
 }
 
 /// Digits behind the point for numbers of a size: seven significant ones, of small numbers fewer.
@@ -162,6 +164,6 @@ mod tests {
     #[test]
     fn a_story_is_the_comment_at_the_head() {
         let file = "# One.\n# Two.\n\ntitle = \"a\"\n# no\n";
-        assert_eq!(story(file), ("One. Two.".to_owned(), "title = \"a\"\n# no"));
+        assert_eq!(story(file), "One. Two.");
     }
 }
