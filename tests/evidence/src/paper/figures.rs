@@ -3,16 +3,15 @@
 // Discrepancy: lost-figures
 //
 // The surviving text names Figures 2a, 2b, 4, 5c, 6, 7 and 8: there were eight, of which 4, 7 and 8 have results. The drawings
-// of all are lost, and so are the captions of Figures 7 and 8. What survives of Figure 4 are its two labels and the data of the
-// scene; how it drew beam theory is not known. The text says that Figures 7 and 8 show results on 30 intervals with beam theory
-// dashed, and speaks of the estimates of contact pressure and of the deflected shape. We draw that: pressure in Figure 7,
-// deflection in 8.
+// of all are lost, and so are the captions of Figures 7 and 8. Of Figure 4 two labels and the data of the scene survive; how it
+// drew beam theory is not known. Figures 7 and 8 show results on 30 intervals with beam theory dashed, the estimates of contact
+// pressure and of the deflected shape: we draw pressure in Figure 7, deflection in 8.
 
 // Discrepancy: figure-4-intervals
 //
-// The label of Figure 4 says n = 30. The text gives n = 29 for a division into 30 intervals, and says that Figures 7 and 8 have
-// 30 intervals. So n of Figure 4 is either the number of intervals, 30, or that of interior nodes, which makes 31 intervals. We
-// take 30 intervals, so that the three figures have one grid. With 31 the scheme gives another first contact force.
+// The label of Figure 4 says n = 30; the text gives n = 29 for 30 intervals, and Figures 7 and 8 have 30 intervals. So n of
+// Figure 4 counts intervals, or interior nodes of 31 intervals. We take 30 intervals, so that the three figures have one grid.
+// With 31 the scheme gives another first contact force.
 
 use super::{INTERVALS, example, theory};
 use palkki::methods::Method;

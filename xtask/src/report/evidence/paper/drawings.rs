@@ -10,10 +10,9 @@ use palkki_evidence::paper::INTERVALS;
 // Discrepancy: figures-redrawn
 //
 // The drawings of the paper's figures are lost, and the text speaks of contact pressure. Figures 4 and 7 show contact forces
-// at the nodes instead: beam theory has a point force at the lift-off point, which is no pressure, and forces at nodes and
-// that force are read on one axis. The pressure of a node is its force over the spacing. Theory and method stand in the same
-// place over the whole beam; a second panel shows the left lift-off point larger, and a third one the sum of the contact
-// forces from the left end. Figure 8 has a second panel with the difference from beam theory.
+// at the nodes instead, so that they and the point force of beam theory at the lift-off point are read on one axis; a force
+// over the spacing is a pressure. Further panels show the left lift-off point larger, and the sum of the contact forces from the
+// left end; in Figure 8 the difference from beam theory.
 
 /// Digits of a value that is written beside the point that it belongs to.
 const DIGITS: usize = 4;
