@@ -116,9 +116,9 @@ impl Swept {
         found.map(|i| i + 1).ok_or_else(|| format!("no event at {value}, where the closed form has one").into())
     }
 
-    /// Its events.
-    fn events(&self, at: &str) -> Table {
-        let events = self.events.iter().enumerate();
+    /// Its first events.
+    fn events(&self, at: &str, most: usize) -> Table {
+        let events = self.events.iter().enumerate().take(most);
         Table::new(["event", at, "what happens"])
             .rows(events.map(|(i, event)| row![i + 1, significant(event.value, DIGITS), event.what]))
     }
@@ -143,6 +143,9 @@ impl Swept {
 /// Digits of the value of an event.
 const DIGITS: usize = 12;
 
+/// Events of the survey that the page lists; the figure shows all.
+const FIRST: usize = 4;
+
 /// Numbers that are the same but for rounding, relative.
 const SAME: f64 = 1e-9;
 
@@ -164,7 +167,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     }
 
     let survey = SURVEY.run(study)?;
-    let of_survey = survey.events("at [m]");
+    let [first_of_survey, of_survey] = [FIRST, usize::MAX].map(|most| survey.events("at [m]", most));
 
     let depth = DEPTH.run(study)?;
     let of_depth = depth.events_beside("depth", &[("q l⁴/(384 EI)", border), ("5 q l⁴/(384 EI)", 5.0 * border)])?;
@@ -179,7 +182,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         mirrored => bound(mirrored),
         // The events between which the hoist has a zone on either side.
         between,
-        survey => SURVEY.values(&survey, of_survey),
+        survey => SURVEY.values(&survey, first_of_survey),
         depth => DEPTH.values(&depth, of_depth),
         // Bound of the difference of the reactions from the closed form, over the load.
         closed => bound(closed),
@@ -192,7 +195,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     });
     let figures = [(HOIST, hoist), (SURVEY, survey), (DEPTH, depth)];
     let figures = figures.map(|(case, swept)| (case.name, swept.figure.clone(), swept.data(case.vary)));
-    evidence.figures(figures)
+    evidence.figures(figures)?.data("sweep-survey-events", of_survey)
 }
 
 /// The left reaction of the example under two loads, together and one by one.
