@@ -182,7 +182,16 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
 
 /// The pair that a list of contacts proves, or that of a beam that touches nowhere if that is better. Whatever the list, there
 /// is a bound for a beam that its supports hold.
+///
+/// A beam in balance above a corner may turn about it, but for what stops it: where the ground leaves it one position, that is known.
 fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
+    if enclosed.balanced_at.is_some() {
+        let stopped = EnclosedScene { balanced_at: None, ..*enclosed };
+        let known = pair(&stopped, contacts, scale).filter(|pair| is_sharp(&stopped, pair));
+        if known.is_some() {
+            return known;
+        }
+    }
     let of = |contacts: &[Contact]| {
         let nodes = witness::nodes(enclosed, contacts, scale);
         let mut pair = proof::pair(enclosed, &nodes)?;
