@@ -188,12 +188,18 @@ fn beam_taylor(given: &PiecewiseScene, cell: usize, x: f64, [v, v1, v2, v3]: &[f
 /// end. Nearly all of such a load goes into that end, and what is left of the shear force beyond it, a difference of nearly equal
 /// numbers there, is known from the other end.
 fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
-    /// Share of the span; at this distance six of the digits of the shear force would be lost.
+    /// Share of the span; at this distance six of the digits of the shear force would be lost: what is left of it beyond the load
+    /// falls with the distance from an end that is free to turn, and with its square from one that is not.
     const BESIDE: f64 = 1e-6;
-    let (a, b, near) = (&span.a, &span.b, BESIDE * span.length());
+    const BESIDE_HELD: f64 = 1e-3;
+    let (a, b) = (&span.a, &span.b);
+    let [near_a, near_b] = [a, b].map(|end| {
+        let held = matches!(end.hold, Hold::Edge { .. });
+        span.length() * if held { BESIDE_HELD } else { BESIDE }
+    });
     let loaded = |end: &End, i: &usize| end.hold != Hold::Free && given.load_changes_at(*i);
-    let left = given.breakpoints_inside(a.x, a.x + near).rfind(|i| loaded(a, i));
-    let right = given.breakpoints_inside(b.x - near, b.x).find(|i| loaded(b, i));
+    let left = given.breakpoints_inside(a.x, a.x + near_a).rfind(|i| loaded(a, i));
+    let right = given.breakpoints_inside(b.x - near_b, b.x).find(|i| loaded(b, i));
     match (left, right) {
         (Some(i), None) | (None, Some(i)) => given.breakpoints[i].x,
         _ => 0.5 * (a.x + b.x),

@@ -270,10 +270,14 @@ enum Drive {
     Load,
 }
 
-/// Fixed-end moments `G` and shear forces of the drive over a span.
+/// What the drive over a span does at its ends.
 struct FixedEnd {
+    /// Fixed-end moments `G`.
     moment: [f64; 2],
+    /// Shear forces of a span that is free to turn at both ends.
     shear: [f64; 2],
+    /// Shear forces of a span that is clamped at both: the same and the difference of the moments over `ℓ`, without cancellation.
+    clamped: [f64; 2],
 }
 
 /// `u − v` or `u − h`, with three derivatives.
@@ -312,26 +316,35 @@ fn solve(l: f64, [a, b]: [Held; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
         Held::Slope(_) => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
         Held::Curvature(curvature) => curvature,
     };
-    let across = (curvature_b - curvature_a) / l;
-    [[slope_a, curvature_a, across - fixed.shear[0]], [slope_b, curvature_b, across + fixed.shear[1]]]
+    let [third_a, third_b] = if let (Held::Curvature(_), Held::Curvature(_)) = (a, b) {
+        let across = (curvature_b - curvature_a) / l;
+        [across - fixed.shear[0], across + fixed.shear[1]]
+    } else {
+        // Not from both moments: of a load just beside an end they leave the other end its rounding.
+        let turned = 6.0 * (slope_a + slope_b) / (l * l);
+        [turned - fixed.clamped[0], turned + fixed.clamped[1]]
+    };
+    [[slope_a, curvature_a, third_a], [slope_b, curvature_b, third_b]]
 }
 
 /// Fixed-end moments and shear forces of the load over a span.
 pub(super) fn fixed_end_of_load(given: &PiecewiseScene, a: &End, b: &End) -> ([f64; 2], [f64; 2]) {
-    let FixedEnd { moment, shear } = fixed_end(given, a, b, Drive::Load);
+    let FixedEnd { moment, shear, .. } = fixed_end(given, a, b, Drive::Load);
     (moment, shear)
 }
 
 /// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
 fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;
-    let (mut moment, mut shear) = ([0.0; 2], [0.0; 2]);
+    let (mut moment, mut shear, mut clamped) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     let mut add = |x: f64, force: f64| {
         let (s, r) = ((x - a.x) / l, (b.x - x) / l);
         moment[0] += force * s * r * r * l;
         moment[1] += force * s * s * r * l;
         shear[0] += force * r;
         shear[1] += force * s;
+        clamped[0] += force * r * r * (1.0 + 2.0 * s);
+        clamped[1] += force * s * s * (1.0 + 2.0 * r);
     };
     let waves = given.shapes[given.cells[a.cell].shape].waves();
     // The waves of a cosine follow in closed form.
@@ -347,19 +360,22 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     }
     given.forces_between(a.cell, b.cell).for_each(|j| add(j.x, sign * j.force));
     if of == Drive::Load {
-        return FixedEnd { moment, shear };
+        return FixedEnd { moment, shear, clamped };
     }
     for breakpoint in given.breakpoints_between(a.cell, b.cell) {
         let s = (breakpoint.x - a.x) / l;
         moment[0] += (breakpoint.kink * (6.0 * s - 4.0) - 6.0 * breakpoint.step / l) / l;
         moment[1] += (breakpoint.kink * (2.0 - 6.0 * s) + 6.0 * breakpoint.step / l) / l;
+        let turned = (breakpoint.kink * (12.0 * s - 6.0) - 12.0 * breakpoint.step / l) / (l * l);
+        clamped = [clamped[0] + turned, clamped[1] - turned];
     }
     for wave in waves.into_iter().flatten() {
         let (g, q) = cosine::fixed_end(wave.amplitude, wave.number, wave.angle(0.5 * (a.x + b.x)), l);
         for end in 0..2 {
             moment[end] += g[end];
             shear[end] += q[end];
+            clamped[end] += q[end] + (g[end] - g[1 - end]) / l;
         }
     }
-    FixedEnd { moment, shear }
+    FixedEnd { moment, shear, clamped }
 }

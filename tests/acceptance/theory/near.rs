@@ -167,14 +167,14 @@ impl Beside {
     }
 }
 
-/// Nearly all of such a load goes into the support, and the rest bends the beam: beside a simple support that is known to the last
-/// digits, and otherwise what is claimed of it is true.
+/// Nearly all of such a load goes into the support, and the rest bends the beam: of a force that is known to ten digits and more beside
+/// a simple support and a built-in end alike, and what is claimed of it is true.
 #[test]
 fn a_load_right_beside_a_support_bends_the_beam() {
     // What is lost where the pieces of a span still meet in its middle: six digits of sixteen.
     const CLOSE: f64 = 1e-10;
     for length in [1.0, 10.0, 12.7] {
-        for share in [1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4] {
+        for share in [1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 2e-3] {
             for (right, built_in, spread) in (0..8).map(|k| (k & 1 == 1, k & 2 == 2, k & 4 == 4)) {
                 // As it is in 64 bits.
                 let b = if right { length - (length - share * length) } else { share * length };
@@ -187,9 +187,9 @@ fn a_load_right_beside_a_support_bends_the_beam() {
                 let what = format!("{length}, {share}, right {right}, built in {built_in}, spread {spread}");
                 let formula = if spread { 4.0 * share } else { 0.0 } + 1e-14;
                 assert!(off <= verdict.error + formula, "{what}: off by {off:e}, and {:e} is claimed", verdict.error);
-                if !built_in && !spread {
+                if !spread {
                     assert!(off <= CLOSE, "{what}: off by {off:e}");
-                    assert!(!right || verdict.status == Status::Certified, "{what}: {verdict}");
+                    assert!(!right || built_in || verdict.status == Status::Certified, "{what}: {verdict}");
                 }
             }
         }
