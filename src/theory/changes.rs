@@ -17,7 +17,7 @@ pub(super) struct Ground {
     pub(super) meets: bool,
     /// The beam lies on it beside the support, and how it leaves it.
     pub(super) rests: Option<Missing>,
-    /// It is level around the support, which may move along it.
+    /// It is level around the support, which may move along it: no load stands there.
     pub(super) level: bool,
     /// The slope of the axis of the beam to its left and to its right.
     pub(super) axis: [f64; 2],
@@ -43,7 +43,11 @@ impl Exact {
         let bridged = self.bridged(support);
         let crowded = self.crowded(i);
         let by_ground = !support.built_in && support.slope.is_some();
-        let rests = (by_ground || beside != [Beside::Apart; 2] || crowded).then(|| {
+        let meets = bridged || held.meets.contains(&true);
+        let loaded = standing(given, &self.list, i) != 0.0;
+        // A load that leaves the support for a stretch that lies on the ground presses there at once.
+        let leaves = meets && loaded && self.lies();
+        let rests = (by_ground || leaves || beside != [Beside::Apart; 2] || crowded).then(|| {
             let pushes = |zone: bool, cell: usize| zone && given.drive(cell, node.x) != 0.0;
             let pressed = pushes(self.list.in_zone_before(i), given.cell_to(node.x))
                 || pushes(self.list.in_zone_before(i + 1), given.cell_from(node.x));
@@ -54,13 +58,13 @@ impl Exact {
         // Level ground on both sides, where there is a beam.
         let level = scene.foundation().is_some_and(|ground| {
             let flat = ground.sides(held.at).into_iter().all(|[_, slope]| slope == 0.0);
-            flat && curvature(ground, held.at) == 0.0 && held.meets == [0.0 < held.at, held.at < length]
+            !loaded && flat && curvature(ground, held.at) == 0.0 && held.meets == [0.0 < held.at, held.at < length]
         });
         let ends = super::sensitivity::ends(&self.spans, i);
         let slope = ends[0].map(|span| span.beam_b[1]).or(ends[1].map(|span| span.beam_a[1])).unwrap_or(0.0);
         let own = scene.beam().shape().map_or([0.0; 2], |own| own.sides(held.at).map(|[_, slope]| slope));
         let axis = own.map(|own| own + slope * self.scale.depth / self.scale.length);
-        Ground { meets: bridged || held.meets.contains(&true), rests, level, axis }
+        Ground { meets, rests, level, axis }
     }
 
     /// True if the gap between a support and the ground is none, or next to none.

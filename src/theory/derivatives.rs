@@ -168,7 +168,10 @@ impl Exact {
             let size = load.force / scale.force / stiffness;
             // At the end of a zone, or of the beam, the other side is another stretch.
             let one_sided = at <= 0.0 || self.given.length <= at || self.ends_zone(at);
-            let parts = self.pulls(at, size).then_some(Missing::Pulls);
+            // From a support to the ground beside it.
+            let onto = scene.beam().supports().iter().zip(&supports).find(|(s, _)| s.at <= load.at && load.at <= s.at);
+            let onto = onto.and_then(|(_, here)| here.rests);
+            let parts = self.pulls(at, size).then_some(Missing::Pulls).or(onto);
             add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, one_sided, parts);
         }
         for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
@@ -239,8 +242,8 @@ impl Exact {
         let energy = self.energy_by(of, &changes) * self.stiffness * self.scale.energy() / unit + 0.0;
         let jumps = (0..nodes.len()).any(jumping).then_some(Missing::Jumps);
         let crowded = || (0..nodes.len()).any(|i| self.crowded(i)).then_some(Missing::Crowded);
-        let undetermined =
-            || contacts.iter().any(|c| c.from.is_nan() || c.to.is_nan()).then_some(Missing::Undetermined);
+        let determined = contacts.iter().all(|c| c.from.is_finite() && c.to.is_finite());
+        let undetermined = || (!determined).then_some(Missing::Undetermined);
         let missing = parts.or(jumps).or_else(undetermined).or_else(crowded);
         let there = Derivative { by, one_sided, missing, supports, contacts, energy };
         if parts.is_some() { there.without_numbers() } else { there }
