@@ -13,7 +13,7 @@ use super::answer::Answer;
 use super::arguments::Solve;
 use super::input::Input;
 use super::json::{ContactObject, EndsObject};
-use super::table::{Labels, Row, list, table};
+use super::table::{Labels, MOST_ROWS, Row, first, list, table};
 
 /// What was asked for.
 #[derive(Debug, Serialize)]
@@ -96,7 +96,9 @@ impl Local {
                 (format!("guaranteed: {} at most", labels.moment.name("energy J*")), upper.map_or_else(none, at_most)),
             ];
             lines.extend(known.left_out.map(|why| ("left out".to_owned(), why.to_owned())));
-            for (i, spread) in known.estimates.iter().flat_map(|spread| spread.supports.iter().enumerate()) {
+            for (i, spread) in
+                known.estimates.iter().flat_map(|spread| spread.supports.iter().enumerate().take(MOST_ROWS))
+            {
                 let name = labels.force.name(&format!("force of support {}", i + 1));
                 lines.push((format!("estimate: {name} off by"), magnitude(*spread)));
             }
@@ -106,9 +108,8 @@ impl Local {
     }
 }
 
-/// Columns of supports, and rows, that a person reads.
+/// Columns of supports that a person reads.
 const MOST_SUPPORTS: usize = 8;
-const MOST_ROWS: usize = 200;
 
 /// A row for each number, and below it what is not there.
 fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<usize>) -> String {
@@ -135,9 +136,7 @@ fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<u
     text.extend(reasons.into_iter().map(|why| format!("{why}\n")));
     for (what, there, shown) in [("supports", supports, shown), ("numbers of the scene", derivatives.len(), rows.len())]
     {
-        if shown < there {
-            text += &format!("The first {shown} of {there} {what}; --format json has all.\n");
-        }
+        text += &first(what, there, shown);
     }
     if let Some(count) = left_out {
         text += &format!("Left out are derivatives by {count} numbers of the scene: there would be too many.\n");

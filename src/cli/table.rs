@@ -83,3 +83,11 @@ impl Labels {
         }
     }
 }
+
+/// Rows of one kind that a person reads.
+pub(super) const MOST_ROWS: usize = 200;
+
+/// A line that says how many of these were left out, if any were.
+pub(super) fn first(what: &str, there: usize, shown: usize) -> String {
+    if shown < there { format!("The first {shown} of {there} {what}; --format json has all.\n") } else { String::new() }
+}

@@ -8,7 +8,7 @@ use palkki::text::{at_least, at_most, magnitude, magnitude_at_most, result};
 use super::answer::{Answer, Grids};
 use super::given::given;
 use super::input::Input;
-use super::table::{Labels, Row, list, table};
+use super::table::{Labels, MOST_ROWS, Row, first, list, table};
 
 /// The title of the scene, underlined.
 pub(super) fn heading(input: &Input) -> String {
@@ -23,7 +23,7 @@ const COARSE: &str = "These bounds hold and are coarse: no list of contacts was 
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
     let mut rows = vec![bracket(labels.moment.name("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
-    for (k, reaction) in certificate.reactions.iter().enumerate() {
+    for (k, reaction) in certificate.reactions.iter().enumerate().take(MOST_ROWS) {
         let name = match (certificate.reactions.len(), k) {
             (2, 0) => "left reaction".to_owned(),
             (2, _) => "right reaction".to_owned(),
@@ -35,6 +35,7 @@ pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     let error = magnitude_at_most(certificate.deflection_error);
     rows.push(vec![labels.length.name("error of the deflection"), String::new(), error]);
     let mut table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
+    table += &first("supports", certificate.reactions.len(), certificate.reactions.len().min(MOST_ROWS));
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
             "The deflection is guaranteed up to a turn about x = {}: nothing says how the beam stands.\n",
@@ -124,11 +125,18 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let contact = state.contact_force();
     let remains = state.supports.iter().fold(load, |rest, support| rest - support.force) - contact;
     let mut rows = vec![("loads".to_owned(), load, "down")];
-    rows.extend(state.supports.iter().map(|support| (support_at(support.at, beam.length()), support.force, "up")));
+    rows.extend(
+        state
+            .supports
+            .iter()
+            .take(MOST_ROWS)
+            .map(|support| (support_at(support.at, beam.length()), support.force, "up")),
+    );
     rows.extend([("contact".to_owned(), contact, "up"), ("what remains".to_owned(), remains, "")]);
     let rows: Vec<Row> =
         rows.into_iter().map(|(name, value, way)| vec![name.clone(), shown(&name, value), way.to_owned()]).collect();
     let mut text = table("Equilibrium", &["", &labels.force.name("force"), ""], &rows);
+    text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
     let moments: Vec<Row> = state
         .supports
         .iter()

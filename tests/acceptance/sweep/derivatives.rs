@@ -1,6 +1,6 @@
 //! Derivatives of exact answers beside differences of answers.
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, Quantity, Scene, Support};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Quantity, Scene, Support};
 use palkki::theory::{self, By, Derivative, Exact, Missing};
 use palkki_evidence::differences::Trial;
 use palkki_evidence::random;
@@ -181,6 +181,13 @@ fn where_ground_parts_from_a_support_there_is_no_derivative() {
 /// A support that holds the beam down is no place about which it could turn.
 #[test]
 fn the_margin_of_a_body_that_stands_is_a_share() {
+    // On a crest at 4 with a load of one at 8 and a support at 2, which pulls with 2: min(8 − 2, 4 − 8)/2 = −2 was its margin.
+    let beam = Beam::new(10.0, 20.0).and_then(|beam| beam.with_supports(vec![Support::simple(2.0)])).expect("a beam");
+    let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 8.0, force: 1.0 }]).expect("a load");
+    let points = vec![[0.0, 3.0], [3.0, 3.0], [4.0, 0.05], [5.0, 3.0], [10.0, 3.0]];
+    let held = theory::solve(&Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene"));
+    let held = held.expect("an answer").state;
+    assert!((held.supports[0].force + 2.0).abs() < 1e-9 && held.standing.is_some_and(|s| s.margin.is_nan()));
     for i in 0..300 {
         let Ok(exact) = theory::solve(&random::held(i)) else { continue };
         let Some(standing) = exact.state.standing.filter(|_| exact.solved) else { continue };

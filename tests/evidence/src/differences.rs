@@ -153,6 +153,9 @@ impl Difference<'_> {
         supports.iter().copied().chain(contacts).chain([*energy]).collect()
     }
 
+    /// What rounding is compared with: forces with the largest force of a support, since where supports hold a beam down others carry
+    /// more than the loads, and a force is what remains of these; the energy with the larger of itself and of the work of these
+    /// forces on the way, since it is the difference of strain energy and work, and where supports lie low both are large.
     fn scale(&self) -> Vec<f64> {
         let length = self.scene.beam().length();
         let load = self.scene.load().magnitude(length);
