@@ -10,8 +10,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::doctor::browser_of;
-use crate::surroundings::Machine;
+use crate::doctor;
 
 /// Widths of a screen \[px\]: a desk and a telephone.
 const WIDTHS: [u32; 2] = [1280, 390];
@@ -25,7 +24,7 @@ const CONSOLE: &str = ":CONSOLE";
 /// Tries the page; success also if there is no browser, which is said.
 pub(crate) fn run() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let Some(browser) = browser_of(&Machine { root: root.clone() }) else {
+    let Some(browser) = doctor::browser() else {
         println!("skipped: no browser is installed; `cargo xtask doctor` says how to get one");
         return ExitCode::SUCCESS;
     };

@@ -6,7 +6,6 @@
 
 mod browser;
 mod doctor;
-mod surroundings;
 
 use std::process::{Command, ExitCode};
 
