@@ -4,6 +4,7 @@ use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
 use palkki::state::Regime;
 use palkki::theory::closed::{incline, lifted, parabola};
 use palkki::theory::{Exact, flat, solve};
+use palkki_evidence::faults::closed;
 
 /// What is asked for; a handful of operations leaves some digits to spare.
 const DIGITS: f64 = 1e-12;
@@ -176,4 +177,62 @@ fn foundation_that_starts_flat_at_a_support_clamps_the_beam() {
     check("right couple", exact.support_couples[1], -q * l * l / 12.0);
     check("reaction", exact.state.reactions.left, 0.5 * q * l);
     check("deflection", exact.state.deflection.max, q * l * l * l * l / (384.0 * ei));
+}
+
+/// Every beam with a closed form, on any supports or none: deflection, moment, energy, places and forces of contacts, reactions.
+#[test]
+fn beams_on_any_supports_are_those_of_their_closed_forms() {
+    /// Of derivatives of quartics through five values.
+    const DERIVED: f64 = 1e-10;
+    for known in closed::all().expect("well-posed scenes") {
+        let closed::Closed { name, scene, contacts, .. } = &known;
+        let exact = solve(scene).expect("an answer");
+        assert!(exact.solved, "{name}: {:?}", exact.violations);
+        let (length, size, q) = (scene.beam().length(), known.largest(), scene.load().uniform());
+        let scale = closed::EI * size / (length * length) + q * length * length;
+        let close = |what: &str, found: f64, expected: f64, off: f64| {
+            assert!((found - expected).abs() <= off, "{name}, {what}: {found} instead of {expected}");
+        };
+        for k in 0..=40_u32 {
+            let x = length * f64::from(k) / 40.0;
+            close(&format!("deflection at {x}"), exact.deflection(x), known.deflection(x), DIGITS * size.max(1.0));
+            close(&format!("moment at {x}"), exact.moment(x), known.moment(x), DERIVED * scale);
+        }
+        close("energy", exact.state.energy, known.energy(), DERIVED * known.energy().abs().max(1.0));
+        assert_eq!(exact.state.contacts.len(), contacts.len(), "{name}: {:?}", exact.state.contacts);
+        for (found, expected) in exact.state.contacts.iter().zip(contacts) {
+            close("from", found.from, expected.from, DIGITS * length);
+            close("to", found.to, expected.to, DIGITS * length);
+            if scene.beam().supports().iter().any(|s| expected.from <= s.at && s.at <= expected.to) {
+                continue;
+            }
+            let ends = found.end_forces.unwrap_or([found.force; 2]);
+            close("force at the start", ends[0], known.force(expected.from), DERIVED * scale / length);
+            close("force at the end", ends[1], known.force(expected.to), DERIVED * scale / length);
+        }
+        // Lift-off points within the beam are all that is unknown, unless a support or a point is there as well.
+        let inside = |x: f64| 0.0 < x && x < length;
+        let held_at_ends = scene.beam().supports().iter().all(|support| !inside(support.at));
+        if held_at_ends && contacts.iter().all(|c| c.from < c.to) {
+            let places = contacts.iter().flat_map(|c| [c.from, c.to]);
+            assert_eq!(exact.unknowns, places.filter(|x| inside(*x)).count(), "{name}");
+        }
+        if let Some(standing) = &exact.state.standing {
+            let supports = scene.beam().supports().iter().map(|support| support.at);
+            let places = || contacts.iter().flat_map(|c| [c.from, c.to]).chain(supports.clone());
+            let (from, to) = (places().fold(length, f64::min), places().fold(0.0, f64::max));
+            let margin = if from < to { (0.5 * length - from).min(to - 0.5 * length) / (to - from) } else { 0.0 };
+            close("resultant", standing.resultant.force, q * length, DIGITS * scale / length);
+            close("its place", standing.resultant.at, 0.5 * length, DIGITS * length);
+            close("margin", standing.margin, margin, DIGITS);
+        }
+        for (found, expected) in exact.state.supports.iter().zip(known.reactions()) {
+            let Some(expected) = expected else { continue };
+            close("reaction", found.force, expected, DERIVED * scale / length);
+            if let Some(moment) = found.moment {
+                // On the side of the beam: a support that is built in is at an end.
+                close("moment", moment, known.moment(found.at), DERIVED * scale);
+            }
+        }
+    }
 }

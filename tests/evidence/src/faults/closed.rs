@@ -68,6 +68,11 @@ impl Quartic {
         self.c.iter().rev().fold(0.0, |sum, c| sum * (x - self.middle) + c)
     }
 
+    fn second(&self, x: f64) -> f64 {
+        let s = x - self.middle;
+        2.0 * self.c[2] + 6.0 * self.c[3] * s + 12.0 * self.c[4] * s * s
+    }
+
     /// `v'''` at one end, −1 for the left one and 1 for the right one.
     fn third(&self, end: f64) -> f64 {
         6.0 * self.c[3] + 24.0 * self.c[4] * self.half * end
@@ -123,20 +128,27 @@ impl Closed {
         self.pieces.iter().map(|piece| piece.energy(stiffness, load)).sum()
     }
 
+    /// `M = −EI v''` \[force · length\].
+    #[must_use]
+    pub fn moment(&self, x: f64) -> f64 {
+        let piece = self.pieces.partition_point(|piece| piece.middle + piece.half < x).min(self.pieces.len() - 1);
+        -self.scene.beam().bending_stiffness() * self.pieces[piece].second(x)
+    }
+
+    /// The concentrated upward force at an end of a piece, of a support or of the ground \[force\].
+    #[must_use]
+    pub fn force(&self, x: f64) -> f64 {
+        // The piece on the left ends at or before x + 0, the next one begins there.
+        let right = self.pieces.partition_point(|piece| piece.middle < x);
+        let third = |piece: Option<usize>, end| piece.and_then(|k| self.pieces.get(k)).map_or(0.0, |p| p.third(end));
+        self.scene.beam().bending_stiffness() * (third(right.checked_sub(1), 1.0) - third(Some(right), -1.0))
+    }
+
     /// Upward forces of the supports from left to right; [`None`] for one in a contact or at its end, which shares its force with
     /// the ground \[force\].
     #[must_use]
     pub fn reactions(&self) -> Vec<Option<f64>> {
-        let stiffness = self.scene.beam().bending_stiffness();
-        let supports = self.scene.beam().supports().iter().map(|support| support.at);
-        let force = |x: f64| {
-            // Pieces end at supports: the one on the left ends at or before x + 0, the next one begins there.
-            let right = self.pieces.partition_point(|piece| piece.middle < x);
-            let third =
-                |piece: Option<usize>, end| piece.and_then(|k| self.pieces.get(k)).map_or(0.0, |p| p.third(end));
-            let touched = self.contacts.iter().any(|c| c.from <= x && x <= c.to);
-            (!touched).then(|| stiffness * (third(right.checked_sub(1), 1.0) - third(Some(right), -1.0)))
-        };
-        supports.map(force).collect()
+        let touched = |x: f64| self.contacts.iter().any(|c| c.from <= x && x <= c.to);
+        self.scene.beam().supports().iter().map(|s| (!touched(s.at)).then(|| self.force(s.at))).collect()
     }
 }

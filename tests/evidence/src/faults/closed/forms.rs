@@ -73,18 +73,25 @@ pub fn built_in() -> Result<Vec<Closed>, SceneError> {
     };
     let turned = held(l, &[Support::built_in(l)])?;
     let level = held(l, &[Support::built_in(0.0).at_level(0.5), Support::simple(0.4 * l).at_level(0.5)])?;
+    let parted = [zone(0.0, 0.4 * l), zone(0.4 * l, l)];
     let mut found = vec![
         Closed::new("cantilever", &cantilever, Q, None, &[], |x| overhang(l, x))?,
         Closed::new("cantilever above deep ground", &cantilever, Q, flat(100.0), &[], |x| overhang(l, x))?,
         Closed::new("cantilever whose tip touches", &cantilever, Q, flat(touched), &[at(l)], propped)?,
         Closed::new("cantilever that lies on the ground", &cantilever, Q, flat(h), &[zone(a, l)], lying)?,
         Closed::new("cantilever from the right", &turned, Q, flat(h), &[zone(0.0, l - a)], |x| lying(l - x))?,
-        Closed::new("on ground that is level with all supports", &level, Q, flat(0.5), &[zone(0.0, l)], |_| 0.5)?,
+        // A support parts what lies on both sides of it.
+        Closed::new("on ground that is level with all supports", &level, Q, flat(0.5), &parted, |_| 0.5)?,
     ];
     let l = 10.0;
     let both = held(l, &[Support::built_in(0.0), Support::built_in(l)])?;
     let fixed = move |x: f64| Q * x * x * (l - x) * (l - x) / (24.0 * EI);
     let ends = &[zone(a, l - a)];
+    // The ground at half the depth of mid-span takes half of what holds it there, R = q l/4.
+    let half = move |x: f64| fixed(x) - 0.25 * Q * l * x * x * (3.0 * l - 4.0 * x) / (48.0 * EI);
+    let deep = 0.5 * fixed(0.5 * l);
+    let half = move |x: f64| half(x.min(l - x));
+    found.push(Closed::new("built in at both ends on a point", &both, Q, flat(deep), &[at(0.5 * l)], half)?);
     // A slope of the left support alone: v = φ x (l − x)²/l².
     let sloping = held(l, &[Support { slope: Some(0.3), ..Support::simple(0.0) }, Support::built_in(l)])?;
     found.push(Closed::new("built in at both ends", &both, Q, flat(100.0), &[], fixed)?);
@@ -132,10 +139,13 @@ pub fn spans() -> Result<Vec<Closed>, SceneError> {
     let lying = move |x: f64| from_end(x.min(l - x)).min(from_middle(x.min(l - x)));
     let zones = [zone(a, 0.5 * l - b), zone(0.5 * l + b, l - a)];
     found.push(Closed::new("a zone in each of two spans", &beam, Q, flat(h), &zones, lying)?);
+    // A floor beam that is lifted at one end: from a hinge to a zone that reaches the other end.
+    let beam = held(l, &[Support::simple(0.0).at_level(-h)])?;
+    found.push(Closed::new("lifted off the floor", &beam, Q, flat(0.0), &[zone(a, l)], |x| from_end(x) - h)?);
     Ok(found)
 }
 
-/// A ski that lies on flat ground by its own weight, and the same as a hump under a straight beam: overhangs with
+/// An arch that stands on its ends, and one whose middle touches as well; a ski that lies on flat ground by its own weight, and the same as a hump under a straight beam: overhangs with
 /// `q c²/2 = EI κ` at both ends.
 ///
 /// # Errors
@@ -155,7 +165,20 @@ pub fn own_shapes() -> Result<Vec<Closed>, SceneError> {
     let hump =
         Foundation::Polynomial { coefficients: vec![1.0 + 0.125 * kappa * l * l, -0.5 * kappa * l, 0.5 * kappa] };
     let zones = &[zone(c, l - c)];
+    // An arch of height f, of which its load takes off simple(l/2) if that is less, and else down to the ground, by R at mid-span.
+    let arch = |f: f64| {
+        let coefficients = vec![0.0, -4.0 * f / l, 4.0 * f / (l * l)];
+        beam.clone().with_shape(Foundation::Polynomial { coefficients })
+    };
+    let full = simple(l, 0.5 * l);
+    let pushed = move |x: f64| x * (3.0 * l * l - 4.0 * x * x) / (l * l * l);
+    let ends = [at(0.0), at(l)];
+    let three = [at(0.0), at(0.5 * l), at(l)];
+    let standing = move |x: f64| simple(l, x);
+    let closed_up = move |x: f64| simple(l, x) - 0.05 * full * pushed(x.min(l - x));
     Ok(vec![
+        Closed::new("an arch on its ends", &arch(1.5 * full)?, Q, flat(0.0), &ends, standing)?,
+        Closed::new("an arch that its weight closes", &arch(0.95 * full)?, Q, flat(0.0), &three, closed_up)?,
         Closed::new("a ski that its weight closes", &ski, Q, flat(0.0), zones, closed)?,
         Closed::new("a hump under a free beam", &beam, Q, Some(hump), zones, |x| 1.0 + closed(x))?,
     ])
