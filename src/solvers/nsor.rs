@@ -147,7 +147,6 @@ struct Relaxation<'a> {
 }
 
 impl Relaxation<'_> {
-    // Report: nsor
     /// One sweep over all variables, each with the newest values of the others.
     fn sweep(&self, factor: f64, x: &mut [f64]) {
         for i in 0..x.len() {
@@ -164,7 +163,6 @@ impl Relaxation<'_> {
         *found = residual(self.qp.sizes(), x, &self.qp.gradient(x));
         cycle.look(x);
     }
-    // Report: end
 }
 
 #[cfg(test)]

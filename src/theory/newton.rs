@@ -38,7 +38,6 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
     let mut last = f64::INFINITY;
     let mut brackets = vec![Bracket::EVERYWHERE; list.nodes.len()];
     let mut rests = 0;
-    // Report: newton
     for steps in 0..STEPS {
         // Row i: the jump of h'' at contact i, and its derivatives by the places of contacts i − 1, i and i + 1.
         let rows = equations(given, list, list.spans(given));
@@ -51,7 +50,6 @@ pub(super) fn solve(given: &PiecewiseScene, list: &mut List) -> Run {
         };
         // No further than to the end of a smooth piece of the ground, or to the next contact.
         let Applied { size, limited } = apply(given, list, &rows, &mut brackets);
-        // Report: end
         let at_rest = !limited && (size <= ROUNDING || (size <= NEARLY && 0.5 * last <= size));
         rests = if at_rest { rests + 1 } else { 0 };
         if REFINED < rests {

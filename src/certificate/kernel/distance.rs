@@ -17,7 +17,6 @@ use super::load::cells;
 use super::polynomial::number;
 use super::proof::{Pair, Piece};
 
-// Report: certificate
 /// `√(2 gap / 3 EI)`, by which a lever is to be multiplied.
 pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
     (number(2) * Interval::exact(gap) / (number(3) * Interval::exact(stiffness))).sqrt().hi()
@@ -35,7 +34,6 @@ pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     let places = pair.holds.iter().flat_map(|hold| [hold.0.from, hold.0.to, hold.1.from, hold.1.to]).collect();
     cells(0.0, length, places).into_iter().map(|part| on_part(pair, factor, part)).fold(0.0, f64::max)
 }
-// Report: end
 
 /// A bound on the error of a deflection.
 #[derive(Debug, Clone, Copy)]

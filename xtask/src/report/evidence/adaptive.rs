@@ -51,17 +51,12 @@ impl Run {
     fn work(&self) -> usize {
         self.found.trials.iter().map(|tried| tried.work).sum()
     }
-
-    /// Intervals of the last grid with its certified error.
-    fn cell(&self) -> String {
-        let intervals = if self.reached() { count(self.found.settings.intervals) } else { "not reached".to_owned() };
-        format!("{intervals} ({})", error_cell(Some(self.certified())))
-    }
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let header = EVERYWHERE.map(|exponent| format!("EPS = {}: intervals (certified error)", power_of_ten(exponent)));
-    let mut everywhere = Table::new(row!["scene"].into_iter().chain(header));
+    // For each demand: the intervals that reach it, scene by scene, and the scenes that do not.
+    let mut everywhere = EVERYWHERE.map(|exponent| (exponent, Vec::new(), Vec::new()));
+    let mut scenes = 0;
     let header = ["EPS", "grids tried, intervals", "certified error", "true error", "unknowns gone through"];
     let mut steps = Table::new(header);
     let mut data =
@@ -74,8 +69,16 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         if name == EXAMPLE {
             steps = steps.rows(runs.iter().map(step));
         }
-        let shown = runs.iter().filter(|run| EVERYWHERE.contains(&run.exponent));
-        everywhere.push(row![name].into_iter().chain(shown.map(Run::cell)));
+        scenes += 1;
+        for (exponent, reached, missed) in &mut everywhere {
+            for run in runs.iter().filter(|run| run.exponent == *exponent) {
+                if run.reached() {
+                    reached.push(run.found.settings.intervals);
+                } else {
+                    missed.push(format!("{name} ({})", error_cell(Some(run.certified()))));
+                }
+            }
+        }
         for run in &runs {
             truthful += usize::from(run.truth <= run.certified());
             let end = if run.reached() { "reached" } else { "not reached" };
@@ -88,7 +91,13 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             of_figure.push((name, runs));
         }
     }
-    let values = context! { steps, everywhere, most => MOST, runs => data.len(), truthful };
+    let header = ["EPS", "scenes that reach it", "fewest intervals", "most", "not reached (certified error)"];
+    let everywhere = Table::new(header).rows(everywhere.iter().map(|(exponent, reached, missed)| {
+        let [fewest, most] = [reached.iter().min(), reached.iter().max()].map(|n| n.map_or("–".to_owned(), count));
+        let missed = if missed.is_empty() { "–".to_owned() } else { missed.join(", ") };
+        row![power_of_ten(*exponent), reached.len(), fewest, most, missed]
+    }));
+    let values = context! { steps, everywhere, scenes, most => MOST, runs => data.len(), truthful };
     Evidence::new(values).figure("adaptive", drawn(&of_figure)?, data)
 }
 

@@ -21,26 +21,31 @@ use crate::certificates::answers::{self, Row};
 const GRIDS: [usize; 3] = [30, 100, 300];
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let header = GRIDS.iter().flat_map(|n| [format!("{n}, true"), format!("{n}, certified")]);
-    let mut table = Table::new(row!["scene"].into_iter().chain(header));
+    let (mut found, mut count) = (GRIDS.map(|_| Vec::new()), 0);
     let mut data = Table::new(["scene", "intervals", "true_error", "certified_error"]);
     let (mut held, mut sharp) = (0, 0);
     for (_, scene) in scenes::all(study.root)? {
-        let mut row = row![scene.title()].to_vec();
+        count += 1;
         let known = Truth::of(&scene)?;
-        for intervals in GRIDS {
+        for (intervals, found) in GRIDS.into_iter().zip(&mut found) {
             let Row { truth, certified, .. } = answers::row("", &known, Method::Force, Solver::ActiveSet, intervals)?;
             data.push(row![scene.title(), intervals, scientific(truth, 2), scientific(certified, 2)]);
-            row.extend([if truth == 0.0 { "0".to_owned() } else { cell(Some(truth), 2) }, cell(Some(certified), 2)]);
+            found.push([certified, certified / truth]);
             held += usize::from(truth <= certified);
             sharp += usize::from(certified <= 1.1 * truth);
         }
-        table.push(row);
     }
+    let header = ["intervals", "least certified error", "largest", "largest certified over true error"];
+    let table = Table::new(header).rows(GRIDS.iter().zip(&found).map(|(intervals, found)| {
+        let [error, ratio] = [0, 1].map(|k| range(found.iter().map(|pair| pair[k])));
+        let of = |ends: Option<[f64; 2]>, end: usize| ends.map(|ends| ends[end]);
+        row![intervals, cell(of(error, 0), 2), cell(of(error, 1), 2), of(ratio, 1).map_or("–".to_owned(), |r| fixed(r, 2))]
+    }));
     let springs = STIFFNESSES.iter().map(|&exponent| spring(exponent)).collect::<Result<Vec<_>, Cause>>()?;
     let first_stiff = springs.iter().find(|(_, found)| found.accepted[1]).ok_or("some springs are stiff enough")?.0;
     let values = context! {
         table,
+        scenes => count,
         runs => data.len(),
         held, sharp,
         accepted => USABLE,

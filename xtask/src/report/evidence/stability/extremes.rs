@@ -170,7 +170,7 @@ fn table(rows: &[Row], groups: &[&str]) -> Table {
     let header = ["solver"].into_iter().chain(groups.iter().copied()).chain(["wrong and solved"]);
     Table::new(header).rows(solvers().map(|solver| {
         let of = |group: &str| Count::sum(rows.iter().filter(|row| row.solver == solver && row.group == group));
-        let cells = groups.iter().map(|group| format!("{} of {} right", of(group).right, of(group).runs()));
+        let cells = groups.iter().map(|group| format!("{} of {}", of(group).right, of(group).runs()));
         let wrong: usize = groups.iter().map(|group| of(group).wrong).sum();
         row![solver].into_iter().chain(cells).chain([wrong.to_string()]).collect::<Vec<_>>()
     }))

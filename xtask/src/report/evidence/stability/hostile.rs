@@ -19,23 +19,6 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         bounded => sum(|family| family.theory_bounded),
         certified => sum(|family| family.theory_certified),
         all_but_turns => sum(|family| family.theory_all_but_turns),
-        families => of_families(&families),
     };
     Ok(Evidence::new(values).file("hostile", hostile))
-}
-
-/// How many answers are solved, family by family of random scenes.
-fn of_families(families: &[Family]) -> Table {
-    let header = ["scenes", "runs", "refused", "beam theory solved", "active set solved", "other routes solved"];
-    let share = |solved: usize, not: usize| format!("{} of {}", count(solved), count(solved + not));
-    Table::new(header).rows(families.iter().map(|family| {
-        row![
-            family.family,
-            count(family.runs),
-            count(family.refused),
-            share(family.theory_solved, family.theory_not_solved),
-            share(family.active_set_solved, family.active_set_not_solved),
-            share(family.route_solved, family.route_not_solved),
-        ]
-    }))
 }
