@@ -45,9 +45,10 @@ impl Table {
         self
     }
 
-    /// As comma-separated values.
+    /// As comma-separated values, with the minus sign that programs read.
     pub(crate) fn csv(&self) -> Result<String, Cause> {
-        data::text(&std::iter::once(&self.header).chain(&self.rows).collect::<Vec<_>>())
+        let plain = |row: &Vec<String>| row.iter().map(|cell| cell.replace('−', "-")).collect::<Vec<_>>();
+        data::text(&std::iter::once(&self.header).chain(&self.rows).map(plain).collect::<Vec<_>>())
     }
 }
 
@@ -72,7 +73,7 @@ impl fmt::Display for Table {
 /// Whether a cell holds a number, or stands for one that is not there.
 fn is_number(cell: &str) -> bool {
     let cell = cell.trim_matches('*');
-    cell == "–" || cell.chars().next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '-' | '−' | '+'))
+    cell == "–" || cell.chars().next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '−' | '+'))
 }
 
 /// Templates see the Markdown.
@@ -94,8 +95,8 @@ mod tests {
 
     #[test]
     fn a_comma_in_a_cell_is_quoted() {
-        let table = Table::new(["x", "y"]).rows([row!["0.00", "a, b"], row!["0.00", 1], row![0.5, 2]]);
-        assert_eq!(table.one_a_place().csv().expect("text"), "x,y\n0.00,\"a, b\"\n0.5,2\n");
+        let table = Table::new(["x", "y"]).rows([row!["0.00", "a, b"], row!["0.00", 1], row![0.5, "−2"]]);
+        assert_eq!(table.one_a_place().csv().expect("text"), "x,y\n0.00,\"a, b\"\n0.5,-2\n");
         assert!(Table::new(["x"]).rows([["1", "2"]]).csv().is_err(), "a cell too many");
     }
 }

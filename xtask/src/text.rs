@@ -1,20 +1,10 @@
-//! Numbers as text, for documents, tables and data.
+//! Numbers as text, for documents, tables and data, with the minus sign of [`palkki::text`]; a table as data has hyphens.
 //!
 //! Print at least one digit behind the point: what is printed without one counts as an integer, and integers are compared
 //! exactly. Do not print what is only rounding (`1.1·10⁻¹⁶`); print the [`bound`] that it stays below.
 
-pub(crate) use palkki::text::{decade, power_of_ten, ten_to};
+pub(crate) use palkki::text::{decade, fixed, power_of_ten, ten_to};
 pub(crate) use palkki_evidence::paper::claims::bound;
-
-/// Digits behind the point, `1.182`; zero has no sign.
-pub(crate) fn fixed(value: f64, places: usize) -> String {
-    // Rounding to zero from below leaves a sign.
-    let text = format!("{value:.places$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.chars().all(|c| matches!(c, '0' | '.')) => rest.to_owned(),
-        _ => text,
-    }
-}
 
 /// Digits behind the point and the power of ten as programs read it, `1.18e-9`.
 pub(crate) fn scientific(value: f64, places: usize) -> String {
@@ -27,7 +17,7 @@ pub(crate) fn times_ten(value: f64, places: usize) -> String {
     if mantissa.chars().all(|c| matches!(c, '-' | '0' | '.')) {
         return "0".to_owned();
     }
-    format!("{mantissa}·{}", power_of_ten(exponent))
+    format!("{}·{}", mantissa.replace('-', "−"), power_of_ten(exponent))
 }
 
 /// Significant digits, `1.18` and `610`; as [`times_ten`] below 10⁻⁴ and from 10⁶ on.
@@ -39,7 +29,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
         Ok(places) if -4 <= exponent => fixed(value, places),
         Err(_) if exponent < 6 => {
             let rounded: f64 = scientific(value, behind).parse().unwrap_or(value);
-            grouped(&format!("{rounded:.0}"))
+            grouped(&fixed(rounded, 0))
         }
         _ => times_ten(value, behind),
     }
@@ -82,9 +72,9 @@ pub(crate) fn count(number: impl ToString) -> String {
 }
 
 fn grouped(number: &str) -> String {
-    let (sign, digits) = number.strip_prefix('-').map_or(("", number), |digits| ("-", digits));
+    let (sign, digits) = number.strip_prefix(['-', '−']).map_or(("", number), |digits| ("−", digits));
     if digits.len() < 5 {
-        return number.to_owned();
+        return format!("{sign}{digits}");
     }
     let groups: Vec<&str> =
         digits.as_bytes().rchunks(3).rev().filter_map(|group| std::str::from_utf8(group).ok()).collect();
@@ -108,7 +98,7 @@ mod tests {
     #[test]
     fn fixed_digits() {
         let printed = [fixed(1.182_177, 3), fixed(-0.04, 1), fixed(-0.0, 2), fixed(-0.06, 1)];
-        assert_eq!(printed, ["1.182", "0.0", "0.00", "-0.1"]);
+        assert_eq!(printed, ["1.182", "0.0", "0.00", "−0.1"]);
     }
 
     #[test]
@@ -121,7 +111,7 @@ mod tests {
             (123_456.0, 3, "123 000"),
             (612.0, 2, "610"),
             (2.5e6, 2, "2.5·10⁶"),
-            (-123.4, 3, "-123"),
+            (-123.4, 3, "−123"),
             (0.0, 3, "0.00"),
         ] {
             assert_eq!(significant(value, digits), expected);
@@ -132,7 +122,7 @@ mod tests {
     #[test]
     fn powers_of_ten() {
         let printed = [(1.23e-9, 1), (-4.0e12, 0), (1.0, 1), (-0.0, 1)].map(|(value, places)| times_ten(value, places));
-        assert_eq!(printed, ["1.2·10⁻⁹", "-4·10¹²", "1.0·10⁰", "0"]);
+        assert_eq!(printed, ["1.2·10⁻⁹", "−4·10¹²", "1.0·10⁰", "0"]);
         assert_eq!([power_of_ten(6), power_of_ten(-11)], ["10⁶", "10⁻¹¹"]);
         assert_eq!([1e-4, 1.0, 2e-4].map(tolerance), ["10⁻⁴", "10⁰", "2e-4"]);
     }
@@ -140,6 +130,6 @@ mod tests {
     #[test]
     fn integers_in_groups() {
         let printed = [0, 999, -1000, 20_000, 1_234_567].map(count);
-        assert_eq!(printed, ["0", "999", "-1000", "20 000", "1 234 567"], "groups of three");
+        assert_eq!(printed, ["0", "999", "−1000", "20 000", "1 234 567"], "groups of three");
     }
 }

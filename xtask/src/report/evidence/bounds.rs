@@ -23,7 +23,7 @@ const GRIDS: [usize; 3] = [30, 100, 300];
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (mut found, mut count) = (GRIDS.map(|_| Vec::new()), 0);
     let mut data = Table::new(["scene", "intervals", "true_error", "certified_error"]);
-    let (mut held, mut sharp) = (0, 0);
+    let mut held = 0;
     for (_, scene) in scenes::all(study.root)? {
         count += 1;
         let known = Truth::of(&scene)?;
@@ -32,7 +32,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             data.push(row![scene.title(), intervals, scientific(truth, 2), scientific(certified, 2)]);
             found.push([certified, certified / truth]);
             held += usize::from(truth <= certified);
-            sharp += usize::from(certified <= 1.1 * truth);
         }
     }
     let header = ["intervals", "least certified error", "largest", "largest certified over true error"];
@@ -47,7 +46,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         table,
         scenes => count,
         runs => data.len(),
-        held, sharp,
+        held,
         accepted => USABLE,
         sags => sags()?,
         forces => of_forces(of_the_paper()?.iter().chain(springs.iter().map(|(_, found)| found))),

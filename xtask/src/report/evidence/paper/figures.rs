@@ -63,7 +63,7 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
 /// Beam theory, a method, and the difference, to five decimals.
 fn compared(first: &str, method: &str, columns: &[(&str, f64, f64)]) -> Table {
     let row = |name: &str, of: fn(&(&str, f64, f64)) -> f64| -> Vec<String> {
-        let cells = columns.iter().map(|column| fixed(of(column), 5).replace('-', "−"));
+        let cells = columns.iter().map(|column| fixed(of(column), 5));
         std::iter::once(name.to_owned()).chain(cells).collect()
     };
     let header = std::iter::once(first).chain(columns.iter().map(|column| column.0));
