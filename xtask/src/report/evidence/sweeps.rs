@@ -126,16 +126,16 @@ impl Swept {
     /// Its events beside closed forms: formulas with their values.
     fn events_beside(&self, at: &str, closed: &[(&str, f64)]) -> Result<Table, Cause> {
         let numbers = closed.iter().map(|(_, value)| self.event_at(*value)).collect::<Result<Vec<_>, _>>()?;
-        let header = ["event", at, "what happens", "closed form", "its value", "difference, relative, below"];
+        let header = ["event", at, "what happens", "closed form", "difference, relative, below"];
         Ok(Table::new(header).rows(self.events.iter().enumerate().map(|(i, event)| {
-            let [form, value, apart] = match numbers.iter().position(|number| *number == i + 1).map(|k| closed[k]) {
+            let [form, apart] = match numbers.iter().position(|number| *number == i + 1).map(|k| closed[k]) {
                 Some((form, value)) => {
                     let apart = (event.value - value).abs() / value.abs();
-                    [form.to_owned(), significant(value, DIGITS), bound(apart.max(f64::EPSILON))]
+                    [form.to_owned(), bound(apart.max(f64::EPSILON))]
                 }
-                None => ["–"; 3].map(str::to_owned),
+                None => ["–"; 2].map(str::to_owned),
             };
-            row![i + 1, significant(event.value, DIGITS), event.what, form, value, apart]
+            row![i + 1, significant(event.value, DIGITS), event.what, form, apart]
         })))
     }
 }
@@ -250,10 +250,10 @@ fn derivatives() -> Result<Table, Cause> {
         ("dT/dEI", stiffness.supports[0], "T/(4EI)", t / (4.0 * ei)),
         ("dJ/du₀", depth.energy, "−(q l − 2T)", -(q * l - 2.0 * t)),
     ];
-    let table = Table::new(["derivative", "found", "closed form", "its value", "difference, relative, below"]);
+    let table = Table::new(["derivative", "found", "closed form", "difference, relative, below"]);
     Ok(table.rows(rows.map(|(name, found, form, value)| {
         let apart = ((found - value).abs() / value.abs()).max(f64::EPSILON);
-        row![name, significant(found, DIGITS), form, significant(value, DIGITS), bound(apart)]
+        row![name, significant(found, DIGITS), form, bound(apart)]
     })))
 }
 
