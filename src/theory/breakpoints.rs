@@ -264,6 +264,18 @@ fn lines_of(points: &[[f64; 2]], length: f64) -> (Vec<Shape>, Vec<Break>) {
     (shapes, breaks.collect())
 }
 
+/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are; [`None`] without any. One that
+/// stands on a support goes through it, however large it is.
+fn load_between_supports(given: &PiecewiseScene) -> Option<f64> {
+    let between = |(i, breakpoint): (usize, &Breakpoint)| given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0);
+    let spread = |cell: &Cell| {
+        let width = cell.hi - cell.lo;
+        0.5 * width * (cell.load.abs() + (cell.load + width * cell.load_slope).abs())
+    };
+    let points: f64 = given.breakpoints.iter().enumerate().map(between).sum();
+    Some(points + given.cells.iter().map(spread).sum::<f64>()).filter(|load| 0.0 < *load)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -289,16 +301,4 @@ mod tests {
         assert_eq!(given.reach(3), (2.0, 4.0));
         assert!(given.is_edge(2) && !given.is_edge(1));
     }
-}
-
-/// Magnitudes of the loads that do not stand on a support, which say how large forces and moments are; [`None`] without any. One that
-/// stands on a support goes through it, however large it is.
-fn load_between_supports(given: &PiecewiseScene) -> Option<f64> {
-    let between = |(i, breakpoint): (usize, &Breakpoint)| given.support_at(i).map_or(breakpoint.force.abs(), |_| 0.0);
-    let spread = |cell: &Cell| {
-        let width = cell.hi - cell.lo;
-        0.5 * width * (cell.load.abs() + (cell.load + width * cell.load_slope).abs())
-    };
-    let points: f64 = given.breakpoints.iter().enumerate().map(between).sum();
-    Some(points + given.cells.iter().map(spread).sum::<f64>()).filter(|load| 0.0 < *load)
 }
