@@ -49,7 +49,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         held,
         accepted => USABLE,
         sags => sags()?,
-        forces => of_forces(of_the_paper()?.iter().chain(springs.iter().map(|(_, found)| found))),
+        forces => of_forces(of_the_paper()?.iter().chain(beside(&springs, first_stiff))),
         spaced => SPACED,
         first_stiff => power_of_ten(first_stiff),
     };
@@ -104,6 +104,12 @@ fn of_the_paper() -> Result<[Found; 2], Cause> {
         Found::of("Figure 4, finite differences", &of_nodes(&paper::figure_4()?.nodes))?,
         Found::of("Figure 7, force method", &of_nodes(&paper::figure_7()?.nodes))?,
     ])
+}
+
+/// Of springs the first that are stiff enough, and those before and behind; the figure has all.
+fn beside(springs: &[(i32, Found)], first_stiff: i32) -> impl Iterator<Item = &Found> {
+    let near = springs.iter().filter(move |(exponent, _)| (exponent - first_stiff).abs() <= 1);
+    near.map(|(_, found)| found)
 }
 
 fn of_forces<'a>(all: impl Iterator<Item = &'a Found>) -> Table {

@@ -17,20 +17,18 @@ const ENDS: [&str; 2] = ["forces at the ends of zone 1", "forces at the ends of 
 const ENERGY: &str = "energy";
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let mut table = Table::new(["scene", "closed form", "right reaction by formula", "found"]);
-    let mut worst = 0.0_f64;
+    let (mut count, mut worst) = (0, 0.0_f64);
     for (_, scene) in scenes::all(study.root)? {
         let Some(closed) = closed(&scene) else { continue };
-        let Some([_, right]) = closed.of(REACTIONS) else { continue };
-        let exact = theory::solve(&scene)?;
-        worst = worst.max(difference(&scene, &exact, &closed));
-        let [by_formula, found] = [*right, exact.state.reactions.right].map(|r| palkki::plot::significant(r, 10));
-        table.push(row![scene.title(), closed.form, by_formula, found]);
+        if closed.of(REACTIONS).is_none() {
+            continue;
+        }
+        count += 1;
+        worst = worst.max(difference(&scene, &theory::solve(&scene)?, &closed));
     }
     let example = palkki_evidence::paper::theory();
     Ok(Evidence::new(context! {
-        count => table.len(),
-        closed => table,
+        count,
         most => bound(DIGITS),
         agree => worst <= DIGITS,
         unknowns => theory::solve(&palkki_evidence::paper::example()?)?.unknowns,
@@ -48,7 +46,6 @@ fn difference(scene: &Scene, exact: &Exact, closed: &Closed) -> f64 {
 
 /// The closed form of a scene, and what follows from it.
 pub(super) struct Closed {
-    form: &'static str,
     pub(super) formula: &'static str,
     values: Vec<(&'static str, Vec<f64>)>,
 }
@@ -76,17 +73,15 @@ pub(super) fn closed(scene: &Scene) -> Option<Closed> {
     if !scene.load().linear().is_empty() || !scene.beam().is_simple() {
         return None;
     }
-    let (form, formula, values) = match (scene.foundation()?, scene.load().point()) {
+    let (formula, values) = match (scene.foundation()?, scene.load().point()) {
         (Foundation::Flat { .. }, []) => {
             let e = flat(l, ei, depth(0.0), q);
             match e.lift_off {
                 Some(a) if a < 0.5 * l => (
-                    "flat",
                     "a⁴ = 24 EI u₀/q, T = q a/2, zone from a to l − a, force T at each end of it, J = −q u₀ (l − 4a/5)",
                     zone([e.reaction; 2], [a, l - a], [e.end_force; 2], e.contact_force, e.energy),
                 ),
                 Some(_) => (
-                    "flat",
                     "F = 5 q l/8 − 48 EI u₀/l³ at mid-span, T = (q l − F)/2, J = −q² l⁵/(240 EI) + F² l³/(96 EI)",
                     vec![(REACTIONS, vec![e.reaction; 2]), (CONTACT, vec![e.contact_force]), (ENERGY, vec![e.energy])],
                 ),
@@ -100,13 +95,12 @@ pub(super) fn closed(scene: &Scene) -> Option<Closed> {
             values.extend([(ZONES[1], e.zones[1].to_vec()), (ENDS[1], vec![ends[1], ends[0]])]);
             let formula =
                 "a⁴ = 24 EI u₀/q, T = q a/2, gap g = 3P/(2q) below the lift P, force P/4 at each end of the gap";
-            ("flat, lifted at mid-span", formula, values)
+            (formula, values)
         }
         (Foundation::Polynomial { coefficients }, []) if coefficients.len() == 2 => {
             let e = incline(l, ei, [depth(0.0), depth(l)], q)?;
             let ends = [e.lift_off[0], l - e.lift_off[1]];
             (
-                "incline",
                 "at each end a⁴ = 24 EI u/q with the depth u below that support, T = q a/2, force T at the end of the zone",
                 zone(e.reactions, ends, e.reactions, e.contact_force, e.energy),
             )
@@ -123,7 +117,6 @@ pub(super) fn closed(scene: &Scene) -> Option<Closed> {
             let contact = e.contact_force + points.iter().map(|p| p.force).sum::<f64>();
             let energy = e.energy - points.iter().map(|p| p.force * depth(p.at)).sum::<f64>();
             (
-                "parabola",
                 "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the \
                  zone, and the point load goes into the ground where it stands",
                 zone([e.reaction; 2], [a, l - a], [e.end_force; 2], contact, energy),
@@ -137,7 +130,6 @@ pub(super) fn closed(scene: &Scene) -> Option<Closed> {
             let free = by_load + p.force * c * a * (l * l - c * c - a * a) / (6.0 * ei * l);
             let force = (free - depth(a)) * 3.0 * ei * l / (a * a * b * b);
             (
-                "kink",
                 "F = (v₀ − u) 3 EI l/(a² b²) at the kink, at a and b from the supports, with the deflection v₀ of the simple \
                  beam there",
                 vec![(CONTACT, vec![force])],
@@ -145,5 +137,5 @@ pub(super) fn closed(scene: &Scene) -> Option<Closed> {
         }
         _ => return None,
     };
-    Some(Closed { form, formula, values })
+    Some(Closed { formula, values })
 }
