@@ -38,7 +38,12 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let table = Table::new(header).rows(GRIDS.iter().zip(&found).map(|(intervals, found)| {
         let [error, ratio] = [0, 1].map(|k| range(found.iter().map(|pair| pair[k])));
         let of = |ends: Option<[f64; 2]>, end: usize| ends.map(|ends| ends[end]);
-        row![intervals, cell(of(error, 0), 2), cell(of(error, 1), 2), of(ratio, 1).map_or("–".to_owned(), |r| fixed(r, 2))]
+        row![
+            intervals,
+            cell(of(error, 0), 2),
+            cell(of(error, 1), 2),
+            of(ratio, 1).map_or("–".to_owned(), |r| fixed(r, 2))
+        ]
     }));
     let springs = STIFFNESSES.iter().map(|&exponent| spring(exponent)).collect::<Result<Vec<_>, Cause>>()?;
     let first_stiff = springs.iter().find(|(_, found)| found.accepted[1]).ok_or("some springs are stiff enough")?.0;

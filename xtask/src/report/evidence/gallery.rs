@@ -10,7 +10,8 @@ use super::prelude::*;
 use crate::report::files;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let header = ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "deflection within"];
+    let header =
+        ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "deflection within"];
     let (mut overview, mut values) = (Table::new(header), card::values());
     let (mut cards, mut figures, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut residual, mut certified) = (0.0_f64, 0);
