@@ -65,13 +65,53 @@ fn typeset(text: &str) -> String {
     }
 }
 
-/// Significant digits of a [`result`].
-const DIGITS: usize = 10;
+/// Significant digits of [`Results`] where nobody asks for others: more than any load or depth is known to.
+pub const DIGITS: usize = 6;
 
-/// A result: ten significant digits, without trailing zeros.
-#[must_use]
-pub fn result(value: f64) -> String {
-    plain(value, DIGITS)
+/// As many digits as two numbers of 64 bits may differ in.
+pub const MOST_DIGITS: usize = 17;
+
+/// How results are written: so many significant digits, without trailing zeros.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Results {
+    digits: usize,
+}
+
+impl Default for Results {
+    fn default() -> Self {
+        Self { digits: DIGITS }
+    }
+}
+
+impl Results {
+    /// With 1 to [`MOST_DIGITS`] digits; the nearest of these for any other number.
+    #[must_use]
+    pub fn with_digits(digits: usize) -> Self {
+        Self { digits: digits.clamp(1, MOST_DIGITS) }
+    }
+
+    /// A result.
+    #[must_use]
+    pub fn number(self, value: f64) -> String {
+        plain(value, self.digits)
+    }
+
+    /// A lower bound: never above the number.
+    #[must_use]
+    pub fn at_least(self, value: f64) -> String {
+        bounding(value, |value| self.number(value), -self.slack(), |shown, value| shown <= value)
+    }
+
+    /// An upper bound: never below the number.
+    #[must_use]
+    pub fn at_most(self, value: f64) -> String {
+        bounding(value, |value| self.number(value), self.slack(), |shown, value| value <= shown)
+    }
+
+    /// Steps of a tenth of a unit in the last digit, as a share, or more; at most one unit.
+    fn slack(self) -> f64 {
+        ten_to(-i32::try_from(self.digits).unwrap_or(i32::MAX)).max(f64::EPSILON)
+    }
 }
 
 /// A residual, an error or a time: two digits and its order of magnitude; a dash where there is none, which is infinite or NaN.
@@ -82,18 +122,6 @@ pub fn magnitude(value: f64) -> String {
         _ if value.is_finite() => format!("{value:.1e}"),
         _ => "–".to_owned(),
     }
-}
-
-/// A lower bound: as [`result`], but never above the number.
-#[must_use]
-pub fn at_least(value: f64) -> String {
-    bounding(value, result, -SLACK, |shown, value| shown <= value)
-}
-
-/// An upper bound: as [`result`], but never below the number.
-#[must_use]
-pub fn at_most(value: f64) -> String {
-    bounding(value, result, SLACK, |shown, value| value <= shown)
 }
 
 /// An upper bound of which only the size is of interest: as [`magnitude`], but never below the number.
@@ -114,9 +142,6 @@ pub fn share_at_most(value: f64) -> String {
     }
     bounding(100.0 * value, |percent| plain(percent, 2), SLACK, |shown, percent| percent <= shown) + " %"
 }
-
-/// Steps of a tenth of a unit in the last of [`DIGITS`] digits, as a share, or less.
-const SLACK: f64 = 1e-10;
 
 /// The text of `value`, or of the next number in steps of `slack` whose text is a bound.
 fn bounding(value: f64, text: impl Fn(f64) -> String, slack: f64, bounds: impl Fn(f64, f64) -> bool) -> String {
@@ -144,7 +169,7 @@ fn plain(value: f64, digits: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{decade, fixed, share_at_most, significant, ten_to};
+    use super::{MOST_DIGITS, Results, decade, fixed, share_at_most, significant, ten_to};
 
     #[test]
     fn numbers_are_written_for_a_reader() {
@@ -164,6 +189,28 @@ mod tests {
         let shown = [0.1, 0.1001, 0.002_41, 0.82, 1.301, 1e-4, 9.9e-5, 3.21e-15, 12.34, 0.0].map(share_at_most);
         assert_eq!(shown, ["10 %", "11 %", "0.25 %", "82 %", "131 %", "0.01 %", "9.9e-5", "3.3e-15", "1.3e1", "0"]);
         assert_eq!(share_at_most(f64::INFINITY), "–");
+    }
+
+    #[test]
+    fn bounds_hold_with_any_number_of_digits() {
+        let value = |text: &str| text.parse::<f64>().expect("a number");
+        for digits in 0..=MOST_DIGITS + 1 {
+            let results = Results::with_digits(digits);
+            for number in
+                [1.0, 1.04, 9.6, 9.999_999_999, 1.0 / 3.0, 2.0 / 3.0, 1e-300, 123_456_789.5, 1.302_083_333_333_333_3]
+            {
+                for number in [number, -number] {
+                    let [least, most] = [results.at_least(number), results.at_most(number)].map(|text| value(&text));
+                    assert!(least <= number && number <= most, "{number} with {digits} digits: {least} to {most}");
+                    // A unit in the last digit is at most so large, and two of them are too many.
+                    let unit = number.abs() * 10.0 * ten_to(-i32::try_from(digits.max(1)).expect("few digits"));
+                    assert!(
+                        most - least <= 2.0 * unit.max(1e-15 * number.abs()),
+                        "{number} with {digits} digits: {least} to {most}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -47,7 +47,7 @@ use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, certify};
 use crate::route::RawSolution;
 use crate::scene::Scene;
 use crate::state::ContactState;
-use crate::text::{result, share_at_most};
+use crate::text::{Results, share_at_most};
 use crate::theory::Exact;
 use crate::witness::Witness;
 
@@ -77,6 +77,15 @@ pub enum Status {
 }
 
 impl Status {
+    /// Every status.
+    pub const ALL: [Self; 3] = [Self::Certified, Self::NotCertified, Self::NotConverged];
+
+    /// That of several answers together, of which enough are certified, or not.
+    #[must_use]
+    pub fn of_several(enough: bool) -> Self {
+        if enough { Self::Certified } else { Self::NotCertified }
+    }
+
     /// The only place that says certified: of an answer that passes its checks, whatever its solver reports. Of one that does not
     /// it depends on whether the solver reports success.
     pub(crate) fn of(passes: bool, reports_success: bool) -> Self {
@@ -296,7 +305,7 @@ impl fmt::Display for Verdict {
         }
         let told = matches!(self.refusal, None | Some(Refusal::Error { .. }));
         if let Some(about) = self.certificate.as_ref().and_then(|c| c.up_to_a_turn).filter(|_| told) {
-            write!(f, " after a turn about x = {}, which takes no force", result(about))?;
+            write!(f, " after a turn about x = {}, which takes no force", Results::default().number(about))?;
         }
         let coarse = self.certificate.as_ref().is_some_and(|c| !c.contacts_proven);
         if told && coarse && 0.0 < self.error {

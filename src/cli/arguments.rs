@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use palkki::DEFAULT_TOLERANCE;
 use palkki::route::{Method, Solver};
 use palkki::sweep::MOST_STEPS;
+use palkki::text::{DIGITS, MOST_DIGITS};
 
 use super::json::MOST_INTERVALS_WITH_NODES;
 
@@ -62,7 +63,17 @@ that the scene does not have is answered with those that it has.
 
 Examples:
   palkki sweep scene.toml --vary foundation.depth --from 0.5 --to 8 --steps 101
-  palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --csv rows.csv --plot sweep.svg";
+  palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --plot sweep.svg";
+
+const COMPLETIONS_EXAMPLE: &str = "\
+Examples:
+  palkki completions bash > ~/.local/share/bash-completion/completions/palkki
+  palkki completions fish > ~/.config/fish/completions/palkki.fish";
+
+const MANUAL_EXAMPLE: &str = "\
+Examples:
+  palkki manual > palkki.1
+  palkki manual solve > palkki-solve.1";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -101,6 +112,20 @@ pub(super) enum Command {
     /// missed. The exit code is 0 if every answer is certified.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
+    /// Print what makes a shell complete commands and options, to be read by it.
+    #[command(after_help = COMPLETIONS_EXAMPLE)]
+    Completions {
+        /// The shell that reads it
+        #[arg(value_name = "SHELL", value_enum)]
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual as a man page: that of palkki, or that of a command.
+    #[command(after_help = MANUAL_EXAMPLE)]
+    Manual {
+        /// The command
+        #[arg(value_name = "COMMAND")]
+        command: Option<String>,
+    },
 }
 
 #[derive(Debug, Args)]
@@ -109,22 +134,25 @@ pub(super) struct Common {
     #[arg(value_name = "SCENE")]
     pub(super) scene: PathBuf,
     /// A table to read, or JSON to read on
-    #[arg(long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
+    #[arg(short, long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
+    // JSON has every digit.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = digits, default_value_t = DIGITS, help = digits_help())]
+    pub(super) digits: usize,
 }
 
 #[derive(Debug, Args)]
 pub(super) struct Solve {
     /// How the beam is modelled
-    #[arg(long, value_name = "METHOD", value_enum, default_value_t = MethodArgument::Exact)]
+    #[arg(short, long, value_name = "METHOD", value_enum, default_value_t = MethodArgument::Exact)]
     pub(super) method: MethodArgument,
     // Options that only some methods take have no default that clap could print.
-    #[arg(long, value_name = "SOLVER", value_enum, help = solver_help())]
+    #[arg(short, long, value_name = "SOLVER", value_enum, help = solver_help())]
     pub(super) solver: Option<SolverArgument>,
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, help = intervals_help())]
+    #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, help = intervals_help())]
     pub(super) intervals: Option<usize>,
     /// Guaranteed error of the deflection, as a share of the largest deflection
-    #[arg(long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance, long_help = tolerance_help())]
+    #[arg(short, long, value_name = "EPS", allow_hyphen_values = true, value_parser = tolerance, long_help = tolerance_help())]
     pub(super) tolerance: Option<f64>,
     #[arg(long, help = nodes_help())]
     pub(super) nodes: bool,
@@ -166,6 +194,10 @@ fn tolerance_help() -> String {
     )
 }
 
+fn digits_help() -> String {
+    format!("Significant digits of results in text, at most {MOST_DIGITS}; JSON and CSV have all")
+}
+
 fn nodes_help() -> String {
     format!("Print the nodes: in a table always, in JSON also those of more than {MOST_INTERVALS_WITH_NODES} intervals")
 }
@@ -175,7 +207,7 @@ pub(super) struct Compare {
     #[command(flatten)]
     pub(super) common: Common,
     /// Equal intervals of the discretised methods, at least 2
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, default_value_t = DEFAULT_INTERVALS)]
+    #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, default_value_t = DEFAULT_INTERVALS)]
     pub(super) intervals: usize,
 }
 
@@ -209,7 +241,7 @@ pub(super) struct Sweep {
     #[arg(long, value_name = "B", allow_hyphen_values = true, value_parser = number)]
     pub(super) to: f64,
     /// How many values, both ends included, at least 2
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
+    #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
     pub(super) steps: usize,
     /// Write a row for each value to this file, as CSV; `-` is standard output, and the answer then goes to standard error
     #[arg(long, value_name = "FILE")]
@@ -238,6 +270,14 @@ fn steps(text: &str) -> Result<usize, String> {
 /// `--intervals`.
 fn intervals(text: &str) -> Result<usize, String> {
     count("intervals", MOST_INTERVALS, text)
+}
+
+/// `--digits`.
+fn digits(text: &str) -> Result<usize, String> {
+    match text.parse::<usize>() {
+        Ok(number @ 1..=MOST_DIGITS) => Ok(number),
+        _ => Err(format!("the number of digits must be a whole number from 1 to {MOST_DIGITS}, but is {text}")),
+    }
 }
 
 /// A positive, finite number; `what` it is.

@@ -7,13 +7,13 @@ use palkki::certificate::{
 use palkki::route::Status;
 use palkki::scene::file::{FileError, Problem};
 use palkki::state::Contact;
-use palkki::text::{magnitude, magnitude_at_most, result};
+use palkki::text::{magnitude, magnitude_at_most};
 use palkki::verdict::Verdict;
 
 use super::arguments::{Certify, LoadArgument};
 use super::input::Input;
 use super::output::Failure;
-use super::table::{Labels, Row, list, table};
+use super::table::{Row, list, table};
 use super::text::{bounds, heading};
 
 /// What is to be said about some contact forces.
@@ -67,19 +67,18 @@ impl Finding {
 
 /// What was found, for a person.
 pub(super) fn text(input: &Input, finding: &Finding) -> String {
-    let labels = Labels::of(input.scene.units());
-    let mut text = heading(input);
-    let status = format!("{}: {}", finding.verdict.status, finding.verdict);
+    let labels = input.labels();
+    let mut text = heading(finding.verdict.status, &finding.verdict.to_string(), input);
     let cut: f64 = finding.load.pulling().iter().map(|f| -f.1).sum();
     let cut = match finding.load.pulling().len() {
         0 => "none".to_owned(),
-        count => format!("{count}, together {}", result(cut)),
+        count => format!("{count}, together {}", labels.number(cut)),
     };
     let load = finding.intervals.map_or_else(
         || "distributed".to_owned(),
         |intervals| format!("lumped at the nodes of {intervals} equal intervals"),
     );
-    text += &list(&[("status", status), ("load", load), (&labels.force.name("forces cut off"), cut)]);
+    text += &list(&[("load", load), (&labels.force.name("forces cut off"), cut)]);
     text += &bounds(&finding.certificate, &labels);
     let best = magnitude_at_most(finding.certificate.best_deflection_error);
     text += &list(&[(&labels.length.name("error of the best deflection found"), best)]);
@@ -101,7 +100,7 @@ pub(super) fn text(input: &Input, finding: &Finding) -> String {
                 ViolationKind::Complementarity => labels.length.name("a force acts across a clearance"),
                 ViolationKind::Balance => labels.force.name("the forces do not balance the loads"),
             };
-            vec![what, magnitude(v.amount), magnitude(v.relative), result(v.at)]
+            vec![what, magnitude(v.amount), magnitude(v.relative), labels.number(v.at)]
         })
         .collect();
     let title = if finding.intervals.is_some() { "Violations at the nodes" } else { "Violations" };

@@ -1,8 +1,8 @@
 //! `compare`: every method with every solver, set against two references.
 
-use palkki::route::{Method, Solver};
+use palkki::route::{Method, Solver, Status};
 use palkki::state::ContactState;
-use palkki::text::{magnitude, magnitude_at_most, result, share_at_most};
+use palkki::text::{magnitude, magnitude_at_most, share_at_most};
 use palkki::verdict::{Demand, EXACT, USABLE};
 use palkki::{Settings, Witness};
 use serde::Serialize;
@@ -76,6 +76,16 @@ impl Comparison {
         let exact = exact.map(|answer| Compared { answer, solver_error: None, model_error: None });
         Ok(Self { intervals, routes: exact.into_iter().chain(compared).collect() })
     }
+
+    /// How many answers passed our own check.
+    fn certified(&self) -> usize {
+        self.routes.iter().filter(|route| route.answer.is_certified()).count()
+    }
+
+    /// Whether one of them did.
+    pub(super) fn is_certified(&self) -> bool {
+        0 < self.certified()
+    }
 }
 
 /// The answer that the solver error of `method` is measured by, if it solves its discrete problem.
@@ -122,6 +132,7 @@ fn relative(difference: f64, size: f64) -> f64 {
 
 /// The routes, one a row.
 pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
+    let labels = input.labels();
     let error =
         |difference: &Option<Difference>| difference.as_ref().map_or_else(|| "–".to_owned(), |d| magnitude(d.worst()));
     let rows: Vec<Row> = comparison
@@ -136,14 +147,13 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
                 magnitude(answer.solution.residual),
                 answer.solution.iterations.to_string(),
                 magnitude(answer.seconds),
-                first_reaction(answer),
+                first_reaction(answer, &labels),
                 magnitude_at_most(answer.solution.verdict.error),
                 error(&compared.solver_error),
                 error(&compared.model_error),
             ]
         })
         .collect();
-    let labels = Labels::of(input.scene.units());
     let at_left = input.scene.beam().supports().first().is_none_or(|support| support.at == 0.0);
     let reaction = labels.force.name(if at_left { "left reaction" } else { "first reaction" });
     let header = [
@@ -158,8 +168,9 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
         "solver error",
         "model error",
     ];
-    let title = format!("{}, {} intervals", input.title(), comparison.intervals);
-    let mut text = table(&title, &header, &rows).trim_start().to_owned();
+    let status = Status::of_several(comparison.is_certified());
+    let mut text = format!("{status}: {} of {} answers\n", comparison.certified(), comparison.routes.len());
+    text += &table(&format!("{}, {} intervals", input.title(), comparison.intervals), &header, &rows);
     text.push_str(&not_tried(comparison));
     text += &format!(
         "\nCertified error: at most this far is the deflection from that of the beam, relative to its largest value.\n\
@@ -173,8 +184,8 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
 }
 
 /// The force of the left support, or else of the first one.
-fn first_reaction(answer: &Answer) -> String {
-    answer.solution.state.supports.first().map_or_else(|| "–".to_owned(), |support| result(support.force))
+fn first_reaction(answer: &Answer, labels: &Labels) -> String {
+    answer.solution.state.supports.first().map_or_else(|| "–".to_owned(), |support| labels.number(support.force))
 }
 
 /// Why routes were not tried, a line each; empty if all were.

@@ -1,13 +1,11 @@
 //! What is given, in words: the scene as the program understood it, before any answer.
 
 use palkki::scene::{Foundation, Scene, Support};
-use palkki::text::result;
 
 use super::table::Labels;
 
 /// Lines `(name, value)`: beam, supports and own shape where they are not the paper's, loads and foundation.
-pub(super) fn given(scene: &Scene) -> Vec<(&'static str, String)> {
-    let labels = Labels::of(scene.units());
+pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String)> {
     let beam = format!(
         "length {}, bending stiffness {}",
         labels.length.value(scene.beam().length()),
@@ -15,13 +13,13 @@ pub(super) fn given(scene: &Scene) -> Vec<(&'static str, String)> {
     );
     let mut lines = vec![("beam", beam)];
     if !scene.beam().is_simple() {
-        lines.push(("supports", supports(scene, &labels)));
+        lines.push(("supports", supports(scene, labels)));
     }
     if let Some(shape) = scene.beam().shape() {
-        lines.push(("own shape", profile(shape, "w", &labels)));
+        lines.push(("own shape", profile(shape, "w", labels)));
     }
-    let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", &labels));
-    lines.extend([("load", load(scene, &labels)), ("foundation", ground)]);
+    let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", labels));
+    lines.extend([("load", load(scene, labels)), ("foundation", ground)]);
     lines
 }
 
@@ -32,7 +30,8 @@ fn supports(scene: &Scene, labels: &Labels) -> String {
         } else {
             format!(", level {}", labels.length.value(support.level))
         };
-        let slope = support.slope.map_or_else(String::new, |slope| format!(", built in at slope {}", result(slope)));
+        let slope =
+            support.slope.map_or_else(String::new, |slope| format!(", built in at slope {}", labels.number(slope)));
         format!("at {}{level}{slope}", labels.length.value(support.at))
     };
     let all: Vec<String> = scene.beam().supports().iter().map(one).collect();
@@ -47,7 +46,13 @@ fn load(scene: &Scene, labels: &Labels) -> String {
     }
     parts.extend(load.linear().iter().map(|part| {
         let ends = [part.start, part.end].map(|q| labels.density.value(q));
-        format!("linear {} to {} from {} to {}", ends[0], ends[1], result(part.from), labels.length.value(part.to))
+        format!(
+            "linear {} to {} from {} to {}",
+            ends[0],
+            ends[1],
+            labels.number(part.from),
+            labels.length.value(part.to)
+        )
     }));
     parts.extend(
         load.point()
@@ -74,9 +79,9 @@ fn profile(profile: &Foundation, name: &str, labels: &Labels) -> String {
         Foundation::Flat { depth } => format!("flat, depth {}", labels.length.value(*depth)),
         Foundation::Polynomial { coefficients } => {
             let terms = coefficients.iter().enumerate().map(|(power, c)| match power {
-                0 => result(*c),
-                1 => format!("{} x", result(*c)),
-                _ => format!("{} x^{power}", result(*c)),
+                0 => labels.number(*c),
+                1 => format!("{} x", labels.number(*c)),
+                _ => format!("{} x^{power}", labels.number(*c)),
             });
             format!("polynomial, {name} = {}", terms.collect::<Vec<_>>().join(" + ").replace("+ -", "− "))
         }
@@ -85,7 +90,7 @@ fn profile(profile: &Foundation, name: &str, labels: &Labels) -> String {
             labels.length.value(*mean),
             labels.length.value(*amplitude),
             labels.length.value(*wavelength),
-            result(*phase)
+            labels.number(*phase)
         ),
         Foundation::Polyline { points } => {
             let depths = points.iter().map(|p| p[1]);
@@ -94,7 +99,7 @@ fn profile(profile: &Foundation, name: &str, labels: &Labels) -> String {
             format!(
                 "polyline of {} points, depths from {} to {}",
                 points.len(),
-                result(least),
+                labels.number(least),
                 labels.length.value(most)
             )
         }

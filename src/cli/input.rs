@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 
 use palkki::scene::file::{FileError, Problem, ReadProblem, parse, parse_forces};
 use palkki::scene::{Scene, SceneError};
+use palkki::text::Results;
 
 use super::output::Failure;
+use super::table::Labels;
 
 /// Bytes of the largest survey, or file of contact forces, that is read: it has some millions of rows.
 const LARGEST_TABLE: u64 = 64 * 1024 * 1024;
@@ -26,11 +28,13 @@ pub(super) struct Input {
     pub(super) scene: Scene,
     /// The files that were read.
     pub(super) files: Vec<PathBuf>,
+    /// How the numbers of its answer are written in text.
+    results: Results,
 }
 
 impl Input {
     /// Reads the scene file `path`, or standard input; its survey is relative to its folder, or to the working directory.
-    pub(super) fn read(path: &Path) -> Result<Self, Failure> {
+    pub(super) fn read(path: &Path, results: Results) -> Result<Self, Failure> {
         let name = called(path);
         let text = read_argument(path, LARGEST_SCENE)
             .map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
@@ -41,7 +45,12 @@ impl Input {
             files.borrow_mut().push(survey);
             text
         })?;
-        Ok(Self { name, scene, files: files.into_inner() })
+        Ok(Self { name, scene, files: files.into_inner(), results })
+    }
+
+    /// Names and numbers of this scene in text.
+    pub(super) fn labels(&self) -> Labels {
+        Labels::of(self.scene.units(), self.results)
     }
 
     /// What the scene is called: by its title, or else by its file.

@@ -113,9 +113,18 @@ pub(super) fn sweep(
     print(&SweepObject { scene: input.title(), vary: vary.to_string(), rows, events, stopped })
 }
 
+/// The version of the keys and of what they mean: a key that goes, or means something else, makes it another one.
+const VERSION: u32 = 1;
+
 fn print(value: &impl Serialize) -> String {
+    #[derive(Debug, Serialize)]
+    struct Versioned<'a, T> {
+        version: u32,
+        #[serde(flatten)]
+        value: &'a T,
+    }
     // Structs of numbers and texts have nothing that serialising could refuse.
-    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+    serde_json::to_string_pretty(&Versioned { version: VERSION, value }).unwrap_or_default() + "\n"
 }
 
 /// What `solve` and each route of `compare` have in common: how an answer was found, what it is worth, and what it says.
@@ -145,8 +154,8 @@ struct RouteObject<'a> {
     energy: f64,
     certificate: Option<CertificateObject>,
     /// What it took to find the grid; there if a tolerance was given and no grid.
-    #[serde(rename = "dial", skip_serializing_if = "Option::is_none")]
-    grids: Option<GridsObject<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refinement: Option<GridsObject<'a>>,
 }
 
 impl<'a> From<&'a Answer> for RouteObject<'a> {
@@ -173,7 +182,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             moment: state.moment,
             energy: state.energy,
             certificate: verdict.certificate.as_ref().map(CertificateObject::from),
-            grids: answer.grids.as_ref().map(|grids| GridsObject {
+            refinement: answer.grids.as_ref().map(|grids| GridsObject {
                 tolerance: grids.demanded,
                 reached: grids.end == End::Reached,
                 end: grids.end.to_string(),

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use palkki::scene::Scene;
 use palkki::state::SupportForce;
-use palkki::text::{at_least, at_most, magnitude, result};
+use palkki::text::magnitude;
 use palkki::theory::{ContactDerivative, Derivative, Missing, Spread};
 use palkki::tolerance::{DepthTolerance, Touches};
 use serde::Serialize;
@@ -78,10 +78,10 @@ impl Local {
 
     /// Tables for a person.
     pub(super) fn text(&self, input: &Input) -> String {
-        let labels = Labels::of(input.scene.units());
+        let labels = input.labels();
         let mut text = String::new();
         if let Some(derivatives) = &self.derivatives {
-            text += &table_of(derivatives, self.derivatives_left_out);
+            text += &table_of(derivatives, self.derivatives_left_out, &labels);
         }
         if let Some(known) = &self.depth_tolerance {
             let [lower, upper] = known.guaranteed.energy;
@@ -91,9 +91,12 @@ impl Local {
                 ("guaranteed: the beam touches".to_owned(), known.guaranteed.contact.name().to_owned()),
                 (
                     format!("guaranteed: {} at least", labels.moment.name("energy J*")),
-                    lower.map_or_else(none, at_least),
+                    lower.map_or_else(none, |energy| labels.results.at_least(energy)),
                 ),
-                (format!("guaranteed: {} at most", labels.moment.name("energy J*")), upper.map_or_else(none, at_most)),
+                (
+                    format!("guaranteed: {} at most", labels.moment.name("energy J*")),
+                    upper.map_or_else(none, |energy| labels.results.at_most(energy)),
+                ),
             ];
             lines.extend(known.left_out.map(|why| ("left out".to_owned(), why.to_owned())));
             for (i, spread) in
@@ -112,13 +115,13 @@ impl Local {
 const MOST_SUPPORTS: usize = 8;
 
 /// A row for each number, and below it what is not there.
-fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<usize>) -> String {
+fn table_of(derivatives: &BTreeMap<String, DerivativeObject>, left_out: Option<usize>, labels: &Labels) -> String {
     let supports = derivatives.values().map(|d| d.supports.len()).max().unwrap_or(0);
     let shown = supports.min(MOST_SUPPORTS);
     let mut header = vec!["of:".to_owned()];
     header.extend((1..=shown).map(|i| format!("support {i}")));
     header.extend(["contact force", "energy", ""].map(str::to_owned));
-    let number = |value: &f64| if value.is_finite() { result(*value) } else { "-".to_owned() };
+    let number = |value: &f64| if value.is_finite() { labels.number(*value) } else { "-".to_owned() };
     let row = |(by, derivative): (&String, &DerivativeObject)| -> Row {
         let contact: f64 = derivative.contacts.iter().map(|contact| contact.force).sum();
         let mut row = vec![format!("by {by}")];

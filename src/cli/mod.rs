@@ -18,11 +18,12 @@ mod input;
 mod json;
 mod local;
 mod output;
+mod pages;
 mod sweep;
 mod table;
 mod text;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
@@ -31,6 +32,7 @@ use palkki::adaptive::Request;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
 use palkki::sweep::Sweep;
+use palkki::text::Results;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
@@ -56,6 +58,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Compare(arguments) => compare(arguments),
         Command::Certify(arguments) => certify(arguments),
         Command::Sweep(arguments) => sweep(arguments),
+        Command::Completions { shell } => pages::completions(*shell),
+        Command::Manual { command } => pages::manual(command.as_deref()),
     };
     match done {
         Ok(code) => ExitCode::from(code),
@@ -95,12 +99,12 @@ struct Outcome<'a> {
 /// Reads the scene, does the work, writes the files that go to `places` and prints the answer; the code is that of the answer.
 /// `what` is said if the work takes long.
 fn run_on_scene<'a>(
-    scene: &Path,
+    common: &Common,
     what: String,
     places: &[&Option<PathBuf>],
     work: impl FnOnce(&Input) -> Result<Outcome<'a>, Failure>,
 ) -> Result<u8, Failure> {
-    let input = Input::read(scene)?;
+    let input = Input::read(&common.scene, Results::with_digits(common.digits))?;
     let mut files = Files::default();
     // Before the work, so that a bad name is not found out about after it.
     for path in places.iter().copied().flatten() {
@@ -112,7 +116,10 @@ fn run_on_scene<'a>(
     }
     let stream = files.stream_of_answer();
     files.publish()?;
-    output::print(stream, &outcome.text)?;
+    match common.format {
+        Format::Text => output::print_coloured(stream, &outcome.text)?,
+        Format::Json => output::print(stream, &outcome.text)?,
+    }
     Ok(if outcome.is_certified { CERTIFIED } else { NOT_CERTIFIED })
 }
 
@@ -130,7 +137,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
     let route = arguments.route()?;
     let what = format!("solving {}", input::called(&common.scene));
-    run_on_scene(&common.scene, what, &[csv, plot], |input| {
+    run_on_scene(common, what, &[csv, plot], |input| {
         let answer = Answer::of(input, route)?;
         let local = Local::of(&input.scene, &answer, arguments);
         let csv = csv.as_ref().map(|path| (path, csv::table(&input.scene, &answer)));
@@ -159,14 +166,10 @@ fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let arguments::Compare { common, intervals } = arguments;
     let what = format!("comparing all routes for {} on {intervals} intervals", input::called(&common.scene));
-    run_on_scene(&common.scene, what, &[], |input| {
+    run_on_scene(common, what, &[], |input| {
         let found = compare::Comparison::of(input, *intervals)?;
         let text = common.shown(|| compare::text(input, &found), || json::compare(input, &found));
-        Ok(Outcome {
-            text,
-            files: Vec::new(),
-            is_certified: found.routes.iter().any(|route| route.answer.is_certified()),
-        })
+        Ok(Outcome { text, files: Vec::new(), is_certified: found.is_certified() })
     })
 }
 
@@ -177,7 +180,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
         return Err(Failure::Usage { command: "certify", kind: ErrorKind::ArgumentConflict, message });
     }
     let what = format!("certifying {}", input::called(&arguments.forces));
-    run_on_scene(&common.scene, what, &[], |input| {
+    run_on_scene(common, what, &[], |input| {
         let found = certify::Finding::of(input, arguments)?;
         let text = common.shown(|| certify::text(input, &found), || json::certify(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.verdict.status == Status::Certified })
@@ -187,7 +190,7 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
     let arguments::Sweep { common, vary, from, to, steps, csv, plot } = arguments;
     let what = format!("sweeping {vary} for {}", input::called(&common.scene));
-    run_on_scene(&common.scene, what, &[csv, plot], |input| {
+    run_on_scene(common, what, &[csv, plot], |input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
         let swept = sweep::Swept::of(&sweep, input.scene.beam().length())?;
         let csv = csv.as_ref().map(|path| (path, swept.csv()));

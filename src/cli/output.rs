@@ -4,7 +4,9 @@ use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anstream::{AutoStream, ColorChoice};
+use clap::builder::styling::AnsiColor;
 use palkki::certificate::NotLumped;
+use palkki::route::Status;
 use palkki::scene::file::FileError;
 
 /// Why the program ends without an answer.
@@ -85,6 +87,34 @@ pub(super) fn print(stream: Stream, text: &str) -> Result<(), Failure> {
         Stream::Error => write(&mut io::stderr().lock(), text),
     };
     written.map_err(Failure::Print)
+}
+
+/// Prints an answer for a person: on a terminal that has colours, what it is worth is coloured.
+pub(super) fn print_coloured(stream: Stream, text: &str) -> Result<(), Failure> {
+    let choice = match stream {
+        Stream::Output => AutoStream::choice(&io::stdout()),
+        Stream::Error => AutoStream::choice(&io::stderr()),
+    };
+    if choice == ColorChoice::Never { print(stream, text) } else { print(stream, &coloured(text)) }
+}
+
+/// The text with each status in its colour: at the start, and in cells of tables, which two blanks part.
+fn coloured(text: &str) -> String {
+    let words = Status::ALL.map(|status| {
+        let colour = if status == Status::Certified { AnsiColor::Green } else { AnsiColor::Red };
+        let style = colour.on_default().bold();
+        (status.name(), format!("{style}{status}{style:#}"))
+    });
+    let mut painted = String::with_capacity(text.len());
+    for (i, line) in text.split_inclusive('\n').enumerate() {
+        let found = words.iter().find_map(|(word, shown)| {
+            let at = if i == 0 { 0 } else { line.find(&format!("  {word}  "))? + 2 };
+            let rest = line[at..].strip_prefix(word)?;
+            Some([&line[..at], shown, rest].concat())
+        });
+        painted += found.as_deref().unwrap_or(line);
+    }
+    painted
 }
 
 /// Writes a whole text; a reader that has read enough and closed the pipe, as `head` does, is no failure.

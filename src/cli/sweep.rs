@@ -3,10 +3,11 @@
 use std::time::Instant;
 
 use palkki::plot;
+use palkki::route::Status;
 use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
 use palkki::sweep::{Event, Events, MOST_WORK, Sweep};
-use palkki::text::{result, significant};
+use palkki::text::{magnitude, significant};
 
 use super::answer::Answer;
 use super::csv::field;
@@ -99,18 +100,23 @@ impl Swept {
     }
 
     pub(super) fn text(&self, input: &Input) -> String {
-        let labels = Labels::of(input.scene.units());
+        let labels = input.labels();
         let certified = self.rows.iter().filter(|(_, answer)| answer.is_certified()).count();
-        let ends = [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| result(row.0)));
-        let [rows, events] = self.seconds.map(palkki::text::magnitude);
-        let mut text = heading(input) + &list(&given(&input.scene)) + "\n";
+        let ends =
+            [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| labels.number(row.0)));
+        let [rows, events] = self.seconds.map(magnitude);
+        let status = Status::of_several(self.is_certified());
+        let of = self.stopped.map_or(self.rows.len(), |stopped| stopped.of);
+        let mut text = heading(status, &format!("{certified} of {of} answers"), input);
+        text += &list(&given(&input.scene, &labels));
+        text.push('\n');
         text += &list(&[
             ("varied", format!("{}, {} values from {} to {}", self.quantity, self.rows.len(), ends[0], ends[1])),
-            ("status", format!("{certified} of {} answers certified", self.rows.len())),
             ("seconds", format!("{rows} for the answers with their bounds, {events} for the events")),
         ]);
         if let Some(Stopped { rows, of, events_until, reason }) = self.stopped {
-            let events = events_until.map_or_else(String::new, |value| format!(", events up to {}", result(value)));
+            let events =
+                events_until.map_or_else(String::new, |value| format!(", events up to {}", labels.number(value)));
             text += &list(&[("stopped", format!("after {rows} of {of} values{events}; {reason}"))]);
         }
         if self.events.is_empty() {
@@ -137,7 +143,7 @@ impl Swept {
         let step = self.rows.len().div_ceil(SHOWN).max(1);
         let last = self.rows.len() - 1;
         let shown = self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
-        let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer, &outermost)).collect();
+        let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer, &outermost, &labels)).collect();
         let title = match rows.len() {
             all if all == self.rows.len() => "Answers".to_owned(),
             some => format!("Answers, {some} of {}; --csv and --format json have all", self.rows.len()),
@@ -179,7 +185,7 @@ impl Swept {
 /// The value of an event, with what it may be off by.
 fn known(event: &Event) -> String {
     let value = significant(event.value, DIGITS);
-    if 0.0 < event.uncertainty { format!("{value} ± {}", palkki::text::magnitude(event.uncertainty)) } else { value }
+    if 0.0 < event.uncertainty { format!("{value} ± {}", magnitude(event.uncertainty)) } else { value }
 }
 
 /// The first and the last support, whose forces the table shows: names and numbers.
@@ -196,17 +202,19 @@ fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
     }
 }
 
-fn row(value: f64, answer: &Answer, outermost: &[(&str, usize)]) -> Row {
+fn row(value: f64, answer: &Answer, outermost: &[(&str, usize)], labels: &Labels) -> Row {
     let state = &answer.solution.state;
     let mut cells = vec![
-        result(value),
+        labels.number(value),
         answer.solution.verdict.status.to_string(),
         state.regime.name().to_owned(),
         state.contacts.len().to_string(),
     ];
-    cells.push(result(state.contact_force()));
+    cells.push(labels.number(state.contact_force()));
     // Two supports that come too close in a sweep are an error, so that each row has all of them.
-    cells.extend(outermost.iter().map(|&(_, i)| state.supports.get(i).map_or_else(String::new, |s| result(s.force))));
-    cells.extend([state.deflection.max, state.moment.max, state.moment.min].map(result));
+    cells.extend(
+        outermost.iter().map(|&(_, i)| state.supports.get(i).map_or_else(String::new, |s| labels.number(s.force))),
+    );
+    cells.extend([state.deflection.max, state.moment.max, state.moment.min].map(|value| labels.number(value)));
     cells
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use palkki::scene::Units;
-use palkki::text::result;
+use palkki::text::Results;
 
 /// Cells of a table.
 pub(super) type Row = Vec<String>;
@@ -45,7 +45,7 @@ pub(super) fn table(title: &str, header: &[impl AsRef<str>], rows: &[Row]) -> St
 }
 
 /// The label of a unit, if the scene has one.
-pub(super) struct Label(Option<String>);
+pub(super) struct Label(Option<String>, Results);
 
 impl Label {
     /// The name of a quantity, `moment [kN m]`.
@@ -55,12 +55,14 @@ impl Label {
 
     /// A value, `2.5 kN m`.
     pub(super) fn value(&self, value: f64) -> String {
-        self.0.as_ref().map_or_else(|| result(value), |label| format!("{} {label}", result(value)))
+        let number = self.1.number(value);
+        self.0.as_ref().map_or_else(|| number.clone(), |label| format!("{number} {label}"))
     }
 }
 
-/// The labels of a scene.
+/// The labels of a scene, and how its numbers are written.
 pub(super) struct Labels {
+    pub(super) results: Results,
     pub(super) length: Label,
     pub(super) force: Label,
     /// Of a distributed load, or of a support that gives: force over length.
@@ -70,17 +72,23 @@ pub(super) struct Labels {
 }
 
 impl Labels {
-    pub(super) fn of(Units { length, force }: &Units) -> Self {
+    pub(super) fn of(Units { length, force }: &Units, results: Results) -> Self {
         let of_both = |label: fn(&str, &str) -> String| {
-            Label(force.as_deref().zip(length.as_deref()).map(|(force, length)| label(force, length)))
+            Label(force.as_deref().zip(length.as_deref()).map(|(force, length)| label(force, length)), results)
         };
         Self {
-            length: Label(length.clone()),
-            force: Label(force.clone()),
+            results,
+            length: Label(length.clone(), results),
+            force: Label(force.clone(), results),
             density: of_both(|force, length| format!("{force}/{length}")),
             moment: of_both(|force, length| format!("{force} {length}")),
             bending_stiffness: of_both(|force, length| format!("{force} {length}²")),
         }
+    }
+
+    /// A number without a unit.
+    pub(super) fn number(&self, value: f64) -> String {
+        self.results.number(value)
     }
 }
 

@@ -3,17 +3,17 @@
 use palkki::certificate::Certificate;
 use palkki::route::Status;
 use palkki::state::{Contact, Extremes, Motion, Nodes, Standing};
-use palkki::text::{at_least, at_most, magnitude, magnitude_at_most, result};
+use palkki::text::{magnitude, magnitude_at_most};
 
 use super::answer::{Answer, Grids};
 use super::given::given;
 use super::input::Input;
 use super::table::{Labels, MOST_ROWS, Row, first, list, table};
 
-/// The title of the scene, underlined.
-pub(super) fn heading(input: &Input) -> String {
+/// What the answer is worth, in the first line, and the title of the scene, underlined.
+pub(super) fn heading(status: Status, reason: &str, input: &Input) -> String {
     let title = input.title();
-    format!("{title}\n{}\n\n", "=".repeat(title.chars().count()))
+    format!("{status}: {reason}\n\n{title}\n{}\n\n", "=".repeat(title.chars().count()))
 }
 
 /// Where the witness of a certificate is not the list of contacts of the beam.
@@ -21,7 +21,9 @@ const COARSE: &str = "These bounds hold and are coarse: no list of contacts was 
 
 /// What is guaranteed, rounded so that it stays so.
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
-    let bracket = |name: String, [least, most]: [f64; 2]| vec![name, at_least(least), at_most(most)];
+    let bracket = |name: String, [least, most]: [f64; 2]| {
+        vec![name, labels.results.at_least(least), labels.results.at_most(most)]
+    };
     let mut rows = vec![bracket(labels.moment.name("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
     for (k, reaction) in certificate.reactions.iter().enumerate().take(MOST_ROWS) {
         let name = match (certificate.reactions.len(), k) {
@@ -39,7 +41,7 @@ pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
             "The deflection is guaranteed up to a turn about x = {}: nothing says how the beam stands.\n",
-            result(about)
+            labels.number(about)
         );
     }
     if certificate.contacts_proven { table } else { table + COARSE }
@@ -47,9 +49,9 @@ pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
 
 /// The answer of `solve`: how it was found, equilibrium, contacts, extremes, and what is guaranteed.
 pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
-    let labels = Labels::of(input.scene.units());
-    let mut text = heading(input);
-    text += &list(&given(&input.scene));
+    let labels = input.labels();
+    let mut text = heading(answer.solution.verdict.status, &reason(answer), input);
+    text += &list(&given(&input.scene, &labels));
     text.push('\n');
     text += &how(answer);
     if let Some(found) = &answer.grids {
@@ -70,20 +72,24 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     text
 }
 
+/// Why the status is what it is.
+fn reason(answer: &Answer) -> String {
+    let solution = &answer.solution;
+    let residual =
+        if solution.has_answer() { format!(" (residual {})", magnitude(solution.residual)) } else { String::new() };
+    let gave_up = if solution.verdict.status == Status::NotConverged { "the solver gave up; " } else { "" };
+    format!("{gave_up}{}{residual}", answer.reason())
+}
+
 fn how(answer: &Answer) -> String {
     let solution = &answer.solution;
     let method = match answer.intervals {
         Some(intervals) => format!("{}, {intervals} intervals", answer.method),
         None => answer.method.to_owned(),
     };
-    let residual =
-        if solution.has_answer() { format!(" (residual {})", magnitude(solution.residual)) } else { String::new() };
-    let gave_up = if solution.verdict.status == Status::NotConverged { "the solver gave up; " } else { "" };
-    let status = format!("{}: {gave_up}{}{residual}", solution.verdict.status, answer.reason());
     list(&[
         ("method", method),
         ("solver", format!("{}, which says: {}", answer.solver, solution.solver_status)),
-        ("status", status),
         ("regime", solution.state.regime.name().to_owned()),
         ("unknowns", solution.unknowns.to_string()),
         ("iterations", solution.iterations.to_string()),
@@ -130,17 +136,19 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
             .supports
             .iter()
             .take(MOST_ROWS)
-            .map(|support| (support_at(support.at, beam.length()), support.force, "up")),
+            .map(|support| (support_at(support.at, beam.length(), labels), support.force, "up")),
     );
     rows.extend([("contact".to_owned(), contact, "up"), ("what remains".to_owned(), remains, "")]);
-    let rows: Vec<Row> =
-        rows.into_iter().map(|(name, value, way)| vec![name.clone(), shown(&name, value), way.to_owned()]).collect();
+    let rows: Vec<Row> = rows
+        .into_iter()
+        .map(|(name, value, way)| vec![name.clone(), shown(&name, value, labels), way.to_owned()])
+        .collect();
     let mut text = table("Equilibrium", &["", &labels.force.name("force"), ""], &rows);
     text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
     let moments: Vec<Row> = state
         .supports
         .iter()
-        .filter_map(|support| Some(vec![support_at(support.at, beam.length()), result(support.moment?)]))
+        .filter_map(|support| Some(vec![support_at(support.at, beam.length(), labels), labels.number(support.moment?)]))
         .collect();
     if !moments.is_empty() {
         text += &table("Built in", &["", &labels.moment.name("moment")], &moments);
@@ -152,11 +160,11 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
 }
 
 /// What a support is called.
-fn support_at(at: f64, length: f64) -> String {
+fn support_at(at: f64, length: f64, labels: &Labels) -> String {
     match at {
         0.0 => "left support".to_owned(),
         at if at.total_cmp(&length).is_eq() => "right support".to_owned(),
-        at => format!("support at {}", result(at)),
+        at => format!("support at {}", labels.number(at)),
     }
 }
 
@@ -164,23 +172,23 @@ fn support_at(at: f64, length: f64) -> String {
 fn stands(standing: &Standing, labels: &Labels) -> String {
     let Standing { resultant, margin, motion } = standing;
     let margin_in_words =
-        if margin.is_nan() { "none: a support holds the beam down".to_owned() } else { result(*margin) };
+        if margin.is_nan() { "none: a support holds the beam down".to_owned() } else { labels.number(*margin) };
     let mut rows: Vec<Row> = vec![
-        vec![labels.force.name("resultant of the loads"), result(resultant.force)],
-        vec![labels.length.name("its place"), result(resultant.at)],
+        vec![labels.force.name("resultant of the loads"), labels.number(resultant.force)],
+        vec![labels.length.name("its place"), labels.number(resultant.at)],
         vec!["margin against overturning".to_owned(), margin_in_words],
     ];
     if let Some(Motion { about, slope: [least, most] }) = motion {
-        let end = |slope: &Option<f64>| slope.map_or_else(|| "any".to_owned(), result);
-        rows.push(vec![labels.length.name("free to turn about"), result(*about)]);
+        let end = |slope: &Option<f64>| slope.map_or_else(|| "any".to_owned(), |slope| labels.number(slope));
+        rows.push(vec![labels.length.name("free to turn about"), labels.number(*about)]);
         rows.push(vec!["with slopes there".to_owned(), format!("from {} to {}", end(least), end(most))]);
     }
     table("How it stands", &["", ""], &rows)
 }
 
 /// A force of the balance; what remains of it is rounding, of which only the size is of interest.
-fn shown(name: &str, value: f64) -> String {
-    if name == "what remains" { magnitude(value) } else { result(value) }
+fn shown(name: &str, value: f64, labels: &Labels) -> String {
+    if name == "what remains" { magnitude(value) } else { labels.number(value) }
 }
 
 fn contacts(contacts: &[Contact], labels: &Labels) -> String {
@@ -192,10 +200,15 @@ fn contacts(contacts: &[Contact], labels: &Labels) -> String {
         .iter()
         .map(|contact| {
             let kind = if contact.from < contact.to { "zone" } else { "point" };
-            let mut row = vec![kind.to_owned(), result(contact.from), result(contact.to), result(contact.force)];
+            let mut row = vec![
+                kind.to_owned(),
+                labels.number(contact.from),
+                labels.number(contact.to),
+                labels.number(contact.force),
+            ];
             if ends {
                 row.extend(match contact.end_forces {
-                    Some(forces) => forces.map(result),
+                    Some(forces) => forces.map(|force| labels.number(force)),
                     None => [String::new(), String::new()],
                 });
             }
@@ -215,12 +228,12 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
     let state = &answer.solution.state;
     let lines = |name: &str, extremes: &Extremes| {
         [("largest", extremes.max, extremes.max_at), ("least", extremes.min, extremes.min_at)]
-            .map(|(which, value, at)| vec![format!("{which} {name}"), result(value), result(at)])
+            .map(|(which, value, at)| vec![format!("{which} {name}"), labels.number(value), labels.number(at)])
     };
     let mut rows = Vec::new();
     rows.extend(lines(&labels.length.name("deflection"), &state.deflection));
     rows.extend(lines(&labels.moment.name("moment"), &state.moment));
-    rows.push(vec![labels.moment.name("energy J"), result(state.energy), String::new()]);
+    rows.push(vec![labels.moment.name("energy J"), labels.number(state.energy), String::new()]);
     table("Extremes", &["", "value", &labels.length.name("at")], &rows)
 }
 
@@ -230,8 +243,11 @@ fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {
     let first = usize::from(nodes.x.first().is_none_or(|x| 0.0 < *x));
     let rows: Vec<Row> = (0..nodes.x.len())
         .map(|i| {
-            let place = [(i + first).to_string(), result(nodes.x[i])];
-            place.into_iter().chain(columns.iter().map(|c| c.get(i).map_or_else(String::new, |&v| result(v)))).collect()
+            let place = [(i + first).to_string(), labels.number(nodes.x[i])];
+            place
+                .into_iter()
+                .chain(columns.iter().map(|c| c.get(i).map_or_else(String::new, |&v| labels.number(v))))
+                .collect()
         })
         .collect();
     let header = [

@@ -7,10 +7,12 @@ use super::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Su
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PathError {
     /// There is no such number.
-    #[error("the scene has no number `{path}`; it has {}", in_backticks(known))]
+    #[error("the scene has no number `{path}`; {} {}", it_has(near.as_deref()), in_backticks(known))]
     Unknown {
         /// The path.
         path: String,
+        /// A path that there is and that reads nearly the same.
+        near: Option<String>,
         /// The paths that there are; `[0…3]` stands for each of these indices.
         known: Vec<String>,
     },
@@ -20,6 +22,10 @@ pub enum PathError {
          which of them would move with its end"
     )]
     Length,
+}
+
+fn it_has(near: Option<&str>) -> String {
+    near.map_or_else(|| "it has".to_owned(), |near| format!("did you mean `{near}`? It has"))
 }
 
 fn in_backticks(paths: &[String]) -> String {
@@ -46,6 +52,7 @@ impl Scene {
         let found = groups.iter().flat_map(|group| group.all()).find(|quantity| quantity.to_string() == written);
         found.ok_or_else(|| PathError::Unknown {
             path: path.to_owned(),
+            near: nearest(path, &groups),
             known: groups.iter().filter_map(Group::path).collect(),
         })
     }
@@ -115,6 +122,37 @@ impl Scene {
         groups.extend(self.foundation.iter().flat_map(|foundation| groups_of(Profile::Foundation, foundation)));
         groups
     }
+}
+
+/// The path that reads most like `path`: it ends in it, or at most two fifths of its letters are others.
+fn nearest(path: &str, groups: &[Group]) -> Option<String> {
+    /// Letters of the longest path that is compared, and paths of each group.
+    const MOST: usize = 100;
+    if MOST < path.len() {
+        return None;
+    }
+    let known = groups.iter().flat_map(|group| group.all().take(MOST)).map(|quantity| quantity.to_string());
+    let rated = known.filter_map(|known| {
+        let letters = known.chars().count().max(path.chars().count());
+        let changes = if known.ends_with(&format!(".{path}")) { 0 } else { changes(path, &known) };
+        (5 * changes <= 2 * letters).then_some((changes, known))
+    });
+    rated.min_by_key(|(changes, _)| *changes).map(|(_, known)| known)
+}
+
+/// The least number of letters to insert, remove or replace that makes one word of another.
+fn changes(from: &str, to: &str) -> usize {
+    let mut row: Vec<usize> = (0..=to.chars().count()).collect();
+    for (i, a) in from.chars().enumerate() {
+        let mut beside = i;
+        row[0] = i + 1;
+        for (j, b) in to.chars().enumerate() {
+            let replaced = beside + usize::from(a != b);
+            beside = row[j + 1];
+            row[j + 1] = replaced.min(beside + 1).min(row[j] + 1);
+        }
+    }
+    row[to.chars().count()]
 }
 
 /// The numbers of a profile.
