@@ -88,22 +88,6 @@ fn forces_that_pull_are_cut_off_at_nodes_too() {
 }
 
 #[test]
-fn bad_forces_are_not_and_the_worst_violation_is_named() {
-    let folder = Folder::new("certify_bad");
-    folder.write("forces.csv", "x,force\n2.5,1\n5,-0.25\n7.5,1\n");
-    let (code, _, json) = folder.json("certify example.toml forces.csv");
-    assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")));
-    let violations = json["violations"].as_array().expect("a list");
-    assert_eq!(violations[0]["condition"], "penetration");
-    assert_eq!(number(&violations[0]["at"]).to_bits(), 5.0_f64.to_bits(), "the middle of a symmetric beam");
-    let tension = violations.iter().find(|v| v["condition"] == "tension").expect("a force pulls");
-    assert_eq!([number(&tension["at"]), number(&tension["amount"])].map(f64::to_bits), [5.0, 0.25].map(f64::to_bits));
-    let run = folder.run("certify example.toml forces.csv");
-    assert!(run.out.contains("forces cut off  1, together 0.25"), "{}", run.out);
-    assert!(run.out.contains("a force pulls"), "{}", run.out);
-}
-
-#[test]
 fn no_forces_are_a_question_too() {
     let folder = Folder::new("certify_none");
     folder.write("none.csv", "x,force\n");
@@ -141,36 +125,5 @@ fn strange_forces_are_bounded() {
         let [lower, upper] = ["energy_lower", "energy_upper"].map(|key| json["certificate"][key].as_f64());
         let holds = lower.is_none_or(|lower| lower <= energy) && upper.is_none_or(|upper| energy <= upper);
         assert!(holds, "{name}: {text}");
-    }
-}
-
-#[test]
-fn what_cannot_be_read_is_refused() {
-    let folder = Folder::new("certify_refused");
-    folder.write("forces.csv", "x,force\n1,2\n3,much\n");
-    folder.write("nan.csv", "x,force\n1,2\n3,NaN\n");
-    folder.write("infinite.csv", "x,force\n1,1e999\n");
-    folder.write("empty.csv", "");
-    folder.write("gaps.csv", "x,force\n2.5,1\n5,1\n");
-    folder.write("header.csv", "x,force\n");
-    folder.write("beside.csv", "x,force\n1,2\n30,1\n");
-    for (arguments, why) in [
-        ("certify example.toml", "<FORCES>"),
-        ("certify example.toml missing.csv", "cannot read the contact forces: there is no such file"),
-        ("certify missing.toml forces.csv", "cannot read the scene"),
-        ("certify example.toml forces.csv", "forces.csv:3:3"),
-        ("certify example.toml nan.csv", "nan.csv:3:3"),
-        ("certify example.toml infinite.csv", "infinite.csv:2:3"),
-        ("certify example.toml empty.csv", "empty.csv:1:1"),
-        ("certify example.toml beside.csv", "beside.csv:3:1"),
-        ("certify example.toml .", "it is a directory"),
-        ("certify example.toml gaps.csv --load nodal", "place 1 would be x = 3.333"),
-        ("certify example.toml gaps.csv --load nodal --format json", "gaps.csv"),
-        ("certify example.toml header.csv --load nodal", "no place between the supports"),
-        ("certify example.toml gaps.csv --load lumped", "distributed, nodal"),
-        ("certify example.toml beside.csv --load nodal", "beside.csv:3:1"),
-    ] {
-        let said = folder.refused(arguments);
-        assert!(said.contains(why), "{arguments}: {said}");
     }
 }

@@ -1,19 +1,17 @@
 //! The program as it is run: exit codes, standard output, files, JSON. The contract is what scripts rely on.
 
 mod certify;
-mod dial;
+mod compare;
 mod exact;
-mod exit_codes;
 mod forces;
 mod hostile;
-mod input;
 mod json;
 mod output;
+mod refinement;
 mod scene_file;
+mod shown;
 mod streams;
-mod supports;
 mod sweep;
-mod tables;
 mod words;
 
 use std::fs;

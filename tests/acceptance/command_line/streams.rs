@@ -159,6 +159,27 @@ fn a_terminal_without_colours_gets_no_escape_codes() {
         assert!(escaped(arguments, &[("CLICOLOR_FORCE", "1")]), "{arguments}: asked for");
         assert!(!escaped(arguments, &[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]), "{arguments}: not wanted");
     }
+    // What an answer is worth is coloured, and nothing else, and not in JSON.
+    let answer = |arguments: &str| {
+        let output = folder.command(arguments).env("CLICOLOR_FORCE", "1").env_remove("NO_COLOR").output();
+        String::from_utf8(output.expect("it runs").stdout).expect("text")
+    };
+    for (arguments, count) in [
+        ("solve example.toml", 1),
+        ("solve example.toml -m force -n 4", 1),
+        ("sweep example.toml --vary load.uniform --from 1 --to 2 -n 2", 3),
+        ("solve example.toml --format json", 0),
+    ] {
+        let text = answer(arguments);
+        let plain =
+            text.replace("\u{1b}[1m", "").replace("\u{1b}[32m", "").replace("\u{1b}[31m", "").replace("\u{1b}[0m", "");
+        assert_eq!(text.matches("certified\u{1b}[0m").count(), count, "{arguments}: {text}");
+        let times = |line: &&str| !line.contains("seconds");
+        let alone = folder.run(arguments).out;
+        assert_eq!(plain.lines().filter(times).collect::<Vec<_>>(), alone.lines().filter(times).collect::<Vec<_>>());
+    }
+    assert!(answer("solve example.toml").starts_with("\u{1b}[1m\u{1b}[32mcertified\u{1b}[0m: "));
+    assert!(answer("solve example.toml -m force -n 4").starts_with("\u{1b}[1m\u{1b}[31mnot-certified\u{1b}[0m: "));
     // A terminal, if there is a program that imitates one.
     let on_terminal = |term: &str, arguments: &str| {
         let line = format!("{} {arguments}", env!("CARGO_BIN_EXE_palkki"));
