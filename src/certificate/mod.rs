@@ -59,6 +59,7 @@ use self::kernel::contact_node::{EnclosedScene, EnclosedSupport};
 use self::kernel::distance::{self, Error};
 use self::kernel::foundation::EnclosedFoundation;
 use self::kernel::gap::EnclosedGap;
+use self::kernel::held::hold_by_zones;
 use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
 use self::largest::largest;
@@ -196,7 +197,7 @@ fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Op
         let nodes = witness::nodes(enclosed, contacts, scale);
         let mut pair = proof::pair(enclosed, &nodes)?;
         if !is_sharp(enclosed, &pair) {
-            proof::hold_by_zones(enclosed, &nodes, &mut pair);
+            hold_by_zones(enclosed, &nodes, &mut pair);
         }
         Some(pair)
     };

@@ -15,16 +15,12 @@ pub(super) fn energy(pieces: &[Piece], load: &EnclosedLoad, stiffness: f64) -> I
     for Piece { from, to, v, .. } in pieces {
         let width = Interval::exact(*to) - Interval::exact(*from);
         let bending = v.derivative().derivative().integral_of_square(width) * Interval::exact(0.5 * stiffness);
-        sum = sum + bending - load.cell(*from, *to).integral_of_product(v, width);
-        if let Some(force) = load.point(*from) {
-            sum = sum - force * v.at(Interval::ZERO);
-        }
+        let done = load.cell(*from, *to).integral_of_product(v, width) + load.point(*from) * v.at(Interval::ZERO);
+        sum = sum + bending - done;
     }
     // At the right end no piece begins.
-    if let Some(Piece { from, to, v, .. }) = pieces.last()
-        && let Some(force) = load.point(*to)
-    {
-        sum = sum - force * v.at(Interval::exact(*to) - Interval::exact(*from));
+    if let Some(Piece { from, to, v, .. }) = pieces.last() {
+        sum = sum - load.point(*to) * v.at(Interval::length(*from, *to));
     }
     sum
 }
@@ -87,7 +83,7 @@ fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64, end: f64)
     }
     let is_clear = |(piece, [a, b]): &(&Piece, [f64; 2])| {
         let v = piece.v.shifted(Interval::exact(*a) - Interval::exact(piece.from));
-        let h = enclosed.gap.cell(*a, *b).minus(&v).range(Interval::exact(*b) - Interval::exact(*a));
+        let h = enclosed.gap.about(*a, [*a, *b]).minus(&v).range(Interval::exact(*b) - Interval::exact(*a));
         !piece.follows && on_part(pair, factor, [*a, *b]) < h.lo()
     };
     let clear = parts.iter().take_while(|part| is_clear(part)).last();

@@ -87,7 +87,7 @@ fn of_depth(
     let all = sum(forces);
     let moved = beam.iter().fold(0.0, |most: f64, (_, v)| most.max(v.at(Interval::ZERO).middle().abs()));
     let below = beam.iter().flat_map(|([a, b], v)| {
-        let below = v.minus(&enclosed.gap.cell(*a, *b));
+        let below = v.minus(&enclosed.gap.about(*a, [*a, *b]));
         // At both ends and in the middle of each cell.
         [0.0, 0.5, 1.0].map(|share| (a + share * (b - a), below.at(Interval::exact(share * (b - a))).middle()))
     });

@@ -120,8 +120,8 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
         let mut most = level_slopes(enclosed, about)[side].map_or(f64::INFINITY, |slope| sign * slope);
         if let Some(span) = &spans[side] {
             let breaks = enclosed.gap.breaks(span.from, span.to);
-            for ([a, b], v) in span.curve(breaks, enclosed.load, enclosed.stiffness) {
-                let clear = enclosed.gap.cell(a, b).minus(&v);
+            for ([a, b], v) in span.curve(enclosed, breaks) {
+                let clear = enclosed.gap.about(a, [a, b]).minus(&v);
                 let slope = |s: f64| clear.at(Interval::exact(s)).middle() / (sign * (a + s - about));
                 most = least_sample(slope, b - a, most);
             }

@@ -12,7 +12,6 @@
 
 use super::contact_node::{ContactNode, EnclosedScene, Slope};
 use super::interval::Interval;
-use super::load::cells;
 use super::polynomial::Polynomial;
 use super::span::{Curve, Span};
 
@@ -42,17 +41,18 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, parts: &[Curve], e
         [_, None] => span.to,
         _ => 0.5 * (span.from + span.to),
     };
-    let mut breaks = enclosed.gap.breaks(span.from, span.to);
-    breaks.push(middle);
-    breaks.extend(enclosed.load.breaks(span.from, span.to));
-    let cells = cells(span.from, span.to, breaks);
+    let cells = enclosed.cells(span.from, span.to, vec![middle]);
     let meeting = cells.partition_point(|cell| cell[0] < middle);
     let powers = ends.map(|end| power(enclosed, end));
-    let [about_left, about_right] = [powers, [powers[1], powers[0]]].map(|powers| shape(span, powers));
-    let sides = [0, 1].map(|side| Side { enclosed, parts, from_the_left: side == 1 });
-    let left = ends[0].map_or(Some(0.0), |node| sides[0].lift(node, about_left, &cells[..meeting]))?;
-    let right = ends[1].map_or(Some(0.0), |node| sides[1].lift(node, about_right, &cells[meeting..]))?;
-    Some(about_left.times(Interval::exact(left.max(right))))
+    let lift = |side: usize, cells: &[[f64; 2]]| {
+        let Some(node) = ends[side] else { return Some(0.0) };
+        let (order, shape) = (enclosed.order(node, side == 1), shape(span, [powers[side], powers[1 - side]]));
+        let side = Side { enclosed, parts, node, shape, from_the_left: side == 1 };
+        // What vanishes at the node is small beside it, also behind the end of a short cell.
+        Some(side.lift(cells, Seen { most: 0.0, order, known: vec![Interval::ZERO; order] })?.most)
+    };
+    let (left, right) = (lift(0, &cells[..meeting])?, lift(1, &cells[meeting..])?);
+    Some(shape(span, powers).times(Interval::exact(left.max(right))))
 }
 
 /// Cells on one side of a node: seen from there, and each about that end of it that is nearer.
@@ -60,8 +60,21 @@ struct Side<'a> {
     enclosed: &'a EnclosedScene<'a>,
     /// The span, by parts known from both ends.
     parts: &'a [Curve],
+    node: &'a ContactNode,
+    /// `φ` from the node.
+    shape: Polynomial,
     /// Whether the cells are on the left side of the node.
     from_the_left: bool,
+}
+
+/// What is known where the cells next to a node were looked at.
+struct Seen {
+    /// `α` for these cells.
+    most: f64,
+    /// The power of the distance from the node with which the clearance vanishes there; zero beyond the first cell.
+    order: usize,
+    /// Of the clearance and its derivatives at the end of these cells.
+    known: Vec<Interval>,
 }
 
 impl Side<'_> {
@@ -70,56 +83,38 @@ impl Side<'_> {
         let part = self.parts.partition_point(|(part, _)| part[1] <= from);
         let &(part, known) = self.parts.get(part).filter(|(part, _)| part[0] <= from && to <= part[1])?;
         let end = usize::from(self.from_the_left);
-        Some(known[end].shifted(Interval::exact(place) - Interval::exact(part[end])))
+        Some(known[end].shifted(Interval::length(part[end], place)))
     }
 
     /// Whether the span is clear of the foundation between two places, at a glance.
     fn is_clear(&self, [from, to]: [f64; 2]) -> bool {
-        let most = self.deflection(from, [from, to]).map(|v| v.range(Interval::exact(to) - Interval::exact(from)).hi());
-        most.is_some_and(|most| most <= self.enclosed.gap.least(from, to))
+        let least = self.enclosed.gap.least(from, to);
+        let below = |v: Polynomial| v.range(Interval::length(from, to)).hi() <= least;
+        f64::NEG_INFINITY < least && self.deflection(from, [from, to]).is_some_and(below)
     }
 
-    /// `α` for these cells, from left to right.
-    fn lift(&self, node: &ContactNode, shape: Polynomial, cells: &[[f64; 2]]) -> Option<f64> {
-        /// Cells that are looked at together, at most, and how many more at once than before.
-        const MOST: usize = 4096;
-        const MORE: usize = 4;
-        let Self { enclosed, from_the_left, .. } = *self;
-        let nth = |i: usize| cells[if from_the_left { cells.len() - 1 - i } else { i }];
-        let apart = |a: f64, b: f64| Interval::exact(a.max(b)) - Interval::exact(a.min(b));
-        let mut most = 0.0;
-        let mut order = enclosed.order(node, from_the_left);
-        // What vanishes at the node is small beside it, also behind the end of a short cell.
-        let mut known = vec![Interval::ZERO; order];
-        let (mut i, mut together) = (0, 1);
-        while i < cells.len() {
-            let count = together.min(cells.len() - i);
-            if 1 < count {
-                let [first, last] = [nth(i), nth(i + count - 1)];
-                if self.is_clear([first[0].min(last[0]), first[1].max(last[1])]) {
-                    (i, together) = (i + count, MOST.min(MORE * count));
-                    known.clear();
-                } else {
-                    together = count / MORE;
-                }
-                continue;
+    /// Cells, from left to right, next to those that were seen: together if they are clear at a glance, and otherwise by halves.
+    fn lift(&self, cells: &[[f64; 2]], seen: Seen) -> Option<Seen> {
+        let Self { enclosed, node, from_the_left, .. } = *self;
+        let ([first, ..], [.., last]) = (cells, cells) else { return Some(seen) };
+        if 1 < cells.len() {
+            if self.is_clear([first[0], last[1]]) {
+                return Some(Seen { order: 0, known: Vec::new(), ..seen });
             }
-            let cell = nth(i);
-            let [near, far] = if from_the_left { [cell[1], cell[0]] } else { cell };
-            let (width, distance) = (apart(near, far), apart(near, node.x));
-            let clearance = enclosed.gap.about(near, cell).minus(&self.deflection(near, cell)?);
-            let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&known);
-            let [quotient, shape] = [clearance, shape].map(|of| of.divided(order));
-            let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
-            most = part.lift(most, &mut MOST_PARTS.clone())?;
-            order = 0;
-            known.clear();
-            if let Some(kink) = enclosed.gap.kink(far) {
-                known.extend([clearance.at(width), clearance.derivative().at(width) + kink]);
-            }
-            (i, together) = (i + 1, MORE);
+            let (left, right) = cells.split_at(cells.len() / 2);
+            let [near, far] = if from_the_left { [right, left] } else { [left, right] };
+            return self.lift(far, self.lift(near, seen)?);
         }
-        Some(most)
+        let [near, far] = if from_the_left { [first[1], first[0]] } else { *first };
+        let width = Interval::length(first[0], first[1]);
+        let distance = Interval::length(near.min(node.x), near.max(node.x));
+        let clearance = enclosed.gap.about(near, *first).minus(&self.deflection(near, *first)?);
+        let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&seen.known);
+        let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(seen.order));
+        let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
+        let turned = enclosed.gap.kink(far).map(|kink| clearance.derivative().at(width) + kink);
+        let known = turned.map_or(Vec::new(), |turned| vec![clearance.at(width), turned]);
+        Some(Seen { most: part.lift(seen.most, &mut MOST_PARTS.clone())?, order: 0, known })
     }
 }
 
@@ -128,7 +123,7 @@ fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
     const BINOMIALS: [&[f64]; 3] = [&[1.0], &[1.0, -1.0], &[1.0, -2.0, 1.0]];
     let mut coefficients = vec![Interval::ZERO; powers[0]];
     coefficients.extend(BINOMIALS[powers[1]].iter().copied().map(Interval::exact));
-    let length = Interval::exact(span.to) - Interval::exact(span.from);
+    let length = Interval::length(span.from, span.to);
     Polynomial::new(&coefficients).scaled(Interval::exact(1.0) / length)
 }
 

@@ -16,7 +16,7 @@
 
 use super::gap::EnclosedGap;
 use super::interval::Interval;
-use super::load::EnclosedLoad;
+use super::load::{EnclosedLoad, cells};
 use super::span::Span;
 use crate::scene::Scene;
 
@@ -98,6 +98,13 @@ impl EnclosedScene<'_> {
         self.supports.binary_search_by(|s| s.x.total_cmp(&x)).ok().map(|i| &self.supports[i])
     }
 
+    /// Cells between two places, on each of which gap and load have one formula, with these ends among others.
+    pub(crate) fn cells(&self, from: f64, to: f64, mut ends: Vec<f64>) -> Vec<[f64; 2]> {
+        ends.extend(self.gap.breaks(from, to));
+        ends.extend(self.load.breaks(from, to));
+        cells(from, to, ends)
+    }
+
     /// How the beam meets the gap at a node, on one of its sides: 2 with its deflection and its slope, so that the gap opens with
     /// the square of the distance or the beam follows it; 1 with its deflection alone; 0 not at all, as at the foot of a step.
     pub(crate) fn order(&self, node: &ContactNode, from_the_left: bool) -> usize {
@@ -128,22 +135,27 @@ impl EnclosedScene<'_> {
         let place = |node: Option<&ContactNode>, end: f64| node.map_or(end, |node| node.x);
         let ends = [place(left, 0.0), place(right, self.length)];
         let hangs = ends[0] < ends[1] && !left.is_some_and(|node| node.lies);
-        hangs.then(|| {
-            let rise = self.rise(left, right);
-            Span::new(ends, [left, right].map(|node| node.map(|node| self.end(node))), self.load, self.stiffness, rise)
-        })
+        let known = [left, right].map(|node| node.map(|node| self.end(node)));
+        hangs.then(|| Span::new(self, ends, known, self.rise(left, right)))
     }
 
-    /// `v₁ − v₀ − θ₀ L` between two contacts on a polyline.
-    fn rise(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Interval> {
+    /// `v₁ − v₀ − θ₀ L` between two contacts, where the gap is a few straight lines: from what it turns by at each place, so that
+    /// rounding is that of slopes, and not that of depths.
+    pub(crate) fn rise(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Interval> {
+        const MOST: usize = 256;
         let on_ground = |node: &&ContactNode| self.support(node.x).is_none();
-        let (left, right) = (left.filter(on_ground)?, right.filter(on_ground)?);
-        self.gap.shape.level()?;
-        let slope = match left.slope {
-            Slope::OfGround { from_the_left } if !from_the_left || self.gap.is_smooth_at(left.x) => None,
-            _ => Some(self.end(left)[1]),
+        let (node, to) = (left.filter(on_ground)?, right.filter(on_ground)?.x);
+        let kinks = [self.gap.kink(node.x)?, self.gap.kink(to)?];
+        let cells = cells(node.x, to, self.gap.breaks(node.x, to));
+        let is_straight = self.gap.about(node.x, cells[0]).coefficients().len() <= 2;
+        let lines = Some(cells).filter(|cells| is_straight && cells.len() <= MOST)?;
+        let turn = match node.slope {
+            Slope::Free(slope) => self.gap.jet(node.x, false)[1] - Interval::exact(slope),
+            Slope::OfGround { from_the_left: true } => kinks[0],
+            Slope::OfGround { from_the_left: false } => Interval::ZERO,
         };
-        self.gap.ground.rise(left.x, right.x, slope)
+        let first = turn * Interval::length(node.x, to);
+        lines[1..].iter().try_fold(first, |sum, [x, _]| Some(sum + self.gap.kink(*x)? * Interval::length(*x, to)))
     }
 }
 

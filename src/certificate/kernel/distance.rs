@@ -73,12 +73,8 @@ pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64,
     let mut reached = 0.0;
     for Piece { from, to, v, .. } in &pair.pieces {
         let bent = v.derivative().derivative();
-        let at = |x: f64| {
-            let s = Interval::exact(x) - Interval::exact(*from);
-            [v.at(s), bent.at(s)]
-        };
-        let most_fourth =
-            bent.derivative().derivative().range(Interval::exact(*to) - Interval::exact(*from)).magnitude();
+        let at = |x: f64| [v, &bent].map(|of| of.at(Interval::length(*from, x)));
+        let most_fourth = bent.derivative().derivative().range(Interval::length(*from, *to)).magnitude();
         let mut left = at(reached);
         while let Some(Part { ends: [a, b], values, fourth }) = parts.next_if(|part| part.ends[1] <= *to) {
             if !(*from <= a && a <= reached && reached <= a && a < b) {

@@ -51,36 +51,15 @@ impl<'a> EnclosedFoundation<'a> {
 
     /// At most any depth between two places, found without a look at each cell; minus infinity where that cannot be.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
-        match self.given {
-            Foundation::Flat { depth } => *depth,
-            Foundation::Polyline { points } => {
-                // Also the far ends of the segments that the two places are on.
-                let first = points.partition_point(|p| p[0] <= from).saturating_sub(1);
-                let part = &points[first..];
-                part.iter()
-                    .take(1 + part.partition_point(|p| p[0] < to))
-                    .fold(f64::INFINITY, |least, p| least.min(p[1]))
-            }
-            _ => f64::NEG_INFINITY,
-        }
+        let least = |points: &[[f64; 2]]| points.iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
+        self.level().unwrap_or_else(|| self.points_about(from, to).map_or(f64::NEG_INFINITY, least))
     }
 
-    /// `u(to) − u(from) − θ (to − from)` over a few segments of a polyline, with the slope `θ` that is given or else that of the
-    /// segment which goes on to the right: from its kinks, so that rounding is that of slopes, and not that of depths.
-    pub(crate) fn rise(&self, from: f64, to: f64, slope: Option<Interval>) -> Option<Interval> {
-        const MOST: usize = 256;
+    /// The points of a polyline between two places that are in order, and the far ends of the segments that these are on.
+    fn points_about(&self, from: f64, to: f64) -> Option<&'a [[f64; 2]]> {
         let Foundation::Polyline { points } = self.given else { return None };
-        let [first, beyond] = [points.partition_point(|p| p[0] <= from), points.partition_point(|p| p[0] < to)];
-        let has_step = [from, to].iter().any(|x| 1 < self.points_at(*x).len());
-        if has_step || first == 0 || beyond < first || MOST < beyond - first || points.len() <= beyond {
-            return None;
-        }
-        let run = &points[first - 1..=beyond];
-        let slopes: Vec<Interval> = run.windows(2).map(|w| secant(w[0], w[1])).collect();
-        let at = Interval::exact(to);
-        let start = slope.map_or(Interval::ZERO, |slope| (slopes[0] - slope) * (at - Interval::exact(from)));
-        let kinks = slopes.windows(2).zip(&run[1..]);
-        Some(kinks.fold(start, |sum, (w, point)| sum + (w[1] - w[0]) * (at - Interval::exact(point[0]))))
+        let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
+        points.get(first..(points.partition_point(|p| p[0] < to) + 1).min(points.len()))
     }
 
     /// The depth, where it is the same everywhere.
@@ -123,12 +102,10 @@ impl<'a> EnclosedFoundation<'a> {
     /// True if the foundation is one smooth curve between two places: for a polyline, if it has no point there, or only
     /// points at one level.
     pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
-        let Foundation::Polyline { points } = self.given else { return true };
-        let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
-        let beyond = (points.partition_point(|p| p[0] < to) + 1).min(points.len());
         // A wrong witness may ask for places that are not in order.
-        let Some(part) = points.get(first..beyond) else { return false };
-        part.len() <= 2 || part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0)
+        let one_level = |part: &[[f64; 2]]| part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0);
+        let is_smooth = |part: &[[f64; 2]]| part.len() <= 2 || one_level(part);
+        !matches!(self.given, Foundation::Polyline { .. }) || self.points_about(from, to).is_some_and(is_smooth)
     }
 
     /// False beside a place that is the foot of a step.
@@ -144,11 +121,6 @@ impl<'a> EnclosedFoundation<'a> {
         let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
         points.get(first..beyond).unwrap_or_default()
     }
-}
-
-/// The slope from one point to another.
-fn secant([x, u]: [f64; 2], [end, depth]: [f64; 2]) -> Interval {
-    (Interval::exact(depth) - Interval::exact(u)) / (Interval::exact(end) - Interval::exact(x))
 }
 
 /// The segment of a polyline that begins at a place or goes through it, about an origin on it.
@@ -188,12 +160,11 @@ fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomi
     let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
     let wave_number = Interval::TAU / Interval::exact(wavelength);
     let mut factor = Interval::exact(amplitude);
-    let mut coefficients = [Interval::around_zero(1.0); TERMS];
-    for (c, derivative) in coefficients[..TERMS - 1].iter_mut().zip([cos, -sin, -cos, sin].into_iter().cycle()) {
-        *c = derivative;
-    }
-    for (j, c) in coefficients.iter_mut().enumerate() {
-        *c = factor * *c;
+    // The last one at any place.
+    let derivatives = [cos, -sin, -cos, sin].into_iter().cycle().take(TERMS - 1).chain([Interval::around_zero(1.0)]);
+    let mut coefficients = [Interval::ZERO; TERMS];
+    for (j, (c, derivative)) in coefficients.iter_mut().zip(derivatives).enumerate() {
+        *c = factor * derivative;
         factor = factor * wave_number / number(j + 1);
     }
     coefficients[0] = coefficients[0] + Interval::exact(mean);
@@ -201,4 +172,4 @@ fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomi
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -24,15 +24,9 @@ impl EnclosedGap<'_> {
         self.ground.about(origin, cell).minus(&self.shape.about(origin, cell))
     }
 
-    /// `g(from + s)` for `0 ≤ s ≤ to − from`; there is no break between the two places.
-    pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
-        self.about(from, [from, to])
-    }
-
     /// At most any gap between two places; minus infinity where that cannot be said without a look at each cell.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
-        let own = self.shape.level().unwrap_or(f64::INFINITY);
-        (Interval::exact(self.ground.least(from, to)) - Interval::exact(own)).lo()
+        Interval::length(self.shape.level().unwrap_or(f64::INFINITY), self.ground.least(from, to)).lo()
     }
 
     /// The gap and its first three derivatives at a place, on one of its sides.
@@ -57,11 +51,6 @@ impl EnclosedGap<'_> {
         let kink = || self.jet(x, false)[1] - self.jet(x, true)[1];
         (!has_step).then(|| if self.is_smooth_at(x) { Interval::ZERO } else { kink() })
     }
-
-    /// True if it is one smooth curve between two places.
-    pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
-        self.ground.is_smooth_between(from, to) && self.shape.is_smooth_between(from, to)
-    }
 }
 
 #[cfg(test)]
@@ -84,7 +73,7 @@ mod tests {
         for x in [0.5, 1.0, 3.0] {
             let expected = 1.0 + 0.25 * x - 0.125 * x * x;
             close(gap.depth(x), expected);
-            close(gap.cell(0.5, 3.5).at(Interval::exact(x - 0.5)), expected);
+            close(gap.about(0.5, [0.5, 3.5]).at(Interval::exact(x - 0.5)), expected);
             close(gap.about(3.5, [0.5, 3.5]).at(Interval::exact(x - 3.5)), expected);
             for from_the_left in [false, true] {
                 let [value, slope, bend, third] = gap.jet(x, from_the_left);
@@ -97,6 +86,6 @@ mod tests {
         let straight = Foundation::Flat { depth: 0.0 };
         let straight = EnclosedGap { ground, shape: EnclosedFoundation::on(&straight, LENGTH) };
         assert_eq!(straight.depth(2.0), ground.depth(2.0), "nothing is rounded");
-        assert_eq!(straight.cell(0.5, 3.5).coefficients(), ground.about(0.5, [0.5, 3.5]).coefficients());
+        assert_eq!(straight.about(0.5, [0.5, 3.5]).coefficients(), ground.about(0.5, [0.5, 3.5]).coefficients());
     }
 }

@@ -55,6 +55,11 @@ pub(crate) fn near(holds: &[Hold], [a, _]: [f64; 2]) -> &[Hold] {
 }
 
 impl Hold {
+    /// What contact presses with at least at each of the two.
+    pub(crate) fn presses(&self) -> f64 {
+        self.0.presses.min(self.1.presses)
+    }
+
     /// At least `√(3 EI c(x, x))` for `a ≤ x ≤ b`.
     pub(crate) fn lever(&self, [a, b]: [f64; 2]) -> f64 {
         let Self(left, right) = self;

@@ -35,6 +35,11 @@ impl Interval {
         Self { lo: if lo.is_nan() { f64::NEG_INFINITY } else { lo }, hi: if hi.is_nan() { f64::INFINITY } else { hi } }
     }
 
+    /// `to − from`.
+    pub(crate) fn length(from: f64, to: f64) -> Self {
+        Self::exact(to) - Self::exact(from)
+    }
+
     /// `−radius … radius`.
     pub fn around_zero(radius: f64) -> Self {
         Self::between(-radius.abs(), radius.abs())

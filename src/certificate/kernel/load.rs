@@ -48,12 +48,12 @@ impl EnclosedLoad {
     pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
         let piece = self.ends.partition_point(|x| *x <= from.max(0.0).min(to)).clamp(1, self.lines.len()) - 1;
         let [start, slope] = self.lines[piece];
-        Polynomial::new(&[start + slope * (Interval::exact(from) - Interval::exact(self.ends[piece])), slope])
+        Polynomial::new(&[start + slope * Interval::length(self.ends[piece], from), slope])
     }
 
-    /// The point load at a place.
-    pub(crate) fn point(&self, x: f64) -> Option<Interval> {
-        self.points.binary_search_by(|p| p.0.total_cmp(&x)).ok().map(|i| self.points[i].1)
+    /// The point load at a place, zero if there is none.
+    pub(crate) fn point(&self, x: f64) -> Interval {
+        self.points.binary_search_by(|p| p.0.total_cmp(&x)).map_or(Interval::ZERO, |i| self.points[i].1)
     }
 }
 
@@ -62,9 +62,7 @@ pub(crate) fn one_at_a_place(mut forces: Vec<(f64, Interval)>) -> Vec<(f64, Inte
     forces.sort_by(|a, b| a.0.total_cmp(&b.0));
     forces.dedup_by(|next, kept| {
         let same = next.0 <= kept.0;
-        if same {
-            kept.1 = kept.1 + next.1;
-        }
+        kept.1 = kept.1 + if same { next.1 } else { Interval::ZERO };
         same
     });
     forces
@@ -73,9 +71,8 @@ pub(crate) fn one_at_a_place(mut forces: Vec<(f64, Interval)>) -> Vec<(f64, Inte
 /// All distributed loads on a piece that begins at `from`: `q` there, and its slope.
 fn line(uniform: f64, acting: &[&LinearLoad], from: f64) -> [Interval; 2] {
     acting.iter().fold([Interval::exact(uniform), Interval::ZERO], |[sum, slopes], q| {
-        let rise = Interval::exact(q.end) - Interval::exact(q.start);
-        let slope = rise / (Interval::exact(q.to) - Interval::exact(q.from));
-        let there = Interval::exact(q.start) + slope * (Interval::exact(from) - Interval::exact(q.from));
+        let slope = Interval::length(q.start, q.end) / Interval::length(q.from, q.to);
+        let there = Interval::exact(q.start) + slope * Interval::length(q.from, from);
         [sum + there, slopes + slope]
     })
 }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | intervals and polynomials with interval coefficients | `interval`, `polynomial` |
 //! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
-//! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing` |
+//! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing`, `held` |
 //! | from the gap to the error of a deflection | `hold`, `distance` |
 //!
 //! It asks for nothing outside but a scene, and bounds the error of any deflection that is a polynomial on each of some cells.
@@ -14,6 +14,7 @@ pub(super) mod contact_node;
 pub(super) mod distance;
 pub(super) mod foundation;
 pub(super) mod gap;
+pub(super) mod held;
 pub(super) mod hold;
 pub(super) mod interval;
 pub(super) mod load;

@@ -3,7 +3,6 @@
 use super::contact_node::EnclosedScene;
 use super::hold::{Hold, OUTWARDS, near};
 use super::interval::Interval;
-use super::load::cells;
 use super::polynomial::{Polynomial, number};
 use super::proof::Piece;
 
@@ -14,7 +13,7 @@ const MOST_PARTS: usize = 400;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct TensionCutOff {
     /// Part, force, couple.
-    pulls: Vec<([f64; 2], f64, f64)>,
+    pub(super) pulls: Vec<([f64; 2], f64, f64)>,
 }
 
 impl TensionCutOff {
@@ -57,28 +56,22 @@ impl TensionCutOff {
 }
 
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
-pub(crate) fn zone(
-    enclosed: &EnclosedScene<'_>,
-    from: f64,
-    to: f64,
-    cut_off: &mut TensionCutOff,
-) -> Option<Vec<Piece>> {
-    if !enclosed.gap.is_smooth_between(from, to) {
+pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut TensionCutOff) -> Option<Vec<Piece>> {
+    let [from, to] = ends;
+    if ![enclosed.gap.ground, enclosed.gap.shape].iter().all(|profile| profile.is_smooth_between(from, to)) {
         return None;
     }
     for x in enclosed.load.breaks(from, to) {
-        cut_off.force(x, enclosed.load.point(x).unwrap_or(Interval::ZERO));
+        cut_off.force(x, enclosed.load.point(x));
     }
-    let mut breaks = enclosed.gap.breaks(from, to);
-    breaks.extend(enclosed.load.breaks(from, to));
     let piece = |[from, to]: [f64; 2]| {
-        let v = enclosed.gap.cell(from, to);
+        let v = enclosed.gap.about(from, [from, to]);
         let fourth = v.derivative().derivative().derivative().derivative();
         let p = enclosed.load.cell(from, to).minus(&fourth.times(Interval::exact(enclosed.stiffness)));
-        pulls(&p, [from, to], Interval::exact(to) - Interval::exact(from), &mut MOST_PARTS.clone(), cut_off);
+        pulls(&p, [from, to], Interval::length(from, to), &mut MOST_PARTS.clone(), cut_off);
         Piece { from, to, v, follows: true }
     };
-    Some(cells(from, to, breaks).into_iter().map(piece).collect())
+    Some(enclosed.cells(from, to, Vec::new()).into_iter().map(piece).collect())
 }
 
 /// Cuts off what a pressure on a cell may pull with for `0 ≤ s ≤ w`.

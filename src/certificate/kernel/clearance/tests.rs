@@ -27,7 +27,7 @@ fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) ->
     let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
     in_intervals(&scene, Balance::Held, |enclosed| {
         let span = enclosed.span(Some(&left), Some(&right)).expect("a span");
-        let curve = span.curve(Vec::new(), enclosed.load, STIFFNESS);
+        let curve = span.curve(enclosed, Vec::new());
         let mut needed = 0.0_f64;
         for k in 1..PLACES {
             let s = (span.to - span.from) * f64::from(k) / f64::from(PLACES);
@@ -36,7 +36,7 @@ fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) ->
         }
         let middle = 0.5 * (span.to - span.from);
         let there = phi(middle, span.to - span.from, left, right);
-        let parts = span.curves(enclosed.load, enclosed.stiffness);
+        let parts = span.curves(enclosed);
         let lift = lift(enclosed, &span, &parts, [Some(&left), Some(&right)]);
         (lift.map(|lift| lift.at(Interval::exact(middle)).hi() / there), needed)
     })

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::certificate::in_intervals;
+use crate::certificate::kernel::foundation::tests as survey;
 use crate::scene::{Balance, Beam, Foundation, Load, Support};
 
 const LENGTH: f64 = 20.0;
@@ -69,4 +70,45 @@ fn a_support_has_the_deflection_and_the_slope_of_ground_that_it_meets() {
         assert_eq!(at_kink(None, 0.0, slope).1, order, "{slope:?}");
         assert_eq!(at_kink(None, 0.5, slope).1, [0, 0], "{slope:?}, above the ground");
     }
+}
+
+/// `v₁ − v₀ − θ₀ L` by its kinks and as it stands are one number; by its kinks it is known to rounding of slopes.
+#[test]
+fn the_rise_between_two_contacts_follows_from_kinks() {
+    /// Four roundings each of 16 slopes of at most `10⁻⁶`, over 8 of length; of a depth one rounding is 1000 times as much.
+    const ROUNDING: f64 = 512e-6 * f64::EPSILON;
+    let above = |ground: &Foundation, left: ContactNode, to: f64| {
+        let beam = Beam::new(survey::LENGTH, 70.0).expect("positive");
+        let scene = Scene::new(beam, Load::default(), Some(ground.clone())).expect("well posed");
+        in_intervals(&scene, Balance::Held, |enclosed| {
+            let slope = enclosed.end(&left)[1];
+            (enclosed.rise(Some(&left), Some(&node(Kind::Corner, to, 0.0))), slope)
+        })
+    };
+    for seed in 0..20 {
+        let ground = survey::nearly_level(seed);
+        let Foundation::Polyline { points } = &ground else { panic!("a survey") };
+        for (first, last) in [(1, 2), (1, 3), (2, 9), (5, 20)] {
+            let [from, to] = [points[first], points[last]];
+            for kind in [Kind::Corner, Kind::Start, Kind::End] {
+                let (rise, slope) = above(&ground, node(kind, from[0], 1e-9), to[0]);
+                let rise = rise.expect("a few segments");
+                let straight = Interval::length(from[1], to[1]) - slope * Interval::length(from[0], to[0]);
+                assert!(rise.lo() <= straight.hi() && straight.lo() <= rise.hi(), "{rise:?} is not {straight:?}");
+                assert!(rise.hi() - rise.lo() <= ROUNDING, "{kind:?}: {rise:?}");
+            }
+        }
+    }
+    let stairs = vec![[0.0, 1.0], [4.0, 1.0], [4.0, 2.0], [8.0, 2.0], [8.0, 1.0], [survey::LENGTH, 1.0]];
+    let stairs = Foundation::Polyline { points: stairs };
+    for (from, to) in [(1.0, 4.0), (1.0, 5.0), (4.0, 5.0), (5.0, 8.0), (8.0, 9.0)] {
+        assert!(above(&stairs, node(Kind::Corner, from, 0.0), to).0.is_none(), "a step between {from} and {to}");
+    }
+    assert!(above(&stairs, node(Kind::Corner, 1.0, 0.0), 2.0).0.is_some());
+    let wave = Foundation::Cosine { mean: 1.0, amplitude: 0.5, wavelength: 2.0, phase: 0.0 };
+    assert!(above(&wave, node(Kind::Corner, 1.0, 0.0), 2.0).0.is_none(), "no straight lines");
+    assert!(
+        above(&stairs, node(Kind::Corner, 0.0, 0.0), 2.0).0.is_none(),
+        "a support is where it is, not on the ground"
+    );
 }

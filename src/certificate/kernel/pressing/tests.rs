@@ -101,7 +101,7 @@ fn a_zone_pulls_where_its_curve_is_too_sharp() {
     let quartic = |c: f64| Foundation::Polynomial { coefficients: vec![5.0, 0.0, 0.0, 0.0, c] };
     let zone = |foundation: &Foundation, load: f64, point: [f64; 2]| {
         let mut held = None;
-        let cut_off = cut_off(foundation, load, point, |enclosed, cut_off| held = zone(enclosed, 4.0, 12.0, cut_off));
+        let cut_off = cut_off(foundation, load, point, |enclosed, cut_off| held = zone(enclosed, [4.0, 12.0], cut_off));
         held.map(|_| cut_off[1].hi())
     };
     let fourth = 24.0 * STIFFNESS * 1e-3;

@@ -1,0 +1,191 @@
+//! What holds a beam, and carries what is cut off of its contact load: two of its supports, places at which it presses on the
+//! ground, and the ground beside a single place that carries it.
+
+use super::contact_node::{ContactNode, EnclosedScene};
+use super::distance::factor;
+use super::hold::{Hold, Place};
+use super::interval::Interval;
+use super::load::cells;
+use super::polynomial::{Polynomial, number};
+use super::pressing::TensionCutOff;
+use super::proof::{Pair, Piece};
+
+/// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
+fn known(place: Place, gap: f64, share: Interval) -> Option<Place> {
+    if place.presses.is_infinite() {
+        return Some(place);
+    }
+    let remains = (Interval::exact(place.presses) - share).lo();
+    let off = place.off.max((Interval::exact(gap) / Interval::exact(remains)).hi());
+    (0.0 < remains).then_some(Place { off, ..place })
+}
+
+/// What holds a beam: its supports; if they do not, two of the places that carry it, or one of them and what stops it there. The gap
+/// follows from the moments and the share of what is cut off, and from how far what carries the share is off the ground; with it come
+/// that share and the holds.
+pub(super) fn hold(
+    enclosed: &EnclosedScene<'_>,
+    by_supports: Vec<Hold>,
+    mut carriers: Vec<Place>,
+    pieces: &[Piece],
+    cut_off: &TensionCutOff,
+    gap_of: impl Fn([Interval; 2], f64) -> f64,
+) -> Option<(f64, Interval, Vec<Hold>)> {
+    let mut holds = if by_supports.is_empty() { widest(&mut carriers).into_iter().collect() } else { by_supports };
+    holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    if !holds.is_empty() {
+        let carried = cut_off.carried(&holds, enclosed.stiffness);
+        let gap = gap_of(carried, 0.0);
+        let both = |Hold(left, right)| Some(Hold(known(left, gap, carried[1])?, known(right, gap, carried[1])?));
+        // Not with a place that is used up.
+        if let Some(holds) = holds.into_iter().map(both).collect() {
+            return Some((gap, carried[1], holds));
+        }
+    }
+    let place = *carriers.iter().find(|place| place.to <= place.from)?;
+    let couples: f64 = cut_off.pulls.iter().map(|pull| pull.2).sum();
+    let stops = stops(enclosed, pieces, place.from, 16.0 * (couples / place.presses))?;
+    // A couple is taken by the stop to which it turns the beam, and so by either.
+    let holds = [Hold(Place::at(stops.0.from), place), Hold(place, Place::at(stops.1.from))];
+    let both = holds.map(|hold| cut_off.carried(&[hold], enclosed.stiffness));
+    let carried = [0, 1].map(|k| both[0][k] + both[1][k]);
+    let gap = gap_of(carried, stops.0.off.max(stops.1.off));
+    Some((gap, carried[1], vec![between_stops(stops, known(place, gap, carried[1])?, factor(gap, enclosed.stiffness))]))
+}
+
+/// What holds the beam whatever it touches: neighbouring two of its supports, and one at which it cannot turn, or about which the
+/// loads are in balance.
+pub(super) fn held(enclosed: &EnclosedScene<'_>, turns_about: Option<f64>) -> Vec<Hold> {
+    let twice = |x: f64| Hold(Place::at(x), Place::at(x));
+    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
+    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
+    two.chain(one.chain(turns_about).map(twice)).collect()
+}
+
+/// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
+/// proportion to what presses there: the mean of what single places would give, of which the worst is counted.
+pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<Place> {
+    let carried = |(x, force): (f64, Interval)| {
+        let presses = if enclosed.support(x).is_some() { f64::INFINITY } else { force.lo() };
+        Place { presses, ..Place::at(x) }
+    };
+    let mut carriers: Vec<Place> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
+    for (from, to) in nodes.windows(2).filter(|w| w[0].lies).map(|w| (w[0].x, w[1].x)) {
+        let breaks = enclosed.load.breaks(from, to);
+        carriers.extend(breaks.iter().map(|&x| carried((x, enclosed.load.point(x)))));
+        carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| every_other(enclosed, cell, 3)));
+    }
+    carriers.into_iter().filter(|place| 0.0 < place.presses).collect()
+}
+
+/// Of so many equal parts of a zone the first, the third and so on, as far as they have no break of the load, with what presses on
+/// each at least: the load, and what the shear of the beam that follows the ground changes by.
+fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -> Vec<Place> {
+    let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
+    let part = |k: u32| Some([end(k), end(k + 1)]).filter(|[a, b]| a < b && enclosed.load.breaks(*a, *b).is_empty());
+    let pressed = |[from, to]: [f64; 2]| {
+        let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
+        let one = Polynomial::new(&[Interval::exact(1.0)]);
+        let load = enclosed.load.cell(from, to).integral_of_product(&one, Interval::length(from, to));
+        Place { from, to, presses: (Interval::exact(enclosed.stiffness) * (start - end) + load).lo(), off: 0.0 }
+    };
+    (0..parts).step_by(2).filter_map(part).map(pressed).collect()
+}
+
+/// Zones hold a beam that supports hold, too, and from nearer by: each second part of them, with the next one and with the supports
+/// on both sides. What is cut off is carried by the supports, and never less presses in a zone than without.
+pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], pair: &mut Pair) {
+    /// Of all zones together: the price of a bound is in proportion.
+    const MOST_PARTS: u32 = 256;
+    let zones: Vec<[f64; 2]> = nodes.windows(2).filter(|w| w[0].lies).map(|w| [w[0].x, w[1].x]).collect();
+    let parts = u32::try_from(zones.len()).ok().and_then(|zones| MOST_PARTS.checked_div(zones)).unwrap_or(0);
+    if parts < 3 || pair.holds.iter().any(|hold| hold.presses().is_finite()) {
+        return;
+    }
+    let pressed = zones.into_iter().flat_map(|zone| every_other(enclosed, zone, parts));
+    let held = pressed.filter_map(|place| known(place, pair.gap, Interval::ZERO));
+    let mut places: Vec<Place> = held.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
+    places.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let next = |left: &Place| places.get(places.partition_point(|right| right.from <= left.to)).copied();
+    let holds = places.iter().filter_map(|left| Some(Hold(*left, next(left)?)));
+    pair.holds.extend(holds.filter(|hold| hold.presses().is_finite()));
+    pair.holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+}
+
+/// Of places that press the two that hold the beam best: strongly, and far apart.
+fn widest(carriers: &mut [Place]) -> Option<Hold> {
+    /// Of the strongest places.
+    const MOST: usize = 64;
+    carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));
+    let strongest = &carriers[..carriers.len().min(MOST)];
+    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| Hold(*a, *b)));
+    let worth = |hold: &Hold| (hold.1.from - hold.0.to) * hold.presses();
+    pairs.filter(|Hold(a, b)| a.to < b.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
+}
+
+/// The places on the left and on the right of the single place that carries a beam at which the ground stops it if it turns: those to
+/// which it turns by the least angle, each with the clearance there, and none much nearer than `apart`. Where the beam is tangent to
+/// the ground, the clearance beside that place is small, and smaller the nearer it is:
+///
+/// ```text
+/// g − v̂ ≤ ½ s² max (g − v̂)''     at the distance s from a place where g = v̂ and g' = v̂'
+/// ```
+fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> Option<Hold> {
+    /// Of the length of the beam.
+    const NEAR: f64 = 1.0 / 274_877_906_944.0;
+    let EnclosedScene { gap, length, .. } = *enclosed;
+    let mut found = Vec::new();
+    for Piece { from, to, v, follows } in pieces {
+        found.extend(gap.breaks(*from, *to).into_iter().chain([*from, *to]).map(|y| {
+            let clear = gap.depth(y) - v.at(Interval::length(*from, y));
+            Place { off: if *follows { 0.0 } else { clear.hi().max(0.0) }, ..Place::at(y) }
+        }));
+    }
+    // On smooth ground a beam that touches it inside is tangent to it, as far as the ground is smooth.
+    if enclosed.supports.is_empty() && gap.is_smooth_at(x) && 0.0 < x && x < length {
+        let far = apart.max(NEAR * length);
+        let near = [(x - far).max(0.0), (x + far).min(length)];
+        let rough = gap.breaks(near[0], near[1]).into_iter().filter(|y| !gap.is_smooth_at(*y));
+        let smooth = rough.fold(near, |[a, b], y| if y < x { [a.max(y), b] } else { [a, b.min(y)] });
+        for y in smooth {
+            let mut bend = 0.0_f64;
+            for piece in pieces.iter().filter(|piece| y.min(x) < piece.to && piece.from < y.max(x) && !piece.follows) {
+                let [from, to] = [piece.from.max(y.min(x)), piece.to.min(y.max(x))];
+                for [a, b] in cells(from, to, gap.breaks(from, to)) {
+                    let clear = gap.about(a, [a, b]).minus(&piece.v.shifted(Interval::length(piece.from, a)));
+                    bend = bend.max(clear.derivative().derivative().range(Interval::length(a, b)).hi());
+                }
+            }
+            let off = Interval::length(x, y).square() * Interval::exact(bend) / number(2);
+            found.push(Place { off: off.hi(), ..Place::at(y) });
+        }
+    }
+    let distance = |place: &Place| (place.from - x).abs();
+    let angle = |place: &Place| place.off / distance(place);
+    let is_off = |place: &&Place| 0.0 < distance(place) && 0.5 * apart <= distance(place);
+    let [left, right] = [true, false].map(|left| {
+        let beside = found.iter().filter(is_off).filter(|place| (place.from < x) == left);
+        // Of the same angle the farthest.
+        beside.min_by(|a, b| angle(a).total_cmp(&angle(b)).then(distance(b).total_cmp(&distance(a))))
+    });
+    Some(Hold(*left?, *right?))
+}
+
+/// Both stops as a hold, of a beam that is pressed between them where it is off by `ε` at most. With the clearances `c` at the stops,
+/// `a` and `b` away from there, and the deflection that is off by `d ≤ c` at both and by `e` more than a line between them makes it,
+///
+/// ```text
+/// (b d₁ + a d₂)/(a + b) ≥ −ε − e,      −d₁ ≤ ((a + b)(ε + e) + a c₂)/b,      −d₂ ≤ ((a + b)(ε + e) + b c₁)/a
+/// ```
+fn between_stops(Hold(left, right): Hold, at: Place, factor: f64) -> Hold {
+    let [a, b] = [Interval::length(left.from, at.from), Interval::length(at.from, right.from)];
+    let bent = Interval::exact(factor) * Interval::exact(Hold(left, right).lever([at.from; 2]));
+    let risen = (a + b) * (Interval::exact(at.off) + bent);
+    let off = |own: &Place, [near, far]: [Interval; 2], other: &Place| {
+        own.off.max(((risen + near * Interval::exact(other.off)) / far).hi())
+    };
+    Hold(Place { off: off(&left, [a, b], &right), ..left }, Place { off: off(&right, [b, a], &left), ..right })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,45 @@
+//! Where a beam is carried, and which of these places hold it.
+
+use super::*;
+use crate::certificate::in_intervals;
+use crate::scene::{Balance, Beam, Foundation, Load, Scene};
+
+const LENGTH: f64 = 20.0;
+const STIFFNESS: f64 = 70.0;
+const LOAD: f64 = 3.0;
+const DEPTH: f64 = 0.4;
+
+/// A zone presses with `q − EI u''''`.
+#[test]
+fn outer_thirds_press_with_what_lies_on_them() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let curved = Foundation::Polynomial { coefficients: vec![DEPTH, 0.0, 0.0, 0.0, 1e-3] };
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let scene = Scene::new(beam, load, Some(curved)).expect("well posed");
+    let thirds = in_intervals(&scene, Balance::Held, |enclosed| every_other(enclosed, [4.0, 16.0], 3));
+    let expected = 4.0 * (LOAD - 24e-3 * STIFFNESS);
+    for (place, [from, to]) in thirds.into_iter().zip([[4.0, 8.0], [12.0, 16.0]]) {
+        let force = place.presses;
+        assert!(
+            place.from.total_cmp(&from).is_eq() && place.to.total_cmp(&to).is_eq() && place.off <= 0.0,
+            "{place:?}"
+        );
+        assert!(force <= expected && expected - force <= 1e-10 * expected, "{force} for {expected}");
+    }
+}
+
+/// Of places that press those two hold a beam that are strong and far apart; parts that overlap do not.
+#[test]
+fn the_widest_of_the_strongest_places_hold() {
+    let part = |from: f64, to: f64, presses: f64| Place { from, to, presses, off: 0.0 };
+    // Distance by the weaker force: (9 − 1) · 1 for the first two, (4 − 3) · 9 for the others.
+    let mut presses = vec![part(0.0, 1.0, 1.0), part(9.0, 9.0, 1.0), part(4.0, 4.0, 9.0), part(0.5, 3.0, 9.0)];
+    let held = |presses: &mut [Place], left: f64, right: f64| {
+        let Some(Hold(first, last)) = widest(presses) else { return false };
+        first.from.total_cmp(&left).is_eq() && last.from.total_cmp(&right).is_eq()
+    };
+    assert!(held(&mut presses, 0.5, 4.0));
+    presses.iter_mut().filter(|p| p.presses < 2.0).for_each(|p| p.presses = 1.25);
+    assert!(held(&mut presses, 0.0, 9.0));
+    assert!(widest(&mut [part(0.0, 2.0, 1.0), part(1.0, 3.0, 1.0)]).is_none(), "no two places are apart");
+}

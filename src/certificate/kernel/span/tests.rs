@@ -1,0 +1,42 @@
+//! Spans against closed forms of the textbook.
+
+use super::*;
+use crate::certificate::in_intervals;
+use crate::scene::{Balance, Beam, LinearLoad, Load, PointLoad, Scene};
+
+/// An overhang of length `a` under `q + r s` with a force `P` at its tip, from the textbook: with `s` from the support,
+/// `EI v''(0) = q a²/2 + r a³/3 + P a`, `EI v'(a) = EI v'(0) + q a³/6 + r a⁴/8 + P a²/2` and
+/// `EI v(a) = EI (v(0) + v'(0) a) + q a⁴/8 + 11 r a⁵/120 + P a³/3`. To the left all of it is the mirror image.
+#[test]
+fn overhangs_bend_by_their_closed_form() {
+    const ROUNDING: f64 = 1e-13;
+    let (stiffness, a, q, r, force, v, slope) = (70.0, 3.0, 2.0, 0.5, 4.0, 0.3, -0.2);
+    let beam = Beam::new(20.0, stiffness).expect("positive");
+    for (tip, support, sign) in [(20.0, 17.0, 1.0), (0.0, 3.0, -1.0)] {
+        let to_the_left = sign < 0.0;
+        let [start, end] = if to_the_left { [r * a, 0.0] } else { [0.0, r * a] };
+        let (from, to) = (f64::min(tip, support), f64::max(tip, support));
+        let growing = LinearLoad { from, to, start, end };
+        let load = Load::new(&beam, q, vec![growing], vec![PointLoad { at: tip, force }]).expect("finite");
+        let scene = Scene::new(beam.clone(), load, None).expect("well posed");
+        let held = Some([v, sign * slope].map(Interval::exact));
+        let ends = if to_the_left { [None, held] } else { [held, None] };
+        let span = in_intervals(&scene, Balance::Held, |enclosed| Span::new(enclosed, [from, to], ends, None));
+        let (at_support, at_tip) = if to_the_left { (span.end, span.start) } else { (span.start, span.end) };
+        let bent = a * a * a * (q * a / 8.0 + 11.0 * r * a * a / 120.0 + force / 3.0) / stiffness;
+        let expected = [
+            (at_support[0], v),
+            (at_support[1], sign * slope),
+            (at_support[2], a * (q * a / 2.0 + r * a * a / 3.0 + force) / stiffness),
+            (at_support[3], -sign * (q * a + r * a * a / 2.0 + force) / stiffness),
+            (at_tip[0], v + slope * a + bent),
+            (at_tip[1], sign * (slope + a * a * (q * a / 6.0 + r * a * a / 8.0 + force / 2.0) / stiffness)),
+            (at_tip[2], 0.0),
+            (at_tip[3], -sign * force / stiffness),
+        ];
+        for (i, (found, expected)) in expected.into_iter().enumerate() {
+            let off = found.lo() - ROUNDING <= expected && expected <= found.hi() + ROUNDING;
+            assert!(off && found.hi() - found.lo() <= ROUNDING, "{i} at {tip}: {found:?} for {expected}");
+        }
+    }
+}
