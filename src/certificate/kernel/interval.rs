@@ -148,11 +148,8 @@ impl Add for Interval {
 
     fn add(self, other: Self) -> Self {
         // A sum with zero is exact.
-        if self.is_zero() {
-            return other;
-        }
-        if other.is_zero() {
-            return self;
+        if self.is_zero() || other.is_zero() {
+            return if self.is_zero() { other } else { self };
         }
         Self::outward(self.lo + other.lo, self.hi + other.hi)
     }

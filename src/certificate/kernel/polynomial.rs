@@ -58,9 +58,7 @@ impl Polynomial {
 
     /// The same, of which the first coefficients are known in another way, too.
     pub(crate) fn known(mut self, first: &[Interval]) -> Self {
-        for (c, known) in self.coefficients[..self.terms].iter_mut().zip(first) {
-            *c = c.meet(*known);
-        }
+        self.coefficients[..self.terms].iter_mut().zip(first).for_each(|(c, known)| *c = c.meet(*known));
         self
     }
 
@@ -104,10 +102,7 @@ impl Polynomial {
         let mut sum = Interval::ZERO;
         for order in (0..(f.len() + g.len()).saturating_sub(1)).rev() {
             let from = (order + 1).saturating_sub(g.len());
-            let mut c = Interval::ZERO;
-            for j in from..f.len().min(order + 1) {
-                c = c + f[j] * g[order - j];
-            }
+            let c = (from..f.len().min(order + 1)).fold(Interval::ZERO, |c, j| c + f[j] * g[order - j]);
             sum = sum * width + c / number(order + 1);
         }
         sum * width
