@@ -67,7 +67,7 @@ fn finest(store: &Store) -> Table {
     ))
 }
 
-/// The finest grid of NSOR on the example, if it gave up there by every method, and the longest that it took for that [s].
+/// The finest grid of NSOR on the example, if it gave up there by every method, and the longest that it took for that \[s\].
 fn nsor_gave_up(store: &Store) -> Option<Value> {
     let lines = ended(store, EXAMPLE);
     let of_nsor = || lines.iter().filter(|line| line.solver == "nsor" && shown(line));
