@@ -143,7 +143,14 @@ impl Exact {
         self.list.zones().any(|zone| zone.from <= at && at <= zone.to) && force.min(all - force) < least
     }
 
-    /// True where a force, a bend, a length or a clearance vanishes.
+    /// True where the load changes its formula, or a point load stands: what follows from the load beside an end of a zone is another
+    /// on its two sides.
+    fn is_at_load(&self, x: f64) -> bool {
+        let (given, near) = (&self.given, AT_A_CHANGE * self.given.length);
+        given.breakpoints_inside((x - near).max(0.0), (x + near).min(given.length)).any(|i| given.load_changes_at(i))
+    }
+
+    /// True where a force, a bend, a length or a clearance vanishes, and where an end of a zone is at a change of the load.
     pub(super) fn at_a_change(&self) -> bool {
         let (given, nodes) = (&self.given, &self.list.nodes);
         let largest = self.largest_node_force();
@@ -154,7 +161,8 @@ impl Exact {
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
         let at_node = nodes.iter().enumerate().any(|(i, node)| match node.kind {
             Kind::Smooth => small(self.forces[i], largest) || small(bend(&self.spans, i), bent),
-            Kind::Edge(_) | Kind::ZoneStart | Kind::ZoneEnd => small(self.forces[i], largest),
+            Kind::Edge(_) => small(self.forces[i], largest),
+            Kind::ZoneStart | Kind::ZoneEnd => small(self.forces[i], largest) || self.is_at_load(node.x),
             Kind::Support(_, beside) => beside != [Beside::Apart; 2],
             Kind::Tip => false,
         });

@@ -105,6 +105,26 @@ fn the_force_of_a_point_is_linear_in_the_depth() {
 }
 
 /// On ground that carries nothing a beam lies until a load comes: more load presses it down, less lifts it off.
+/// The zone starts exactly at the point load: stiffer, it starts beyond the load, and softer before it. By the stiffness its start
+/// moves by 1 on one side and by 0.2 on the other, and beside the load on both sides alike.
+#[test]
+fn where_a_zone_ends_at_a_load_derivatives_are_one_sided() {
+    let scene = |stiffness: f64| {
+        let beam = Beam::new(8.0, stiffness).expect("positive");
+        let linear = vec![LinearLoad { from: 20.0 / 3.0, to: 8.0, start: 0.0, end: 2.0 }];
+        let point = vec![PointLoad { at: 4.0, force: 8.0 }];
+        let load = Load::new(&beam, 1.0, linear, point).expect("finite");
+        Scene::new(beam, load, Some(Foundation::Flat { depth: 32.0 / 3.0 })).expect("well posed")
+    };
+    for (stiffness, one_sided) in [(1.0, true), (0.9, false), (1.1, false)] {
+        let scene = scene(stiffness);
+        let exact = theory::solve(&scene).expect("in range");
+        let derivatives = exact.derivatives(&scene);
+        let by_stiffness = derivatives.iter().find(|d| d.by == By::Number(Quantity::BendingStiffness));
+        assert_eq!(by_stiffness.map(|d| d.one_sided), Some(one_sided), "stiffness {stiffness}");
+    }
+}
+
 #[test]
 fn by_a_load_on_an_unloaded_zone_derivatives_are_one_sided() {
     let scene = random::held(44);
