@@ -107,7 +107,8 @@ impl Swept {
         let [rows, events] = self.seconds.map(magnitude);
         let status = Status::of_several(self.is_certified());
         let of = self.stopped.map_or(self.rows.len(), |stopped| stopped.of);
-        let mut text = heading(status, &format!("{certified} of {of} answers"), input);
+        let ended = if self.stopped.is_some() { " are certified, and the sweep was stopped" } else { "" };
+        let mut text = heading(status, &format!("{certified} of {of} answers{ended}"), input);
         text += &list(&given(&input.scene, &labels));
         text.push('\n');
         text += &list(&[

@@ -49,3 +49,19 @@ fn the_commands_of_the_page_of_sweeps_make_its_figures() {
     }
     assert_eq!((figures, others), (3, 2), "commands of the page");
 }
+
+/// Thousands of supports: every value has its certified answer, and the search for events ends with its work.
+#[test]
+fn a_sweep_that_is_stopped_says_where_and_fails() {
+    const SUPPORTS: u32 = 3000;
+    let folder = Folder::new("sweep_stopped");
+    let supports: Vec<String> = (0..=SUPPORTS).map(|i| format!("{{ at = {} }}", f64::from(i) / 30.0)).collect();
+    let beam = format!("[beam]\nlength = 100.0\nbending_stiffness = 1000.0\nsupports = [{}]\n", supports.join(", "));
+    folder.write("many.toml", &format!("{beam}[load]\nuniform = 1.0\n[foundation]\ndepth = 0.5\n"));
+    let run = folder.run("sweep many.toml --vary load.uniform --from 0.5 --to 2 --steps 3 --format json");
+    assert_eq!(run.code, Some(1), "{}", run.err);
+    let object: serde_json::Value = serde_json::from_str(&run.out).expect("one object");
+    assert_eq!(object["rows"].as_array().map(Vec::len), Some(3), "every value has its answer");
+    let reason = object["stopped"]["reason"].as_str().unwrap_or_default();
+    assert!(reason.contains("the work that one sweep may take is done"), "{reason}");
+}
