@@ -57,7 +57,7 @@ fn a_sweep_that_is_stopped_says_where_and_fails() {
     let folder = Folder::new("sweep_stopped");
     let supports: Vec<String> = (0..=SUPPORTS).map(|i| format!("{{ at = {} }}", f64::from(i) / 30.0)).collect();
     let beam = format!("[beam]\nlength = 100.0\nbending_stiffness = 1000.0\nsupports = [{}]\n", supports.join(", "));
-    folder.write("many.toml", &format!("{beam}[load]\nuniform = 1.0\n[foundation]\ndepth = 0.5\n"));
+    folder.write("many.toml", format!("{beam}[load]\nuniform = 1.0\n[foundation]\ndepth = 0.5\n"));
     let run = folder.run("sweep many.toml --vary load.uniform --from 0.5 --to 2 --steps 3 --format json");
     assert_eq!(run.code, Some(1), "{}", run.err);
     let object: serde_json::Value = serde_json::from_str(&run.out).expect("one object");
