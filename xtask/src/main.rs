@@ -31,9 +31,6 @@ enum Task {
     },
     Certificates,
     Measure(measure::Wish),
-    /// What `measure --scale` starts for each line of its file.
-    #[command(hide = true)]
-    Alone(measure::scale::Job),
     Fuzz {
         #[arg(long, default_value_t = 3_500_000)]
         runs: u64,
@@ -55,7 +52,6 @@ impl Task {
             Self::Report { .. } => report::write(root)?,
             Self::Certificates => certificates::run(root)?,
             Self::Measure(wish) => measure::run(root, &wish)?,
-            Self::Alone(job) => print!("{}", data::text(&[job.measured_here()?])?),
             Self::Fuzz { runs } => fuzz::run(root, runs)?,
             Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),
             Self::Hostile { runs, .. } => hostile::run(root, runs)?,

@@ -2,7 +2,6 @@
 //! Where the system does not say (no `/proc`), there is no number.
 
 use std::fs;
-use std::io;
 use std::path::Path;
 use std::process::Command;
 
@@ -46,31 +45,19 @@ pub(super) fn describe(root: &Path) -> Vec<String> {
     ]
 }
 
-/// This program once more, for a task in a process of its own.
-pub(super) fn again(task: &str, arguments: &[String]) -> io::Result<Command> {
-    let mut command = Command::new(std::env::current_exe()?);
-    command.arg(task).args(arguments);
-    Ok(command)
-}
-
-/// Kilobytes that this process has had in use at the most, if the system says.
-pub(super) fn high_water_mark() -> Option<u64> {
-    high_water(&fs::read_to_string("/proc/self/status").ok()?)
-}
-
-/// The line `VmHWM:   123456 kB`, the high-water mark of the resident set.
-fn high_water(status: &str) -> Option<u64> {
+/// Kilobytes that a process has had in use at the most: the line `VmHWM:   123456 kB` of its status.
+pub(super) fn high_water_mark(status: &str) -> Option<u64> {
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.trim().strip_suffix("kB")?.trim().parse().ok()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::high_water;
+    use super::high_water_mark;
 
     #[test]
     fn the_high_water_mark_is_read() {
-        assert_eq!(high_water("Name:\tx\nVmHWM:\t   10548 kB\nVmRSS:\t 1 kB\n"), Some(10_548));
-        assert_eq!(high_water("Name:\tx\n"), None, "another system");
+        assert_eq!(high_water_mark("Name:\tx\nVmHWM:\t   10548 kB\nVmRSS:\t 1 kB\n"), Some(10_548));
+        assert_eq!(high_water_mark("Name:\tx\n"), None, "another system");
     }
 }

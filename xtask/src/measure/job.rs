@@ -1,5 +1,6 @@
 //! One measurement: an answer, our verdict on it, and how long it takes.
 
+use std::path::Path;
 use std::time::Instant;
 
 use palkki::adaptive::{End, Request, adapt};
@@ -7,19 +8,41 @@ use palkki::scene::Scene;
 use palkki::state::ContactState;
 use palkki::{Settings, solve_raw, theory};
 
-use super::line::Line;
-use super::plan::{Job, Route};
+use super::line::{Line, STOPPED};
+use super::plan::{Job, Route, Subject};
+use super::process::{self, Process};
 use super::references::References;
 use crate::Cause;
-use crate::data::rounded;
+use crate::data::{rounded, spread};
 
 /// Runs of each job that is quick enough: few microseconds, and memory that is fetched anew, are a matter of luck.
 const RUNS: usize = 25;
-/// No more runs after so many seconds.
+/// No more runs after so many seconds, but the fewest of what is quicker than this.
 const ENOUGH: f64 = 0.25;
+const FEWEST: usize = 3;
+const QUICK: f64 = 1.0;
 
-/// The line of a job that `begun` says which it is: it is run several times; the answer is the same each time.
-pub(super) fn measured(begun: Line, scene: &Scene, job: Job, references: &References) -> Result<Line, Cause> {
+/// Seconds of some runs, and what comes of the last.
+pub(super) fn timed<T>(mut once: impl FnMut() -> Result<T, Cause>) -> Result<(Vec<f64>, T), Cause> {
+    let mut seconds: Vec<f64> = Vec::new();
+    loop {
+        let start = Instant::now();
+        let found = once()?;
+        seconds.push(start.elapsed().as_secs_f64());
+        let all: f64 = seconds.iter().sum();
+        let fewest = if seconds.iter().all(|run| *run < QUICK) { FEWEST } else { 1 };
+        if RUNS <= seconds.len() || fewest <= seconds.len() && ENOUGH <= all {
+            return Ok((seconds, found));
+        }
+        // No run has to share memory with the answer of the one before.
+        drop(found);
+    }
+}
+
+/// The line of a job: it is run several times; the answer is the same each time. A survey is solved by the program as well,
+/// before: what takes too long there is not run here, where nothing can stop it.
+pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &References) -> Result<Line, Cause> {
+    let mut begun = Line::of(job);
     if matches!(job.route, Route::Optimum(_)) {
         return Ok(match references.reference(scene, job) {
             Some(found) => Line { iterations: Some(found.exchanges + 1), ..begun.ended("proven") }
@@ -27,20 +50,18 @@ pub(super) fn measured(begun: Line, scene: &Scene, job: Job, references: &Refere
             None => begun.ended("not-proven"),
         });
     }
-    let mut seconds = Vec::new();
-    let mut last: Option<Answer> = None;
-    while seconds.len() < RUNS && seconds.iter().sum::<f64>() < ENOUGH {
-        // The answer of the last run goes first: no run has to share memory with it.
-        drop(last.take());
-        let start = Instant::now();
-        let answer = once(scene, job)?;
-        seconds.push(start.elapsed().as_secs_f64());
-        last = Some(answer);
+    if let Subject::Survey(_) = job.subject {
+        let Some(Process { seconds, peak_kb }) = process::run(root, job)? else { return Ok(begun.ended(STOPPED)) };
+        let [process_s, ..] = spread(seconds);
+        begun = Line { process_s, peak_kb, ..begun };
     }
-    let answer = last.ok_or("no run at all")?;
+    let (seconds, answer) = match timed(|| once(scene, job)) {
+        Ok(found) => found,
+        Err(why) => return Ok(begun.refused(why)),
+    };
     // A solver that refuses hands back no number at all.
     if answer.residual.is_infinite() && answer.iterations == 0 {
-        return Ok(begun.ended("refused"));
+        return Ok(begun.refused(format_args!("the solver has no answer, {}", answer.status)));
     }
     let line = Line {
         says_solved: Some(answer.reports_success),
@@ -51,32 +72,34 @@ pub(super) fn measured(begun: Line, scene: &Scene, job: Job, references: &Refere
         unknowns: Some(answer.unknowns),
         last_intervals: answer.adapted.map(|(intervals, _)| intervals),
         certified_error: answer.adapted.and_then(|(_, error)| rounded(error, 2)),
+        lists: answer.lists,
+        contacts: answer.lists.map(|_| answer.state.contacts.len()),
         ..begun.ended(answer.status)
     };
     Ok(line.with(seconds, &references.errors(scene, job, &answer.state)))
 }
 
 /// An answer, and what is known of it but for times and errors.
-pub(super) struct Answer {
-    pub(super) state: ContactState,
+struct Answer {
+    state: ContactState,
     /// How it ended: our check, of the adaptive grid its verdict.
-    pub(super) status: &'static str,
+    status: &'static str,
     /// Whether the solver says that it succeeded.
     reports_success: bool,
     /// Residual by our check.
-    pub(super) residual: f64,
+    residual: f64,
     /// Of a library: whether the residual in its own norm is what it was asked for, and that residual.
     own_residual: Option<(bool, f64)>,
-    pub(super) iterations: usize,
-    pub(super) unknowns: usize,
+    iterations: usize,
+    unknowns: usize,
     /// Lists of contacts that were tried; of the exact solution.
-    pub(super) lists: Option<usize>,
+    lists: Option<usize>,
     /// Of the adaptive grid: intervals of its last grid, and the certified error of the deflection.
     adapted: Option<(usize, f64)>,
 }
 
 /// Solves by the route of a job, without a clock.
-pub(super) fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
+fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
     let Job { intervals, tolerance, .. } = job;
     match job.route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),

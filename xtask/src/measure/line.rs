@@ -1,13 +1,18 @@
 //! The file of measurements: what a line of it is.
 
+use std::fmt::Display;
+
 use serde::{Deserialize, Serialize};
 
 use super::plan::Job;
 use super::references::Errors;
 use crate::data::{Measurements, Row, rounded, spread};
 
-/// The status of a job that was not run.
+/// The status of a job that was not run, and of one that took too long.
 const LEFT_OUT: &str = "left-out";
+pub(super) const STOPPED: &str = "stopped";
+/// What the status of a job begins with that has no answer.
+const REFUSED: &str = "refused";
 
 /// A line of the file: what was solved by which route, and what came of it. Errors are relative; those of the solver are
 /// against the proven optimum of the same discrete problem, the total ones against beam theory.
@@ -47,14 +52,21 @@ pub(crate) struct Line {
     /// Of the adaptive grid: intervals of its last grid, and the certified error of the deflection.
     pub(crate) last_intervals: Option<usize>,
     pub(crate) certified_error: Option<f64>,
+    /// Lists of contacts that were tried; of the exact solution.
+    pub(crate) lists: Option<usize>,
+    /// Contacts of the exact solution, points and zones.
+    pub(crate) contacts: Option<usize>,
+    /// Of a survey: seconds of the whole process `palkki solve`, the median, and the kilobytes that it has in use at the most.
+    pub(crate) process_s: Option<f64>,
+    pub(crate) peak_kb: Option<u64>,
 }
 
 impl Line {
     /// Nothing is known of it yet.
-    pub(super) fn of(scene: &str, job: Job) -> Self {
-        let route = job.route.name();
+    pub(crate) fn of(job: Job) -> Self {
+        let (scene, route) = (job.subject.name(), job.route.name());
         let (method, solver) = route.split_once('/').unwrap_or((&route, ""));
-        let [scene, method, solver] = [scene, method, solver].map(str::to_owned);
+        let [method, solver] = [method, solver].map(str::to_owned);
         Self { scene, method, solver, intervals: job.intervals, tolerance: job.tolerance, ..Self::default() }
     }
 
@@ -63,9 +75,18 @@ impl Line {
         Self { status: status.to_owned(), ..self }
     }
 
-    /// It was not run, because a coarser grid took too long.
+    /// It was not run, because a coarser grid or a shorter survey took too long.
     pub(super) fn left_out(self) -> Self {
         self.ended(LEFT_OUT)
+    }
+
+    /// There is no answer, and why.
+    pub(super) fn refused(self, why: impl Display) -> Self {
+        self.ended(&format!("{REFUSED}: {why}"))
+    }
+
+    pub(crate) fn is_refused(&self) -> bool {
+        self.status.starts_with(REFUSED)
     }
 
     /// With the seconds of all runs, and the errors.

@@ -3,22 +3,20 @@
 //! A run can be stopped at any moment and goes on where it stopped: every result is a line of the file, written as soon as
 //! it is there. Results of another machine, compiler or dependency are not mixed: the file says where it comes from, and
 //! `--fresh` starts it again. `--only TEXT` measures what has the text in its line, `scene,route,intervals,tolerance`; with
-//! `--fresh` it measures that again and keeps the rest. `--scale` measures surveys of up to a million points, into a file of
-//! their own.
+//! `--fresh` it measures that again and keeps the rest. `--only "points of"` measures the surveys.
 
-pub(crate) mod instruments;
+mod instruments;
 mod job;
 pub(crate) mod line;
 pub(crate) mod plan;
+mod process;
 mod references;
-pub(crate) mod scale;
 
 use std::path::Path;
 
-use crate::data::Row;
-use crate::{Cause, scenes, tell};
+use crate::{Cause, tell};
 use line::{Line, Store};
-use plan::{Job, LIMIT};
+use plan::{Job, LIMIT, Subject};
 use references::References;
 
 /// What is to be measured.
@@ -30,49 +28,34 @@ pub(crate) struct Wish {
     /// Lines that contain this text.
     #[arg(long, default_value = "", value_name = "TEXT")]
     only: String,
-    /// Time and memory over the points of a survey, instead of the price of accuracy.
-    #[arg(long)]
-    scale: bool,
-    /// Of these, surveys of at most so many points.
-    #[arg(long, default_value_t = u32::MAX, value_name = "POINTS")]
-    up_to: u32,
 }
 
 /// Runs all jobs that are wanted and that the file does not have yet.
 pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
-    let described = instruments::describe(root);
     let wanted = |name: &str| name.contains(&wish.only);
-    if wish.scale {
-        return scale::run(root, &described, wish.fresh, wish.up_to, wanted);
-    }
-    let mut store = Store::open(root, &described, wish.fresh, wanted)?;
-    for (name, mut jobs) in plan::all() {
-        jobs.retain(|job| wanted(&job.name(name)));
-        if jobs.iter().all(|job| store.named(&job.name(name)).is_some()) {
-            continue;
+    let mut store = Store::open(root, &instruments::describe(root), wish.fresh, wanted)?;
+    let all = plan::all();
+    for (k, jobs) in all.iter().enumerate() {
+        let is_missing = |job: &&Job| wanted(&job.name()) && store.named(&job.name()).is_none();
+        let missing: Vec<Job> = jobs.iter().filter(is_missing).copied().collect();
+        let Some(subject) = missing.first().map(|job| job.subject) else { continue };
+        let scene = subject.scene(root)?;
+        let is_survey = matches!(subject, Subject::Survey(_));
+        if is_survey {
+            process::written(root, &scene)?;
         }
-        let scene = scenes::read(root, name)?;
-        let references = References::new(&scene)?;
-        // Seconds of the last run of a series: the same route and tolerance on coarser grids.
-        let mut last: Option<(Job, f64)> = None;
-        for (k, &job) in jobs.iter().enumerate() {
-            let begun = Line::of(name, job);
-            let before = last.filter(|(other, _)| other.same_series(&job)).map(|(_, seconds)| seconds);
-            let line = match (store.named(&begun.name()), before) {
-                (Some(line), _) => line.clone(),
-                (None, before) => {
-                    let line = if before.is_some_and(|seconds| LIMIT < seconds) {
-                        begun.left_out()
-                    } else {
-                        tell(&format!("{} of {}: {}", k + 1, jobs.len(), begun.name()));
-                        job::measured(begun, &scene, job, &references)?
-                    };
-                    store.append(line.clone())?;
-                    line
-                }
+        let references = References::new(&scene, !is_survey);
+        for job in missing {
+            // What the same took on the grid or the survey before, or longer than anything if it was left out.
+            let before = all[..=k].iter().flatten().rev().skip_while(|other| **other != job).skip(1);
+            let before = before.filter(|other| other.same_series(&job)).find_map(|other| store.named(&other.name()));
+            let line = if before.is_some_and(|line| line.median_s.is_none_or(|seconds| LIMIT < seconds)) {
+                Line::of(job).left_out()
+            } else {
+                tell(&job.name());
+                job::measured(root, &scene, job, &references)?
             };
-            // A series that was left out stays out.
-            last = Some((job, line.median_s.unwrap_or(f64::INFINITY)));
+            store.append(line)?;
         }
     }
     tell("all of it is measured; `cargo xtask report` renders the chapter from it");

@@ -18,7 +18,6 @@ use palkki::theory::{self, Exact};
 use palkki::{Settings, solve_raw};
 
 use super::plan::{Job, Route};
-use crate::Cause;
 use crate::text::as_number;
 use palkki_evidence::authority::number::{Fixed, Number};
 use palkki_evidence::authority::{forward, given};
@@ -38,14 +37,22 @@ type Known = BTreeMap<(usize, bool), Option<Rc<Reference>>>;
 /// Beam theory, and the proven optimum on every grid that was asked for.
 #[derive(Debug)]
 pub(super) struct References {
-    exact: Exact,
+    /// None where beam theory refuses the scene.
+    exact: Option<Exact>,
+    /// The contact that is the largest one by beam theory.
+    largest: Option<usize>,
     length: f64,
+    /// Whether optima are proven.
+    proven: bool,
     known: RefCell<Known>,
 }
 
 impl References {
-    pub(super) fn new(scene: &Scene) -> Result<Self, Cause> {
-        Ok(Self { exact: theory::solve(scene)?, length: scene.beam().length(), known: RefCell::default() })
+    pub(super) fn new(scene: &Scene, proven: bool) -> Self {
+        let exact = theory::solve(scene).ok();
+        let contacts = exact.iter().flat_map(|exact| exact.state.contacts.iter().enumerate());
+        let largest = contacts.max_by(|(_, a), (_, b)| a.force.total_cmp(&b.force)).map(|(i, _)| i);
+        Self { exact, largest, length: scene.beam().length(), proven, known: RefCell::default() }
     }
 
     /// Of the answer of a job.
@@ -69,6 +76,9 @@ impl References {
 
     /// The proven optimum of the discrete problem of a job.
     pub(super) fn reference(&self, scene: &Scene, job: Job) -> Option<Rc<Reference>> {
+        if !self.proven {
+            return None;
+        }
         let discretisation = match job.route {
             Route::Exact | Route::Adaptive(..) => return None,
             Route::Solver(method, _) | Route::Optimum(method) => method.discretisation(),
@@ -84,30 +94,24 @@ impl References {
 
     /// Reaction, resultant and energy, and deflections at the interior nodes of equal intervals.
     fn against_theory(&self, [reaction, contact, energy]: [f64; 3], deflection: &[f64]) -> [f64; 4] {
-        let state = &self.exact.state;
-        let resultant = self.largest_contact().and_then(|i| state.contacts.get(i)).map_or(0.0, |c| c.force);
+        let Some(exact) = &self.exact else { return [f64::NAN; 4] };
+        let state = &exact.state;
+        let resultant = self.largest.and_then(|i| state.contacts.get(i)).map_or(0.0, |c| c.force);
         let share = |found: f64, exact: f64| (found - exact).abs() / exact.abs();
         let place = |i: usize| self.length * as_number(i + 1) / as_number(deflection.len() + 1);
-        let worst = largest(deflection.iter().enumerate().map(|(i, v)| v - self.exact.deflection(place(i))));
+        let worst = largest(deflection.iter().enumerate().map(|(i, v)| v - exact.deflection(place(i))));
         let [reaction, energy] = [(reaction, state.reactions.left), (energy, state.energy)].map(|(f, e)| share(f, e));
         [reaction, share(contact, resultant), worst / state.deflection.magnitude(), energy]
     }
 
-    /// The contact that is the largest one by beam theory.
-    fn largest_contact(&self) -> Option<usize> {
-        let contacts = &self.exact.state.contacts;
-        (0..contacts.len()).max_by(|&i, &j| contacts[i].force.total_cmp(&contacts[j].force))
-    }
-
-    /// Whether a force there belongs to that contact: it is nearer to it than to others.
+    /// Whether a force there belongs to the largest contact: it is nearer to it than to others.
     fn in_largest(&self, x: f64) -> bool {
-        let contacts = &self.exact.state.contacts;
-        let distance = |i: usize| {
-            let c: &Contact = &contacts[i];
-            (c.from - x).max(x - c.to).max(0.0)
-        };
-        let nearest = (0..contacts.len()).min_by(|&i, &j| distance(i).total_cmp(&distance(j)));
-        nearest.is_some() && nearest == self.largest_contact()
+        let contacts = self.exact.as_ref().map_or(&[][..], |exact| &exact.state.contacts);
+        let distance =
+            |i: usize| contacts.get(i).map_or(f64::INFINITY, |c: &Contact| (c.from - x).max(x - c.to).max(0.0));
+        let behind = contacts.partition_point(|c| c.to < x);
+        let nearest = if behind == 0 || distance(behind) < distance(behind - 1) { behind } else { behind - 1 };
+        self.largest == Some(nearest)
     }
 }
 

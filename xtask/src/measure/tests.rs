@@ -8,7 +8,7 @@ use palkki::methods::Method;
 use palkki::solvers::Solver;
 
 use super::line::{Line, Store};
-use super::plan::{Job, Route};
+use super::plan::{Job, Route, Subject};
 use super::references::Errors;
 use crate::Cause;
 use crate::data::Row;
@@ -21,7 +21,7 @@ fn open(root: &Path, fresh: bool, only: &str) -> Result<Store, Cause> {
 /// Nothing is known of it yet.
 fn begun(intervals: usize) -> Line {
     let route = Route::Solver(Method::Force, Solver::Clarabel);
-    Line::of("scene", Job { route, intervals, tolerance: 1e-4 })
+    Line::of(Job { subject: Subject::Gallery("scene"), route, intervals, tolerance: 1e-4 })
 }
 
 fn line(number: usize) -> Line {

@@ -20,7 +20,7 @@ usage: cargo xtask <task>
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
-  measure --scale  time and memory over the points of a survey, into report/data/scale.csv; --up-to N points, --fresh, --only
+  measure --only 'points of'   the surveys: time over their points, and time and memory of the whole program
   fuzz             look for texts that break the parsers, guided by coverage; --runs N
   hostile          random and adversarial scenes through the whole program: counts go to report/data/hostile.csv; --runs N
   doctor           what this machine lacks to build and to test, and what to do about it
@@ -48,7 +48,10 @@ fn pass_on(arguments: &[String]) -> ExitCode {
     } else {
         "dev"
     };
-    let build = Command::new(&cargo).args(["build", "--package", "xtask", "--locked", "--profile", profile]).status();
+    // Measured is the program, too.
+    let build = Command::new(&cargo)
+        .args(["build", "--package", "xtask", "--package", "palkki", "--locked", "--profile", profile])
+        .status();
     if !build.is_ok_and(|status| status.success()) {
         eprintln!("\nxtask: the build failed. What `cargo xtask doctor` says of this machine:\n");
         doctor::run();

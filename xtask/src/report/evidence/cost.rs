@@ -8,7 +8,7 @@ mod stopping;
 
 use super::prelude::*;
 use crate::measure::line::{Line, Store};
-use crate::measure::plan::{EXAMPLE, LIMIT};
+use crate::measure::plan::{EXAMPLE, LIMIT, is_survey};
 
 /// Solvers in the order of figures and tables, the libraries among them, and the methods.
 pub(super) const SOLVERS: [&str; 5] = ["active-set", "four-step", "nsor", "clarabel", "osqp"];
@@ -34,7 +34,9 @@ fn milliseconds(line: &Line) -> f64 {
 }
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let (file, store) = Store::read(study.root)?;
+    let (file, mut store) = Store::read(study.root)?;
+    // Surveys have a page of their own.
+    store.lines.retain(|line| !is_survey(&line.scene));
     let (price, price_figure) = price::of(&store)?;
     let (stopping, stopping_figure) = stopping::of(&store)?;
     let (runs, runs_figure) = runs::of(&store)?;
