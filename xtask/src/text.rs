@@ -3,7 +3,7 @@
 //! Print at least one digit behind the point: what is printed without one counts as an integer, and integers are compared
 //! exactly. Do not print what is only rounding (`1.1·10⁻¹⁶`); print the [`bound`] that it stays below.
 
-pub(crate) use palkki::text::{decade, fixed, power_of_ten, ten_to};
+pub(crate) use palkki::text::{fixed, power_of_ten, ten_to};
 pub(crate) use palkki_evidence::paper::claims::bound;
 
 /// Digits behind the point and the power of ten as programs read it, `1.18e-9`.

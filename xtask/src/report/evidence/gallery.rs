@@ -1,22 +1,21 @@
 //! The gallery: the exact solution of every scene file as a card, and all of them on one sheet.
 
-pub(super) mod card;
-
 use palkki::plot::{Curves, sheet};
 use palkki::theory::Exact;
 use palkki::verdict::{Demand, Verdict};
 
+use super::closed::closed;
 use super::prelude::*;
 use crate::report::files;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let header =
         ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "deflection within"];
-    let (mut overview, mut values) = (Table::new(header), card::values());
+    let mut overview = Table::new(header);
     let (mut cards, mut figures, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut residual, mut certified) = (0.0_f64, 0);
     for (name, scene) in scenes::all(study.root)? {
-        let shown = shown(study, scenes::GALLERY, &name, &scene, &mut values)?;
+        let shown = shown(study, scenes::GALLERY, &name, &scene)?;
         residual = residual.max(shown.exact.residual);
         certified += usize::from(shown.certified);
         unknowns.push(shown.exact.unknowns);
@@ -41,7 +40,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         overview,
         cards,
     };
-    let evidence = Evidence::new(context).figures(figures)?.data("cards", values)?;
+    let evidence = Evidence::new(context).figures(figures)?;
     let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
     let svg = sheet(
         "The gallery: the exact solution of every scene",
@@ -67,23 +66,21 @@ pub(super) struct Shown {
     pub(super) figure: (String, Table),
 }
 
-/// A scene of some directory as a page shows it; the values of its card become rows of `values`.
-pub(super) fn shown(
-    study: &Study<'_>,
-    directory: &str,
-    name: &str,
-    scene: &Scene,
-    values: &mut Table,
-) -> Result<Shown, Cause> {
+/// A scene of some directory as a page shows it: its story, its formula and its figure. Its values are one page of the snapshots.
+pub(super) fn shown(study: &Study<'_>, directory: &str, name: &str, scene: &Scene) -> Result<Shown, Cause> {
     let exact = theory::solve(scene)?;
     let verdict = Verdict::of_exact(scene, &exact, &Demand::default());
     let file = files::text(study.root, &format!("{directory}/{name}.toml"))?;
     let curves = Curves::exact(scene, &exact);
     let within = verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
+    // The comment at the head of a scene file.
+    let head = file.lines().take_while(|line| line.starts_with('#'));
+    let story = head.map(|line| line.trim_start_matches('#').trim()).collect::<Vec<_>>().join(" ");
+    let certified = verdict.status == Status::Certified;
     Ok(Shown {
         within: within.unwrap_or_else(|| "–".to_owned()),
-        certified: verdict.status == Status::Certified,
-        card: card::card(name, scene, &exact, &verdict, &file, values)?,
+        certified,
+        card: context! { name, title => scene.title(), story, certified, formula => closed(scene).map(|(formula, _)| formula) },
         figure: (palkki::plot::curves(scene, &curves, "exact solution")?, table(&curves)),
         curves,
         exact,
@@ -108,21 +105,4 @@ fn table(curves: &Curves) -> Table {
 /// A number of a table to some significant digits; `0` for what is rounding beside `scale`.
 fn value_of(value: f64, scale: f64, digits: usize) -> String {
     if value.abs() <= 1e-9 * scale { "0".to_owned() } else { cell(Some(value), digits) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_example_is_flat_between_its_lift_off_points() {
-        let scene = palkki_evidence::paper::example().expect("the example is well posed");
-        let exact = theory::solve(&scene).expect("it has an exact solution");
-        let curves = Curves::exact(&scene, &exact);
-        assert_eq!(curves.point_forces.len(), 2, "one force at each lift-off point");
-        let table = table(&curves).csv().expect("text");
-        let middle: Vec<&str> = table.lines().filter(|line| line.starts_with("5.00000,")).collect();
-        assert_eq!(middle, ["5.00000,1.00000,0.00000,1.00000,0.00000"], "{table}");
-        assert!(table.contains("0.00000,0.00000,1.00000,,0.00000"), "no pressure beside a support: {table}");
-    }
 }

@@ -4,7 +4,7 @@ use palkki::scene::{Beam, Load, PointLoad};
 use palkki::theory::Exact;
 use palkki_evidence::paper::ends::{FINE, other_ends};
 
-use super::gallery::{card, shown};
+use super::gallery::shown;
 use super::prelude::*;
 
 /// Grids of the table of methods.
@@ -19,11 +19,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         "force method, 30",
         "force method, 300",
     ]);
-    let mut values = card::values();
     let (mut cards, mut figures, mut certified) = (Vec::new(), Vec::new(), 0);
     let (mut stands, mut neutral) = (Value::UNDEFINED, Value::UNDEFINED);
     for (name, scene) in scenes::held(study.root)? {
-        let shown = shown(study, scenes::HELD, &name, &scene, &mut values)?;
+        let shown = shown(study, scenes::HELD, &name, &scene)?;
         certified += usize::from(shown.certified);
         match name.as_str() {
             "table-edge" => stands = standing(&scene, &shown.exact)?,
@@ -51,7 +50,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             }
         },
     };
-    Evidence::new(context).figures(figures)?.data("held-cards", values)
+    Evidence::new(context).figures(figures)
 }
 
 /// The force and the displacement method are the same problem: their energies differ by rounding, which grows with the

@@ -51,19 +51,3 @@ pub(super) fn drawn(
     let panel = Panel::new(Axis::named(along, columns), Axis::named("", names).down()).tall(height);
     Figure::new(title, description, vec![panel.with(Layer::Cells(layer))]).svg()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Tone, drawn};
-
-    #[test]
-    fn a_map_names_its_rows_and_columns_and_letters_its_cells() {
-        let cells = vec![(Tone::Good, "C".to_owned()), (Tone::Bad, "X".to_owned())];
-        let columns = ["active-set", "four-step"].map(str::to_owned).to_vec();
-        let svg = drawn("Verdicts", "All.", "solvers", columns, vec![("force".to_owned(), cells)]).expect("a map");
-        for text in ["active-set", "four-step", "force", ">C<", ">X<", "solvers", "<desc id=\"desc\">All.</desc>"] {
-            assert!(svg.contains(text), "`{text}` is missing");
-        }
-        assert!(drawn("", "", "", Vec::new(), Vec::new()).is_err(), "no cells");
-    }
-}

@@ -168,15 +168,4 @@ mod tests {
         let readme = std::fs::read_to_string(root.join("README.md")).expect("the README can be read");
         assert!(readme.lines().any(|line| line == sentence), "README.md lacks the line\n{sentence}");
     }
-
-    #[test]
-    fn a_price_has_a_panel_for_each_ground() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let (_, (_, svg, _)) = of(&Store::read(&root).expect("measurements can be read").1).expect("a figure");
-        for text in ["flat ground: time [ms]", "smooth crests: time [ms]"] {
-            assert!(svg.contains(text), "`{text}` is missing");
-        }
-        assert_eq!(svg.matches(">exact<").count(), 2, "a star in each panel");
-        assert_eq!(svg.matches(">clarabel<").count(), 2, "a line in each panel");
-    }
 }
