@@ -293,25 +293,3 @@ pub(super) fn dashes(line: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     }
     strokes
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{PlotError, dashes, simplified};
-
-    #[test]
-    fn dashes_follow_the_line_round_a_corner() {
-        let strokes = dashes(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]], &[8.0, 4.0]);
-        assert_eq!(strokes, [vec![[0.0, 0.0], [8.0, 0.0]], vec![[10.0, 2.0], [10.0, 10.0]]]);
-    }
-
-    #[test]
-    fn a_line_keeps_its_corners_and_its_extremes() {
-        let mut line: Vec<[f64; 2]> = (0..1000).map(|i| [f64::from(i) * 0.1, 0.0]).collect();
-        line[400][1] = -7.0;
-        line[600][1] = 9.0;
-        let kept = simplified(&line).expect("finite places");
-        assert!(kept.len() < 10, "{} points are left", kept.len());
-        assert!(kept.contains(&[40.0, -7.0]) && kept.contains(&[60.0, 9.0]), "{kept:?}");
-        assert!(matches!(simplified(&[[0.0, 0.0], [1.0, f64::NAN]]), Err(PlotError::NotFinite { .. })), "NaN");
-    }
-}

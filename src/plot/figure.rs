@@ -242,14 +242,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Figure, PlotError, compact, document};
-    use crate::plot::{Axis, Layer, Panel, Style};
-
-    fn panel(i: usize) -> Panel {
-        let label = format!("series {i}");
-        let points = vec![[0.0, 0.0], [1.0, 1.0]];
-        Panel::new(Axis::new("x"), Axis::new("y")).with(Layer::named(points, Style::of_series(i), label))
-    }
+    use super::{Figure, PlotError, document};
+    use crate::plot::{Axis, Panel, Style};
 
     #[test]
     fn a_figure_without_a_panel_or_a_point_is_refused() {
@@ -260,20 +254,6 @@ mod tests {
     }
 
     #[test]
-    fn panels_stand_side_by_side() {
-        let height = |columns: usize| {
-            let figure = Figure { columns, ..Figure::new("title", "words", vec![panel(0), panel(1)]) };
-            let svg = figure.svg().expect("a figure");
-            assert!(svg.contains("series 0") && svg.contains("series 1"), "a panel is missing");
-            svg.split("height=\"")
-                .nth(1)
-                .and_then(|rest| rest.split('"').next()?.parse::<u32>().ok())
-                .expect("a height")
-        };
-        assert!(height(2) < height(1), "two columns need less height than one");
-    }
-
-    #[test]
     fn series_differ_without_their_colours() {
         let styles: Vec<Style> = (0..7).map(Style::of_series).collect();
         for (i, a) in styles.iter().enumerate() {
@@ -281,17 +261,6 @@ mod tests {
                 assert!(a.color != b.color && a.marker != b.marker, "{a:?} and {b:?}");
             }
         }
-    }
-
-    #[test]
-    fn lines_of_one_look_become_one_path() {
-        let line =
-            |y: i32| format!("<polyline fill=\"none\" opacity=\"1\" stroke=\"#000000\" points=\"0,{y} 9,{y} \"/>\n");
-        let text = "<text x=\"1\" opacity=\"1\">\na opacity=&quot;1&quot;\n</text>\n";
-        assert_eq!(
-            compact(&format!("{}{}{text}</svg>\n", line(1), line(2))),
-            "<path fill=\"none\" stroke=\"#000000\" d=\"M0,1 9,1M0,2 9,2\"/>\n<text x=\"1\">a opacity=&quot;1&quot;</text>\n</svg>\n"
-        );
     }
 
     #[test]

@@ -243,28 +243,3 @@ fn description(quantity: Quantity, rows: &[Row<'_>], events: &[Event]) -> String
     }
     text
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::plot;
-    use crate::scene::{Beam, Foundation, Load, Scene};
-    use crate::sweep::Sweep;
-
-    /// The paper's example: a zone to a depth of 20, a point to 100.
-    #[test]
-    fn regimes_and_events_are_named_in_the_figure() {
-        let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
-        let load = Load::uniform_on(&beam, 1.0).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
-        let sweep = Sweep::new(&scene, "foundation.depth", [1.0, 180.0], 60).expect("a sweep");
-        let rows = sweep.rows().expect("answers");
-        let events = sweep.events(&rows);
-        let rows: Vec<_> = rows.iter().map(|row| (row.value, &row.solution.state)).collect();
-        let svg = plot::sweep(&scene, sweep.quantity(), &rows, &events, "").expect("a figure");
-        let texts = [">points<", ">nowhere<", "1 at 20: the zone", "2 at 100: the contact at x = 5 goes"];
-        for text in texts {
-            assert!(svg.replace("\n", "").contains(text), "`{text}` is missing");
-        }
-        assert!(plot::sweep(&scene, sweep.quantity(), &[], &[], "").is_err(), "nothing to draw");
-    }
-}

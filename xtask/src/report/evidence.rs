@@ -20,12 +20,14 @@ mod stability;
 mod sweeps;
 mod teaching;
 mod verdict_map;
+pub(super) mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::OnceLock;
 
 use minijinja::Value;
+use palkki::plot::{Figure, Panel};
 use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::{Scene, SceneError};
 use palkki::state::{ContactState, Nodes};
@@ -35,6 +37,7 @@ use rayon::prelude::*;
 
 use crate::table::Table;
 use crate::{Cause, tell};
+use words::Words;
 
 /// What the subjects have in common.
 mod prelude {
@@ -44,6 +47,7 @@ mod prelude {
     pub(super) use palkki::theory;
     pub(super) use palkki_evidence::compare::{apart_if_any, largest};
 
+    pub(super) use super::words::Words;
     pub(super) use super::{Drawn, Evidence, Study, load, nodes_of, on_grid, range, routes};
     pub(super) use crate::table::{Table, row};
     pub(super) use crate::text::*;
@@ -87,6 +91,8 @@ const SUBJECTS: &[Subject] = &[
 pub(crate) struct Study<'a> {
     /// Root of the repository.
     root: &'a Path,
+    /// The words of the figures.
+    words: BTreeMap<String, String>,
     ledger: OnceLock<Result<Ledger, SceneError>>,
 }
 
@@ -94,6 +100,24 @@ impl Study<'_> {
     /// What the claims of the paper are judged by.
     fn ledger(&self) -> Result<&Ledger, Cause> {
         self.ledger.get_or_init(Ledger::measure).as_ref().map_err(|&error| error.into())
+    }
+
+    /// The words of a figure.
+    fn words(&self, figure: &str, values: Value) -> Result<Words, Cause> {
+        Words::of(&self.words, figure, values)
+    }
+
+    /// A figure of some panels with its words.
+    fn drawn(
+        &self,
+        name: &'static str,
+        values: Value,
+        columns: usize,
+        panels: Vec<Panel>,
+        data: Table,
+    ) -> Result<Drawn, Cause> {
+        let Words { title, description, .. } = self.words(name, values)?;
+        Ok((name, Figure { columns, ..Figure::new(title, description, panels) }.svg()?, data))
     }
 }
 
@@ -144,7 +168,7 @@ impl Evidence {
 /// same whichever thread computes it and when.
 pub(super) fn compute(root: &Path, wanted: &BTreeSet<String>) -> Result<Vec<(&'static str, Evidence)>, Cause> {
     let subjects: Vec<Subject> = SUBJECTS.iter().filter(|(name, _)| wanted.contains(*name)).copied().collect();
-    let study = Study { root, ledger: OnceLock::new() };
+    let study = Study { root, words: words::sections(root)?, ledger: OnceLock::new() };
     // One of the last takes longest.
     let found = subjects.par_iter().rev().with_max_len(1).map(|(subject, evidence)| {
         tell(&format!("evidence for {subject}"));

@@ -16,7 +16,7 @@ mod template;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use evidence::Evidence;
+use evidence::{Evidence, words};
 use minijinja::Value;
 
 use crate::{Cause, tell};
@@ -87,6 +87,10 @@ pub(crate) fn render(root: &Path) -> Result<Rendered, Cause> {
     let mut rendered = of_documents(root, |_| true)?;
     rendered.insert(html::PATH.to_owned(), html::page(&rendered)?);
     links::check(root, &rendered, &excerpt::all(root)?)?;
+    match words::sections(root)?.keys().find(|name| !rendered.contains_key(&format!("figures/{name}.svg"))) {
+        Some(name) => return Err(format!("{}.md has words for `{name}`, which is no figure", words::NAME).into()),
+        None => {}
+    }
     Ok(rendered)
 }
 
@@ -130,7 +134,7 @@ fn of_files(root: &Path) -> Result<Rendered, Cause> {
 /// The templates in the order of [`DOCUMENTS`]; an error if the files are not the same set.
 fn templates(root: &Path) -> Result<Vec<String>, Cause> {
     for path in files::list(root, "report/templates")? {
-        if !DOCUMENTS.iter().any(|name| path == format!("report/templates/{name}.md")) {
+        if !DOCUMENTS.iter().chain([&words::NAME]).any(|name| path == format!("report/templates/{name}.md")) {
             let advice = "add it to DOCUMENTS in xtask/src/report/mod.rs, or remove it";
             return Err(format!("{path} is no template of a document: {advice}").into());
         }

@@ -1,7 +1,7 @@
 //! The adaptive grid: an error that is demanded, the grid that it takes, and the error that is true, on every scene.
 
 use palkki::adaptive::{Adapted, End, Request, adapt};
-use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, PlotError, Style};
+use palkki::plot::{Axis, Color, Layer, Marker, Panel, Style};
 use palkki::theory::Exact;
 
 use super::prelude::*;
@@ -98,7 +98,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         row![power_of_ten(*exponent), reached.len(), fewest, most, missed]
     }));
     let values = context! { steps, everywhere, scenes, most => MOST, runs => data.len(), truthful };
-    Evidence::new(values).figure("adaptive", drawn(&of_figure)?, data)
+    Evidence::new(values).figures([study.drawn("adaptive", context! {}, 2, panels(&of_figure), data)?])
 }
 
 /// The grids of one demand.
@@ -109,10 +109,10 @@ fn step(run: &Run) -> [String; 5] {
 }
 
 /// Certified and true errors over what is demanded, a panel for each scene.
-fn drawn(scenes: &[(String, Vec<Run>)]) -> Result<String, PlotError> {
+fn panels(scenes: &[(String, Vec<Run>)]) -> Vec<Panel> {
     let marks = Style::marks(Color::VERMILLION, Marker::Plus);
     let demanded = [1e-8, 1e-1].map(|error| [error, error]).to_vec();
-    let panels = scenes.iter().map(|(name, runs)| {
+    let panel = |(name, runs): &(String, Vec<Run>)| {
         // From small errors to large ones: names stand at the right.
         let reached = runs.iter().rev().filter(|run| run.reached());
         let places = |error: fn(&Run) -> f64| reached.clone().map(|run| [ten_to(run.exponent), error(run)]).collect();
@@ -122,13 +122,6 @@ fn drawn(scenes: &[(String, Vec<Run>)]) -> Result<String, PlotError> {
             .with(Layer::named(demanded.clone(), Style::theory(), "demanded"))
             .with(Layer::named(places(Run::certified), Style::of_series(0), "certified"))
             .with(Layer::named(places(|run| run.truth.max(FLOOR)), marks, "true"))
-    });
-    let figure = Figure::new(
-        "The certified error is at most what was demanded",
-        "Two scenes, one panel each: the certified and the true error over the error that is demanded, both logarithmic, by \
-         the force method with the active set. The certified errors lie below the dashed diagonal, and the true ones are hardly \
-         smaller. The line of the wave ends where the largest grid is too coarse.",
-        panels.collect(),
-    );
-    Figure { columns: 2, ..figure }.svg()
+    };
+    scenes.iter().map(panel).collect()
 }

@@ -7,7 +7,7 @@ use palkki::certificate::{
     ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
 };
 use palkki::methods::Discrete;
-use palkki::plot::{Axis, Figure, Layer, Panel, Style};
+use palkki::plot::{Axis, Layer, Panel, Style};
 use palkki::qp::Dense;
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
@@ -58,7 +58,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         spaced => SPACED,
         first_stiff => power_of_ten(first_stiff),
     };
-    Evidence::new(values).data("bounds", data)?.figures([drawn(&springs, first_stiff)?])
+    Evidence::new(values).data("bounds", data)?.figures([drawn(study, &springs, first_stiff)?])
 }
 
 /// Violations below this share are rounding.
@@ -200,7 +200,7 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
 }
 
 /// The figure of the springs, of which the first that are accepted have the stiffness 10ᵏ.
-fn drawn(springs: &[(i32, Found)], first_stiff: i32) -> Result<Drawn, Cause> {
+fn drawn(study: &Study<'_>, springs: &[(i32, Found)], first_stiff: i32) -> Result<Drawn, Cause> {
     let places = |error: fn(&Found) -> f64| {
         springs.iter().map(|(exponent, found)| [ten_to(*exponent), error(found)]).collect::<Vec<_>>()
     };
@@ -216,12 +216,5 @@ fn drawn(springs: &[(i32, Found)], first_stiff: i32) -> Result<Drawn, Cause> {
         data = data.rows(points.iter().map(|p| row![label, scientific(p[0], 0), scientific(p[1], 2)]));
         panel = panel.with(Layer::named(points, Style::of_series(k), label));
     }
-    let svg = Figure::new(
-        format!("Springs are accepted from {} times the stiffness of the beam on", power_of_ten(first_stiff)),
-        "Relative errors over the stiffness of the springs, both axes logarithmic. The violation at the nodes falls in proportion; \
-         the certified error and the error of the end reaction fall until the error of the grid is left.",
-        vec![panel],
-    )
-    .svg()?;
-    Ok(("springs", svg, data))
+    study.drawn("springs", context! { first => power_of_ten(first_stiff) }, 1, vec![panel], data)
 }

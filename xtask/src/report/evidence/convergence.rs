@@ -1,6 +1,6 @@
 //! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
 
-use palkki::plot::{Axis, Color, Figure, Layer, Panel, Place, PlotError, Style};
+use palkki::plot::{Axis, Color, Layer, Panel, Place, Style};
 use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
 
 use super::prelude::*;
@@ -35,7 +35,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         uneven => context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found) },
     };
     let data = example_data(&[&differences, &energy]);
-    Evidence::new(values).figure("convergence", example_figure(&energy)?, data)
+    Evidence::new(values).figures([example_figure(study, &energy, data)?])
 }
 
 fn places(errors: &[(usize, f64)]) -> Vec<[f64; 2]> {
@@ -73,40 +73,26 @@ fn example_table(differences: &[Series], energy: &[Series]) -> Table {
     }))
 }
 
-fn example_figure(energy: &[Series]) -> Result<String, Cause> {
-    let series: Vec<(&str, Vec<Place>)> = energy.iter().map(|s| (s.quantity.name(), places(&s.errors))).collect();
-    let listed: Vec<String> =
-        energy.iter().map(|s| format!("{} with order {:.1}", s.quantity.name(), s.order)).collect();
-    let orders = |of: bool| energy.iter().filter(move |s| (s.quantity == Quantity::LiftOff) == of).map(|s| s.order);
-    // The least of the others.
-    let (lift_off, rest) = (orders(true).fold(0.0, f64::max), orders(false).fold(f64::INFINITY, f64::min));
-    Ok(drawn(
-        &format!(
-            "The paper's example: the lift-off point converges with order {lift_off:.0}, the rest with order {rest:.0}"
-        ),
-        &format!(
-            "Relative errors of the energy methods over the number of intervals, both axes logarithmic: {}.",
-            listed.join(", ")
-        ),
-        &series,
-    )?)
-}
-
 /// Errors over the number of intervals, both axes logarithmic, with grey lines of order 1 and 2 to compare with.
-fn drawn(title: &str, description: &str, series: &[(&str, Vec<Place>)]) -> Result<String, PlotError> {
+fn example_figure(study: &Study<'_>, energy: &[Series], data: Table) -> Result<Drawn, Cause> {
     let mut panel = Panel::new(Axis::new("intervals N").log(), Axis::new("relative error").log()).tall(1000.0);
-    for (k, (label, points)) in series.iter().enumerate() {
-        panel = panel.with(Layer::named(points.clone(), Style::of_series(k), *label));
+    for (k, series) in energy.iter().enumerate() {
+        panel = panel.with(Layer::named(places(&series.errors), Style::of_series(k), series.quantity.name()));
     }
-    let all: Vec<Place> = series.iter().flat_map(|(_, points)| points).copied().collect();
+    let all: Vec<Place> = energy.iter().flat_map(|series| places(&series.errors)).collect();
     for order in [1_i32, 2] {
         if let Some(points) = slope(&all, f64::from(order)) {
             let style = Style { width: 4, ..Style::solid(Color::GRAY) };
             panel.layers.insert(0, Layer::named(points, style, format!("order {order}")));
         }
     }
-    let description = format!("{description} Grey lines fall with order 1 and order 2.");
-    Figure::new(title, description, vec![panel]).svg()
+    let listed: Vec<String> =
+        energy.iter().map(|s| format!("{} with order {:.1}", s.quantity.name(), s.order)).collect();
+    let orders = |of: bool| energy.iter().filter(move |s| (s.quantity == Quantity::LiftOff) == of).map(|s| s.order);
+    // The least of the others.
+    let (lift_off, rest) = (orders(true).fold(0.0, f64::max), orders(false).fold(f64::INFINITY, f64::min));
+    let values = context! { lift_off, rest, listed => listed.join(", ") };
+    study.drawn("convergence", values, 1, vec![panel], data)
 }
 
 fn example_data(methods: &[&[Series]]) -> Table {

@@ -37,9 +37,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (file, mut store) = Store::read(study.root)?;
     // Surveys have a page of their own.
     store.lines.retain(|line| !is_survey(&line.scene));
-    let (price, price_figure) = price::of(&store)?;
-    let (stopping, stopping_figure) = stopping::of(&store)?;
-    let (runs, runs_figure) = runs::of(&store)?;
+    let (price, price_figure) = price::of(study, &store)?;
+    let (stopping, stopping_figure) = stopping::of(study, &store)?;
+    let (runs, runs_figure) = runs::of(study, &store)?;
     let values = context! {
         made => store.provenance(),
         limit => LIMIT,

@@ -42,12 +42,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     };
     let evidence = Evidence::new(context).figures(figures)?;
     let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
-    let svg = sheet(
-        "The gallery: the exact solution of every scene",
-        "Small pictures of all scenes: ground, deflected beam, contact zones as thick lines, contact points as dots, concentrated contact \
-         forces as arrows, to scale within a picture.",
-        pictures,
-    )?;
+    let Words { title, description, .. } = study.words("sheet", context! {})?;
+    let svg = sheet(&title, &description, pictures)?;
     let forces = solved.iter().flat_map(|(name, _, drawn)| {
         drawn.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
     });

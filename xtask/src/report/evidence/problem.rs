@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use palkki::DEFAULT_TOLERANCE;
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
-use palkki::plot::{Arrow, Arrows, Axis, Color, Curves, Dash, Figure, Layer, LoadSketch, Panel, PlotError, Style};
+use palkki::plot::{Arrow, Arrows, Axis, Color, Curves, Dash, Layer, LoadSketch, Panel, Style};
 use palkki::scene::{Beam, Load};
 
 use super::prelude::*;
@@ -19,10 +19,10 @@ pub(super) fn sketch(study: &Study<'_>) -> Result<Evidence, Cause> {
     let rows = places.map(|(&x, &v)| [fixed(x, 5), fixed(scene.depth(x), 5), fixed(v, 5)]);
     let data = Table::new(["x", "u", "v"]).rows(rows).one_a_place();
     let values = context! { title => scene.title(), contacts => exact.state.contacts.len() };
-    Evidence::new(values).figure("problem", sketched(&scene, &curves)?, data)
+    Evidence::new(values).figures([study.drawn("problem", context! {}, 1, vec![sketched(&scene, &curves)], data)?])
 }
 
-fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
+fn sketched(scene: &Scene, curves: &Curves) -> Panel {
     let l = scene.beam().length();
     let ground = match scene.foundation() {
         Some(Foundation::Polyline { points }) => points.clone(),
@@ -51,7 +51,7 @@ fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
     };
     let lifted = 0.05 * l;
     let x = Axis::along("x, from the left support to the right one at l", [0.0, l]);
-    let panel = Panel::new(x, Axis::new("depth and deflection, downwards").down().including(&[0.0]))
+    Panel::new(x, Axis::new("depth and deflection, downwards").down().including(&[0.0]))
         .tall(880.0)
         .room(350.0, 130.0)
         .forces(Axis::new("").bare())
@@ -68,16 +68,7 @@ fn sketched(scene: &Scene, curves: &Curves) -> Result<String, PlotError> {
         .with(Layer::words([0.72 * l, 0.4 * scene.depth(0.72 * l)], Color::BLUE, "beam, deflection v(x)"))
         .with(Layer::words([0.5 * l, 1.2 * scene.depth(0.9 * l)], Color::BLACK, "rigid ground, depth u(x)"))
         .with(arrows(contact, Color::VERMILLION))
-        .with(arrows(reactions, Color::GREEN));
-    let description = "A beam on two supports, loaded from above, bends down to a foundation that is flat but for one ridge. It \
-                       touches the flat ground at a point on one side and along a stretch on the other, and the ridge between them; \
-                       elsewhere there is a clearance. Arrows show the concentrated contact forces and the reactions of the supports.";
-    Figure::new(
-        "The beam sags to the ground, rests where it touches, and spans what it cannot follow",
-        description,
-        vec![panel],
-    )
-    .svg()
+        .with(arrows(reactions, Color::GREEN))
 }
 
 /// Intervals of the grid that is printed.

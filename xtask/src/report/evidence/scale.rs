@@ -1,7 +1,7 @@
 //! Time and memory over the points of a survey: rendered from the file of `cargo xtask measure`. Only solved runs count as
 //! results.
 
-use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, PlotError, Style};
+use palkki::plot::{Axis, Color, Dash, Layer, Marker, Panel, Style};
 
 use super::prelude::*;
 use crate::data::Row as _;
@@ -91,22 +91,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         .collect();
     let beside_grid = || all.iter().filter_map(|survey| Some((survey, survey.ratio(EXACT, ACTIVE_SET)?)));
     let slowest = beside_grid().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(survey, _)| survey);
-    let title = format!(
-        "{solved} of {} surveys of {} points are solved exactly, in {} to {} s",
-        largest.len(),
-        count(most),
-        cell(seconds.map(|s| s[0]), 2),
-        cell(seconds.map(|s| s[1]), 2)
-    );
+    let seconds = seconds.map(|[least, most]| context! { least, most });
+    let values = context! { solved, surveys => largest.len(), most, seconds };
+    let (panels, data) = panels(&all);
+    let figure = study.drawn("scale-time", values.clone(), 2, panels, data)?;
     let of_surveys = || store.lines.iter().filter(|line| is_survey(&line.scene));
     let refused = of_surveys().find(|line| line.method == "exact" && line.is_refused());
     let values = context! {
         made => store.provenance(),
         patience => PATIENCE,
-        most,
-        surveys => largest.len(),
-        solved,
-        seconds => seconds.map(|[least, most]| context! { least, most }),
         lists => exact().filter_map(|line| line.lists).max(),
         residual => exact().filter_map(|line| line.residual).max_by(f64::total_cmp),
         ten_times => least_most(largest.iter().filter_map(|survey| survey.ten_times(&all))),
@@ -123,9 +116,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         tenth => most / 10,
         single => of_surveys().filter(|line| line.runs == Some(1)).count(),
         table => table(all.iter().filter(|survey| [most, largest_interior].contains(&survey.survey.points))),
-        title => title.as_str(),
+        title => study.words("scale-time", values.clone())?.title,
+        ..values
     };
-    Evidence::new(values).figures([drawn(&all, &title)?])
+    Evidence::new(values).figures([figure])
 }
 
 /// The first whole number of a message.
@@ -155,7 +149,7 @@ fn table<'a>(surveys: impl Iterator<Item = &'a Measured<'a>>) -> Table {
 }
 
 /// Seconds over points, both logarithmic, with a panel for each ground and load.
-fn drawn(surveys: &[Measured<'_>], title: &str) -> Result<Drawn, PlotError> {
+fn panels(surveys: &[Measured<'_>]) -> (Vec<Panel>, Table) {
     let points_of = |survey: &Measured<'_>| f64::from(survey.survey.points);
     let all = || surveys.iter().flat_map(|survey| ROUTES.map(|route| (survey, route)));
     let points: Vec<f64> = surveys.iter().map(points_of).collect();
@@ -179,9 +173,5 @@ fn drawn(surveys: &[Measured<'_>], title: &str) -> Result<Drawn, PlotError> {
         let seconds = scientific(survey.seconds(route)?, 3);
         Some(row![survey.name().replace(", ", " "), look(route).0, survey.survey.points, seconds])
     }));
-    let description = "Six panels, three kinds of ground under a light and a heavy load: seconds of a solve over the points of the \
-        survey, both logarithmic, by the exact solution, the force method with the active set, and the force method with an \
-        interior point. Runs that are solved only.";
-    let figure = Figure { columns: 2, ..Figure::new(title, description, panels) };
-    Ok(("scale-time", figure.svg()?, data))
+    (panels, data)
 }

@@ -20,7 +20,6 @@ struct Case {
     vary: &'static str,
     range: [f64; 2],
     steps: usize,
-    title: &'static str,
 }
 
 const EXAMPLE: [&str; 2] = [scenes::GALLERY, "heinisuo-1984"];
@@ -31,7 +30,6 @@ const HOIST: Case = Case {
     vary: "load.point[0].at",
     range: [0.0, 10.0],
     steps: 401,
-    title: "A hoist that moves along the example parts the zone of contact and lets it close again",
 };
 const SURVEY: Case = Case {
     name: "sweep-survey",
@@ -39,17 +37,10 @@ const SURVEY: Case = Case {
     vary: "load.point[0].at",
     range: [0.0, 12.0],
     steps: 601,
-    title: "A load of 25 kN that moves over worn ground: the beam lies on other places every few decimetres",
 };
 /// The steps meet neither border.
-const DEPTH: Case = Case {
-    name: "sweep-depth",
-    scene: EXAMPLE,
-    vary: "foundation.depth",
-    range: [1.0, 121.0],
-    steps: 240,
-    title: "Three regimes: as the ground gets deeper, the zone of contact shrinks to a point, and the point goes",
-};
+const DEPTH: Case =
+    Case { name: "sweep-depth", scene: EXAMPLE, vary: "foundation.depth", range: [1.0, 121.0], steps: 240 };
 
 /// A sweep with its answers and events.
 struct Swept {
@@ -67,7 +58,8 @@ impl Case {
         let rows = sweep.rows()?;
         let events = sweep.events(&rows);
         let states: Vec<_> = rows.iter().map(|row| (row.value, &row.solution.state)).collect();
-        let figure = self::sweep(&scene, sweep.quantity(), &states, &events, self.title)?;
+        let title = study.words(self.name, context! {})?.title;
+        let figure = self::sweep(&scene, sweep.quantity(), &states, &events, &title)?;
         Ok(Swept { scene, rows, events, figure })
     }
 

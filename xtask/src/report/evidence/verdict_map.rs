@@ -1,5 +1,6 @@
 //! A map of verdicts: rows and columns of coloured, lettered cells.
 
+use super::words::Words;
 use palkki::plot::{Axis, Cell, Color, Figure, Layer, Panel, Place, PlotError};
 
 /// What a cell says; its letter says it again for those who do not see the colour.
@@ -29,14 +30,8 @@ impl Tone {
 /// A row of a map: its name, and one cell for each column.
 pub(super) type Row = (String, Vec<(Tone, String)>);
 
-/// The map as a drawing; `along` says what the columns are.
-pub(super) fn drawn(
-    title: &str,
-    description: &str,
-    along: &str,
-    columns: Vec<String>,
-    rows: Vec<Row>,
-) -> Result<String, PlotError> {
+/// The map as a drawing; the legend says what the columns are.
+pub(super) fn drawn(words: &Words, columns: Vec<String>, rows: Vec<Row>) -> Result<String, PlotError> {
     /// Height of a cell \[drawing units\].
     const CELL: u32 = 76;
     let (names, cells): (Vec<String>, Vec<_>) = rows.into_iter().unzip();
@@ -48,6 +43,6 @@ pub(super) fn drawn(
             layer.push(Cell { at, color: tone.color(), text });
         }
     }
-    let panel = Panel::new(Axis::named(along, columns), Axis::named("", names).down()).tall(height);
-    Figure::new(title, description, vec![panel.with(Layer::Cells(layer))]).svg()
+    let panel = Panel::new(Axis::named(&*words.legend, columns), Axis::named("", names).down()).tall(height);
+    Figure::new(&*words.title, &*words.description, vec![panel.with(Layer::Cells(layer))]).svg()
 }

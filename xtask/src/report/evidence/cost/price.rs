@@ -1,7 +1,7 @@
 //! What a digit costs: the quickest solved run for each number of correct digits, solver by solver.
 
 use palkki::adaptive::observed_order;
-use palkki::plot::{Axis, Color, Dash, Figure, Layer, Marker, Panel, Place, PlotError, Style};
+use palkki::plot::{Axis, Color, Dash, Layer, Marker, Panel, Place, Style};
 
 use super::{SOLVERS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
@@ -28,7 +28,7 @@ struct Point<'a> {
 const UNEVEN: [&str; 3] = OTHERS;
 
 /// Values, and the figure.
-pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
+pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cause> {
     let grounds = GROUNDS.map(|(scene, _)| ended(store, scene));
     let fronts = grounds.each_ref().map(|lines| SOLVERS.map(|solver| front(lines, solver)));
     let exact =
@@ -49,12 +49,12 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
     });
     let header = ["scene", "route", "intervals", "tolerance", "digits", "milliseconds"];
     let data = Table::new(header).rows(rows);
-    let svg = drawn(&fronts, exact)?;
+    let figure = study.drawn("price", context! {}, 2, panels(&fronts, exact), data)?;
     let [times, intervals] =
         range_on_uneven_ground(store).map(|found| found.map(|[least, most]| context! { least, most }));
     let range = context! { times, intervals, scenes => UNEVEN };
     let tried = format!("{}, …", GRIDS.iter().take(4).map(count).collect::<Vec<_>>().join(", "));
-    Ok((context! { flat, uneven, range, tried }, ("price", svg, data)))
+    Ok((context! { flat, uneven, range, tried }, figure))
 }
 
 /// The solved runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
@@ -130,7 +130,7 @@ fn sentence(store: &Store) -> Option<String> {
 }
 
 /// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
-fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<String, PlotError> {
+fn panels(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> {
     let place = |point: &Point<'_>| [point.digits, milliseconds(point.line)];
     let exact = exact.map(|ms| [EXACT, ms.unwrap_or(f64::NAN)]);
     let all: Vec<Place> = fronts.iter().flatten().flatten().map(place).chain(exact).collect();
@@ -145,14 +145,7 @@ fn drawn(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Result<S
         }
         panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
     });
-    let figure = Figure::new(
-        "The active set buys a digit for little time; the exact solution needs no grid",
-        "Two panels, flat and uneven ground: milliseconds of a solve, logarithmic, over the correct digits of the worst of left \
-         reaction, contact force, deflection and energy. One line for each solver joins its solved runs that nothing quicker \
-         beats.",
-        panels.collect(),
-    );
-    Figure { columns: 2, ..figure }.svg()
+    panels.collect()
 }
 
 #[cfg(test)]

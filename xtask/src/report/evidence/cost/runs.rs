@@ -1,7 +1,5 @@
 //! How every run ended: two questions for a library, and a map of routes over grids.
 
-use palkki::plot::PlotError;
-
 use super::{LIBRARIES, METHODS, SOLVERS, shown};
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
@@ -9,10 +7,9 @@ use crate::report::evidence::prelude::*;
 use crate::report::evidence::verdict_map::{self, Tone};
 
 /// Values, and the map.
-pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
-    let (title, svg, data) = map(store)?;
-    let values = context! { questions => questions(store), map => title };
-    Ok((values, ("runs", svg, data)))
+pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cause> {
+    let (title, figure) = map(study, store)?;
+    Ok((context! { questions => questions(store), map => title }, figure))
 }
 
 /// Of all runs of the libraries that were measured: did they do what they were asked, and do their answers pass our check.
@@ -67,7 +64,7 @@ fn short(intervals: usize) -> String {
 }
 
 /// Routes on the example over grids, sorted by solver: the title, the map and its numbers.
-fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
+fn map(study: &Study<'_>, store: &Store) -> Result<(String, Drawn), Cause> {
     let lines: Vec<&Line> = store.lines.iter().filter(|line| line.scene == EXAMPLE).collect();
     let of_route = |method: &str, solver: &str| {
         lines.iter().filter(|line| shown(line) && line.is(method, solver)).copied().collect::<Vec<_>>()
@@ -95,21 +92,9 @@ fn map(store: &Store) -> Result<(String, String, Table), PlotError> {
             rows.push((format!("{solver}, {method}"), cells.collect::<Vec<_>>()));
         }
     }
-    let up_to = |k: usize| finest[k].map_or_else(|| "none".to_owned(), short);
-    let title = format!(
-        "Solved by all methods: active set up to {} intervals, clarabel {}, osqp {}, four steps {}, NSOR {}",
-        up_to(0),
-        up_to(3),
-        up_to(4),
-        up_to(1),
-        up_to(2)
-    );
+    let finest: Vec<String> = finest.into_iter().map(|grid| grid.map_or_else(|| "none".to_owned(), short)).collect();
+    let words = study.words("runs", context! { finest })?;
     let columns = grids.iter().map(|grid| short(*grid)).collect();
-    let legend = "intervals. S: solved, by our check. A: did what it was asked, and fails our check. C: claims success without \
-        having done what it was asked. N: says that it is nearly solved (AlmostSolved, SolvedInaccurate), and fails our check. G: says \
-        that it did not succeed. A dash: left out as too slow, or not in the plan.";
-    let description = "A map: rows are solvers with methods, asked for 1e-10 where they can be asked, columns are numbers of \
-        intervals of the paper's example.";
-    let svg = verdict_map::drawn(&title, &format!("{description} {legend}"), legend, columns, rows)?;
-    Ok((title, svg, data))
+    let svg = verdict_map::drawn(&words, columns, rows)?;
+    Ok((words.title, ("runs", svg, data)))
 }

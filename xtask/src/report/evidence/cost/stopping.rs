@@ -1,6 +1,6 @@
 //! When to stop: the error of the solver beside the error of the grid.
 
-use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, Place, PlotError, Style};
+use palkki::plot::{Axis, Color, Layer, Marker, Panel, Place, Style};
 
 use super::{ASKED, LIBRARIES, METHODS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
@@ -14,7 +14,7 @@ const GRIDS: [usize; 4] = [30, 300, 3000, 30_000];
 const MEANINGLESS: f64 = 1e-13;
 
 /// Tolerances that are enough, what tighter ones cost, and the figure of the two errors.
-pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
+pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cause> {
     let lines = ended(store, EXAMPLE);
     let header = GRIDS.map(|grid| format!("{} intervals", count(grid)));
     let mut table = Table::new(row!["method and solver"].into_iter().chain(header));
@@ -30,7 +30,7 @@ pub(super) fn of(store: &Store) -> Result<(Value, Drawn), PlotError> {
         }
     }
     let [clarabel, osqp] = LIBRARIES.map(|solver| decades(&lines, solver));
-    Ok((context! { table, clarabel, osqp }, drawn(&lines)?))
+    Ok((context! { table, clarabel, osqp }, drawn(study, &lines)?))
 }
 
 /// The lines of a route on a grid, loose tolerances first.
@@ -87,7 +87,7 @@ fn decades(lines: &[&Line], solver: &str) -> Option<Value> {
 }
 
 /// Error of the left reaction over the number of intervals, by the force method: of the grid, and of clarabel for each tolerance.
-fn drawn(lines: &[&Line]) -> Result<Drawn, PlotError> {
+fn drawn(study: &Study<'_>, lines: &[&Line]) -> Result<Drawn, Cause> {
     const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
     let of_grid = |line: &Line| line.is("force", "optimum").then_some(line.reaction_total?);
     let marks = Style::marks(Color::BLACK, Marker::OpenCircle);
@@ -109,14 +109,7 @@ fn drawn(lines: &[&Line]) -> Result<Drawn, PlotError> {
         // From fine grids to coarse ones: the name of the marks stands at the last, where there is room.
         panel = panel.with(Layer::named(places.into_iter().rev().collect(), style, label));
     }
-    let svg = Figure::new(
-        "On most grids a loose tolerance is enough: the error of the grid is the larger one",
-        "Relative error of the left reaction over the number of intervals, both logarithmic: circles are the error of the grid, \
-         lines the error of clarabel with four of its own tolerances. Where a line lies below the circles, a tighter tolerance buys nothing.",
-        vec![panel],
-    )
-    .svg()?;
-    Ok(("two-errors", svg, data))
+    study.drawn("two-errors", context! {}, 1, vec![panel], data)
 }
 
 /// Errors over intervals, up to the finest grid of the table, without those that are rounding.

@@ -1,7 +1,7 @@
 //! The claims of the paper and its advice, beside what was measured.
 
 use minijinja::value::Serde;
-use palkki::plot::{Axis, Figure, Layer, Panel, PlotError, Style};
+use palkki::plot::{Axis, Layer, Panel, Style};
 use palkki::scene::SceneError;
 use palkki_evidence::paper::claims::accuracy::{Errors, errors};
 use palkki_evidence::paper::claims::four_step::FINEST;
@@ -30,14 +30,13 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         nsor => context! { coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1] },
         ..Value::from_pairs(claims.iter().map(of))
     };
-    let (sweeps, sweeps_data) = sweeps(&ledger.nsor)?;
-    let (successes, successes_data) = successes(&ledger.four_step)?;
-    let figures = [("nsor-sweeps", sweeps, sweeps_data), ("four-step-success", successes, successes_data)];
-    Evidence::new(values).figures(figures)
+    let sweeps = sweeps(study, &ledger.nsor)?;
+    let successes = successes(study, &ledger.four_step)?;
+    Evidence::new(values).figures([sweeps, successes])
 }
 
 /// Sweeps over intervals, both logarithmic.
-fn sweeps(found: &[nsor::Count]) -> Result<(String, Table), PlotError> {
+fn sweeps(study: &Study<'_>, found: &[nsor::Count]) -> Result<Drawn, Cause> {
     let mut panel =
         Panel::new(Axis::new("intervals N").log(), Axis::new("sweeps of NSOR, all factors together").log()).tall(700.0);
     let mut data = Table::new(["method", "intervals", "sweeps", "sweeps_of_the_first_to_converge"]);
@@ -49,19 +48,12 @@ fn sweeps(found: &[nsor::Count]) -> Result<(String, Table), PlotError> {
         let rows = count.sweeps.iter().zip(&count.own);
         data = data.rows(rows.map(|((n, all), (_, own))| row![count.method, n, digits(*all), digits(*own)]));
     }
-    let of = |best: fn(f64, f64) -> f64| found.iter().map(|c| c.exponent).reduce(best).unwrap_or(f64::NAN);
-    let svg = Figure::new(
-        format!("On the example, sweeps of NSOR grow like n^{:.1} to n^{:.1}", of(f64::min), of(f64::max)),
-        "Number of sweeps over the number of intervals, both axes logarithmic, one line for each method; the sweeps of all factors \
-         that were tried are counted together. All rise; the force method needs the most.",
-        vec![panel],
-    )
-    .svg()?;
-    Ok((svg, data))
+    let [least, most] = range(found.iter().map(|count| count.exponent)).ok_or("no method")?;
+    study.drawn("nsor-sweeps", context! { least, most }, 1, vec![panel], data)
 }
 
 /// Of all grids of at most so many intervals, the share on which the four steps end at the optimum.
-fn successes(found: &[four_step::Count]) -> Result<(String, Table), PlotError> {
+fn successes(study: &Study<'_>, found: &[four_step::Count]) -> Result<Drawn, Cause> {
     let y = Axis::new("optimal, of all grids up to N, in per cent").including(&[0.0, 100.0]);
     let mut panel = Panel::new(Axis::new("intervals N"), y).tall(620.0);
     let mut data = Table::new(["method", "intervals", "end_point", "optimal_up_to_here_in_percent"]);
@@ -82,20 +74,9 @@ fn successes(found: &[four_step::Count]) -> Result<(String, Table), PlotError> {
         let style = Style { marker: None, ..Style::of_series(i) };
         panel = panel.with(Layer::named(shares, style, count.method.to_string()));
     }
-    let grids = || found.iter().map(|count| count.grids);
-    let svg = Figure::new(
-        format!(
-            "The four steps end at the optimum on {} to {} of {} grids of the example",
-            grids().min().unwrap_or(0),
-            grids().max().unwrap_or(0),
-            four_step::GRIDS
-        ),
-        "Share of the grids of at most N intervals on which the four steps end at the optimum, one line for each method. It is 100 \
-         per cent on coarse grids and falls on finer ones.",
-        vec![panel],
-    )
-    .svg()?;
-    Ok((svg, data))
+    let optimal = || found.iter().map(|count| count.grids);
+    let values = context! { least => optimal().min(), most => optimal().max(), grids => four_step::GRIDS };
+    study.drawn("four-step-success", values, 1, vec![panel], data)
 }
 
 /// Every grid of the example between these numbers of intervals is looked at.

@@ -1,11 +1,8 @@
 //! The drawings of Figures 4, 7 and 8: contact forces and deflection of the paper's example, beside beam theory.
 
-use palkki::plot::{
-    Arrow, Arrows, Axis, Color, Dash, Divisions, Figure, Layer, Marker, Panel, Place, PlotError, Style, significant,
-};
+use palkki::plot::{Arrow, Arrows, Axis, Color, Dash, Divisions, Layer, Marker, Panel, Place, Style, significant};
 use palkki::state::Nodes;
 use palkki::theory::FlatSolution;
-use palkki_evidence::paper::INTERVALS;
 
 // Discrepancy: figures-redrawn
 //
@@ -41,24 +38,16 @@ impl Theory {
 pub(super) type Nodal<'a> = (&'a str, &'a Nodes);
 
 /// Contact forces over the whole beam, at the left lift-off point, and summed from the left end: Figures 4 and 7.
-pub(super) fn contact(title: &str, theory: &Theory, (label, nodes): Nodal<'_>) -> Result<String, PlotError> {
+pub(super) fn contact(theory: &Theory, (label, nodes): Nodal<'_>) -> Vec<Panel> {
     /// Intervals that are shown on either side of the lift-off point.
     const BEFORE: f64 = 1.4;
     const BEHIND: f64 = 4.4;
-    let [first, second, ..] = nodes.x[..] else { return Err(PlotError::Empty { what: "the list of intervals" }) };
+    let [first, second, ..] = nodes.x[..] else { return Vec::new() };
     let (l, a, step) = (theory.length, theory.lift_off, second - first);
     let whole = forces_panel(theory, (label, nodes), step, None, "contact force at each node").wide();
     let near = [(a - BEFORE * step).max(0.0), (a + BEHIND * step).min(l)];
     let zoom = forces_panel(theory, (label, nodes), step, Some(near), "at the left lift-off point");
-    let description = format!(
-        "The example of the paper on {INTERVALS} intervals. Beam theory, dashed: {} for each interval of the contact zone, and a \
-         point force T = {} at its end x = {}. Arrows: nodal forces by {label}.",
-        significant(theory.pressure * step, DIGITS),
-        significant(theory.end_force(), DIGITS),
-        significant(a, DIGITS),
-    );
-    let figure = Figure::new(title, description, vec![whole, zoom, sum_panel(theory, nodes)]);
-    Figure { columns: 2, ..figure }.svg()
+    vec![whole, zoom, sum_panel(theory, nodes)]
 }
 
 /// Nodal forces and those of beam theory over the whole beam or between two places.
@@ -127,7 +116,7 @@ fn sum_panel(theory: &Theory, nodes: &Nodes) -> Panel {
 }
 
 /// Deflection by some methods beside beam theory, and the difference: Figure 8. The ground is at the depth of 1.
-pub(super) fn shape(title: &str, theory: &Theory, methods: &[Nodal<'_>]) -> Result<String, PlotError> {
+pub(super) fn shape(theory: &Theory, methods: &[Nodal<'_>]) -> Vec<Panel> {
     const LOOKS: [(Color, Marker); 2] = [(Color::BLUE, Marker::OpenCircle), (Color::VERMILLION, Marker::Plus)];
     const DEPTH: f64 = 1.0;
     /// Where the deflection of beam theory is evaluated for its dashed line.
@@ -164,6 +153,5 @@ pub(super) fn shape(title: &str, theory: &Theory, methods: &[Nodal<'_>]) -> Resu
     let shapes = shapes.with(Layer::Divisions(lift_off)).tall(560.0 + headroom).room(headroom, 60.0);
     let unnamed = lines.map(|(_, x)| (x, String::new())).to_vec();
     let differences = differences.with(Layer::Divisions(Divisions { lines: unnamed, between: Vec::new() }));
-    let description = format!("The example of the paper on {INTERVALS} intervals.");
-    Figure::new(title, description, vec![shapes, differences]).svg()
+    vec![shapes, differences]
 }

@@ -1,7 +1,7 @@
 //! Figures 4, 7 and 8 of the paper, drawn again, and the first nodal contact force, which jumps from grid to grid.
 
 use palkki::methods::Method;
-use palkki::plot::{Axis, Color, Figure, Layer, Marker, Panel, Place, PlotError, Style};
+use palkki::plot::{Axis, Color, Layer, Marker, Panel, Place, Style};
 use palkki::state::{ContactState, Nodes};
 use palkki::theory::FlatSolution;
 use palkki_evidence::paper::convergence::Quantity;
@@ -11,29 +11,19 @@ use super::drawings::{self, Theory};
 use crate::report::evidence::prelude::*;
 
 /// Figures 4, 7 and 8.
-pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let exact = theory();
     let length = palkki_evidence::paper::beam()?.length();
     let drawn = Theory::new(length, exact);
     let (four, seven, eight) = (figure_4()?, figure_7()?, figure_8()?);
     let nodal_load = drawn.pressure * four.spacing;
     let (at, error) = deviation(&eight.nodes, &exact, length);
-    let svg_4 = drawings::contact(
-        "Figure 4: finite differences share T between two nodes; the sum of the forces agrees",
-        &drawn,
-        ("finite differences", &four.nodes),
-    )?;
-    let svg_7 = drawings::contact(
-        "Figure 7: nodal forces of the energy methods swing; the sum of the forces agrees",
-        &drawn,
-        ("force method", &seven.nodes),
-    )?;
-    let percent = fixed(100.0 * error, 1);
-    let svg_8 = drawings::shape(
-        &format!("Figure 8: both energy methods are within {percent} % of the depth from beam theory"),
-        &drawn,
-        &[("displacement method", &eight.nodes), ("force method", &seven.nodes)],
-    )?;
+    let drawn_contact = |name, method, found: &Pressures, data| {
+        let values = context! {
+            intervals => INTERVALS, level => nodal_load, force => exact.end_force, at => drawn.lift_off, method,
+        };
+        study.drawn(name, values, 2, drawings::contact(&drawn, (method, &found.nodes)), data)
+    };
     let state = |method| -> Result<ContactState, Cause> {
         Ok(on_grid(&example()?, method, Solver::ActiveSet, INTERVALS)?.state)
     };
@@ -53,10 +43,18 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         table_7 => contact_table("force method", &state(Method::Force)?, &exact),
         table_8 => shape_table("displacement method", &state(Method::Displacement)?, &exact),
     };
+    let shapes = [("displacement method", &eight.nodes), ("force method", &seven.nodes)];
+    let of_shape = context! { off => error, intervals => INTERVALS };
     Evidence::new(values).figures([
-        ("figure-4", svg_4, data(&four.nodes, &exact, four.spacing)),
-        ("figure-7", svg_7, data(&seven.nodes, &exact, seven.spacing)),
-        ("figure-8", svg_8, data(&eight.nodes, &exact, four.spacing)),
+        drawn_contact("figure-4", "finite differences", &four, data(&four.nodes, &exact, four.spacing))?,
+        drawn_contact("figure-7", "force method", &seven, data(&seven.nodes, &exact, seven.spacing))?,
+        study.drawn(
+            "figure-8",
+            of_shape,
+            1,
+            drawings::shape(&drawn, &shapes),
+            data(&eight.nodes, &exact, four.spacing),
+        )?,
     ])
 }
 
@@ -149,7 +147,7 @@ const GRIDS: std::ops::RangeInclusive<u32> = 8..=400;
 const FINE: u32 = 30;
 
 /// The first nodal contact force jumps from grid to grid; the resultant at the lift-off point converges.
-pub(crate) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn first_force(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let theory = Quantity::PointForce.exact();
     let (mut first, mut resultant) = (Vec::new(), Vec::new());
@@ -174,30 +172,22 @@ pub(crate) fn first_force(_: &Study<'_>) -> Result<Evidence, Cause> {
         coarse, coarsest => GRIDS.start(), finest => GRIDS.end(), grids => first.len(), fine => FINE,
         least, most, worst, last => resultant.last().map(|p| (p[1] - 1.0).abs()),
     };
-    let svg = drawn_first_force(first, resultant)?;
-    Evidence::new(values).figure("first-force", svg, data)
+    let panel = panel_of_first_force(first, resultant);
+    Evidence::new(values).figures([study.drawn("first-force", context! {}, 1, vec![panel], data)?])
 }
 
 /// The first nodal contact force of each grid beside the resultant at the lift-off point: `[intervals, force / T]`.
-fn drawn_first_force(first: Vec<Place>, resultant: Vec<Place>) -> Result<String, PlotError> {
+fn panel_of_first_force(first: Vec<Place>, resultant: Vec<Place>) -> Panel {
     let [from, to] = [GRIDS.start(), GRIDS.end()].map(|n| f64::from(*n));
     let y = Axis::new("force / T, where T is the point force of beam theory at lift-off").including(&[0.0]);
     let x = Axis { padding: 0.02, ..Axis::new("intervals N").including(&[0.0]) };
     // The name of the scattered circles stands beside the frame, off them.
     let name = Layer::named(vec![[to, 0.5]], Style::solid(Color::VERMILLION), "first nodal force");
     let circles = Style::marks(Color::VERMILLION, Marker::OpenCircle);
-    let panel = Panel::new(x, y)
+    Panel::new(x, y)
         .tall(900.0)
         .with(Layer::line(first, circles))
         .with(name)
         .with(Layer::named(resultant, Style::solid(Color::BLUE), "resultant"))
-        .with(Layer::line(vec![[from, 1.0], [to, 1.0]], Style::theory()));
-    Figure::new(
-        "The first nodal force jumps from grid to grid, the resultant does not",
-        "Circles: contact force at the first node in contact over the point force T of beam theory, one for each number of \
-         intervals; they scatter and do not settle. Line: the resultant of the contact forces at the lift-off point over T, \
-         which tends to the dashed line at one.",
-        vec![panel],
-    )
-    .svg()
+        .with(Layer::line(vec![[from, 1.0], [to, 1.0]], Style::theory()))
 }

@@ -1,7 +1,7 @@
 //! Errors of the solvers beside what the condition number of the matrix lets one expect: rendered from the file of
 //! `cargo xtask measure`, whose errors are against the optimum proven in integers of 256 binary places.
 
-use palkki::plot::{Axis, Figure, Layer, Panel, Place, Style};
+use palkki::plot::{Axis, Layer, Panel, Place, Style};
 
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::EXAMPLE;
@@ -57,13 +57,6 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     }
     let dashed: Vec<Place> = grids.iter().map(|&grid| [as_number(grid), expected(grid).min(1.0)]).collect();
     panel = panel.with(Layer::named(dashed, Style::theory(), "cond(A) · 2⁻⁵²"));
-    let figure = Figure::new(
-        "The active set keeps its digits where the condition number promises none",
-        "Finite differences on the paper's example: the worst error of runs that are solved in end reaction, contact force, deflection \
-         and energy, against the proven optimum of the same discrete problem, over the number of intervals, both axes logarithmic; \
-         one line for each solver, and dashed the condition number times the rounding of a number, which reaches one.",
-        vec![panel],
-    );
     let data = Table::new(["solver", "intervals", "worst_error", "cond_times_rounding"]).rows(
         errors
             .iter()
@@ -75,5 +68,5 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         finest => grids.last(),
         active_set => bound(active_set.iter().map(|error| error.worst).fold(0.0, f64::max)),
     };
-    Evidence::new(values).figure("conditioning", figure.svg()?, data)
+    Evidence::new(values).figures([study.drawn("conditioning", context! {}, 1, vec![panel], data)?])
 }

@@ -71,7 +71,7 @@ struct Row {
     count: Count,
 }
 
-pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let mut rows = Vec::new();
     for power in POWERS {
         rows.extend(tried(DEPTHS, &deep(power)?, &GRIDS)?);
@@ -102,7 +102,7 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         decades => POWERS[POWERS.len() - 1] - POWERS[0],
         table => table(&rows, &names),
     };
-    Evidence::new(values).figure("extremes", drawn(&rows, count.wrong)?, data)
+    Evidence::new(values).figures([drawn(study, &rows, count.wrong, data)?])
 }
 
 /// Runs every solver with every method on some grids of one scene, and beam theory.
@@ -177,7 +177,7 @@ fn table(rows: &[Row], groups: &[&str]) -> Table {
 }
 
 /// A cell says how many of its runs are not right; the worst of them gives its colour.
-fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
+fn drawn(study: &Study<'_>, rows: &[Row], wrong: usize, data: Table) -> Result<Drawn, Cause> {
     let shown = |row: &Row| {
         let (tone, number) = match row.count {
             Count { wrong: wrong @ 1.., .. } => (Tone::Bad, wrong),
@@ -191,16 +191,7 @@ fn drawn(rows: &[Row], wrong: usize) -> Result<String, Cause> {
     let cells = |power| solvers().filter_map(|solver| of(power, solver).map(shown)).collect();
     let map = POWERS.iter().enumerate().map(|(k, power)| (power_of_ten(*power), cells(k))).collect();
     let [from, to] = [POWERS[0], POWERS[POWERS.len() - 1]].map(power_of_ten);
-    let title = match wrong {
-        0 => format!("No answer called solved is wrong, for EI u₀/(q l⁴) from {from} to {to}"),
-        _ => format!("{wrong} answers called solved are wrong"),
-    };
-    Ok(verdict_map::drawn(
-        &title,
-        "A map: columns are solvers, on all methods and grids, and beam theory; rows are powers of ten of EI u₀/(q l⁴). Each cell \
-         has the number of runs that are not right; green cells have none, orange ones such that are not solved.",
-        "runs that are not solved, of up to 15, over EI u₀/(q l⁴)",
-        solvers().map(str::to_owned).collect(),
-        map,
-    )?)
+    let words = study.words("extremes", context! { wrong, from, to })?;
+    let svg = verdict_map::drawn(&words, solvers().map(str::to_owned).collect(), map)?;
+    Ok(("extremes", svg, data))
 }
