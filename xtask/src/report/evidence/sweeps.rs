@@ -11,85 +11,55 @@ use palkki_evidence::random::Random;
 
 use super::prelude::*;
 
-/// A sweep as its command says it.
-struct Case {
-    /// Name of the figure and of its data.
-    name: &'static str,
-    /// Directory and name of the scene file.
-    scene: [&'static str; 2],
-    vary: &'static str,
-    range: [f64; 2],
-    steps: usize,
-}
+/// A sweep as its command says it: what its figure and its data are called, the scene, what is varied, from where to where, in
+/// how many steps.
+type Case = (&'static str, &'static str, &'static str, [f64; 2], usize);
 
-const EXAMPLE: [&str; 2] = [scenes::GALLERY, "heinisuo-1984"];
-
-const HOIST: Case = Case {
-    name: "sweep-hoist",
-    scene: ["report/scenes/swept", "hoist"],
-    vary: "load.point[0].at",
-    range: [0.0, 10.0],
-    steps: 401,
-};
-const SURVEY: Case = Case {
-    name: "sweep-survey",
-    scene: [scenes::GALLERY, "survey"],
-    vary: "load.point[0].at",
-    range: [0.0, 12.0],
-    steps: 601,
-};
+const HOIST: Case = ("sweep-hoist", "swept/hoist", "load.point[0].at", [0.0, 10.0], 401);
+const SURVEY: Case = ("sweep-survey", "survey", "load.point[0].at", [0.0, 12.0], 601);
 /// The steps meet neither border.
-const DEPTH: Case =
-    Case { name: "sweep-depth", scene: EXAMPLE, vary: "foundation.depth", range: [1.0, 121.0], steps: 240 };
+const DEPTH: Case = ("sweep-depth", "heinisuo-1984", "foundation.depth", [1.0, 121.0], 240);
 
 /// A sweep with its answers and events.
 struct Swept {
+    case: Case,
     scene: Scene,
     rows: Vec<Row>,
     events: Vec<Event>,
-    figure: String,
-}
-
-impl Case {
-    fn run(&self, study: &Study<'_>) -> Result<Swept, Cause> {
-        let [directory, name] = self.scene;
-        let scene = scenes::of(study.root, directory, name)?;
-        let sweep = Sweep::new(&scene, self.vary, self.range, self.steps)?;
-        let rows = sweep.rows()?;
-        let events = sweep.events(&rows);
-        let states: Vec<_> = rows.iter().map(|row| (row.value, &row.solution.state)).collect();
-        let title = study.words(self.name, context! {})?.title;
-        let figure = self::sweep(&scene, sweep.quantity(), &states, &events, &title)?;
-        Ok(Swept { scene, rows, events, figure })
-    }
-
-    /// What the templates see; `table` has the events.
-    fn values(&self, swept: &Swept, table: Table) -> Value {
-        let [directory, name] = self.scene;
-        let [from, to] = self.range;
-        let certified = swept.rows.iter().filter(|row| row.solution.verdict.status == Status::Certified).count();
-        context! {
-            command => format!(
-                "cargo run --release -- sweep {directory}/{name}.toml --vary {} --from {from} --to {to} --steps {} --plot {}.svg",
-                self.vary, self.steps, self.name,
-            ),
-            steps => self.steps,
-            certified,
-            count => swept.events.len(),
-            events => table,
-        }
-    }
 }
 
 impl Swept {
-    /// The numbers that the figure draws.
-    fn data(&self, vary: &str) -> Table {
+    fn of(study: &Study<'_>, case: Case) -> Result<Self, Cause> {
+        let (_, scene, vary, range, steps) = case;
+        let scene = scenes::read(study.root, scene)?;
+        let sweep = Sweep::new(&scene, vary, range, steps)?;
+        let rows = sweep.rows()?;
+        let events = sweep.events(&rows);
+        Ok(Self { case, rows, events, scene })
+    }
+
+    /// What the templates see; `events` is their table.
+    fn values(&self, events: Table) -> Value {
+        let (name, scene, vary, [from, to], steps) = self.case;
+        let command = format!(
+            "cargo run --release -- sweep {}/{scene}.toml --vary {vary} --from {from} --to {to} --steps {steps} --plot {name}.svg",
+            scenes::GALLERY,
+        );
+        let certified = self.rows.iter().filter(|row| row.solution.verdict.status == Status::Certified).count();
+        context! { command, steps, certified, count => self.events.len(), events }
+    }
+
+    /// The figure, and the numbers that it draws.
+    fn drawn(&self, study: &Study<'_>) -> Result<Drawn, Cause> {
+        let (name, _, vary, range, steps) = self.case;
+        let states: Vec<_> = self.rows.iter().map(|row| (row.value, &row.solution.state)).collect();
+        let quantity = Sweep::new(&self.scene, vary, range, steps)?.quantity();
+        let svg = sweep(&self.scene, quantity, &states, &self.events, &study.words(name, context! {})?.title)?;
         let supports = self.scene.beam().supports().len();
         let header = [vary, "regime", "contact_force", "deflection_max", "moment_max", "moment_min", "contacts"];
         let header = header.into_iter().map(str::to_owned);
         let header = header.chain((1..=supports).map(|i| format!("support_{i}")));
-        Table::new(header).rows(self.rows.iter().map(|Row { value, solution, .. }| {
-            let state = &solution.state;
+        let data = Table::new(header).rows(states.iter().map(|(value, state)| {
             let place =
                 |from: f64, to: f64| if from < to { [fixed(from, 4), fixed(to, 4)].join("-") } else { fixed(from, 4) };
             let contacts: Vec<String> = state.contacts.iter().map(|c| place(c.from, c.to)).collect();
@@ -99,7 +69,8 @@ impl Swept {
             cells.push(contacts.join(" "));
             cells.extend(state.supports.iter().map(|support| fixed(support.force, 5)));
             cells
-        }))
+        }));
+        Ok((name, svg, data))
     }
 
     /// The number of the event at a value, within [`SAME`] of it.
@@ -108,18 +79,12 @@ impl Swept {
         found.map(|i| i + 1).ok_or_else(|| format!("no event at {value}, where the closed form has one").into())
     }
 
-    /// Its first events.
-    fn events(&self, at: &str, most: usize) -> Table {
-        let events = self.events.iter().enumerate().take(most);
-        Table::new(["event", at, "what happens"])
-            .rows(events.map(|(i, event)| row![i + 1, significant(event.value, DIGITS), event.what]))
-    }
-
-    /// Its events beside closed forms: formulas with their values.
-    fn events_beside(&self, at: &str, closed: &[(&str, f64)]) -> Result<Table, Cause> {
+    /// Its events, and beside them closed forms if there are some: formulas with their values.
+    fn events(&self, at: &str, closed: &[(&str, f64)]) -> Result<Table, Cause> {
         let numbers = closed.iter().map(|(_, value)| self.event_at(*value)).collect::<Result<Vec<_>, _>>()?;
         let header = ["event", at, "what happens", "closed form", "difference, relative, below"];
-        Ok(Table::new(header).rows(self.events.iter().enumerate().map(|(i, event)| {
+        let columns = if closed.is_empty() { 3 } else { header.len() };
+        Ok(Table::new(header.into_iter().take(columns)).rows(self.events.iter().enumerate().map(|(i, event)| {
             let [form, apart] = match numbers.iter().position(|number| *number == i + 1).map(|k| closed[k]) {
                 Some((form, value)) => {
                     let apart = (event.value - value).abs() / value.abs();
@@ -127,7 +92,7 @@ impl Swept {
                 }
                 None => ["–"; 2].map(str::to_owned),
             };
-            row![i + 1, significant(event.value, DIGITS), event.what, form, apart]
+            row![i + 1, significant(event.value, DIGITS), event.what, form, apart].into_iter().take(columns)
         })))
     }
 }
@@ -146,10 +111,10 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let border = q * l * l * l * l / (384.0 * ei);
     let lift_off = palkki_evidence::paper::theory().lift_off.ok_or("the example has a zone")?;
 
-    let hoist = HOIST.run(study)?;
+    let hoist = Swept::of(study, HOIST)?;
     let lift = -hoist.scene.load().point()[0].force;
     let closes = lift_off + 0.75 * lift / q;
-    let of_hoist = hoist.events_beside("at", &[("a + 3P/(4q)", closes), ("l − a − 3P/(4q)", l - closes)])?;
+    let of_hoist = hoist.events("at", &[("a + 3P/(4q)", closes), ("l − a − 3P/(4q)", l - closes)])?;
     let between = [hoist.event_at(closes)?, hoist.event_at(l - closes)?];
     let count = hoist.events.len();
     let mirrored = (0..count).map(|i| (hoist.events[i].value + hoist.events[count - 1 - i].value - l).abs() / l);
@@ -158,11 +123,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         return Err("the events of the hoist are not symmetric".into());
     }
 
-    let survey = SURVEY.run(study)?;
-    let [first_of_survey, of_survey] = [FIRST, usize::MAX].map(|most| survey.events("at [m]", most));
+    let survey = Swept::of(study, SURVEY)?;
+    let of_survey = survey.events("at [m]", &[])?;
 
-    let depth = DEPTH.run(study)?;
-    let of_depth = depth.events_beside("depth", &[("q l⁴/(384 EI)", border), ("5 q l⁴/(384 EI)", 5.0 * border)])?;
+    let depth = Swept::of(study, DEPTH)?;
+    let of_depth = depth.events("depth", &[("q l⁴/(384 EI)", border), ("5 q l⁴/(384 EI)", 5.0 * border)])?;
     let closed = depth.rows.iter().map(|row| {
         let reaction = theory::flat(l, ei, row.value, q).reaction;
         (row.solution.state.reactions.left - reaction).abs() / (q * l)
@@ -170,12 +135,12 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let closed = closed.fold(f64::EPSILON, f64::max);
 
     let evidence = Evidence::new(context! {
-        hoist => HOIST.values(&hoist, of_hoist),
+        hoist => hoist.values(of_hoist),
         mirrored => bound(mirrored),
         // The events between which the hoist has a zone on either side.
         between,
-        survey => SURVEY.values(&survey, first_of_survey),
-        depth => DEPTH.values(&depth, of_depth),
+        survey => survey.values(of_survey.clone().first(FIRST)),
+        depth => depth.values(of_depth),
         // Bound of the difference of the reactions from the closed form, over the load.
         closed => bound(closed),
         // Largest ratio of the reaction to the load in the example, and where the example lies.
@@ -185,8 +150,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         border => one_sided(5.0 * border)?,
         tolerance => tolerances(study)?,
     });
-    let figures = [(HOIST, hoist), (SURVEY, survey), (DEPTH, depth)];
-    let figures = figures.map(|(case, swept)| (case.name, swept.figure.clone(), swept.data(case.vary)));
+    let figures = [hoist.drawn(study)?, survey.drawn(study)?, depth.drawn(study)?];
     evidence.figures(figures)?.data("sweep-survey-events", of_survey)
 }
 
@@ -203,22 +167,13 @@ fn superposition() -> Result<Value, Cause> {
     };
     let [first, second] = PLACES;
     let alone = reaction(&[])?;
-    let [one, other] = [reaction(&[(first, FORCE)])? - alone, reaction(&[(second, FORCE)])? - alone];
-    let both = reaction(&[(first, FORCE), (second, FORCE)])? - alone;
-    let triple = reaction(&[(second, 3.0 * FORCE)])? - alone;
-    Ok(context! {
-        force => FORCE,
-        first,
-        second,
-        alone,
-        one,
-        other,
-        sum => one + other,
-        both,
-        over => (one + other) / both - 1.0,
-        triple,
-        ratio => triple / other,
-    })
+    let more = |loads: &[(f64, f64)]| reaction(loads).map(|reaction| reaction - alone);
+    let (one, other) = (more(&[(first, FORCE)])?, more(&[(second, FORCE)])?);
+    let (both, triple) = (more(&[(first, FORCE), (second, FORCE)])?, more(&[(second, 3.0 * FORCE)])?);
+    let (sum, ratio) = (one + other, triple / other);
+    Ok(
+        context! { force => FORCE, first, second, alone, one, other, sum, both, over => sum / both - 1.0, triple, ratio },
+    )
 }
 
 /// The derivative by a number, or by the depth of the ground.
