@@ -1,24 +1,19 @@
 //! Hostile input: rendered from the file of `cargo xtask hostile`, which takes minutes.
 
-use crate::hostile::Family;
+use std::collections::BTreeMap;
+
 use crate::report::evidence::prelude::*;
 use crate::{data, hostile};
 
+/// The sum of each column over the families, and how many runs had an answer.
 pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
-    let (hostile, families): (_, Vec<Family>) = data::read(study.root, hostile::PATH)?;
-    let sum = |of: fn(&Family) -> usize| families.iter().map(of).sum::<usize>();
-    let values = context! {
-        runs => sum(|family| family.runs),
-        accepted => sum(|family| family.runs - family.refused - family.panics),
-        wrong => sum(|family| family.wrong),
-        panics => sum(|family| family.panics),
-        contradicted => sum(|family| family.contradicted),
-        derived => sum(|family| family.derived),
-        swept => sum(|family| family.swept),
-        solved => sum(|family| family.theory_solved),
-        bounded => sum(|family| family.theory_bounded),
-        certified => sum(|family| family.theory_certified),
-        all_but_turns => sum(|family| family.theory_all_but_turns),
-    };
-    Ok(Evidence::new(values).file("hostile", hostile))
+    let (text, families): (_, Vec<BTreeMap<String, String>>) = data::read(study.root, hostile::PATH)?;
+    let mut sums: BTreeMap<&str, usize> = BTreeMap::new();
+    for (column, count) in families.iter().flatten().filter(|(column, _)| *column != "family") {
+        *sums.entry(column).or_default() += count.parse::<usize>()?;
+    }
+    let sum = |column| sums.get(column).copied().unwrap_or_default();
+    let accepted = sum("runs") - sum("refused") - sum("panics");
+    let values = context! { accepted, ..Value::from_pairs(sums) };
+    Ok(Evidence::new(values).file("hostile", text))
 }
