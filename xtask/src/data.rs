@@ -2,13 +2,12 @@
 
 use std::fmt::Display;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use serde::{Serialize, Serializer};
 
 use crate::Cause;
-use crate::report::files;
 
 /// The lines of a text below its header; lines that begin with `#` are comments.
 pub(crate) fn parse<Line: DeserializeOwned>(text: &str) -> Result<Vec<Line>, csv::Error> {
@@ -57,87 +56,12 @@ pub(crate) fn spread(mut seconds: Vec<f64>) -> [Option<f64>; 3] {
     [seconds.get(seconds.len() / 2), seconds.first(), seconds.last()].map(|seconds| rounded(*seconds?, 3))
 }
 
-/// A line of a file of measurements.
-pub(crate) trait Row: Serialize + DeserializeOwned {
-    /// Where the file is, below the root.
-    const PATH: &'static str;
-
-    /// What tells it from the others, and what `--only` looks at.
-    fn name(&self) -> String;
-}
-
-/// Measurements: comments that say where they come from, and a line for each result; on disk and in memory.
-///
-/// The file is always whole, see [`files::replace`]: whatever is killed whenever, the next run finds all results but the one
-/// that was under way.
-#[derive(Debug)]
-pub(crate) struct Measurements<R> {
-    path: PathBuf,
-    /// The comments at the top, `name: value`.
-    described: Vec<String>,
-    /// The results.
-    pub(crate) lines: Vec<R>,
-}
-
-impl<R: Row> Measurements<R> {
-    /// Reads the file: its text, and what it says.
-    pub(crate) fn read(root: &Path) -> Result<(String, Self), Cause> {
-        let (text, lines) = read(root, R::PATH)?;
-        let described = text.lines().filter_map(|line| line.strip_prefix("# ")).map(str::to_owned).collect();
-        Ok((text, Self { path: root.join(R::PATH), described, lines }))
-    }
-
-    /// Where they come from, for templates: `commit`, `date`, `machine`, `compiler` and `libraries`.
-    pub(crate) fn provenance(&self) -> minijinja::Value {
-        minijinja::Value::from_pairs(self.described.iter().filter_map(|line| line.split_once(": ")))
-    }
-
-    /// Opens the file to go on with it. With `fresh` what is `wanted` is forgotten, and everything if the file comes from
-    /// elsewhere.
-    pub(crate) fn open(
-        root: &Path,
-        described: &[String],
-        fresh: bool,
-        wanted: impl Fn(&str) -> bool,
-    ) -> Result<Self, Cause> {
-        let path = root.join(R::PATH);
-        let mut opened = match Self::read(root) {
-            Ok((_, found)) if found.described == described => found,
-            Ok((_, found)) if !fresh => {
-                let elsewhere = found.described.join("; ");
-                return Err(format!("{} comes from elsewhere ({elsewhere}): `--fresh` starts it again", R::PATH).into());
-            }
-            Err(error) if !fresh && path.exists() => return Err(format!("{error}: `--fresh` starts it again").into()),
-            _ => Self { path, described: described.to_vec(), lines: Vec::new() },
-        };
-        opened.lines.retain(|line| !fresh || !wanted(&line.name()));
-        opened.write()?;
-        Ok(opened)
-    }
-
-    /// The line of this name.
-    pub(crate) fn named(&self, name: &str) -> Option<&R> {
-        self.lines.iter().find(|line| line.name() == name)
-    }
-
-    /// Adds a line, on disk as well.
-    pub(crate) fn append(&mut self, line: R) -> Result<(), Cause> {
-        self.lines.push(line);
-        self.write()
-    }
-
-    fn write(&self) -> Result<(), Cause> {
-        let described: String = self.described.iter().map(|line| format!("# {line}\n")).collect();
-        let text = described + &text(&self.lines)?;
-        files::replace(&self.path, &text).map_err(|error| format!("{}: {error}", R::PATH).into())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use serde::Deserialize;
 
-    use super::{files, read};
+    use super::read;
+    use crate::report::files;
 
     #[derive(Debug, PartialEq, Deserialize)]
     struct Line {

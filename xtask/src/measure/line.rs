@@ -1,12 +1,18 @@
 //! The file of measurements: what a line of it is.
 
 use std::fmt::Display;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::plan::Job;
 use super::references::Errors;
-use crate::data::{Measurements, Row, rounded, spread};
+use crate::data::{rounded, spread};
+use crate::report::files;
+use crate::{Cause, data};
+
+/// Where the file is, below the root.
+pub(super) const PATH: &str = "report/data/measurements.csv";
 
 /// The status of a job that was not run, and of one that took too long.
 const LEFT_OUT: &str = "left-out";
@@ -144,16 +150,76 @@ impl Line {
     pub(crate) fn digits(&self) -> Option<f64> {
         self.worst().filter(|worst| 0.0 < *worst).map(|worst| -worst.log10())
     }
-}
 
-impl Row for Line {
-    const PATH: &'static str = "report/data/measurements.csv";
-
-    /// `scene,method/solver,intervals,tolerance`
-    fn name(&self) -> String {
+    /// What tells it from the others, and what `--only` looks at: `scene,method/solver,intervals,tolerance`.
+    pub(crate) fn name(&self) -> String {
         format!("{},{}/{},{},{:e}", self.scene, self.method, self.solver, self.intervals, self.tolerance)
     }
 }
 
-/// All lines, on disk and in memory.
-pub(crate) type Store = Measurements<Line>;
+/// Measurements: comments that say where they come from, and a line for each result; on disk and in memory.
+///
+/// The file is always whole, see [`files::replace`]: whatever is killed whenever, the next run finds all results but the one
+/// that was under way.
+#[derive(Debug)]
+pub(crate) struct Store {
+    path: PathBuf,
+    /// The comments at the top, `name: value`.
+    described: Vec<String>,
+    /// The results.
+    pub(crate) lines: Vec<Line>,
+}
+
+impl Store {
+    /// Reads the file: its text, and what it says.
+    pub(crate) fn read(root: &Path) -> Result<(String, Self), Cause> {
+        let (text, lines) = data::read(root, PATH)?;
+        let described = text.lines().filter_map(|line| line.strip_prefix("# ")).map(str::to_owned).collect();
+        Ok((text, Self { path: root.join(PATH), described, lines }))
+    }
+
+    /// Where they come from, for templates: `commit`, `date`, `machine`, `compiler` and `libraries`.
+    pub(crate) fn provenance(&self) -> minijinja::Value {
+        minijinja::Value::from_pairs(self.described.iter().filter_map(|line| line.split_once(": ")))
+    }
+
+    /// Opens the file to go on with it. With `fresh` what is `wanted` is forgotten, and everything if the file comes from
+    /// elsewhere.
+    pub(crate) fn open(
+        root: &Path,
+        described: &[String],
+        fresh: bool,
+        wanted: impl Fn(&str) -> bool,
+    ) -> Result<Self, Cause> {
+        let path = root.join(PATH);
+        let mut opened = match Self::read(root) {
+            Ok((_, found)) if found.described == described => found,
+            Ok((_, found)) if !fresh => {
+                let elsewhere = found.described.join("; ");
+                return Err(format!("{} comes from elsewhere ({elsewhere}): `--fresh` starts it again", PATH).into());
+            }
+            Err(error) if !fresh && path.exists() => return Err(format!("{error}: `--fresh` starts it again").into()),
+            _ => Self { path, described: described.to_vec(), lines: Vec::new() },
+        };
+        opened.lines.retain(|line| !fresh || !wanted(&line.name()));
+        opened.write()?;
+        Ok(opened)
+    }
+
+    /// The line of this name.
+    pub(crate) fn named(&self, name: &str) -> Option<&Line> {
+        self.lines.iter().find(|line| line.name() == name)
+    }
+
+    /// Adds a line, on disk as well.
+    pub(crate) fn append(&mut self, line: Line) -> Result<(), Cause> {
+        self.lines.push(line);
+        self.write()
+    }
+
+    fn write(&self) -> Result<(), Cause> {
+        let described: String = self.described.iter().map(|line| format!("# {line}\n")).collect();
+        let text = described + &data::text(&self.lines)?;
+        files::replace(&self.path, &text).map_err(|error| format!("{}: {error}", PATH).into())
+    }
+}

@@ -9,7 +9,6 @@ use palkki::solvers::Solver;
 use palkki_evidence::extremes::{Ground, survey};
 
 use super::line::Line;
-use crate::data::Row;
 use crate::{Cause, scenes};
 
 /// Seconds after which a series is not continued on finer grids.

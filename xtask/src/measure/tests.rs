@@ -7,11 +7,10 @@ use std::process::{Command, Stdio};
 use palkki::methods::Method;
 use palkki::solvers::Solver;
 
-use super::line::{Line, Store};
+use super::line::{Line, PATH, Store};
 use super::plan::{Job, Route, Subject};
 use super::references::Errors;
 use crate::Cause;
-use crate::data::Row;
 use crate::report::files;
 
 fn open(root: &Path, fresh: bool, only: &str) -> Result<Store, Cause> {
@@ -56,7 +55,7 @@ fn numbers_are_read_as_they_were_written() {
 #[test]
 fn a_file_with_other_columns_is_not_continued() {
     let scratch = tempfile::tempdir().expect("a directory for temporary files");
-    files::replace(&scratch.path().join(Line::PATH), "# machine: a\nscene,route\ns,r\n").expect("it can be written");
+    files::replace(&scratch.path().join(PATH), "# machine: a\nscene,route\ns,r\n").expect("it can be written");
     assert!(open(scratch.path(), false, "").is_err_and(|error| error.to_string().contains("--fresh")), "not mixed");
     assert!(open(scratch.path(), true, "s,r").is_ok_and(|store| store.lines.is_empty()), "but begun again");
 }

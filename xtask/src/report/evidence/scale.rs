@@ -4,7 +4,6 @@
 use palkki::plot::{Axis, Color, Dash, Layer, Marker, Panel, Style};
 
 use super::prelude::*;
-use crate::data::Row as _;
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::{PATIENCE, ROUTES, Route, Survey, TOO_MANY, is_survey, on_survey, surveys};
 
