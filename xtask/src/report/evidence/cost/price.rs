@@ -17,13 +17,6 @@ const DIGITS: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 8.0];
 /// Digits that are claimed for the exact solution, whose residuals are below 10⁻¹⁴.
 const EXACT: f64 = 14.0;
 
-/// One run that nothing quicker beats.
-#[derive(Debug, Clone, Copy)]
-struct Point<'a> {
-    digits: f64,
-    line: &'a Line,
-}
-
 /// Uneven grounds that are measured, over which the price of a digit has its range.
 const UNEVEN: [&str; 3] = OTHERS;
 
@@ -41,9 +34,10 @@ pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cau
         }
     });
     let rows = GROUNDS.iter().zip(&fronts).flat_map(|((scene, _), fronts)| {
-        fronts.iter().flatten().map(|point| {
-            let Line { method, solver, intervals, tolerance, .. } = point.line;
-            let [digits, milliseconds] = [fixed(point.digits, 2), scientific(milliseconds(point.line), 3)];
+        fronts.iter().flatten().map(|line| {
+            let Line { method, solver, intervals, tolerance, .. } = line;
+            let [digits, milliseconds] = place(line);
+            let (digits, milliseconds) = (fixed(digits, 2), scientific(milliseconds, 3));
             row![scene, format!("{method}/{solver}"), intervals, format!("{tolerance:e}"), digits, milliseconds]
         })
     });
@@ -58,18 +52,22 @@ pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cau
 }
 
 /// The solved runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
-fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<Point<'a>> {
-    let solved = lines.iter().filter(|line| line.solver == solver && line.succeeded());
-    let mut points: Vec<Point<'a>> =
-        solved.filter_map(|&line| line.digits().map(|digits| Point { digits, line })).collect();
-    points.sort_by(|a, b| milliseconds(a.line).total_cmp(&milliseconds(b.line)));
+fn front<'a>(lines: &[&'a Line], solver: &str) -> Vec<&'a Line> {
+    let has_digits = |line: &&&Line| line.solver == solver && line.succeeded() && line.digits().is_some();
+    let mut front: Vec<&Line> = lines.iter().filter(has_digits).copied().collect();
+    front.sort_by(|a, b| milliseconds(a).total_cmp(&milliseconds(b)));
     let mut best = f64::NEG_INFINITY;
-    points.retain(|point| {
-        let better = best < point.digits;
-        best = best.max(point.digits);
+    front.retain(|line| {
+        let better = best < place(line)[0];
+        best = best.max(place(line)[0]);
         better
     });
-    points
+    front
+}
+
+/// Digits and milliseconds of a run.
+fn place(line: &Line) -> Place {
+    [line.digits().unwrap_or(f64::NAN), milliseconds(line)]
 }
 
 /// Milliseconds of the quickest solved run with so many digits, and the fewest intervals with which the active set has them.
@@ -95,10 +93,10 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
 }
 
 /// The factors in time and in intervals of one more digit, fitted to the runs between 2 and 9 digits.
-fn one_digit(front: &[Point<'_>]) -> Option<[f64; 2]> {
-    let fitted: Vec<&Point<'_>> = front.iter().filter(|point| (2.0..9.0).contains(&point.digits)).collect();
+fn one_digit(front: &[&Line]) -> Option<[f64; 2]> {
+    let fitted = || front.iter().filter(|line| (2.0..9.0).contains(&place(line)[0]));
     let factor = |of: &dyn Fn(&Line) -> f64| {
-        let pairs: Vec<(f64, f64)> = fitted.iter().filter_map(|p| Some((p.line.worst()?, of(p.line)))).collect();
+        let pairs: Vec<(f64, f64)> = fitted().filter_map(|line| Some((line.worst()?, of(line)))).collect();
         // One digit is a tenth of the error. Two points prove nothing.
         let order = if pairs.len() < 3 { f64::NAN } else { observed_order(&pairs) };
         Some(10.0_f64.powf(-order)).filter(|factor| factor.is_finite())
@@ -130,10 +128,9 @@ fn sentence(store: &Store) -> Option<String> {
 }
 
 /// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
-fn panels(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> {
-    let place = |point: &Point<'_>| [point.digits, milliseconds(point.line)];
+fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> {
     let exact = exact.map(|ms| [EXACT, ms.unwrap_or(f64::NAN)]);
-    let all: Vec<Place> = fronts.iter().flatten().flatten().map(place).chain(exact).collect();
+    let all: Vec<Place> = fronts.iter().flatten().flatten().map(|line| place(line)).chain(exact).collect();
     let [digits, times]: [Vec<f64>; 2] = [0, 1].map(|k| all.iter().map(|p| p[k]).collect());
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
         let x = Axis::new("correct digits").including(&digits).including(&[0.0]);
@@ -141,7 +138,7 @@ fn panels(fronts: &[[Vec<Point<'_>>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Pan
         let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
         for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
-            panel = panel.with(Layer::named(front.iter().map(place).collect(), style, solver));
+            panel = panel.with(Layer::named(front.iter().map(|line| place(line)).collect(), style, solver));
         }
         panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
     });

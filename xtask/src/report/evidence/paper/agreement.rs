@@ -30,7 +30,7 @@ struct Run {
 
 pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
-    let tolerances = Tolerances::new()?;
+    let norm = norm()?;
     let run = |method, solver, intervals| -> Result<Run, Cause> {
         let outcome = on_grid(&scene, method, solver, intervals)?;
         let forces = nodes_of(&outcome.state)?.contact_force.clone();
@@ -49,14 +49,17 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         let (authority, method, solver) = (of(run), run.method, run.solver);
         let reaction = run.outcome.state.reactions.left;
         let error = apart_if_any(&run.forces, &authority.forces).max((reaction - authority.left_reaction).abs());
-        let share = error / tolerances.of(solver);
+        let exponent = exponent(solver, norm);
+        let share = error / ten_to(exponent);
         worst = worst.max(share);
         agree += usize::from(share <= 1.0);
         let verdict = Verdict::of_raw(&run.outcome, &witness, &Demand::default());
         certified += usize::from(verdict.status == Status::Certified);
         let first = run.forces.get(authority.first).copied().unwrap_or(f64::NAN);
-        let [force, reaction] = [first, reaction].map(|value| fixed(value, tolerances.places(solver)));
-        table.push(row![method, solver, force, reaction, tolerances.printed(solver)]);
+        // Digits behind the point that the tolerance promises.
+        let places = usize::try_from(-exponent).unwrap_or(0).saturating_sub(1);
+        let [force, reaction] = [first, reaction].map(|value| fixed(value, places));
+        table.push(row![method, solver, force, reaction, power_of_ten(exponent)]);
         let error = scientific(verdict.error, 1);
         data.push(row![method, solver, verdict.status, error, force, reaction, yes_no(share <= 1.0)]);
     }
@@ -78,9 +81,9 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         routes => runs.len(),
         certified,
         agree,
-        direct => tolerances.printed(Solver::ActiveSet),
-        iterative => tolerances.printed(Solver::Nsor),
-        norm => tolerances.norm,
+        direct => power_of_ten(exponent(Solver::ActiveSet, norm)),
+        iterative => power_of_ten(exponent(Solver::Nsor, norm)),
+        norm,
         margin => worst <= 0.1,
         one_more => context! {
             intervals => INTERVALS + 1,
@@ -122,47 +125,23 @@ fn authority(runs: &[Run], method: Method) -> Result<Authority, Cause> {
 /// Digits of a direct solve: sixteen, of which sums and differences of moments take a few. The rest is margin.
 const DIRECT: i32 = -10;
 
-/// Tolerances of contact forces and reactions \[force\].
-#[derive(Debug)]
-struct Tolerances {
-    /// Largest row sum of the stiffness \[force / length\]: how much force a clearance is worth.
-    norm: f64,
-    /// Power of ten of an answer that stopped on a residual: that of our check's threshold, at depth 1, times the norm.
-    iterative: i32,
+/// Largest row sum of the stiffness for the example on the paper's grid \[force / length\]: how much force a clearance is worth.
+fn norm() -> Result<f64, SceneError> {
+    let discrete = Discrete::new(&example()?, INTERVALS)?;
+    let matrix = Method::Displacement.qp(&discrete).matrix();
+    let n = matrix.dimension();
+    let row = |i: usize| (0..n).map(|j| matrix.entry(i, j).abs()).sum::<f64>();
+    Ok((0..n).map(row).fold(0.0, f64::max))
 }
 
-impl Tolerances {
-    /// For the example on the paper's grid.
-    fn new() -> Result<Self, SceneError> {
-        let discrete = Discrete::new(&example()?, INTERVALS)?;
-        let matrix = Method::Displacement.qp(&discrete).matrix();
-        let n = matrix.dimension();
-        let row = |i: usize| (0..n).map(|j| matrix.entry(i, j).abs()).sum::<f64>();
-        let norm = (0..n).map(row).fold(0.0, f64::max);
+/// The power of ten that is the tolerance of contact forces and reactions \[force\]. An answer that stopped on a residual has
+/// that of our check's threshold, at depth 1, times the norm.
+fn exponent(solver: Solver, norm: f64) -> i32 {
+    match solver {
+        Solver::FourStep | Solver::ActiveSet => DIRECT,
         // The next power of ten.
-        let iterative = (-15..0).find(|&k| CERTIFIED_RESIDUAL * norm <= ten_to(k)).unwrap_or(0);
-        Ok(Self { norm, iterative })
-    }
-
-    fn exponent(&self, solver: Solver) -> i32 {
-        match solver {
-            Solver::FourStep | Solver::ActiveSet => DIRECT,
-            Solver::Nsor | Solver::Clarabel | Solver::Osqp => self.iterative,
+        Solver::Nsor | Solver::Clarabel | Solver::Osqp => {
+            (-15..0).find(|&k| CERTIFIED_RESIDUAL * norm <= ten_to(k)).unwrap_or(0)
         }
-    }
-
-    /// The tolerance.
-    fn of(&self, solver: Solver) -> f64 {
-        ten_to(self.exponent(solver))
-    }
-
-    /// Digits behind the point that the tolerance promises.
-    fn places(&self, solver: Solver) -> usize {
-        usize::try_from(-self.exponent(solver)).unwrap_or(0).saturating_sub(1)
-    }
-
-    /// `10⁻⁵`
-    fn printed(&self, solver: Solver) -> String {
-        power_of_ten(self.exponent(solver))
     }
 }

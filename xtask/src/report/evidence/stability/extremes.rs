@@ -20,47 +20,11 @@ const THEORY: &str = "beam theory";
 /// The group of the map.
 const DEPTHS: &str = "depths";
 
-/// What a run turned out to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Verdict {
-    Right,
-    NotSolved,
-    Wrong,
-}
-
-/// How many runs ended how.
-#[derive(Debug, Clone, Copy, Default)]
-struct Count {
-    right: usize,
-    not_solved: usize,
-    wrong: usize,
-}
-
-impl Count {
-    fn of(verdicts: impl IntoIterator<Item = Verdict>) -> Self {
-        let mut count = Self::default();
-        for verdict in verdicts {
-            match verdict {
-                Verdict::Right => count.right += 1,
-                Verdict::NotSolved => count.not_solved += 1,
-                Verdict::Wrong => count.wrong += 1,
-            }
-        }
-        count
-    }
-
-    fn sum<'a>(rows: impl Iterator<Item = &'a Row>) -> Self {
-        rows.fold(Self::default(), |sum, row| Self {
-            right: sum.right + row.count.right,
-            not_solved: sum.not_solved + row.count.not_solved,
-            wrong: sum.wrong + row.count.wrong,
-        })
-    }
-
-    fn runs(self) -> usize {
-        self.right + self.not_solved + self.wrong
-    }
-}
+/// How many runs are right, not solved, and wrong though called solved.
+type Count = [usize; 3];
+const RIGHT: Count = [1, 0, 0];
+const NOT_SOLVED: Count = [0, 1, 0];
+const WRONG: Count = [0, 0, 1];
 
 /// All runs of a solver on one scene.
 struct Row {
@@ -69,6 +33,10 @@ struct Row {
     authority: &'static str,
     solver: &'static str,
     count: Count,
+}
+
+fn sum(counts: impl IntoIterator<Item = Count>) -> Count {
+    counts.into_iter().fold(Count::default(), |sum, count| std::array::from_fn(|k| sum[k] + count[k]))
 }
 
 pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
@@ -85,36 +53,30 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             rows.extend(tried(group, &extreme, &[extreme.intervals])?);
         }
     }
-    let count = Count::sum(rows.iter());
+    let count = sum(rows.iter().map(|row| row.count));
     let header = ["group", "scene", "reference", "solver", "right", "not_solved", "wrong_and_solved"];
     let data = Table::new(header).rows(rows.iter().map(|row| {
-        let Count { right, not_solved, wrong } = row.count;
+        let [right, not_solved, wrong] = row.count;
         row![row.group, row.scene, row.authority, row.solver, right, not_solved, wrong]
     }));
     let values = context! {
         digits => bound(DIGITS),
         same => bound(SAME),
-        runs => count.runs(),
-        wrong => count.wrong,
+        runs => count.iter().sum::<usize>(),
+        wrong => count[2],
         nsor => NSOR,
         grids => GRIDS,
         scenes,
         decades => POWERS[POWERS.len() - 1] - POWERS[0],
         table => table(&rows, &names),
     };
-    Evidence::new(values).figures([drawn(study, &rows, count.wrong, data)?])
+    Evidence::new(values).figures([drawn(study, &rows, count[2], data)?])
 }
 
 /// Runs every solver with every method on some grids of one scene, and beam theory.
 fn tried(group: &'static str, extreme: &Extreme, grids: &[usize]) -> Result<Vec<Row>, Cause> {
-    let row = |solver, verdicts: Vec<Verdict>| Row {
-        group,
-        scene: extreme.name.clone(),
-        authority: extreme.authority,
-        solver,
-        count: Count::of(verdicts),
-    };
-    let mut rows = vec![row(THEORY, vec![exact(extreme)?])];
+    let row = |solver, count| Row { group, scene: extreme.name.clone(), authority: extreme.authority, solver, count };
+    let mut rows = vec![row(THEORY, exact(extreme)?)];
     for solver in Solver::ALL {
         let finest = if solver == Solver::Nsor { NSOR } else { usize::MAX };
         let mut grids: Vec<usize> = grids.iter().map(|&intervals| intervals.min(finest)).collect();
@@ -126,17 +88,17 @@ fn tried(group: &'static str, extreme: &Extreme, grids: &[usize]) -> Result<Vec<
                 verdicts.push(checked(&extreme, method, solver)?);
             }
         }
-        rows.push(row(solver.name(), verdicts));
+        rows.push(row(solver.name(), sum(verdicts)));
     }
     Ok(rows)
 }
 
 /// A run of a discretised route, and what it is beside the active set on the same quadratic program.
-fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict, Cause> {
+fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Count, Cause> {
     let run = |solver| -> Result<RawSolution, Cause> { on_grid(&extreme.scene, method, solver, extreme.intervals) };
     let outcome = run(solver)?;
     if !outcome.solved {
-        return Ok(Verdict::NotSolved);
+        return Ok(NOT_SOLVED);
     }
     let reference = run(Solver::ActiveSet)?;
     let known = Known {
@@ -147,17 +109,17 @@ fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Verdict,
     let beside = Extreme { known, ..extreme.clone() };
     let same = !reference.solved || beside.error(&outcome.state) <= SAME;
     let near = extreme.error(&outcome.state) <= extreme.allowance();
-    Ok(if same && near { Verdict::Right } else { Verdict::Wrong })
+    Ok(if same && near { RIGHT } else { WRONG })
 }
 
 /// Beam theory.
-fn exact(extreme: &Extreme) -> Result<Verdict, Cause> {
+fn exact(extreme: &Extreme) -> Result<Count, Cause> {
     let exact = theory::solve(&extreme.scene)?;
     if !exact.solved {
-        return Ok(Verdict::NotSolved);
+        return Ok(NOT_SOLVED);
     }
     let right = extreme.error(&exact.state) <= DIGITS && extreme.energy_error(exact.state.energy) <= DIGITS;
-    Ok(if right { Verdict::Right } else { Verdict::Wrong })
+    Ok(if right { RIGHT } else { WRONG })
 }
 
 /// The names of the rows of map and table.
@@ -169,9 +131,9 @@ fn solvers() -> impl Iterator<Item = &'static str> {
 fn table(rows: &[Row], groups: &[&str]) -> Table {
     let header = ["solver"].into_iter().chain(groups.iter().copied()).chain(["wrong and solved"]);
     Table::new(header).rows(solvers().map(|solver| {
-        let of = |group: &str| Count::sum(rows.iter().filter(|row| row.solver == solver && row.group == group));
-        let cells = groups.iter().map(|group| format!("{} of {}", of(group).right, of(group).runs()));
-        let wrong: usize = groups.iter().map(|group| of(group).wrong).sum();
+        let of = |group| sum(rows.iter().filter(|row| row.solver == solver && row.group == group).map(|row| row.count));
+        let cells = groups.iter().map(|group| format!("{} of {}", of(*group)[0], of(*group).iter().sum::<usize>()));
+        let wrong: usize = groups.iter().map(|group| of(*group)[2]).sum();
         row![solver].into_iter().chain(cells).chain([wrong.to_string()]).collect::<Vec<_>>()
     }))
 }
@@ -180,8 +142,8 @@ fn table(rows: &[Row], groups: &[&str]) -> Table {
 fn drawn(study: &Study<'_>, rows: &[Row], wrong: usize, data: Table) -> Result<Drawn, Cause> {
     let shown = |row: &Row| {
         let (tone, number) = match row.count {
-            Count { wrong: wrong @ 1.., .. } => (Tone::Bad, wrong),
-            Count { not_solved: not_solved @ 1.., .. } => (Tone::Fair, not_solved),
+            [_, _, wrong] if 0 < wrong => (Tone::Bad, wrong),
+            [_, not_solved, _] if 0 < not_solved => (Tone::Fair, not_solved),
             _ => (Tone::Good, 0),
         };
         (tone, number.to_string())
