@@ -71,6 +71,8 @@
 //! ([`plot`]). Claims and figures of the paper, faults and scenes with known answers are no part of the library: they are the
 //! evidence for it, the package `palkki-evidence`.
 
+#![warn(clippy::disallowed_methods)]
+
 pub mod adaptive;
 pub mod certificate;
 mod memory;

@@ -1,5 +1,7 @@
 //! The command line of `palkki`.
 
+#![warn(clippy::disallowed_methods)]
+
 mod cli;
 
 fn main() -> std::process::ExitCode {

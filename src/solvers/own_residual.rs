@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn what_is_left_is_seen() {
         // z = 1 + d: a gradient of d, over the sizes 1 and 1 + d; and a gap of about d.
-        let d = 0.5_f64.powi(20);
+        let d = 1.0 / f64::from(1_u32 << 20);
         let of_clarabel = OwnResidual::of_clarabel(&native(), [&[1.0 + d], &[0.0], &[1.0 + d]], 1e-9);
         assert!((of_clarabel.residual - d).abs() < 2.0 * d * d, "gap d + d² over 1: {of_clarabel:?}");
         // A force that pulls by d is seen by osqp in the sign of z, and in the gradient.
