@@ -87,9 +87,9 @@ pub(crate) fn render(root: &Path) -> Result<Rendered, Cause> {
     let mut rendered = of_documents(root, |_| true)?;
     rendered.insert(html::PATH.to_owned(), html::page(&rendered)?);
     links::check(root, &rendered, &excerpt::all(root)?)?;
-    match words::sections(root)?.keys().find(|name| !rendered.contains_key(&format!("figures/{name}.svg"))) {
-        Some(name) => return Err(format!("{}.md has words for `{name}`, which is no figure", words::NAME).into()),
-        None => {}
+    let sections = words::sections(root)?;
+    if let Some(name) = sections.keys().find(|name| !rendered.contains_key(&format!("figures/{name}.svg"))) {
+        return Err(format!("{}.md has words for `{name}`, which is no figure", words::NAME).into());
     }
     Ok(rendered)
 }

@@ -1,7 +1,6 @@
 //! The judge is judged: faults in the answers of every route are refused by the check of the discrete problem or harmless,
 //! and whatever is guaranteed about an answer, however wrong, is true.
 
-mod data;
 mod exact;
 mod foreign;
 mod held;

@@ -16,7 +16,10 @@ const SHARP: f64 = 0.9;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let rows = answers(study)?;
-    if let Some(row) = rows.iter().find(|row| row.outcome.starts_with(answers::EXCEPTION)) {
+    // Where there is no number, both are infinite.
+    let is_false =
+        |row: &&Row| row.outcome.starts_with(answers::EXCEPTION) || row.certified < row.truth || row.certified.is_nan();
+    if let Some(row) = rows.iter().find(is_false) {
         return Err(format!("a certificate guaranteed what is not so: {row:?}").into());
     }
     let (faults, faults_file) = broken(study)?;
@@ -86,6 +89,9 @@ fn broken(study: &Study<'_>) -> Result<(Value, String), Cause> {
     for subject in all.iter().filter(|subject| subject.name == faults::AGAIN) {
         let same = |a: &faults::Row, b: &faults::Row| a.scene == b.scene && a.fault == b.fault;
         renew(faults::PATH, &mut rows, faults::rows(subject, &all)?, same)?;
+    }
+    if let Some(subject) = all.iter().find(|subject| rows.iter().all(|row| row.scene != subject.name)) {
+        return Err(format!("{} has no faults for {}: `cargo xtask certificates`", faults::PATH, subject.name).into());
     }
     if let Some(row) = rows.iter().find(|row| 0 < row.exceptions) {
         return Err(format!("a certificate guaranteed what is not so: {row:?}").into());
