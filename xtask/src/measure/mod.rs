@@ -16,7 +16,7 @@ use std::path::Path;
 
 use crate::{Cause, tell};
 use line::{Line, Store};
-use plan::{Job, LIMIT, Subject};
+use plan::{Job, LIMIT, PART, PATIENCE, Subject};
 use references::References;
 
 /// What is to be measured.
@@ -44,12 +44,13 @@ pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
         if is_survey {
             process::written(root, &scene)?;
         }
+        let limit = if is_survey { PART * PATIENCE } else { LIMIT };
         let references = References::new(&scene, !is_survey);
         for job in missing {
             // What the same took on the grid or the survey before, or longer than anything if it was left out.
             let before = all[..=k].iter().flatten().rev().skip_while(|other| **other != job).skip(1);
             let before = before.filter(|other| other.same_series(&job)).find_map(|other| store.named(&other.name()));
-            let line = if before.is_some_and(|line| line.median_s.is_none_or(|seconds| LIMIT < seconds)) {
+            let line = if before.is_some_and(|line| line.median_s.is_none_or(|seconds| limit < seconds)) {
                 Line::of(job).left_out()
             } else {
                 tell(&job.name());

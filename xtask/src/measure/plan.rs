@@ -30,8 +30,10 @@ const DEMANDED: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 /// Intervals of the grids, up to the finest of each series.
 pub(crate) const GRIDS: [usize; 11] = [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000];
 
-/// Seconds after which a process that solves a survey is stopped.
-pub(crate) const PATIENCE: f64 = 60.0;
+/// Seconds after which a process that solves a survey is stopped, and the part of them after which a series of surveys is not
+/// continued: ten times the points take some ten times as long.
+pub(crate) const PATIENCE: f64 = 180.0;
+pub(super) const PART: f64 = 1.0 / 12.0;
 
 /// Points of the surveys: segments, to be exact.
 const POINTS: [u32; 4] = [1000, 10_000, 100_000, 1_000_000];
