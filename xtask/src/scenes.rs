@@ -26,7 +26,7 @@ pub(crate) fn held(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {
 }
 
 /// The scenes of a directory, without those of the directories in it.
-fn listed(root: &Path, directory: &str) -> Result<Vec<(String, Scene)>, Cause> {
+pub(crate) fn listed(root: &Path, directory: &str) -> Result<Vec<(String, Scene)>, Cause> {
     let paths = files::list(root, directory)?;
     let names = paths.iter().filter_map(|path| path.strip_prefix(directory)?.strip_prefix('/')?.strip_suffix(".toml"));
     let names = names.filter(|name| !name.contains('/'));

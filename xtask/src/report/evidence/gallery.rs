@@ -11,76 +11,75 @@ use crate::report::files;
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let header =
         ["scene", "contact", "unknowns", "left reaction", "right reaction", "contact force", "deflection within"];
-    let mut overview = Table::new(header);
-    let (mut cards, mut figures, mut solved, mut unknowns) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let (mut residual, mut certified) = (0.0_f64, 0);
-    for (name, scene) in scenes::all(study.root)? {
-        let shown = shown(study, scenes::GALLERY, &name, &scene)?;
-        residual = residual.max(shown.exact.residual);
-        certified += usize::from(shown.certified);
-        unknowns.push(shown.exact.unknowns);
-        let state = &shown.exact.state;
-        let force = load(&scene);
+    let all = shown(study, scenes::GALLERY, "scene")?;
+    let overview = Table::new(header).rows(all.iter().map(|Shown { name, scene, exact, within, .. }| {
+        let (state, force) = (&exact.state, load(scene));
         let forces = [state.reactions.left, state.reactions.right, state.contact_force()];
         let [left, right, contact] = forces.map(|value| value_of(value, force, 5));
         let unit = scene.units().force.as_ref().map_or_else(String::new, |unit| format!(", {unit}"));
         let link = format!("[{}](#{name}){unit}", scene.title());
-        overview.push(row![link, state.regime.name(), shown.exact.unknowns, left, right, contact, shown.within]);
-        cards.push(shown.card);
-        let (svg, data) = shown.figure;
-        figures.push((format!("scene-{name}"), svg, data));
-        solved.push((name, scene, shown.curves));
-    }
+        row![link, state.regime.name(), exact.unknowns, left, right, contact, within]
+    }));
+    let unknowns = || all.iter().map(|shown| shown.exact.unknowns);
     let context = context! {
-        count => cards.len(),
-        exact => certified,
-        fewest => unknowns.iter().min(),
-        most => unknowns.iter().max(),
-        residual => bound(residual),
+        count => all.len(),
+        exact => all.iter().filter(|shown| shown.certified).count(),
+        fewest => unknowns().min(),
+        most => unknowns().max(),
+        residual => bound(all.iter().map(|shown| shown.exact.residual).fold(0.0, f64::max)),
         overview,
-        cards,
+        cards => all.iter().map(|shown| shown.card.clone()).collect::<Value>(),
     };
-    let evidence = Evidence::new(context).figures(figures)?;
-    let pictures = solved.iter().map(|(name, scene, drawn)| (name.as_str(), scene, drawn));
+    let pictures = all.iter().map(|shown| (shown.name.as_str(), &shown.scene, &shown.curves));
     let Words { title, description, .. } = study.words("sheet", context! {})?;
     let svg = sheet(&title, &description, pictures)?;
-    let forces = solved.iter().flat_map(|(name, _, drawn)| {
-        drawn.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
+    let forces = all.iter().flat_map(|Shown { name, curves, .. }| {
+        curves.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
     });
-    evidence.figure("sheet", svg, Table::new(["scene", "x", "contact_force"]).rows(forces))
+    let forces = Table::new(["scene", "x", "contact_force"]).rows(forces);
+    Evidence::new(context).figure("sheet", svg, forces)?.figures(all.into_iter().map(|shown| shown.figure))
 }
 
 /// A scene that is solved and judged, with its card and its figure.
 pub(super) struct Shown {
+    pub(super) name: String,
+    pub(super) scene: Scene,
     pub(super) exact: Exact,
     pub(super) certified: bool,
     /// The guaranteed error of the deflection over the largest one.
     within: String,
+    /// Its story and its formula. Its values are one page of the snapshots.
     pub(super) card: Value,
     curves: Curves,
-    /// The drawing, and the numbers that it draws.
-    pub(super) figure: (String, Table),
+    pub(super) figure: Drawn<String>,
 }
 
-/// A scene of some directory as a page shows it: its story, its formula and its figure. Its values are one page of the snapshots.
-pub(super) fn shown(study: &Study<'_>, directory: &str, name: &str, scene: &Scene) -> Result<Shown, Cause> {
-    let exact = theory::solve(scene)?;
-    let verdict = Verdict::of_exact(scene, &exact, &Demand::default());
-    let file = files::text(study.root, &format!("{directory}/{name}.toml"))?;
-    let curves = Curves::exact(scene, &exact);
-    let within = verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
-    // The comment at the head of a scene file.
-    let head = file.lines().take_while(|line| line.starts_with('#'));
-    let story = head.map(|line| line.trim_start_matches('#').trim()).collect::<Vec<_>>().join(" ");
-    let certified = verdict.status == Status::Certified;
-    Ok(Shown {
-        within: within.unwrap_or_else(|| "–".to_owned()),
-        certified,
-        card: context! { name, title => scene.title(), story, certified, formula => closed(scene).map(|(formula, _)| formula) },
-        figure: (palkki::plot::curves(scene, &curves, "exact solution")?, table(&curves)),
-        curves,
-        exact,
-    })
+/// The scenes of a directory; the names of their figures begin with `prefix`.
+pub(super) fn shown(study: &Study<'_>, directory: &str, prefix: &str) -> Result<Vec<Shown>, Cause> {
+    let shown = |(name, scene): (String, Scene)| -> Result<Shown, Cause> {
+        let exact = theory::solve(&scene)?;
+        let verdict = Verdict::of_exact(&scene, &exact, &Demand::default());
+        let file = files::text(study.root, &format!("{directory}/{name}.toml"))?;
+        let curves = Curves::exact(&scene, &exact);
+        let within = verdict.certificate.as_ref().map(|c| bound((c.deflection_error / c.deflection).max(f64::EPSILON)));
+        // The comment at the head of a scene file.
+        let head = file.lines().take_while(|line| line.starts_with('#'));
+        let story = head.map(|line| line.trim_start_matches('#').trim()).collect::<Vec<_>>().join(" ");
+        let certified = verdict.status == Status::Certified;
+        let formula = closed(&scene).map(|(formula, _)| formula);
+        let svg = palkki::plot::curves(&scene, &curves, "exact solution")?;
+        Ok(Shown {
+            within: within.unwrap_or_else(|| "–".to_owned()),
+            certified,
+            card: context! { name => name.as_str(), title => scene.title(), story, certified, formula },
+            figure: (format!("{prefix}-{name}"), svg, table(&curves)),
+            curves,
+            exact,
+            name,
+            scene,
+        })
+    };
+    scenes::listed(study.root, directory)?.into_iter().map(shown).collect()
 }
 
 /// What a figure of the curves draws, row by row; no pressure where nothing touches, no clearance without a foundation.

@@ -1,10 +1,9 @@
 //! What holds a beam: scenes with supports of every kind, and with none.
 
 use palkki::scene::{Beam, Load, PointLoad};
-use palkki::theory::Exact;
 use palkki_evidence::paper::ends::{FINE, other_ends};
 
-use super::gallery::shown;
+use super::gallery::{Shown, shown};
 use super::prelude::*;
 
 /// Grids of the table of methods.
@@ -19,25 +18,17 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         "force method, 30",
         "force method, 300",
     ]);
-    let (mut cards, mut figures, mut certified) = (Vec::new(), Vec::new(), 0);
-    let (mut stands, mut neutral) = (Value::UNDEFINED, Value::UNDEFINED);
-    for (name, scene) in scenes::held(study.root)? {
-        let shown = shown(study, scenes::HELD, &name, &scene)?;
-        certified += usize::from(shown.certified);
-        match name.as_str() {
-            "table-edge" => stands = standing(&scene, &shown.exact)?,
-            "balanced" => neutral = standing(&scene, &shown.exact)?,
-            _ => {}
-        }
-        errors.push(error_row(&name, &scene, &shown.exact)?);
-        cards.push(shown.card);
-        let (svg, data) = shown.figure;
-        figures.push((format!("held-{name}"), svg, data));
+    let all = shown(study, scenes::HELD, "held")?;
+    for shown in &all {
+        errors.push(error_row(shown)?);
     }
+    let named = |name: &str| all.iter().find(|shown| shown.name == name).ok_or_else(|| format!("there is no {name}"));
+    let [stands, neutral] = ["table-edge", "balanced"].map(|name| standing(named(name)?));
+    let (stands, neutral) = (stands?, neutral?);
     let context = context! {
-        count => cards.len(),
-        certified,
-        cards,
+        count => all.len(),
+        certified => all.iter().filter(|shown| shown.certified).count(),
+        cards => all.iter().map(|shown| shown.card.clone()).collect::<Value>(),
         errors,
         stands,
         neutral,
@@ -50,7 +41,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             }
         },
     };
-    Evidence::new(context).figures(figures)
+    Evidence::new(context).figures(all.into_iter().map(|shown| shown.figure))
 }
 
 /// The force and the displacement method are the same problem: their energies differ by rounding, which grows with the
@@ -58,7 +49,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 const SAME: f64 = 1e-8;
 
 /// How far the energy of the two kinds of discrete problem is from that of beam theory, over its magnitude.
-fn error_row(name: &str, scene: &Scene, exact: &Exact) -> Result<Vec<String>, Cause> {
+fn error_row(Shown { name, scene, exact, .. }: &Shown) -> Result<Vec<String>, Cause> {
     let energy = exact.state.energy;
     let mut row = vec![format!("[{}](#{name})", scene.title()), significant(energy, 6)];
     for method in [Method::Complementarity, Method::Force] {
@@ -80,7 +71,7 @@ fn error_row(name: &str, scene: &Scene, exact: &Exact) -> Result<Vec<String>, Ca
 }
 
 /// How a beam stands that its supports do not hold.
-fn standing(scene: &Scene, exact: &Exact) -> Result<Value, Cause> {
+fn standing(Shown { scene, exact, .. }: &Shown) -> Result<Value, Cause> {
     let standing = exact.state.standing.ok_or_else(|| format!("{} is held by its supports", scene.title()))?;
     Ok(context! {
         title => scene.title(),

@@ -8,43 +8,33 @@ use crate::report::files;
 /// The line that opens a block.
 const OPENING: &str = "// Discrepancy: ";
 
-/// One departure, as told where the code departs.
-#[derive(Debug, PartialEq, Eq)]
-struct Discrepancy {
-    id: String,
-    /// Path relative to the root.
-    file: String,
-    /// Line of the opening, from 1.
-    line: usize,
-    /// Paragraphs of the block, separated by empty lines.
-    text: String,
-}
+/// One departure, as told where the code departs: the file, the line of the opening, and the paragraphs, separated by empty lines.
+type Discrepancy = (String, usize, String);
 
 /// Where we depart from the paper: collected from the comments that begin with `// Discrepancy: <id>`.
 pub(super) fn discrepancies(study: &Study<'_>) -> Result<Evidence, Cause> {
     let entries = collect(&files::texts(study.root, &["src", "tests/evidence", "xtask/src"], &[".rs"])?)?
         .into_iter()
-        .map(|d| context! { id => d.id, file => d.file, text => d.text });
+        .map(|(id, (file, _, text))| context! { id, file, text });
     let entries: Vec<Value> = entries.collect();
     Ok(Evidence::new(context! { count => entries.len(), entries }))
 }
 
-/// All blocks, ordered by id, so that moving code from file to file does not reorder the chapter.
-fn collect(sources: &[(String, String)]) -> Result<Vec<Discrepancy>, Cause> {
+/// All blocks by their ids, so that moving code from file to file does not reorder the chapter.
+fn collect(sources: &[(String, String)]) -> Result<BTreeMap<String, Discrepancy>, Cause> {
     let mut found: BTreeMap<String, Discrepancy> = BTreeMap::new();
     for (file, text) in sources {
         let lines: Vec<&str> = text.lines().map(str::trim).collect();
         for (index, opening) in lines.iter().enumerate() {
             let Some(id) = opening.strip_prefix(OPENING) else { continue };
             let block = block(file, index + 1, id, &lines[index + 1..])?;
-            if let Some(other) = found.get(id) {
-                let (line, other) = (block.line, &other.file);
-                return Err(format!("{file}:{line}: the discrepancy `{id}` is also told in {other}").into());
+            if let Some((other, ..)) = found.get(id) {
+                return Err(format!("{file}:{}: the discrepancy `{id}` is also told in {other}", index + 1).into());
             }
-            found.insert(block.id.clone(), block);
+            found.insert((*id).to_owned(), block);
         }
     }
-    Ok(found.into_values().collect())
+    Ok(found)
 }
 
 /// Reads the block whose opening is line `line`; `rest` is what follows.
@@ -64,7 +54,7 @@ fn block(file: &str, line: usize, id: &str, rest: &[&str]) -> Result<Discrepancy
         let after = format!("// Discrepancy: {id}");
         return Err(format!("{file}:{line}: after `{after}` must come a line `//` and then prose").into());
     }
-    Ok(Discrepancy { id: id.to_owned(), file: file.to_owned(), line, text })
+    Ok((file.to_owned(), line, text))
 }
 
 /// The template with the list, and its heading.
@@ -127,7 +117,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 mod tests {
     use super::*;
 
-    fn collected(text: &str) -> Result<Vec<Discrepancy>, String> {
+    fn collected(text: &str) -> Result<BTreeMap<String, Discrepancy>, String> {
         collect(&[("src/a.rs".to_owned(), text.to_owned())]).map_err(|error| error.to_string())
     }
 
@@ -135,16 +125,9 @@ mod tests {
     fn blocks_are_collected_by_id() {
         let text = "//! x\n    // Discrepancy: fig-05-load\n    //\n    // Labelled q = 10.\n    //\n    // We use\n    // 1.0.\n\
                     let q = 1.0; // Discrepancy: not at the start of a line\n// Discrepancy: eq-2\n//\n// b\n/// doc\n";
-        let entry = |id: &str, line, text: &str| Discrepancy {
-            id: id.to_owned(),
-            file: "src/a.rs".to_owned(),
-            line,
-            text: text.to_owned(),
-        };
-        assert_eq!(
-            collected(text),
-            Ok(vec![entry("eq-2", 9, "b"), entry("fig-05-load", 2, "Labelled q = 10.\n\nWe use\n1.0.")])
-        );
+        let entry = |id: &str, line, text: &str| (id.to_owned(), ("src/a.rs".to_owned(), line, text.to_owned()));
+        let expected = [entry("eq-2", 9, "b"), entry("fig-05-load", 2, "Labelled q = 10.\n\nWe use\n1.0.")];
+        assert_eq!(collected(text), Ok(expected.into()));
     }
 
     #[test]
