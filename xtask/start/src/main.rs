@@ -43,14 +43,13 @@ fn main() -> ExitCode {
 fn pass_on(arguments: &[String]) -> ExitCode {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     // Times of an unoptimised build would mislead, and very many runs should not take longer than they must.
-    let profile = if arguments.first().is_some_and(|task| matches!(task.as_str(), "measure" | "hostile")) {
-        "release"
-    } else {
-        "dev"
-    };
-    // Measured is the program, too.
+    let task = arguments.first().map(String::as_str);
+    let profile = if matches!(task, Some("measure" | "hostile")) { "release" } else { "dev" };
+    // What is measured is the program, too.
+    let packages = if task == Some("measure") { &["--package", "palkki"][..] } else { &[] };
     let build = Command::new(&cargo)
-        .args(["build", "--package", "xtask", "--package", "palkki", "--locked", "--profile", profile])
+        .args(["build", "--package", "xtask", "--locked", "--profile", profile])
+        .args(packages)
         .status();
     if !build.is_ok_and(|status| status.success()) {
         eprintln!("\nxtask: the build failed. What `cargo xtask doctor` says of this machine:\n");
