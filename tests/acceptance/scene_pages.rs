@@ -16,7 +16,7 @@ use palkki::{Witness, theory};
 use palkki_evidence::numdiff::numdiff;
 
 use crate::scenes::run;
-use crate::support::assert_pages;
+use crate::support::{Numdiff, with_our_settings};
 
 /// Intervals of the answers that are shown, and of the certified errors. Where a support inside asks for it, the next finer
 /// grid that has a node at each support.
@@ -182,14 +182,11 @@ fn page(scene: &Scene) -> String {
 /// (`methods`, `theory`), true errors beside certified ones (`certificate::truth`) and beside demanded ones (`solvers::adaptive`).
 #[test]
 fn every_scene_has_its_page() {
-    assert_pages!(
-        "../../report/scenes",
-        "**/*.toml",
-        "All that is pinned about one scene, by the active set",
-        |path: &std::path::Path| {
+    with_our_settings!("All that is pinned about one scene, by the active set", Numdiff, {
+        insta::glob!("../../report/scenes", "**/*.toml", |path| {
             let text = fs::read_to_string(path).expect("a scene file");
             let survey = |name: &str| fs::read_to_string(path.with_file_name(name)).map_err(|_| ReadProblem::Missing);
-            page(&parse(&path.to_string_lossy(), &text, survey).unwrap_or_else(|e| panic!("{e}")))
-        }
-    );
+            insta::assert_snapshot!("page", page(&parse(&path.to_string_lossy(), &text, survey).unwrap_or_else(|e| panic!("{e}"))));
+        });
+    });
 }

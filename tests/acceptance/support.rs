@@ -26,46 +26,36 @@ impl Comparator for Numdiff {
     }
 }
 
-/// Asserts that a table equals the snapshot `snapshots/<name>.snap` as far as it is printed.
-///
-/// The name and the description are literals: a test reads the names of all snapshots from the source.
-/// A macro and no function, so that `source:` in the snapshot names the real test.
-macro_rules! assert_table {
-    ($name:literal, $description:literal, $table:expr $(,)?) => {
+/// The settings of all snapshots, and the one place for them: a folder and a description, and how two texts are compared.
+/// Macros and no functions, so that `source:` in a snapshot names the real test.
+macro_rules! with_our_settings {
+    ($description:literal, $comparator:expr, $asserted:expr) => {
         insta::with_settings!({
             snapshot_path => concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"),
             prepend_module_to_snapshot => false,
             omit_expression => true,
             description => $description,
-            comparator => Box::new($crate::support::Numdiff),
-        }, { insta::assert_snapshot!($name, $table) })
+            comparator => Box::new($comparator),
+        }, { $asserted })
+    };
+}
+pub(crate) use with_our_settings;
+
+/// Asserts that a table equals the snapshot `snapshots/<name>.snap` as far as it is printed.
+///
+/// The name and the description are literals: a test reads the names of all snapshots from the source.
+macro_rules! assert_table {
+    ($name:literal, $description:literal, $table:expr $(,)?) => {
+        $crate::support::with_our_settings!($description, $crate::support::Numdiff, insta::assert_snapshot!($name, $table))
     };
 }
 pub(crate) use assert_table;
 
 /// Asserts that words equal the snapshot `snapshots/<name>.snap`, every letter of them.
 macro_rules! assert_text {
-    ($name:literal, $description:literal, $text:expr $(,)?) => {
-        insta::with_settings!({
-            snapshot_path => concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"),
-            prepend_module_to_snapshot => false,
-            omit_expression => true,
-            description => $description,
-        }, { insta::assert_snapshot!($name, $text) })
-    };
+    ($name:literal, $description:literal, $text:expr $(,)?) => {{
+        let exact = insta::comparator::DefaultComparator;
+        $crate::support::with_our_settings!($description, exact, insta::assert_snapshot!($name, $text))
+    }};
 }
 pub(crate) use assert_text;
-
-/// Asserts a page for each file that a pattern finds below a folder, as tables are: `snapshots/page@<file>.snap`.
-macro_rules! assert_pages {
-    ($folder:literal, $pattern:literal, $description:literal, $page:expr $(,)?) => {
-        insta::with_settings!({
-            snapshot_path => concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"),
-            prepend_module_to_snapshot => false,
-            omit_expression => true,
-            description => $description,
-            comparator => Box::new($crate::support::Numdiff),
-        }, { insta::glob!($folder, $pattern, |path| insta::assert_snapshot!("page", $page(path))) })
-    };
-}
-pub(crate) use assert_pages;
