@@ -17,8 +17,6 @@
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
-//! [`flat()`] is the paper's own case in closed form, [`closed`] has others.
-//!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 
 mod bernstein;
@@ -27,7 +25,6 @@ mod chain;
 mod changes;
 mod check;
 mod close;
-pub mod closed;
 mod continuation;
 mod cosine;
 mod derivatives;
@@ -55,7 +52,6 @@ mod summary;
 mod tension;
 mod violation;
 
-pub use closed::{FlatSolution, flat};
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
 pub use margin::Margin;

@@ -186,7 +186,10 @@ fn every_scene_has_its_page() {
         insta::glob!("../../report/scenes", "**/*.toml", |path| {
             let text = fs::read_to_string(path).expect("a scene file");
             let survey = |name: &str| fs::read_to_string(path.with_file_name(name)).map_err(|_| ReadProblem::Missing);
-            insta::assert_snapshot!("page", page(&parse(&path.to_string_lossy(), &text, survey).unwrap_or_else(|e| panic!("{e}"))));
+            insta::assert_snapshot!(
+                "page",
+                page(&parse(&path.to_string_lossy(), &text, survey).unwrap_or_else(|e| panic!("{e}")))
+            );
         });
     });
 }

@@ -46,7 +46,11 @@ pub(crate) use with_our_settings;
 /// The name and the description are literals: a test reads the names of all snapshots from the source.
 macro_rules! assert_table {
     ($name:literal, $description:literal, $table:expr $(,)?) => {
-        $crate::support::with_our_settings!($description, $crate::support::Numdiff, insta::assert_snapshot!($name, $table))
+        $crate::support::with_our_settings!(
+            $description,
+            $crate::support::Numdiff,
+            insta::assert_snapshot!($name, $table)
+        )
     };
 }
 pub(crate) use assert_table;

@@ -63,7 +63,7 @@ fn a_million_intervals<const SEGMENTS: u32>(bencher: Bencher<'_, '_>, method: Me
 }
 
 #[divan::bench]
-fn beam_theory_in_closed_form() -> palkki::theory::FlatSolution {
+fn beam_theory_in_closed_form() -> palkki_evidence::closed::FlatSolution {
     theory()
 }
 

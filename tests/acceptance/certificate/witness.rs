@@ -6,8 +6,9 @@ use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::state::{Contact, Nodes};
 use palkki_evidence::authority::RBig;
-use palkki_evidence::faults::{CONTACT_FAULTS, SIZES};
+use palkki_evidence::faults::every_contact_fault;
 
+use super::SOME;
 use crate::scenes::{nodes, run, uniform};
 use palkki_evidence::authority::number::{Fixed, Number};
 use palkki_evidence::random::Random;
@@ -66,12 +67,8 @@ fn check<T: Number>(what: &str, scene: &Scene, truth: &Truth<T>) {
     holds(what, scene, given, &right, truth);
     holds(&format!("{what}, no witness"), scene, given, &said(&[]), truth);
     holds(&format!("{what}, its own contacts"), scene, given, &said(&raw.state.contacts), truth);
-    for fault in CONTACT_FAULTS {
-        for &size in if fault.sized { &SIZES[..] } else { &[0.0] } {
-            if let Some(broken) = fault.put_into(&truth.contacts, size, scene.beam().length()) {
-                holds(&format!("{what}, {}, {size:e}", fault.name), scene, given, &said(&broken), truth);
-            }
-        }
+    for (fault, size, broken) in every_contact_fault(&truth.contacts, scene.beam().length(), &SOME) {
+        holds(&format!("{what}, {}, {size:e}", fault.name), scene, given, &said(&broken), truth);
     }
 }
 

@@ -30,7 +30,7 @@ fn good_forces_are_certified() {
     let bounds = &json["certificate"];
     let [lower, upper, error] = ["energy_lower", "energy_upper", "deflection_error"].map(|key| number(&bounds[key]));
     // J* = −q₀ u₀ (l − 4a/5), in closed form.
-    let energy = -palkki::theory::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy.abs();
+    let energy = -palkki_evidence::closed::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy.abs();
     assert!(lower <= energy && energy <= upper && upper - lower <= 1e-9 * energy.abs(), "{bounds}");
     assert!(bounds.get("coarse").is_none(), "{bounds}");
     assert!(0.0 < error && error < 1e-2, "{bounds}");
@@ -121,7 +121,7 @@ fn strange_forces_are_bounded() {
         let (code, text, json) = folder.json("certify example.toml strange.csv");
         assert_eq!((code, &json["status"]), (Some(1), &Value::from("not-certified")), "{name}: {text}");
         // J* = −q₀ u₀ (l − 4a/5), in closed form; what could not be bounded is null.
-        let energy = palkki::theory::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy;
+        let energy = palkki_evidence::closed::flat(10.0, 1.302_083_333_333_333_3, 1.0, 1.0).energy;
         let [lower, upper] = ["energy_lower", "energy_upper"].map(|key| json["certificate"][key].as_f64());
         let holds = lower.is_none_or(|lower| lower <= energy) && upper.is_none_or(|upper| energy <= upper);
         assert!(holds, "{name}: {text}");

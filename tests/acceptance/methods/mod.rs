@@ -1,6 +1,7 @@
 //! The methods against each other and against exact arithmetic: matrices, loads, digits, properties.
 
 mod agreement;
+mod closed;
 mod digits;
 mod exact;
 mod matrices;

@@ -1,11 +1,10 @@
-//! Properties that hold for any scene: symmetry, units, superposition, equilibrium, monotonicity.
+//! Properties that hold for any scene: superposition, equilibrium, monotonicity.
 //!
 //! Random scenes come from a generator with a fixed seed, so that a failure is the same on every machine.
 
+mod equilibrium;
 mod superposition;
-mod symmetry;
 mod uneven;
-mod units;
 
 use palkki::scene::{Foundation, LinearLoad, PointLoad, Scene};
 use palkki_evidence::draft::Draft;

@@ -2,7 +2,7 @@
 //! person reads them, in `snapshots/messages.snap`.
 
 use palkki::scene::file::{Problem, ReadProblem, parse};
-use palkki::scene::{Beam, Foundation, Grid, LinearLoad, Load, PointLoad, Scene, Support};
+use palkki::scene::{Beam, Foundation, Grid, LinearLoad, Load, Scene, Support};
 
 use crate::scenes::EVERY_KEY;
 use crate::support::assert_text;
@@ -187,26 +187,6 @@ fn supports_and_shape_are_read() {
     assert!(close(asked[1].0, 0.3 - own(4.0)) && close(asked[2].0, -own(10.0)), "{asked:?}");
     assert!(close(scene.gap(2.0), 9.0 - own(2.0)));
     assert!(!scene.beam().is_simple());
-}
-
-/// Scaling changes exponents only, and what is not held is so in every unit.
-#[test]
-fn supports_are_scaled_by_powers_of_two() {
-    let supports = vec![Support { at: 0.0, level: -0.3, slope: Some(0.7) }, Support::simple(7.0).at_level(0.1)];
-    let shape = Foundation::Polynomial { coefficients: vec![0.1, 0.2, -0.3] };
-    let beam = Beam::new(10.0, 1.3).and_then(|b| b.with_supports(supports)).and_then(|b| b.with_shape(shape));
-    let beam = beam.expect("a beam");
-    let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 3.0, force: 700.0 }]).expect("a load");
-    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 50.0 })).expect("a scene");
-    let scaled = scene.scaled().expect("in range");
-    let (length, depth) = (scaled.scale.length, scaled.scale.depth);
-    for (scaled, held) in scaled.scene.held().iter().zip(scene.held()) {
-        let again = [scaled.at * length, scaled.deflection * depth];
-        assert_eq!(again.map(f64::to_bits), [held.at, held.deflection].map(f64::to_bits));
-        assert_eq!(scaled.slope.map(|slope| (slope * (depth / length)).to_bits()), held.slope.map(f64::to_bits));
-    }
-    let gap = scaled.scene.gap(3.0 / length) * depth;
-    assert_eq!(gap.to_bits(), scene.gap(3.0).to_bits());
 }
 
 /// What no scene file can say: a grid, and numbers that come from a program.

@@ -149,6 +149,24 @@ impl Draft {
         text
     }
 
+    /// The same from right to left.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let length = self.length;
+        let profile = |profile: &Option<Foundation>| profile.as_ref().map(|profile| turned(profile, length));
+        let linear =
+            |q: &LinearLoad| LinearLoad { from: length - q.to, to: length - q.from, start: q.end, end: q.start };
+        let support = |s: &Support| Support { at: length - s.at, slope: s.slope.map(|slope| -slope), ..*s };
+        Self {
+            linear: self.linear.iter().map(linear).collect(),
+            point: self.point.iter().map(|p| PointLoad { at: length - p.at, ..*p }).collect(),
+            ground: profile(&self.ground),
+            supports: self.supports.as_ref().map(|supports| supports.iter().map(support).collect()),
+            shape: profile(&self.shape),
+            ..self.clone()
+        }
+    }
+
     /// The same in other units; `EI` has the unit force · length³ / depth.
     #[must_use]
     pub fn in_units(&self, units: Units) -> Self {
@@ -191,6 +209,33 @@ impl From<&Scene> for Draft {
             ground: scene.foundation().cloned(),
             supports: Some(beam.supports().to_vec()),
             shape: beam.shape().cloned(),
+        }
+    }
+}
+
+/// A profile from 0 to a length, seen from the other end.
+fn turned(profile: &Foundation, length: f64) -> Foundation {
+    match profile {
+        Foundation::Flat { .. } => profile.clone(),
+        Foundation::Polynomial { coefficients } => {
+            // By Horner's rule in powers of l − x.
+            let turned = coefficients.iter().rev().fold(vec![0.0], |sum, c| {
+                let mut next = vec![0.0; sum.len() + 1];
+                for (j, s) in sum.iter().enumerate() {
+                    next[j] += length * s;
+                    next[j + 1] -= s;
+                }
+                next[0] += c;
+                next
+            });
+            Foundation::Polynomial { coefficients: turned[..coefficients.len()].to_vec() }
+        }
+        &Foundation::Cosine { mean, amplitude, wavelength, phase } => {
+            let phase = -(phase + std::f64::consts::TAU * length / wavelength);
+            Foundation::Cosine { mean, amplitude, wavelength, phase }
+        }
+        Foundation::Polyline { points } => {
+            Foundation::Polyline { points: points.iter().rev().map(|&[x, u]| [length - x, u]).collect() }
         }
     }
 }

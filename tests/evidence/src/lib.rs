@@ -1,7 +1,7 @@
 //! The evidence for `palkki`: what its tests, its report and its measurements share, and the library does without.
 //!
 //! [`paper`] has the example, the figures and the claims of the paper. [`faults`] puts faults into answers and compares what is
-//! certified with the truth. [`extremes`] has scenes whose answer is known without a solver. [`authority`] solves discrete
+//! certified with the truth. [`extremes`] has scenes whose answer is known without a solver. [`closed`] has closed forms, [`authority`] solves discrete
 //! problems exactly, and [`definition`] asks an answer for all that the problem is defined by, and [`differences`] whether its derivatives are those of
 //! the answers beside it. [`draft`] is a scene as numbers,
 //! [`compare`] the difference of two lists, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
@@ -12,6 +12,7 @@
 #![cfg(feature = "full")]
 
 pub mod authority;
+pub mod closed;
 pub mod compare;
 pub mod definition;
 pub mod differences;

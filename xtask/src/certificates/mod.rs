@@ -3,7 +3,7 @@
 //! them again each time.
 //!
 //! The name of a scene says where it is from, and so what its truth is: `NAME` is a scene of the gallery and `held/NAME` one that is
-//! held otherwise, both beside beam theory; `closed/NAME` is one of [`palkki_evidence::faults::closed`], beside its closed form.
+//! held otherwise, both beside beam theory; `closed/NAME` is one of [`palkki_evidence::closed`], beside its closed form.
 
 pub(crate) mod answers;
 pub(crate) mod faults;
@@ -14,7 +14,8 @@ use std::path::Path;
 use palkki::route::{Method, Solver};
 use palkki::scene::{Grid, Scene};
 use palkki::{Settings, solve_raw};
-use palkki_evidence::faults::{Closed, Truth, closed};
+use palkki_evidence::closed::{self, Closed};
+use palkki_evidence::faults::Truth;
 use rayon::prelude::*;
 
 use crate::{Cause, data, scenes, tell};
@@ -85,7 +86,7 @@ fn in_closed_form() -> Result<Vec<Subject>, Cause> {
         scene: closed.scene.clone(),
         closed: Some(closed),
     };
-    Ok(closed::all()?.into_iter().map(subject).collect())
+    Ok(closed::held()?.into_iter().map(subject).collect())
 }
 
 /// Computes both files, as many scenes at once as the machine has cores. The rows are in the order of the scenes.

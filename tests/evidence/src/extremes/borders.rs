@@ -2,11 +2,10 @@
 //! that are zero, upward, in balance, at a support, at a kink.
 
 use super::{Extreme, Known, extreme};
+use crate::closed::{flat, incline, lifted, parabola};
 use crate::draft::Draft;
 use crate::paper::{LENGTH as L, STIFFNESS as EI};
 use palkki::scene::{Foundation, LinearLoad, SceneError};
-use palkki::theory::closed::{incline, lifted, parabola};
-use palkki::theory::flat;
 
 /// All of them.
 ///

@@ -1,6 +1,6 @@
 //! Scenes at the extremes of sizes, units and regimes, each with an authority that knows the answer without a solver.
 //!
-//! Closed forms of [`palkki::theory`] (the functions, not the search), statics, and the rule by which quantities scale with
+//! Closed forms, statics, and the rule by which quantities scale with
 //! their units are the authorities. Test suite and report judge every route by them.
 //!
 //! [`survey()`] is the exception: ground of up to millions of points, on which routes are judged by each other.
@@ -19,8 +19,8 @@ pub use units::units;
 
 use palkki::scene::{Scene, SceneError};
 use palkki::state::ContactState;
-use palkki::theory::FlatSolution;
 
+use crate::closed::FlatSolution;
 use crate::compare::largest;
 use crate::draft::{Draft, Units};
 

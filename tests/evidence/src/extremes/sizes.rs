@@ -1,11 +1,10 @@
 //! Sizes: few and many intervals, depths of every size beside the sag of the beam, waves, pits.
 
 use super::{Extreme, Known, extreme};
+use crate::closed::{flat, parabola};
 use crate::draft::Draft;
 use crate::paper::{LENGTH, STIFFNESS, UNIFORM};
 use palkki::scene::{Foundation, SceneError};
-use palkki::theory::closed::parabola;
-use palkki::theory::flat;
 
 /// Powers of ten of `EI u₀/(q l⁴)`.
 pub const POWERS: [i32; 20] =

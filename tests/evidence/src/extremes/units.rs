@@ -1,10 +1,10 @@
 //! Units: one scene in metres and microns, newtons and meganewtons, and near the ends of the range of `f64`.
 
 use super::{Extreme, Known, in_units};
+use crate::closed::flat;
 use crate::draft::{Draft, Units};
 use crate::paper::{LENGTH as L, STIFFNESS as EI};
 use palkki::scene::{Foundation, SceneError};
-use palkki::theory::flat;
 
 /// Units that are tried; those of the last four are powers of two.
 const ALL: [(&str, Units); 16] = [

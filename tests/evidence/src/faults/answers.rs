@@ -44,6 +44,18 @@ impl Fault {
     }
 }
 
+/// Every fault in every size, with the state that has it; without those that change nothing.
+pub fn every_fault<'a>(
+    state: &'a ContactState,
+    scene: &Scene,
+) -> impl Iterator<Item = (Fault, f64, ContactState)> + 'a {
+    let length = scene.beam().length();
+    let load = scene.load().magnitude(length);
+    let sizes = |sized: bool| if sized { &SIZES[..] } else { &[0.0] };
+    let all = FAULTS.into_iter().flat_map(move |fault| sizes(fault.sized).iter().map(move |&size| (fault, size)));
+    all.filter_map(move |(fault, size)| Some((fault, size, fault.put_into(state, size, load, length)?)))
+}
+
 /// All numbers of the nodes, so that NaN equals itself.
 fn bits(nodes: &Nodes) -> impl Iterator<Item = u64> + '_ {
     let lists = [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment];

@@ -27,6 +27,17 @@ impl ContactFault {
     }
 }
 
+/// Every fault in some sizes, with the contacts that have it; without those that change nothing.
+pub fn every_contact_fault<'a>(
+    contacts: &'a [Contact],
+    length: f64,
+    sizes: &'a [f64],
+) -> impl Iterator<Item = (ContactFault, f64, Vec<Contact>)> + 'a {
+    let sized = move |fault: ContactFault| if fault.sized { sizes } else { &[0.0] };
+    let all = CONTACT_FAULTS.into_iter().flat_map(move |fault| sized(fault).iter().map(move |&size| (fault, size)));
+    all.filter_map(move |(fault, size)| Some((fault, size, fault.put_into(contacts, size, length)?)))
+}
+
 fn first(contacts: &mut [Contact], act: impl FnOnce(&mut Contact)) {
     if let Some(contact) = contacts.first_mut() {
         act(contact);

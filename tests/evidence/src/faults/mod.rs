@@ -1,6 +1,6 @@
 //! Fault injection: what is certified about an answer, beside the truth.
 //!
-//! The truth is a [`Closed`] form where there is one: those have beams on any supports, with own shapes, free ends and none to
+//! The truth is a [closed form](crate::closed) where there is one: those have beams on any supports, with own shapes, free ends and none to
 //! hold them. For other scenes it is beam theory with free lift-off points, which shares no code with the judge. Theory also
 //! proposes the witness that certificates are proven from: so the tests put wrong witnesses beside fractions and closed forms, too. An
 //! answer comes from a route, or
@@ -11,11 +11,9 @@
 //! 2. What passes the check of the discrete problem ([`Kkt`](palkki::certificate::Kkt)) is close to its solution.
 
 mod answers;
-pub mod closed;
 mod contacts;
 mod truth;
 
-pub use answers::{FAULTS, Fault, SIZES, every_second, scaled_ground, scaled_load};
-pub use closed::Closed;
-pub use contacts::{CONTACT_FAULTS, ContactFault};
+pub use answers::{FAULTS, Fault, SIZES, every_fault, every_second, scaled_ground, scaled_load};
+pub use contacts::{CONTACT_FAULTS, ContactFault, every_contact_fault};
 pub use truth::{Certified, Cubics, Distance, FalseBound, THEORY, Truth};

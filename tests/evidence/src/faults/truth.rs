@@ -5,7 +5,7 @@ use palkki::scene::Scene;
 use palkki::state::{Contact, ContactState, Nodes};
 use palkki::theory::{self, Exact, TheoryError};
 
-use super::Closed;
+use crate::closed::Closed;
 use crate::compare::{apart, largest};
 
 /// Closed forms and beam theory: the latter is right to twelve digits of the largest deflection, of the energy and of the

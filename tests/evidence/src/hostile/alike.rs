@@ -128,33 +128,13 @@ pub(super) fn continuous(trial: &mut Trial, draft: &Draft, scene: &Scene, exact:
     }
 }
 
-/// The same from right to left, if no place is rounded on the way.
+/// The same from right to left, if no number is rounded on the way.
 fn mirrored(draft: &Draft) -> Option<Draft> {
-    let length = draft.length;
-    let place = |x: f64| Some(length - x).filter(|y| (length - y).total_cmp(&x).is_eq());
-    let profile = |profile: &Option<Foundation>| match profile {
-        None => Some(None),
-        Some(Foundation::Flat { depth }) => Some(Some(Foundation::Flat { depth: *depth })),
-        Some(Foundation::Polyline { points }) => {
-            let points: Option<Vec<[f64; 2]>> = points.iter().rev().map(|p| Some([place(p[0])?, p[1]])).collect();
-            Some(Some(Foundation::Polyline { points: points? }))
-        }
-        Some(_) => None,
+    let exact = |profile: &Option<Foundation>| {
+        matches!(profile, None | Some(Foundation::Flat { .. } | Foundation::Polyline { .. }))
     };
-    let mut other = draft.clone();
-    (other.ground, other.shape) = (profile(&draft.ground)?, profile(&draft.shape)?);
-    for load in &mut other.point {
-        load.at = place(load.at)?;
-    }
-    for q in &mut other.linear {
-        (q.from, q.to, q.start, q.end) = (place(q.to)?, place(q.from)?, q.end, q.start);
-    }
-    let mut supports = draft.all_supports();
-    for support in &mut supports {
-        (support.at, support.slope) = (place(support.at)?, support.slope.map(|slope| -slope));
-    }
-    other.supports = Some(supports);
-    Some(other)
+    let other = draft.mirrored();
+    (exact(&draft.ground) && exact(&draft.shape) && other.mirrored().text() == draft.text()).then_some(other)
 }
 
 /// Seen from the other side a beam has the same answer.

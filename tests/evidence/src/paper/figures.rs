@@ -14,11 +14,11 @@
 // With 31 the scheme gives another first contact force.
 
 use super::{INTERVALS, example, theory};
+use crate::closed::FlatSolution;
 use palkki::methods::Method;
 use palkki::scene::SceneError;
 use palkki::solvers::Solver;
 use palkki::state::Nodes;
-use palkki::theory::FlatSolution;
 use palkki::{Settings, solve_raw};
 
 /// Contact pressure of a method beside beam theory: Figures 4 and 7.

@@ -18,7 +18,8 @@ pub mod uneven;
 pub use figures::{Deflections, Pressures, figure_4, figure_7, figure_8};
 
 use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
-use palkki::theory::{self, FlatSolution};
+
+use crate::closed::{FlatSolution, flat};
 
 /// Length `l` of the example.
 pub(crate) const LENGTH: f64 = 10.0;
@@ -69,5 +70,5 @@ pub fn scene_over(foundation: Foundation) -> Result<Scene, SceneError> {
 /// Beam theory for the example: the paper's "vertailuratkaisu".
 #[must_use]
 pub fn theory() -> FlatSolution {
-    theory::flat(LENGTH, STIFFNESS, DEPTH, UNIFORM)
+    flat(LENGTH, STIFFNESS, DEPTH, UNIFORM)
 }

@@ -1,8 +1,7 @@
 //! Beam theory with free lift-off points beside closed forms, for the scenes that have one.
 
 use palkki::theory::Exact;
-use palkki::theory::closed::{incline, lifted, parabola};
-use palkki::theory::flat;
+use palkki_evidence::closed::{flat, incline, lifted, parabola};
 
 use super::prelude::*;
 
@@ -63,8 +62,8 @@ impl Closed {
     }
 }
 
-/// The closed form of a scene in words, and what follows from it, if it has one that the library knows. Derivations:
-/// `src/theory/closed.rs`.
+/// The closed form of a scene in words, and what follows from it, if it has one that is known. Derivations:
+/// `tests/evidence/src/closed/simple.rs`.
 pub(super) fn closed(scene: &Scene) -> Option<(&'static str, Closed)> {
     let (l, ei, q) = (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform());
     let depth = |x: f64| scene.depth(x);

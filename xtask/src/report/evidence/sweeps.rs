@@ -129,7 +129,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let depth = Swept::of(study, DEPTH)?;
     let of_depth = depth.events("depth", &[("q l⁴/(384 EI)", border), ("5 q l⁴/(384 EI)", 5.0 * border)])?;
     let closed = depth.rows.iter().map(|row| {
-        let reaction = theory::flat(l, ei, row.value, q).reaction;
+        let reaction = palkki_evidence::closed::flat(l, ei, row.value, q).reaction;
         (row.solution.state.reactions.left - reaction).abs() / (q * l)
     });
     let closed = closed.fold(f64::EPSILON, f64::max);

@@ -39,7 +39,7 @@ fn lift_off(scene: &Scene) -> Value {
         a => closed.lift_off,
         reaction => closed.reaction,
         deepest => q * l * l * l * l / (384.0 * ei),
-        deeper => exact_theory::flat(l, ei, 16.0 * scene.depth(0.0), q).lift_off,
+        deeper => palkki_evidence::closed::flat(l, ei, 16.0 * scene.depth(0.0), q).lift_off,
     }
 }
 

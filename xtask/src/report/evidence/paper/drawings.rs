@@ -2,7 +2,7 @@
 
 use palkki::plot::{Arrow, Arrows, Axis, Color, Dash, Divisions, Layer, Marker, Panel, Place, Style, significant};
 use palkki::state::Nodes;
-use palkki::theory::FlatSolution;
+use palkki_evidence::closed::FlatSolution;
 
 // Discrepancy: figures-redrawn
 //

@@ -3,7 +3,7 @@
 use palkki::methods::Method;
 use palkki::plot::{Axis, Color, Layer, Marker, Panel, Place, Style};
 use palkki::state::{ContactState, Nodes};
-use palkki::theory::FlatSolution;
+use palkki_evidence::closed::FlatSolution;
 use palkki_evidence::paper::convergence::Quantity;
 use palkki_evidence::paper::{INTERVALS, Pressures, example, figure_4, figure_7, figure_8, theory};
 

@@ -1,52 +1,12 @@
-//! Seen from the other side, a beam is the same beam.
+//! Equilibrium and complementarity.
 
 use palkki::route::{Method, Solver};
-use palkki::scene::{LinearLoad, PointLoad};
 use palkki::state::ContactState;
 
 use palkki_evidence::draft::Draft;
 
-use super::{ROUNDING, points, scene, some};
-use crate::scenes::{apart, largest, nodes, report, run};
-
-/// The scene as it is seen from the other side.
-fn mirrored(draft: &Draft) -> Draft {
-    let back = |x: f64| draft.length - x;
-    let mut mirrored = Draft {
-        linear: draft
-            .linear
-            .iter()
-            .map(|q| LinearLoad { from: back(q.to), to: back(q.from), start: q.end, end: q.start })
-            .collect(),
-        point: draft.point.iter().map(|p| PointLoad { at: back(p.at), force: p.force }).collect(),
-        ..draft.clone()
-    };
-    let points = points(&mut mirrored);
-    points.reverse();
-    // The end points stay exactly on the supports.
-    points.iter_mut().for_each(|p| p[0] = back(p[0]).max(0.0));
-    mirrored
-}
-
-#[test]
-fn the_mirror_image_has_the_mirrored_answer() {
-    for draft in some(20, 1) {
-        let (scene, other) = (scene(&draft), scene(&mirrored(&draft)));
-        let load = scene.load().magnitude(draft.length);
-        for method in Method::ALL {
-            let [a, b] = [&scene, &other].map(|scene| run(scene, method, Solver::ActiveSet, 33));
-            let (x, mut y) = (nodes(&a).clone(), nodes(&b).clone());
-            y.contact_force.reverse();
-            y.deflection.reverse();
-            y.moment.reverse();
-            assert!(apart(&x.contact_force, &y.contact_force) <= ROUNDING * load, "{method}: {draft:?}");
-            assert!(apart(&x.deflection, &y.deflection) <= ROUNDING * largest(&x.deflection), "{method}: {draft:?}");
-            assert!(apart(&x.moment, &y.moment) <= ROUNDING * load * draft.length, "{method}: {draft:?}");
-            assert!((a.state.reactions.left - b.state.reactions.right).abs() <= ROUNDING * load, "{method}: {draft:?}");
-            assert_eq!(a.state.regime, b.state.regime, "{method}: {draft:?}");
-        }
-    }
-}
+use super::{ROUNDING, scene, some};
+use crate::scenes::{nodes, report, run};
 
 /// Force and moment of everything that acts on the beam, over the load: zero.
 fn imbalance(draft: &Draft, state: &ContactState, x: &[f64], p: &[f64]) -> (f64, f64) {

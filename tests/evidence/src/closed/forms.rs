@@ -10,11 +10,11 @@ pub const EI: f64 = 7.0;
 /// Uniform load of all that have one \[force/length\].
 pub const Q: f64 = 3.0;
 
-fn at(x: f64) -> Contact {
+pub(super) fn at(x: f64) -> Contact {
     Contact::at(x, 1.0)
 }
 
-fn zone(from: f64, to: f64) -> Contact {
+pub(super) fn zone(from: f64, to: f64) -> Contact {
     Contact { from, to, force: 1.0, end_forces: None }
 }
 
@@ -101,11 +101,7 @@ pub fn built_in() -> Result<Vec<Closed>, SceneError> {
 }
 
 /// Several spans, settlement, overhangs, and a zone in each of two spans.
-///
-/// # Errors
-///
-/// As of [`built_in`].
-pub fn spans() -> Result<Vec<Closed>, SceneError> {
+pub(super) fn spans() -> Result<Vec<Closed>, SceneError> {
     let (l, half) = (6.0, 3.0);
     // A span that is simple at x = 0 and built in at L: q x (L³ − 3 L x² + 2 x³)/48 EI.
     let propped = move |x: f64| Q * x * (half * half * half - 3.0 * half * x * x + 2.0 * x * x * x) / (48.0 * EI);
@@ -147,11 +143,7 @@ pub fn spans() -> Result<Vec<Closed>, SceneError> {
 
 /// An arch that stands on its ends, and one whose middle touches as well; a ski that lies on flat ground by its own weight, and the same as a hump under a straight beam: overhangs with
 /// `q c²/2 = EI κ` at both ends.
-///
-/// # Errors
-///
-/// As of [`built_in`].
-pub fn own_shapes() -> Result<Vec<Closed>, SceneError> {
+pub(super) fn own_shapes() -> Result<Vec<Closed>, SceneError> {
     let (l, kappa) = (12.0, 0.03);
     let gap = move |x: f64| 0.5 * kappa * (x - 0.5 * l) * (x - 0.5 * l);
     let c = (2.0 * EI * kappa / Q).sqrt();
@@ -185,11 +177,7 @@ pub fn own_shapes() -> Result<Vec<Closed>, SceneError> {
 }
 
 /// Bodies that merely lie on the ground, or on one support and the ground.
-///
-/// # Errors
-///
-/// As of [`built_in`].
-pub fn free() -> Result<Vec<Closed>, SceneError> {
+pub(super) fn free() -> Result<Vec<Closed>, SceneError> {
     let l = 6.0;
     let free = held(l, &[])?;
     let polynomial = |coefficients: &[f64]| Some(Foundation::Polynomial { coefficients: coefficients.to_vec() });

@@ -1,4 +1,4 @@
-//! Beams on any supports, with own shapes, free ends and none to hold them, whose deflection is known in closed form.
+//! Closed forms: of the paper's beam, and of beams on any supports, with own shapes, free ends and none to hold them.
 //!
 //! Under a uniform load, above ground of at most the second degree, a deflection is a polynomial of the fourth degree between
 //! neighbours among the ends of the beam, its supports and the ends of its contacts. Five values define it:
@@ -12,8 +12,10 @@
 //! Nothing is solved here, and nothing is shared with theory, which proposes the contacts of other answers.
 
 mod forms;
+mod simple;
 
-pub use forms::{EI, Q, between, built_in, free, overhang, own_shapes, spans};
+pub use forms::{EI, Q, between, built_in, overhang};
+pub use simple::{FlatSolution, Incline, Lifted, flat, incline, lifted, parabola, simple};
 
 use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
 use palkki::state::Contact;
@@ -30,13 +32,22 @@ pub struct Closed {
     pieces: Vec<Quartic>,
 }
 
-/// All of them.
+/// All of them: [`simple()`] and [`held()`].
 ///
 /// # Errors
 ///
 /// None for these numbers; a [`SceneError`] would say which scene is not well posed.
 pub fn all() -> Result<Vec<Closed>, SceneError> {
-    Ok([built_in()?, spans()?, own_shapes()?, free()?].into_iter().flatten().collect())
+    Ok([simple()?, held()?].concat())
+}
+
+/// All that are held otherwise than by a simple support at each end.
+///
+/// # Errors
+///
+/// As of [`all`].
+pub fn held() -> Result<Vec<Closed>, SceneError> {
+    Ok([built_in()?, forms::spans()?, forms::own_shapes()?, forms::free()?].into_iter().flatten().collect())
 }
 
 /// A polynomial of the fourth degree on a piece of the beam, in powers of the distance from the middle of the piece.

@@ -1,4 +1,4 @@
-//! Uneven foundations that have a solution in closed form, each with its derivation: independent tests of [`super::solve`].
+//! The paper's beam, simply supported at both ends, above ground with a solution in closed form, each with its derivation.
 //!
 //! All use one result. Beside a zone let `s` be the distance from the lift-off point, where `h = h' = h'' = 0`, under a
 //! uniform load and with `u''''= 0`:
@@ -7,7 +7,11 @@
 //! EI h'''' = −q,      h = R s³ / (6 EI) − q s⁴ / (24 EI)         R the concentrated force at the lift-off point
 //! ```
 
-use crate::state::Regime;
+use palkki::scene::{Beam, Foundation, SceneError};
+use palkki::state::{Contact, Regime};
+
+use super::Closed;
+use super::forms::{EI, Q, at, zone};
 
 /// Beam theory for a flat or parabolic foundation and a uniform load; made by [`flat`] and [`parabola`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -246,80 +250,50 @@ pub fn lifted(length: f64, bending_stiffness: f64, depth: f64, load: f64, lift: 
     })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Half a unit of the last printed digit of the energy, and a margin.
-    const PRINTED: f64 = 1e-9;
-
-    /// Rounding of a handful of multiplications.
-    const ROUNDING: f64 = 1e-14;
-
-    #[track_caller]
-    fn check(found: f64, expected: f64) {
-        assert!((found - expected).abs() <= ROUNDING * expected.abs().max(1.0), "{found} instead of {expected}");
+/// The paper's beam on a zone, on a point, or nowhere: above flat ground, dishes and crests, and on a zone of inclines.
+///
+/// # Errors
+///
+/// None for these numbers.
+pub fn simple() -> Result<Vec<Closed>, SceneError> {
+    let l = 7.0;
+    let beam = Beam::new(l, EI)?;
+    // Here a zone on flat ground becomes a point.
+    let unit = Q * l * l * l * l / (384.0 * EI);
+    let mut found = Vec::new();
+    let flat = [1e-4, 0.01, 0.5, 0.9, 1.1, 3.0, 4.9, 6.0].map(|depth| (depth, 0.0));
+    // Dishes, two of them from the supports, and crests, one of them above the supports.
+    let curved =
+        [(0.05, 0.25), (0.0, 3.5), (0.0, 6.0), (0.15, -0.05), (1.0, -0.5), (3.0, -0.5), (0.05, -0.45), (10.0, -0.25)];
+    for (depth, rise) in flat.into_iter().chain(curved) {
+        let form = parabola(l, EI, depth * unit, rise * unit, Q);
+        let contacts: Vec<Contact> = match (form.regime, form.lift_off) {
+            (Regime::Zone, Some(a)) => vec![zone(a, l - a)],
+            (_, Some(middle)) => vec![at(middle)],
+            (_, None) => Vec::new(),
+        };
+        let coefficients = vec![depth * unit, 4.0 * rise * unit / l, -4.0 * rise * unit / (l * l)];
+        let ground = match rise {
+            0.0 => Foundation::Flat { depth: depth * unit },
+            _ => Foundation::Polynomial { coefficients },
+        };
+        let name = format!("simple, {depth} deep with a rise of {rise}");
+        found.push(Closed::new(&name, &beam, Q, Some(ground), &contacts, |x| form.deflection(x))?);
     }
-
-    #[test]
-    fn the_example_of_the_paper() {
-        let solution = flat(10.0, 500.0 / 384.0, 1.0, 1.0);
-        assert_eq!(solution.regime, Regime::Zone);
-        check(solution.lift_off.unwrap_or(f64::NAN), 2.364_354_022_507_94);
-        check(solution.reaction, 1.182_177_011_253_97);
-        assert!((solution.energy - -8.108_516_782).abs() < PRINTED, "{}", solution.energy);
-        check(2.0 * solution.reaction + solution.contact_force, 10.0);
-    }
-
-    #[test]
-    fn the_two_borders_are_the_same_from_both_sides() {
-        let (l, ei, q) = (7.0, 3.0, 2.0);
-        let unit = q * l * l * l * l / (384.0 * ei);
-        for border in [unit, 5.0 * unit] {
-            let (below, above) = (flat(l, ei, border * (1.0 - 1e-15), q), flat(l, ei, border * (1.0 + 1e-15), q));
-            assert_ne!(below.regime, above.regime);
-            check(below.reaction, above.reaction);
-            check(below.contact_force, above.contact_force);
-            check(below.energy, above.energy);
-            for x in [0.5, 1.5, 3.0, 3.5, 6.0] {
-                check(below.deflection(x), above.deflection(x));
-                check(below.moment(x), above.moment(x));
-            }
+    for depths in [[0.1, 0.4], [1.0, 0.001], [0.0, 0.5], [0.0, 0.0]] {
+        let Some(Incline { lift_off: [a, b], .. }) = incline(l, EI, depths, Q) else { continue };
+        let lifted = |a: f64, x: f64| {
+            let s = (a - x).max(0.0);
+            Q * s * s * s * (2.0 * a - s) / (24.0 * EI)
+        };
+        let ground = |x: f64| depths[0] + (depths[1] - depths[0]) / l * x;
+        let v = |x: f64| ground(x) - lifted(a, x) - lifted(b, l - x);
+        let points = Foundation::Polyline { points: vec![[0.0, depths[0]], [l, depths[1]]] };
+        let plane = Foundation::Polynomial { coefficients: vec![depths[0], (depths[1] - depths[0]) / l] };
+        for (kind, foundation) in [("points", points), ("a polynomial", plane)] {
+            let name = format!("simple, inclined from {} to {}, by {kind}", depths[0], depths[1]);
+            found.push(Closed::new(&name, &beam, Q, Some(foundation), &[zone(a, l - b)], v)?);
         }
     }
-
-    #[test]
-    fn the_beam_meets_its_conditions_in_every_regime() {
-        let (l, ei, q) = (4.0, 2.0, 3.0);
-        for share in [0.3, 1.0, 2.5, 7.0] {
-            let u = share * q * l * l * l * l / (384.0 * ei);
-            let solution = flat(l, ei, u, q);
-            check(solution.deflection(0.0), 0.0);
-            check(solution.moment(0.0), 0.0);
-            check(2.0 * solution.reaction + solution.contact_force, q * l);
-            for i in 0..=40 {
-                let x = 0.1 * f64::from(i);
-                assert!(-ROUNDING <= solution.clearance(x), "penetration at {x}");
-                check(solution.deflection(x), solution.deflection(l - x));
-            }
-        }
-    }
-
-    #[test]
-    fn energy_is_the_integral_it_is_said_to_be() {
-        // J = ½∫M²/EI − ∫qv by the trapezium rule; its error falls with the square of the step.
-        const QUADRATURE: f64 = 1e-6;
-        let (l, ei, q, n) = (4.0, 2.0, 3.0, 4000_u32);
-        let unit = q * l * l * l * l / (384.0 * ei);
-        for (share, rise) in [(0.3, 0.0), (2.5, 0.0), (7.0, 0.0), (0.3, 0.2), (0.3, -0.1), (2.5, 0.5)] {
-            let solution = parabola(l, ei, share * unit, rise * unit, q);
-            let step = l / f64::from(n);
-            let sum: f64 = (1..n)
-                .map(|i| step * f64::from(i))
-                .map(|x| 0.5 * solution.moment(x) * solution.moment(x) / ei - q * solution.deflection(x))
-                .sum();
-            let relative = (sum * step / solution.energy - 1.0).abs();
-            assert!(relative < QUADRATURE, "energy {} by formula, off by {relative}", solution.energy);
-        }
-    }
+    Ok(found)
 }
