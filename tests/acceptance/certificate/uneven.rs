@@ -31,14 +31,14 @@ fn check(name: &str, scene: &Scene, grids: &[usize], solvers: &[Solver]) -> usiz
 fn scenes_of_the_report() {
     for (name, scene) in report() {
         assert!(0 < check(&name, &scene, &[10, 30], &Solver::ALL), "{name}: theory is certified");
-        check(&name, &scene, &[100, 300], &[Solver::ActiveSet, Solver::FourStep]);
+        check(&name, &scene, &[100], &[Solver::ActiveSet, Solver::FourStep]);
     }
 }
 
 #[test]
 fn random_scenes() {
     for kind in Unevenness::ALL {
-        let scenes = uneven::scenes(kind, 40, 1984).expect("the scenes are well posed");
+        let scenes = uneven::scenes(kind, 15, 1984).expect("the scenes are well posed");
         let compared: usize = scenes
             .iter()
             .map(|scene| check(kind.name(), scene, &[17, 60, 250], &[Solver::ActiveSet, Solver::FourStep]))

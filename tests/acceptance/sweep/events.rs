@@ -196,12 +196,13 @@ fn confirm(name: &str, sweep: &Sweep<'_>, [from, to]: [f64; 2], seen: &mut Seen)
 }
 
 /// On both sides of each event the scene is solved from nothing: the kinds differ there, and are one kind from each event to the
-/// next. What is otherwise is named, with its cause.
+/// next. What is otherwise is named, with its cause; of a hundred scenes these are eight.
 #[test]
 fn events_are_confirmed_from_both_sides() {
+    const SCENES: u64 = 30;
     let part = |first: u64| {
         let mut seen = Seen::default();
-        for i in (first..100).step_by(2) {
+        for i in (first..SCENES).step_by(2) {
             let (scene, paths) = varied(i);
             for (path, from, to) in paths {
                 let sweep = Sweep::new(&scene, &path, [from, to], 9).expect("a sweep");
@@ -217,14 +218,11 @@ fn events_are_confirmed_from_both_sides() {
     // A point beside an edge, too near to be told from one on it.
     assert_eq!([even.ties, odd.ties].concat(), ["19 beam.bending_stiffness"]);
     // A point that has just split in two below a point load.
-    let split = ["22 load.uniform", "38 beam.supports[1].level", "40 load.point[0].at"];
-    let split = [&split[..], &["46 load.point[0].at", "46 load.point[0].at"]].concat();
-    let split = [&split[..], &["50 beam.supports[1].level", "86 load.point[0].at"]].concat();
-    assert_eq!([even.unsolved, odd.unsolved].concat(), split);
+    assert_eq!([even.unsolved, odd.unsolved].concat(), ["22 load.uniform"]);
     let confirmed = even.confirmed + odd.confirmed;
     let at_end = even.at_end + odd.at_end;
-    assert!(800 < confirmed && at_end < 60, "{confirmed} {at_end}");
-    assert!(1300 < even.quiet + odd.quiet, "{} {}", even.quiet, odd.quiet);
+    assert!(240 < confirmed && at_end < 20, "{confirmed} {at_end}");
+    assert!(390 < even.quiet + odd.quiet, "{} {}", even.quiet, odd.quiet);
 }
 
 /// A ridge that a load passes: the contact is there for less than a step of the sweep, and is found.

@@ -4,7 +4,7 @@ use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
 use palkki::{Settings, solve, solve_exactly};
 
-const LENGTHS: [f64; 6] = [10.0, 7.0, 0.1, 1.0 / 3.0, 1234.5, 6e7];
+const LENGTHS: [f64; 5] = [10.0, 7.0, 0.1, 1.0 / 3.0, 6e7];
 
 /// A beam under a uniform load that bends it by some 10 without ground.
 fn scene(length: f64, foundation: Foundation) -> Result<Scene, SceneError> {
@@ -16,7 +16,7 @@ fn scene(length: f64, foundation: Foundation) -> Result<Scene, SceneError> {
 /// Profiles that are 0 at one support or at both, but for rounding, moved down by `lower`.
 fn profiles(length: f64, lower: f64) -> Vec<Foundation> {
     let mut profiles = Vec::new();
-    for bow in (-6..=9).map(|k| f64::from(k) * 0.13) {
+    for bow in (-3..=4).map(|k| f64::from(k) * 0.26) {
         // (1 − t)(1 + bow t), t (1 + bow (1 − t)) and t (1 − t) (1 + bow t) for t = x/l.
         for c in [[1.0, bow - 1.0, -bow, 0.0], [0.0, 1.0 + bow, -bow, 0.0], [0.0, 1.0, bow - 1.0, -bow]] {
             let mut unit = 1.0;

