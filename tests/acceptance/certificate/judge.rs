@@ -2,13 +2,13 @@
 
 mod measures;
 
-use palkki::certificate::{CERTIFIED_RESIDUAL, Kkt};
+use palkki::certificate::Kkt;
 use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::{ContactState, Nodes};
 
 use super::passes;
-use crate::scenes::{example, run, scene, uniform};
+use crate::scenes::{example, run, uniform};
 
 /// The state that the active set finds.
 #[track_caller]
@@ -41,17 +41,6 @@ fn lists_that_lack_values_do_not_pass() {
 }
 
 #[test]
-fn reactions_that_do_not_balance_are_found() {
-    let state = correct(&example(), Method::Force);
-    for (left, right) in [(1e-6, 0.0), (0.0, 1e-6), (1e-6, -1e-6), (f64::NAN, 0.0)] {
-        let mut broken = state.clone();
-        broken.reactions.left += left;
-        broken.reactions.right += right;
-        assert!(!passes(&example(), &broken), "reactions changed by {left} and {right}");
-    }
-}
-
-#[test]
 fn a_beam_that_ignores_the_ground_penetrates() {
     let out_of_reach = uniform(10.0, 500.0 / 384.0, 1.0, Foundation::Flat { depth: 1e3 });
     let free = correct(&out_of_reach, Method::Force);
@@ -60,31 +49,12 @@ fn a_beam_that_ignores_the_ground_penetrates() {
     assert!(0.5 < kkt.penetration, "{kkt:?}");
 }
 
+/// The nodal values of one method are none of the other: the two discretise differently.
 #[test]
-fn a_state_of_another_scene_or_method_does_not_pass() {
-    let state = correct(&example(), Method::Force);
-    for other in ["ridge", "step", "dish", "crest", "mid-span"] {
-        assert!(!passes(&scene(other), &state), "the example's state for {other}");
-    }
-    assert!(
-        !passes(&uniform(10.0, 500.0 / 384.0, 1.0 + 1e-6, Foundation::Flat { depth: 1.0 }), &state),
-        "another load"
-    );
-    // The nodal values of one method are none of the other: the two discretise differently.
-    let mut mixed = state;
+fn a_state_of_another_method_does_not_pass() {
+    let mut mixed = correct(&example(), Method::Force);
     mixed.nodes.as_mut().expect("nodes").discretisation = palkki::state::Discretisation::FiniteDifferences;
     assert!(!passes(&example(), &mixed), "beam elements taken for finite differences");
-}
-
-/// Four-step stops at points that are not optimal; the judge has to see each of them although `x ≥ 0` holds.
-#[test]
-fn a_stationary_point_that_is_not_optimal_does_not_pass() {
-    let raw = run(&example(), Method::Displacement, Solver::FourStep, 100);
-    assert!(raw.solver_reports_success, "the four steps end with x ≥ 0");
-    assert!(!raw.solved && raw.solver_reports_success);
-    assert!(CERTIFIED_RESIDUAL < raw.residual);
-    let kkt = Kkt::of(&example(), &raw.state).expect("nodes");
-    assert!(kkt.penetration < CERTIFIED_RESIDUAL && CERTIFIED_RESIDUAL < kkt.tension, "{kkt:?}");
 }
 
 /// Once, a stray force of rounding size above a deep pit made the pit the measure of all lengths, and penetrations of any

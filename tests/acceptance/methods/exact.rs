@@ -7,25 +7,19 @@
 mod large;
 
 use palkki::route::{Method, Solver};
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
+use palkki::scene::Scene;
 use palkki::state::Nodes;
 
-use crate::scenes::{apart, example, nodes, run, uniform};
+use crate::scenes::{example, nodes, run};
 use palkki_evidence::authority::rational::{Data, Exact, fraction, number};
 
 /// The example of the paper on 30 intervals: `EI = 500/384 = 125/96`.
 fn paper() -> Data {
-    example_on(30)
-}
-
-/// The example of the paper on a grid.
-fn example_on(intervals: u16) -> Data {
-    let nodes = usize::from(intervals) - 1;
     Data {
         length: fraction(10, 1),
         stiffness: fraction(125, 96),
-        loads: vec![fraction(10, i32::from(intervals)); nodes],
-        depths: vec![fraction(1, 1); nodes],
+        loads: vec![fraction(1, 3); 29],
+        depths: vec![fraction(1, 1); 29],
     }
 }
 
@@ -39,11 +33,6 @@ fn exact(data: &Data, scene: &Scene, method: Method) -> (Exact, Nodes) {
     let exact = if method == Method::Complementarity { data.differences(&contact) } else { data.energy(&contact) };
     assert_eq!(exact.violation(&contact), None, "the node at which (34), (35) fail");
     (exact, nodes)
-}
-
-/// The contact forces `p` as numbers.
-fn forces(exact: &Exact) -> Vec<f64> {
-    exact.contact_force.iter().map(number).collect()
 }
 
 /// Half a unit of the ninth decimal, with which the numbers below are written out.
@@ -91,73 +80,6 @@ fn the_first_contact_force_by_differences_is_what_is_asked() {
 
 /// A few hundred units in the last place: sums over some hundred nodes, and one tridiagonal solve of condition number below ten.
 const ROUNDING: f64 = 1e-13;
-
-#[track_caller]
-fn agrees(data: &Data, scene: &Scene) {
-    for method in Method::ALL {
-        let (exact, nodes) = exact(data, scene, method);
-        let forces = forces(&exact);
-        let total: f64 = data.loads.iter().map(number).sum();
-        let error = apart(&nodes.contact_force, &forces) / total;
-        assert!(error <= ROUNDING, "{method}: contact forces off by {error:.1e} of the load");
-        let deflection: Vec<f64> = exact.deflection.iter().map(number).collect();
-        let error = apart(&nodes.deflection, &deflection) / crate::scenes::largest(&deflection);
-        assert!(error <= ROUNDING, "{method}: deflections off by {error:.1e}");
-    }
-}
-
-#[test]
-fn the_example_agrees_with_the_fractions() {
-    agrees(&paper(), &example());
-}
-
-/// On finer grids the condition numbers of the matrices, 4·10⁷ at n = 99, are not felt.
-#[test]
-fn finer_grids_agree_with_the_fractions() {
-    for intervals in [61, 100] {
-        agrees(&example_on(intervals), &example());
-    }
-}
-
-/// `u = 1/4 + 5/4 x − x²/8` under a uniform load 1 and a force 3/2 on node 9 of 24: l = 10, EI = 5/4.
-#[test]
-fn a_dish_agrees_with_the_fractions() {
-    let (intervals, node) = (24_i32, 9);
-    let depth = |i: i32| {
-        let x = fraction(10 * i, intervals);
-        fraction(1, 4) + fraction(5, 4) * &x - fraction(1, 8) * &x * &x
-    };
-    let load = |i: i32| fraction(10, intervals) + if i == node { fraction(3, 2) } else { fraction(0, 1) };
-    let data = Data {
-        length: fraction(10, 1),
-        stiffness: fraction(5, 4),
-        loads: (1..intervals).map(load).collect(),
-        depths: (1..intervals).map(depth).collect(),
-    };
-    let beam = Beam::new(10.0, 1.25).expect("a beam");
-    let point = vec![PointLoad { at: 10.0 * 9.0 / 24.0, force: 1.5 }];
-    let load = Load::new(&beam, 1.0, Vec::new(), point).expect("loads on the beam");
-    let dish = Foundation::Polynomial { coefficients: vec![0.25, 1.25, -0.125] };
-    agrees(&data, &Scene::new(beam, load, Some(dish)).expect("a scene"));
-}
-
-/// Flat ground at 1 with a ridge that rises to 1/2 at x = 4, 40 intervals, EI = 125/96.
-#[test]
-fn a_ridge_agrees_with_the_fractions() {
-    let depth = |i: i32| match i {
-        12..=16 => fraction(1, 1) - fraction(i - 12, 8),
-        17..=20 => fraction(1, 2) + fraction(i - 16, 8),
-        _ => fraction(1, 1),
-    };
-    let data = Data {
-        length: fraction(10, 1),
-        stiffness: fraction(125, 96),
-        loads: vec![fraction(1, 4); 39],
-        depths: (1..40).map(depth).collect(),
-    };
-    let points = [[0.0, 1.0], [3.0, 1.0], [4.0, 0.5], [5.0, 1.0], [10.0, 1.0]].to_vec();
-    agrees(&data, &uniform(10.0, 500.0 / 384.0, 1.0, Foundation::Polyline { points }));
-}
 
 /// What the issue asks of each solver on the example: a tolerance, or a status that is not certified.
 fn asked(solver: Solver) -> f64 {

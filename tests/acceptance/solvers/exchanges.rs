@@ -4,8 +4,6 @@ use palkki::methods::Discrete;
 use palkki::route::{Method, Solver};
 use palkki::scene::Foundation;
 use palkki_evidence::paper::scene_over;
-use palkki_evidence::paper::uneven::{self, Unevenness};
-use palkki_evidence::random::Random;
 
 use super::ends;
 use crate::scenes::run;
@@ -77,20 +75,6 @@ fn the_triangular_hump_on_ten_thousand_intervals() {
     }
 }
 
-#[test]
-fn random_foundations_on_grids_of_all_sizes() {
-    let mut numbers = Random::new(2);
-    for kind in Unevenness::ALL {
-        for scene in uneven::scenes(kind, 30, 3).expect("scenes") {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 501")]
-            let intervals = numbers.between(11.0, 501.0) as usize;
-            for method in Method::ALL {
-                ends(&scene, method, intervals, 5000);
-            }
-        }
-    }
-}
-
 /// Flat foundations at the two borders between the regimes, on them and a hair beside them.
 #[test]
 fn borders_between_regimes() {
@@ -103,19 +87,4 @@ fn borders_between_regimes() {
             }
         }
     }
-}
-
-/// A hundred thousand intervals, verified: the end reaction of beam theory within the error of the grid, residual far below
-/// what is certified.
-#[test]
-fn a_fine_grid_loses_no_digits() {
-    /// The residual that the issue of this size is about.
-    const RESIDUAL: f64 = 1e-12;
-    /// The end reaction converges with the square of the spacing: 2.7e-6 on a thousand intervals.
-    const REACTION: f64 = 1e-9;
-    let raw = run(&crate::scenes::example(), Method::Force, Solver::ActiveSet, 100_000);
-    assert!(raw.residual < RESIDUAL, "{:.1e}", raw.residual);
-    let error = raw.state.reactions.left - palkki_evidence::paper::theory().reaction;
-    assert!(error.abs() < REACTION, "{error:.1e}");
-    assert!(raw.iterations < 1000, "{} solves, of which all but a few are of neighbourhoods", raw.iterations);
 }

@@ -4,7 +4,7 @@ use palkki::route::{Method, Solver};
 use palkki::scene::Foundation;
 
 use super::ends;
-use crate::scenes::{example, run, scene, uniform};
+use crate::scenes::{run, scene, uniform};
 use palkki_evidence::random;
 
 /// Scenes of the random series on which exchanges of all wrong variables took thousands of solves of the whole beam: kinks
@@ -58,14 +58,6 @@ fn dense_contact_costs_some_dozen_solves_of_the_whole() {
             assert!(raw.solved, "{told}");
             assert!(raw.work <= WORTH * raw.unknowns, "{told}");
         }
-    }
-}
-
-/// The number of solves grows with the number of grids, not with that of nodes.
-#[test]
-fn the_example_takes_a_small_number_of_solves() {
-    for (intervals, solves) in [(1000, 80), (10_000, 160), (100_000, 240)] {
-        ends(&example(), Method::Force, intervals, solves);
     }
 }
 

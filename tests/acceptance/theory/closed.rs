@@ -47,6 +47,16 @@ fn the_example_of_the_paper_has_one_zone() {
         check(what, found, expected);
         check(what, also, expected);
     }
+    for x in (0..=20).map(|k| 0.5 * f64::from(k)) {
+        for (what, found, also) in [
+            ("deflection", exact.deflection(x), closed.deflection(x)),
+            ("clearance", exact.clearance(x), closed.clearance(x)),
+            ("moment", exact.moment(x), closed.moment(x)),
+            ("pressure", exact.pressure(x), closed.pressure(x)),
+        ] {
+            assert!((found - also).abs() <= DIGITS, "{what} at {x}: {found} and {also}");
+        }
+    }
 }
 
 #[test]

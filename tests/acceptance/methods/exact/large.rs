@@ -58,18 +58,16 @@ fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, raw: &RawSolutio
     }
 }
 
-/// In fractions: proven, and the force route within `tolerance`.
+/// In fractions: proven, and every route within `tolerance`.
 #[track_caller]
 fn fractions(scene: &Scene, intervals: i64, tolerance: f64, depth: impl Fn(&RBig) -> RBig + Copy) {
     let grid = usize::try_from(intervals).expect("positive");
-    for method in [Method::Force, Method::Complementarity] {
+    for method in Method::ALL {
         let problem = example_over(intervals, method.discretisation(), depth);
         let raw = run(scene, method, Solver::ActiveSet, grid);
         let exact = proven(&problem, &raw);
         assert!(exact.uncertainty() == RBig::zero(), "nothing is rounded");
-        if method == Method::Force {
-            within(&problem, &exact, &raw, tolerance);
-        }
+        within(&problem, &exact, &raw, tolerance);
     }
 }
 
@@ -151,10 +149,10 @@ fn the_active_set_has_an_error_of_rounding_where_the_condition_number_promises_n
     }
 }
 
-/// Point contacts of a wave, and the kinks of a survey.
+/// Point contacts of a wave, the kinks of a survey, and a point load.
 #[test]
 fn uneven_foundations_in_integers() {
-    for name in ["wave", "survey", "hump"] {
+    for name in ["wave", "survey", "hump", "kink"] {
         integers(&scene(name), 1000, AT_9999);
     }
 }

@@ -58,18 +58,6 @@ fn ground_out_of_reach_is_not_touched() {
     }
 }
 
-/// On ground at the level of the supports the beam lies everywhere, and every node carries its own load.
-#[test]
-fn ground_at_the_level_of_the_supports_carries_everything() {
-    for method in Method::ALL {
-        let raw = run(&uniform(8.0, 2.0, 3.0, Foundation::Flat { depth: 0.0 }), method, Solver::ActiveSet, 16);
-        assert!(raw.solved, "{method}");
-        assert!(apart(&nodes(&raw).contact_force, &[1.5; 15]) <= 1.5 * ROUNDING, "q₀Δ = 1.5 on every node");
-        assert!(largest(&nodes(&raw).deflection) <= 0.0, "{method}: nothing bends");
-        assert_eq!(raw.state.regime, Regime::Zone, "{method}");
-    }
-}
-
 /// Ground with the shape of the free beam, raised by half: the deflection is that shape, and each node carries half its load.
 #[test]
 fn ground_in_the_shape_of_the_beam_carries_its_share() {

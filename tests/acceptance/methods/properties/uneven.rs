@@ -1,14 +1,15 @@
 //! Many random uneven foundations: the active set always ends, at a state that the judge certifies.
 
+use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
 use palkki::route::{Method, Solver};
-use palkki::scene::{Foundation, Scene};
+use palkki::scene::Scene;
 use palkki::state::Regime;
 use palkki_evidence::paper::uneven::{Unevenness, scenes};
 use palkki_evidence::random::Random;
 
 use super::some;
-use crate::scenes::{nodes, run, uniform};
+use crate::scenes::{nodes, run};
 
 /// All the random scenes there are: waves, rough polylines, and both with all kinds of load.
 fn all() -> Vec<Scene> {
@@ -26,12 +27,12 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
     let mut failures = Vec::new();
     let mut touched = 0;
     for (k, scene) in all().iter().enumerate() {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 200")]
-        let intervals = random.between(11.0, 202.0) as usize;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 10 and 501")]
+        let intervals = random.between(11.0, 501.0) as usize;
         for method in Method::ALL {
             let raw = run(scene, method, Solver::ActiveSet, intervals);
             touched += usize::from(raw.state.regime != Regime::None);
-            if !raw.solved || !raw.solver_reports_success {
+            if !raw.solved || !raw.solver_reports_success || 5000 < raw.iterations {
                 failures.push(format!(
                     "scene {k}, {method}, {intervals} intervals: {}, residual {:.1e}, {}",
                     raw.ended(),
@@ -45,41 +46,11 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
     assert!(500 < touched, "the scenes have contacts, {touched} of 540 do");
 }
 
-/// A triangular hump above the ground of the example.
-fn hump() -> Scene {
-    let points = vec![[0.0, 1.0], [5.0, 0.2], [10.0, 1.0]];
-    uniform(10.0, 500.0 / 384.0, 1.0, Foundation::Polyline { points })
-}
-
-/// Smooth waves of many lengths: instances on which exchanges of all violators at once are known to cycle.
+/// Wherever the four steps stop, no variable is negative and the free ones have no gradient: on the edge, and stationary there. They
+/// claim success everywhere, and are believed where the point is the optimum.
 #[test]
-fn the_active_set_is_certified_on_instances_that_are_known_to_cycle() {
-    let mut hard = vec![hump()];
-    hard.extend((1..12).map(|k| {
-        let wavelength = 10.0 / (0.5 + f64::from(k));
-        let wave = Foundation::Cosine { mean: 1.0, amplitude: 0.5, wavelength, phase: 0.3 };
-        uniform(10.0, 500.0 / 384.0, 1.0, wave)
-    }));
-    for (k, scene) in hard.iter().enumerate() {
-        for method in Method::ALL {
-            let raw = run(scene, method, Solver::ActiveSet, 300);
-            assert!(raw.solved, "{k}, {method}: {:.1e}", raw.residual);
-        }
-    }
-}
-
-/// A triangular hump on 1000 intervals makes full exchanges wander for ever: the descent has to end them.
-#[test]
-fn the_active_set_ends_where_full_exchanges_wander() {
-    for method in Method::ALL {
-        let raw = run(&hump(), method, Solver::ActiveSet, 1000);
-        assert!(raw.solved, "{method}: {:.1e}", raw.residual);
-    }
-}
-
-/// Wherever the four steps stop, no variable is negative and the free ones have no gradient: on the edge, and stationary there.
-#[test]
-fn four_steps_end_at_stationary_points_of_a_face() {
+fn four_steps_end_at_stationary_points_of_a_face_and_are_not_believed() {
+    let mut refused = 0;
     for scene in &all()[..] {
         let scaled = scene.scaled().expect("numbers in range");
         let discrete = Discrete::new(&scaled.scene, 30).expect("enough intervals");
@@ -88,6 +59,9 @@ fn four_steps_end_at_stationary_points_of_a_face() {
             let sizes = qp.sizes();
             let answer = Solver::FourStep.run(qp.as_ref(), 0.0);
             assert!(answer.reports_success, "{method}: {}", answer.message);
+            let raw = run(scene, method, Solver::FourStep, 30);
+            assert!(raw.solver_reports_success && raw.solved == (raw.residual <= CERTIFIED_RESIDUAL), "{method}");
+            refused += usize::from(!raw.solved);
             // Anew, from x alone.
             let gradient = qp.gradient(&answer.x);
             for (x, g) in answer.x.iter().zip(gradient) {
@@ -96,6 +70,7 @@ fn four_steps_end_at_stationary_points_of_a_face() {
             }
         }
     }
+    assert!(0 < refused, "on some uneven scene the four steps must fail, or the claim about them is wrong");
 }
 
 /// The gradient is computed again from clearances that have been rounded: `A` multiplies that by up to `10⁶` of its sizes.
