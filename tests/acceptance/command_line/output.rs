@@ -211,4 +211,6 @@ fn a_plot_is_written_and_says_what_it_shows() {
     assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"), "a whole figure");
     assert!(svg.contains("Example: displacement method, active-set, 12 intervals"), "its title names the answer");
     assert!(folder.read("nodes.csv").lines().count() == 12, "and the table is written as well");
+    assert_eq!(folder.run("solve example.toml --plot exact.svg").code, Some(0));
+    assert!(folder.read("exact.svg").contains("Example: beam theory"), "of beam theory as well");
 }

@@ -30,12 +30,3 @@ fn no_two_things_share_a_word() {
     words.extend(REGIMES.map(Regime::name));
     assert_eq!(words.iter().collect::<BTreeSet<_>>().len(), words.len(), "{words:?}");
 }
-
-#[test]
-fn display_prints_the_word_padded() {
-    assert_eq!(
-        format!("{:>6}|{:<12}|", Method::Force, Solver::ActiveSet),
-        " force|active-set  |",
-        "columns of a table"
-    );
-}
