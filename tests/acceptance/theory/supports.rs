@@ -1,4 +1,4 @@
-//! Beams on other supports than the paper's, beside closed forms that have no place in `palkki_evidence::faults::closed`: an edge,
+//! Beams on other supports than the paper's, beside closed forms that have no place in `palkki_evidence::closed`: an edge,
 //! beams that may turn, and what is refused.
 
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError, Support};
