@@ -3,17 +3,12 @@
 
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 
-use super::Random;
+use super::{Random, first};
 
 /// A scene that its constructors accept; whether its loads are balanced is another question.
 #[must_use]
 pub fn held(i: u64) -> Scene {
-    let mut random = Random::new(0x0005_4e1d_0000 + i);
-    loop {
-        if let Some(scene) = attempt(&mut random) {
-            return scene;
-        }
-    }
+    first(0x0005_4e1d_0000 + i, attempt)
 }
 
 fn attempt(random: &mut Random) -> Option<Scene> {

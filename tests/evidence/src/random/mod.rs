@@ -8,6 +8,8 @@ pub use coinciding::coinciding;
 pub use held::held;
 pub use scenes::{on_lattice, rough, scene, smooth};
 
+use palkki::scene::Scene;
+
 /// The generator SplitMix64 (Steele, Lea and Flood 2014).
 #[derive(Debug, Clone)]
 pub struct Random(u64);
@@ -50,6 +52,16 @@ impl Random {
     /// True once in `count`.
     pub fn once_in(&mut self, count: usize) -> bool {
         self.below(count) == 0
+    }
+}
+
+/// The first scene of the attempts with the numbers of a seed: those may be refused.
+fn first(seed: u64, attempt: fn(&mut Random) -> Option<Scene>) -> Scene {
+    let mut random = Random::new(seed);
+    loop {
+        if let Some(scene) = attempt(&mut random) {
+            return scene;
+        }
     }
 }
 
