@@ -2,10 +2,11 @@
 
 use super::derivatives::Missing;
 use super::exact::Exact;
+use super::forces::pulling_couple;
 use super::list::{Beside, Kind, Node};
 use super::margin::lowest;
 use super::piecewise::AtSupport;
-use super::sensitivity::{bend, standing};
+use super::sensitivity::{Change, NodeChange, bend, standing};
 use super::span::Span;
 use crate::scene::{Foundation, Held, Scene};
 use crate::state::Contact;
@@ -21,6 +22,25 @@ pub(super) struct Ground {
     pub(super) level: bool,
     /// The slope of the axis of the beam to its left and to its right.
     pub(super) axis: [f64; 2],
+}
+
+/// A condition of the answer that holds with nothing to spare: to one side of the scene it may fail.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Weak {
+    /// This node presses.
+    Force(usize),
+    /// Ground and the support of this node push at each other.
+    Couple(usize),
+    /// The beam leaves the ground on that side of this node.
+    Bend(usize, usize),
+    /// The zone that ends at this node does so on one side of a change of the load.
+    Place(usize),
+    /// A zone has a length.
+    Length,
+    /// The beam clears the ground in the span of this index; where it lies along it, beside its left or its right end.
+    Span(usize, usize),
+    /// The zone before this node presses everywhere.
+    Zone(usize),
 }
 
 /// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes.
@@ -106,22 +126,30 @@ impl Exact {
 
     /// True if the beam lies along the ground somewhere without pressing on it, as one without weight does beyond a contact.
     pub(super) fn lies(&self) -> bool {
+        self.given.founded && self.spans.iter().any(|(_, span)| self.lies_along(span))
+    }
+
+    fn lies_along(&self, span: &Span) -> bool {
         let size = AT_A_CHANGE * self.state.deflection.magnitude() / self.scale.depth;
         let at = |[h, slope, bend, third]: [f64; 4], l: f64| {
             [h, slope * l, bend * l * l, third * l * l * l].into_iter().all(|h| h.abs() <= size)
         };
-        let along = |span: &Span| at(span.at_a, span.length()) && at(span.at_b, span.length());
-        self.given.founded && self.spans.iter().any(|(_, span)| along(span))
+        at(span.at_a, span.length()) && at(span.at_b, span.length())
     }
 
     /// True if the ground presses at node `end`, an end of the zone before node `i`.
     pub(super) fn presses(&self, end: usize, i: usize) -> bool {
-        let x = self.list.nodes[end].x;
-        let cell = if end == i { self.given.cell_to(x) } else { self.given.cell_from(x) };
-        let least = AT_A_CHANGE * self.largest_node_force().max(self.given.total_load);
-        // The place of a lift-off follows from the force there; a tip stays where it is.
-        let is_tip = self.list.nodes[end].kind == Kind::Tip;
-        least < self.forces[end] || is_tip && least < self.given.drive(cell, x).abs() * self.given.length
+        let (given, node) = (&self.given, &self.list.nodes[end]);
+        let cell = if end == i { given.cell_to(node.x) } else { given.cell_from(node.x) };
+        let least = AT_A_CHANGE * self.largest_node_force().max(given.total_load);
+        // The place of a lift-off follows from the force there; a tip or a support is where it is.
+        let middle = 0.5 * (given.cells[cell].lo + given.cells[cell].hi);
+        let pushes = [node.x, middle].into_iter().any(|x| least < given.drive(cell, x).abs() * given.length);
+        match node.kind {
+            Kind::Support(..) => pushes,
+            Kind::Tip => pushes || least < self.forces[end],
+            _ => least < self.forces[end],
+        }
     }
 
     /// True if a load stands on node `i`, and a zone ends there.
@@ -150,8 +178,8 @@ impl Exact {
         given.breakpoints_inside((x - near).max(0.0), (x + near).min(given.length)).any(|i| given.load_changes_at(i))
     }
 
-    /// True where a force, a bend, a length or a clearance vanishes, and where an end of a zone is at a change of the load.
-    pub(super) fn at_a_change(&self) -> bool {
+    /// The conditions of the answer that hold with nothing to spare.
+    pub(super) fn weak(&self) -> Vec<Weak> {
         let (given, nodes) = (&self.given, &self.list.nodes);
         let largest = self.largest_node_force();
         let moments = self.spans.iter().flat_map(|(_, span)| [span.beam_a[2], span.beam_b[2]]);
@@ -159,22 +187,110 @@ impl Exact {
             moments.fold(0.0, |most: f64, moment| most.max(moment.abs())).max(largest * given.length * AT_A_CHANGE);
         let size = self.state.deflection.magnitude() / self.scale.depth;
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
-        let at_node = nodes.iter().enumerate().any(|(i, node)| match node.kind {
-            Kind::Smooth => small(self.forces[i], largest) || small(bend(&self.spans, i), bent),
-            Kind::Edge(_) => small(self.forces[i], largest),
-            Kind::ZoneStart | Kind::ZoneEnd => small(self.forces[i], largest) || self.is_at_load(node.x),
-            Kind::Support(_, beside) => beside != [Beside::Apart; 2],
-            Kind::Tip => false,
-        });
+        let mut weak = Vec::new();
+        for (i, node) in nodes.iter().enumerate() {
+            let mut add = |is: bool, conditions: &[Weak]| weak.extend(conditions.iter().filter(|_| is));
+            match node.kind {
+                Kind::Smooth | Kind::Edge(_) => {
+                    add(small(self.forces[i], largest), &[Weak::Force(i)]);
+                    add(node.can_move() && small(bend(&self.spans, i), bent), &[Weak::Bend(i, 0), Weak::Bend(i, 1)]);
+                }
+                Kind::ZoneStart | Kind::ZoneEnd => {
+                    let outer = usize::from(node.kind == Kind::ZoneEnd);
+                    add(small(self.forces[i], largest), &[Weak::Force(i), Weak::Bend(i, outer)]);
+                    add(self.is_at_load(node.x), &[Weak::Place(i)]);
+                }
+                Kind::Support(index, beside) if beside != [Beside::Apart; 2] => {
+                    let [left, right] = self.bends(i);
+                    add(small(right - left, bent.max(largest * given.length)), &[Weak::Couple(i)]);
+                    add(beside.contains(&Beside::Zone) && self.is_at_load(node.x), &[Weak::Place(i)]);
+                    let ends = super::sensitivity::ends(&self.spans, i);
+                    let clear = [ends[0].map(|span| span.at_b), ends[1].map(|span| span.at_a)];
+                    let bridged = given.supports[index].clearance.map(|gap| gap <= AT_A_CHANGE * size);
+                    for side in [0, 1] {
+                        let level = clear[side].is_some_and(|[_, slope, ..]| small(slope * given.length, size));
+                        let straight = clear[side].is_some_and(|[_, _, bend, _]| small(bend, bent));
+                        add(bridged[side] && level && straight, &[Weak::Bend(i, side)]);
+                    }
+                }
+                Kind::Tip => {
+                    let zone = if self.list.in_zone_before(i) { i } else { i + 1 };
+                    add(!self.presses(i, zone), &[Weak::Force(i)]);
+                }
+                Kind::Support(..) => {}
+            }
+        }
         let short = self.list.zones().any(|zone| small(zone.to - zone.from, given.length));
+        weak.extend(short.then_some(Weak::Length));
         // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
         let carried = self.touches();
         let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
         let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
         let contacts = &self.state.contacts;
         let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
+        weak.extend(self.list.zones().filter(|_| unloaded).map(|zone| Weak::Zone(zone.node)));
         let touches = |span| given.founded && lowest(given, span).is_some_and(|least| small(least, size));
-        at_node || short || unloaded || self.spans.iter().any(|(_, span)| touches(span))
+        let spans = (0..self.spans.len()).filter(|&j| touches(&self.spans[j].1));
+        weak.extend(spans.flat_map(|j| [Weak::Span(j, 0), Weak::Span(j, 1)]));
+        weak
+    }
+
+    /// How a condition with nothing to spare changes: a number below which it fails, [`None`] where it is of no sign and not zero.
+    fn rate(&self, weak: Weak, of: Change, changes: &[NodeChange]) -> Option<f64> {
+        let rounded = |value: f64, of: [f64; 2]| {
+            if value.abs() <= AT_A_CHANGE * of[0].abs().max(of[1].abs()) { 0.0 } else { value }
+        };
+        let zero = |is: bool| is.then_some(0.0);
+        match weak {
+            Weak::Force(i) => Some(rounded(changes[i].force, changes[i].ends.third)),
+            Weak::Couple(i) => {
+                let Kind::Support(index, beside) = self.list.nodes[i].kind else { return None };
+                let [left, right] = changes[i].ends.bend;
+                let jump = rounded(left - right, [left, right]);
+                Some(-pulling_couple(&self.given, index, beside, jump).unwrap_or(0.0))
+            }
+            Weak::Bend(i, side) => {
+                let bends = changes[i].ends.bend;
+                zero(rounded(bends[side], bends) == 0.0)
+            }
+            Weak::Place(i) => zero(changes[i].place == 0.0),
+            Weak::Length => None,
+            Weak::Span(j, end) => {
+                let rises = Self::rises(&self.spans[j], of, changes);
+                let stays = rises.iter().all(|rise| *rise == 0.0);
+                (stays || self.lies_along(&self.spans[j].1)).then_some(rises[end])
+            }
+            Weak::Zone(i) => {
+                let [from, to] = [i - 1, i].map(|end| self.list.nodes[end].x);
+                zero(!matches!(of, Change::Uniform(_)) && !matches!(of, Change::Force(at, _) if from <= at && at <= to))
+            }
+        }
+    }
+
+    /// How the clearance of a span or overhang changes beside its left and its right end: the first of its value and derivatives there
+    /// that is not zero, times powers of the length.
+    fn rises(&(right, ref span): &(usize, Span), of: Change, changes: &[NodeChange]) -> [f64; 2] {
+        let (sunk, l) = (f64::from(u8::from(of == Change::Ground)), span.length());
+        let at = |node: Option<&NodeChange>, side: usize, inwards: f64| {
+            node.map_or([0.0; 4], |NodeChange { value, slopes, ends, .. }| {
+                let (turn, third) = (inwards * slopes[side], inwards * ends.third[side]);
+                [sunk - value, -turn * l, -ends.bend[side] * l * l, -third * l * l * l]
+            })
+        };
+        let left = right.checked_sub(1).and_then(|left| changes.get(left));
+        let ends = [at(left, 1, 1.0), at(changes.get(right), 0, -1.0)];
+        let least = AT_A_CHANGE * ends.as_flattened().iter().fold(0.0, |most: f64, rise| most.max(rise.abs()));
+        ends.map(|end| end.into_iter().find(|rise| least < rise.abs()).unwrap_or(0.0))
+    }
+
+    /// On which sides of a change, as the number falls and as it grows, the answer keeps the conditions that it holds with nothing to
+    /// spare, of those that have a sign; and whether there are such that keep on neither, or have none.
+    pub(super) fn keeps(&self, weak: &[Weak], of: Change, changes: &[NodeChange]) -> ([bool; 2], bool) {
+        let rates = weak.iter().map(|&weak| self.rate(weak, of, changes));
+        rates.fold(([true; 2], true), |([falls, grows], both), rate| match rate {
+            None => ([falls, grows], false),
+            Some(rate) => ([falls && rate <= 0.0, grows && 0.0 <= rate], both && rate == 0.0),
+        })
     }
 }
 

@@ -7,7 +7,7 @@
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
 //! ```
 
-use super::changes::{AT_A_CHANGE, curvature};
+use super::changes::{AT_A_CHANGE, Weak, curvature};
 use super::exact::Exact;
 use super::list::Kind;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
@@ -36,7 +36,8 @@ impl std::fmt::Display for By {
 pub struct Derivative {
     /// The number.
     pub by: By,
-    /// True at a change of the kind of the answer: to the other side of it the derivatives are others, or the scene is refused.
+    /// True at a change of the kind of the answer, where to the other side the derivatives are others, and where the scene there is
+    /// refused.
     pub one_sided: bool,
     /// Why numbers below are missing, that is not numbers; [`None`] if all of them are there.
     pub missing: Option<Missing>,
@@ -110,6 +111,9 @@ pub(super) struct Asked {
     pub(super) by: By,
     pub(super) change: Change,
     pub(super) unit: f64,
+    /// Whether there are scenes beside this one, as the number falls and as it grows.
+    pub(super) open: [bool; 2],
+    /// Known to be another on the other side.
     pub(super) one_sided: bool,
     /// Why it is not there where the change parts ground and support.
     pub(super) parts: Option<Missing>,
@@ -125,12 +129,11 @@ impl Exact {
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
         let Some(linear) = self.sensitivity() else { return Vec::new() };
-        let (at_change, lies) = (self.at_a_change(), self.lies());
+        let (weak, lies) = (self.weak(), self.lies());
         let of = |asked: Asked| {
             // More load presses all of a stretch that lies on the ground, less of it none.
             let unloaded = (lies && matches!(asked.change, Change::Uniform(_))).then_some(Missing::Unloaded);
-            let (one_sided, parts) = (at_change || asked.one_sided, asked.parts.or(unloaded));
-            self.derivative(&linear, Asked { one_sided, parts, ..asked })
+            self.derivative(&linear, &weak, Asked { parts: asked.parts.or(unloaded), ..asked })
         };
         self.asked(scene).into_iter().take(self.most_derivatives()).map(of).collect()
     }
@@ -155,29 +158,35 @@ impl Exact {
         let (stiffness, bending) = (self.stiffness, scene.beam().bending_stiffness());
         let supports = self.at_supports(scene);
         let mut all = Vec::new();
-        let mut add = |by, change, unit, one_sided, parts| all.push(Asked { by, change, unit, one_sided, parts });
+        let mut add = |by, change, unit, open: [bool; 2], one_sided, parts| {
+            all.push(Asked { by, change, unit, open, one_sided, parts });
+        };
         if scene.foundation().is_some() {
             let parts = supports.iter().find_map(|s| s.rests);
-            add(By::Depth, Change::Ground, scale.depth, supports.iter().any(|s| s.meets), parts);
+            add(By::Depth, Change::Ground, scale.depth, [!supports.iter().any(|s| s.meets), true], false, parts);
         }
-        add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, false, None);
-        add(By::Number(Quantity::Uniform), Change::Uniform(1.0 / stiffness), scale.force / scale.length, false, None);
+        add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, [true; 2], false, None);
+        let (uniform, unit) = (Change::Uniform(1.0 / stiffness), scale.force / scale.length);
+        add(By::Number(Quantity::Uniform), uniform, unit, [true; 2], false, None);
         for (i, load) in scene.load().point().iter().enumerate() {
             let at = load.at / scale.length;
-            add(By::Number(Quantity::PointForce(i)), Change::Force(at, 1.0 / stiffness), scale.force, false, None);
+            let grows = Change::Force(at, 1.0 / stiffness);
+            add(By::Number(Quantity::PointForce(i)), grows, scale.force, [true; 2], false, None);
             let size = load.force / scale.force / stiffness;
-            // At the end of a zone, or of the beam, the other side is another stretch.
-            let one_sided = at <= 0.0 || self.given.length <= at || self.ends_zone(at);
+            let open = [0.0 < at, at < self.given.length];
+            // At the end of a zone the other side is another stretch.
+            let one_sided = self.ends_zone(at);
             // From a support to the ground beside it.
             let onto = scene.beam().supports().iter().zip(&supports).find(|(s, _)| s.at <= load.at && load.at <= s.at);
             let onto = onto.and_then(|(_, here)| here.rests);
             let parts = self.pulls(at, size).then_some(Missing::Pulls).or(onto);
-            add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, one_sided, parts);
+            add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, open, one_sided, parts);
         }
         for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
             let i = scene.beam().supports().partition_point(|s| s.at < support.at);
             let here = &supports[i];
-            add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, here.meets, here.rests);
+            let open = [true, !here.meets];
+            add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, open, false, here.rests);
             let unit = scale.length / scale.depth;
             let (at_left, at_right) = (support.at <= 0.0, scene.beam().length() <= support.at);
             // Where the ground meets the support the beam may pass this place on one side only.
@@ -193,19 +202,25 @@ impl Exact {
                 ([slopes[side] * unit, curvature(shape, support.at) * unit * scale.length], kinked)
             });
             let at_end = at_left || at_right;
-            let one_sided = at_end || kinked || here.meets && !here.level;
+            let one_sided = kinked || here.meets && !here.level;
+            let open = [0, 1].map(|to| !blocked[to] && (to == side || !kinked));
             let touches = blocked == [true; 2] || at_end && here.rests.is_some();
             let parts = here.rests.filter(|_| !here.level).or(touches.then_some(Missing::Touches));
-            add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, one_sided, parts);
+            add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, open, one_sided, parts);
         }
         all
     }
 
     /// The derivative that is asked for.
-    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, asked: Asked) -> Derivative {
-        let Asked { by, change: of, unit, one_sided, parts } = asked;
+    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, weak: &[Weak], asked: Asked) -> Derivative {
+        let Asked { by, change: of, unit, open, .. } = asked;
         let nodes = &self.list.nodes;
         let changes = linear.change(of);
+        let (keeps, both) = self.keeps(weak, of, &changes);
+        let holds = [0, 1].map(|side| open[side] && keeps[side]);
+        let one_sided = asked.one_sided || !both || holds != [true; 2];
+        // Where the beam would be pulled onto the ground, or pushed off it, on either side.
+        let parts = asked.parts.or((holds == [false; 2]).then_some(Missing::Unloaded));
         let scaled = Scaled { exact: self, of, unit };
         let jumping = |i: usize| match of {
             Change::Move(at, _) => nodes[i].x <= at && at <= nodes[i].x && self.list.ends_zone(i),
@@ -318,11 +333,11 @@ impl Scaled<'_> {
         let given = &exact.given;
         let ends = [i - 1, i].map(|end| {
             let node = &exact.list.nodes[end];
+            let place = if exact.presses(end, i) { changes[end].place } else { f64::NAN };
             match node.support() {
                 // The support is said to take all of what is carried there.
-                Some(_) => (node.x, changes[end].place, 0.0, 0.0),
-                None if !exact.presses(end, i) => (node.x, f64::NAN, exact.forces[end], changes[end].force),
-                None => (node.x, changes[end].place, exact.forces[end], changes[end].force),
+                Some(_) => (node.x, place, 0.0, 0.0),
+                None => (node.x, place, exact.forces[end], changes[end].force),
             }
         });
         let [(from, left, force_from, change_from), (to, right, force_to, change_to)] = ends;

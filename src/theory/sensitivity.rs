@@ -52,6 +52,8 @@ pub(super) struct NodeChange {
     pub(super) value: f64,
     /// `w'` to its left and to its right.
     pub(super) slopes: [f64; 2],
+    /// `w''` and `w'''` there, zero in a zone and beyond the beam.
+    pub(super) ends: Ends,
 }
 
 /// What a change puts on a stretch of the beam.
@@ -133,13 +135,13 @@ struct Ask {
     jump: [f64; 2],
 }
 
-/// A span or an overhang of the change, at its ends.
+/// The change to the left and to the right of a node.
 #[derive(Debug, Clone, Copy, Default)]
-struct Ends {
+pub(super) struct Ends {
     /// `w''`.
-    bend: [f64; 2],
+    pub(super) bend: [f64; 2],
     /// `w'''`.
-    third: [f64; 2],
+    pub(super) third: [f64; 2],
 }
 
 /// How the nodes of a list whose equations hold change, whatever changes: the matrix of the slopes is one, factored once.
@@ -206,7 +208,7 @@ impl<'a> Sensitivity<'a> {
             let [standing, _] = of.on_node(node.x, standing(given, list, i));
             let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
             let force = beside[i].third[0] - beside[i].third[1] + moved + standing;
-            NodeChange { place, force, value: asks[i].value, slopes: slopes[i] }
+            NodeChange { place, force, value: asks[i].value, slopes: slopes[i], ends: beside[i] }
         });
         changes.collect()
     }

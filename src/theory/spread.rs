@@ -42,10 +42,9 @@ impl Exact {
         let linear = self.sensitivity()?;
         stretches.into_iter().try_fold(none, |mut sum, (from, to)| {
             let of = Change::GroundUnder(from, to);
-            let derivative = self.derivative(
-                &linear,
-                Asked { by: By::Depth, change: of, unit: self.scale.depth, one_sided: false, parts: None },
-            );
+            let (unit, open) = (self.scale.depth, [true; 2]);
+            let asked = Asked { by: By::Depth, change: of, unit, open, one_sided: false, parts: None };
+            let derivative = self.derivative(&linear, &[], asked);
             let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
             sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
             sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));

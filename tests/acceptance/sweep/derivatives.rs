@@ -29,7 +29,6 @@ fn the_force_of_a_point_is_linear_in_the_depth() {
     assert!((by_depth.energy + exact.state.contact_force()).abs() <= 1e-12 * exact.state.contact_force());
 }
 
-/// On ground that carries nothing a beam lies until a load comes: more load presses it down, less lifts it off.
 /// The zone starts exactly at the point load: stiffer, it starts beyond the load, and softer before it. By the stiffness its start
 /// moves by 1 on one side and by 0.2 on the other, and beside the load on both sides alike.
 #[test]
@@ -50,12 +49,17 @@ fn where_a_zone_ends_at_a_load_derivatives_are_one_sided() {
     }
 }
 
+/// On ground that carries nothing a beam lies until a load comes: more load presses it down, less lifts it off. Loads beside it do
+/// neither, and the last of them stands at the end of the beam.
 #[test]
 fn by_a_load_on_an_unloaded_zone_derivatives_are_one_sided() {
     let scene = random::held(44);
     let exact = theory::solve(&scene).expect("an answer");
     assert_eq!(exact.state.contacts[0].end_forces.map(|ends| ends[0].abs() < 1e-12), Some(true));
-    assert!(exact.derivatives(&scene).iter().all(|derivative| derivative.one_sided));
+    for derivative in exact.derivatives(&scene) {
+        let one_sided = matches!(derivative.by, By::Number(Quantity::Uniform | Quantity::PointAt(1)));
+        assert_eq!(derivative.one_sided, one_sided, "{derivative:?}");
+    }
 }
 
 /// A support that holds the slope of a beam with an own shape: `v = d − w0` and `v' = φ − w0'` change with its place.
@@ -83,14 +87,35 @@ fn a_built_in_support_of_a_curved_beam_moves() {
     }
 }
 
-/// Things at one place: supports, ends of line loads, point loads, kinks, ends of zones. A thousand scenes take half a minute.
+/// Without weight up to the load at 4, the beam lies on the ground from the left support on: it can only be raised there, and then lifts
+/// off as far as that load, `R = 3 EI δ/4³`, whatever is said to touch before.
+#[test]
+fn by_a_support_that_leaves_unloaded_ground_there_is_no_derivative() {
+    let scene = |level: f64| {
+        let supports = vec![Support { at: 0.0, level, slope: None }, Support { at: 10.0, level: -5.0, slope: None }];
+        let beam = Beam::new(10.0, 2.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+        let point = [(4.0, 3.0), (7.0, 2.0)].map(|(at, force)| PointLoad { at, force });
+        let load = Load::new(&beam, 0.0, Vec::new(), point.to_vec()).expect("a load");
+        Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene")
+    };
+    let exact = theory::solve(&scene(0.0)).expect("an answer");
+    for derivative in exact.derivatives(&scene(0.0)) {
+        let lifts = matches!(derivative.by, By::Depth | By::Number(Quantity::SupportLevel(0) | Quantity::Uniform));
+        assert_eq!(derivative.missing == Some(Missing::Unloaded), lifts, "{derivative:?}");
+    }
+    let raised = theory::solve(&scene(-1e-6)).expect("an answer").state.supports[0].force;
+    assert!((raised / 1e-6 - 3.0 * 2.0 / 64.0).abs() < 1e-6, "{raised}");
+}
+
+/// Things at one place: supports, ends of line loads, point loads, kinks, ends of zones; and, by index, zones without pressure and
+/// forces that are small beside others. A thousand scenes take half a minute.
 #[test]
 fn derivatives_hold_on_the_sides_that_are_said() {
     let mut trial = Trial::default();
-    (0..160).for_each(|i| trial.add(i));
+    (0..160).chain([1335, 2535, 2558, 2659, 3100, 3154]).for_each(|i| trial.add(i));
     assert!(trial.wrong.is_empty(), "{}", trial.wrong.join("\n"));
-    let Trial { scenes, both, one, .. } = trial;
-    assert!(100 < scenes && 500 < both && 50 < one, "{trial:?}");
+    let Trial { scenes, both, one, cautious, .. } = trial;
+    assert!(100 < scenes && 500 < both && 50 < one && 5 * cautious < one, "{trial:?}");
 }
 
 /// The edge of a load stays where it is when the support below it moves: of q from 2 to 8 on supports there, R = 3 and 3, and the
