@@ -50,8 +50,12 @@ impl Trial {
     pub fn compare(&mut self, name: &str, scene: &Scene) {
         let Some(exact) = theory::solve(scene).ok().filter(|exact| exact.solved) else { return };
         self.scenes += 1;
-        for derivative in exact.derivatives(scene) {
-            let found = Difference { scene, exact: &exact, derivative: &derivative };
+        let all = exact.derivatives(scene);
+        // EI ∂J/∂EI.
+        let by_stiffness = all.iter().find(|derivative| derivative.by == By::Number(Quantity::BendingStiffness));
+        let strain_energy = by_stiffness.map_or(f64::NAN, |by| by.energy * scene.beam().bending_stiffness());
+        for derivative in &all {
+            let found = Difference { scene, exact: &exact, derivative, strain_energy };
             if derivative.missing.is_some() {
                 self.none += 1;
                 continue;
@@ -80,6 +84,8 @@ struct Difference<'a> {
     scene: &'a Scene,
     exact: &'a Exact,
     derivative: &'a Derivative,
+    /// `½∫EI v''²`.
+    strain_energy: f64,
 }
 
 impl Difference<'_> {
@@ -153,17 +159,21 @@ impl Difference<'_> {
         supports.iter().copied().chain(contacts).chain([*energy]).collect()
     }
 
-    /// What rounding is compared with: forces with the largest force of a support, since where supports hold a beam down others carry
-    /// more than the loads, and a force is what remains of these; the energy with the larger of itself and of the work of these
-    /// forces on the way, since it is the difference of strain energy and work, and where supports lie low both are large.
+    /// What rounding is compared with: forces with the loads and the shear forces beside, since where supports hold a beam down these
+    /// are larger; the energy with the strain energy and the work of the loads, since it is the difference of both.
     fn scale(&self) -> Vec<f64> {
         let length = self.scene.beam().length();
         let load = self.scene.load().magnitude(length);
-        let load = self.exact.state.supports.iter().fold(load, |most, support| most.max(support.force.abs()));
-        let forces = self.exact.state.supports.iter().map(|_| load);
-        let contacts = self.exact.state.contacts.iter().flat_map(|_| [length, length, load, load, load]);
-        let deflection = &self.exact.state.deflection;
-        let energy = (load * deflection.max.abs().max(deflection.min.abs())).max(self.exact.state.energy.abs());
+        let Exact { state, .. } = self.exact;
+        let beside = |x: f64| self.exact.shear(x).into_iter().fold(load, |most, shear| most.max(shear.abs()));
+        let forces = state.supports.iter().map(|support| beside(support.at));
+        let contacts = state.contacts.iter().flat_map(|c| {
+            let [from, to] = [beside(c.from), beside(c.to)];
+            [length, length, from.max(to), from, to]
+        });
+        let (strain, energy) = (self.strain_energy, state.energy);
+        // Not a number where that derivative is missing.
+        let energy = strain.abs().max((strain - energy).abs()).max(energy.abs());
         forces.chain(contacts).chain([energy]).collect()
     }
 
