@@ -32,6 +32,28 @@ fn claimed(derivative: &Derivative) -> Vec<f64> {
     derivative.supports.iter().copied().chain([derivative.energy]).chain(contacts).collect()
 }
 
+/// What a number is made of.
+struct Made {
+    most: f64,
+    is_force: bool,
+}
+
+/// What the numbers that derivatives are told of are made of: a force of the shear forces beside it, whatever the largest force is, but
+/// for the last digits of that.
+fn made_of(exact: &Exact, force: f64, size: f64, length: f64) -> Vec<Made> {
+    let least = 1e-9 * force;
+    let at = |x: f64| exact.shear(x).into_iter().fold(least, |most: f64, shear| most.max(shear.abs()));
+    let force_of = |own: f64, places: [f64; 2]| Made {
+        most: places.map(at).into_iter().fold(own.abs(), f64::max),
+        is_force: true,
+    };
+    let other = |most: f64| Made { most, is_force: false };
+    let supports = exact.state.supports.iter().map(|s| force_of(s.force, [s.at; 2]));
+    let contacts = exact.state.contacts.iter();
+    let contacts = contacts.flat_map(|c| [force_of(c.force, [c.from, c.to]), other(length), other(length)]);
+    supports.chain([other(force * size)]).chain(contacts).collect()
+}
+
 /// A difference quotient in a step and in twice the step; the latter says how far the former is off.
 fn quotients(here: &[f64], scene: &Scene, by: By, step: f64, sides: [f64; 2]) -> Option<Vec<[f64; 2]>> {
     let at = |share: f64| {
@@ -62,8 +84,10 @@ type Wrong = (usize, [f64; 3]);
 /// A derivative that is not flagged is that of both sides, another that of one side at least: what each comparison says, as far as
 /// there is an answer on that side.
 fn compared(scene: &Scene, exact: &Exact, derivative: &Derivative) -> Vec<Option<Wrong>> {
-    /// Rounding of numbers, as a share of the largest of their kind.
+    /// Rounding of numbers, as a share of what they are made of.
     const ROUNDING: f64 = 1e-11;
+    /// A force that is a smaller share of those beside is lost in their rounding, after the step that it asks for.
+    const TOLD: f64 = 1e-6;
     /// Half the step halves what the quotients are off by, or, where a zone ends without pressure, divides it by a root of two: they are
     /// off by the third root of the step where a load falls to zero at a corner of the ground. The fourth root of one half.
     const NEARER: f64 = 0.841;
@@ -76,28 +100,28 @@ fn compared(scene: &Scene, exact: &Exact, derivative: &Derivative) -> Vec<Option
         By::Number(Quantity::PointForce(_)) => force,
         By::Number(_) => length,
     };
-    let (here, claimed, supports) = (numbers(exact), claimed(derivative), exact.state.supports.len());
+    let (here, claimed) = (numbers(exact), claimed(derivative));
     let sides: &[[f64; 2]] = if derivative.one_sided { &[[-1.0, 0.0], [0.0, 1.0]] } else { &[[-1.0, 1.0]] };
     // Of a derivative that does not exist at all the quotients grow, by less than the double from a step to its half.
     let agree = if derivative.one_sided { 2.0 } else { 8.0 };
+    let sizes = made_of(exact, force, size, length);
+    // Where a large force moves, or ground is nearly level with a support, small forces are others after any part of the unit.
+    let forces = here.iter().zip(&claimed).zip(&sizes).filter(|(_, size)| size.is_force);
+    let own = forces.filter(|((now, change), size)| TOLD * size.most <= now.abs() && 0.0 < change.abs());
+    let own = own.fold(unit, |least, ((now, change), _)| least.min((now / change).abs()));
     // The smaller step sees no other kind of answer, the larger one is above rounding.
-    let steps = STEPS.map(|share| share * unit).into_iter().filter(|step| step.is_normal());
+    let shares = [STEPS[0] * unit, STEPS[1] * unit, STEPS[0] * own];
+    let steps = shares.into_iter().filter(|step| step.is_normal());
     let tried = steps.flat_map(|step| sides.iter().map(move |side| (step, *side)));
     let found = tried.filter_map(|(step, side)| {
         let found = quotients(&here, scene, derivative.by, step, side)?;
         found.iter().flatten().all(|value| value.is_finite()).then_some((step, found))
     });
     let wrong = |(step, found): (f64, Vec<[f64; 2]>)| {
-        found.iter().zip(&claimed).enumerate().find_map(|(i, (&[one, two], &claimed))| {
-            let size = match i {
-                i if i < supports => force,
-                i if i == supports => force * size,
-                i if (i - supports - 1).is_multiple_of(3) => force,
-                _ => length,
-            };
-            let most = agree * (one - two).abs() + ROUNDING * size / step + 1e-5 * one.abs();
+        found.iter().zip(&claimed).zip(&sizes).enumerate().find_map(|(i, ((&[one, two], &claimed), size))| {
+            let most = agree * (one - two).abs() + ROUNDING * size.most / step + 1e-5 * one.abs();
             // Said to have none: whether there is one is another question.
-            let none = claimed.is_nan() && derivative.one_sided;
+            let none = claimed.is_nan() && derivative.missing.is_some();
             let comes_nearer = derivative.one_sided && (claimed - one).abs() <= NEARER * (claimed - two).abs();
             (!none && !comes_nearer && exceeds((claimed - one).abs(), most)).then_some((i, [claimed, one, two]))
         })
