@@ -38,6 +38,9 @@ enum Task {
     Hostile {
         #[arg(long, default_value_t = 100_000)]
         runs: u64,
+        /// The first run; the counts of later ones are not those of the report.
+        #[arg(long, default_value_t = 0)]
+        from: u64,
         /// Shows one scene instead.
         #[arg(long)]
         seed: Option<u64>,
@@ -54,7 +57,7 @@ impl Task {
             Self::Measure(wish) => measure::run(root, &wish)?,
             Self::Fuzz { runs } => fuzz::run(root, runs)?,
             Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),
-            Self::Hostile { runs, .. } => hostile::run(root, runs)?,
+            Self::Hostile { runs, from, .. } => hostile::run(root, from..from.saturating_add(runs))?,
         }
         Ok(())
     }
