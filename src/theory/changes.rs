@@ -2,7 +2,7 @@
 
 use super::derivatives::Missing;
 use super::exact::Exact;
-use super::forces::pulling_couple;
+use super::forces::{force_beside, pulling_couple};
 use super::list::{Beside, Kind, Node};
 use super::margin::lowest;
 use super::piecewise::AtSupport;
@@ -182,9 +182,11 @@ impl Exact {
     pub(super) fn weak(&self) -> Vec<Weak> {
         let (given, nodes) = (&self.given, &self.list.nodes);
         let largest = self.largest_node_force();
-        let moments = self.spans.iter().flat_map(|(_, span)| [span.beam_a[2], span.beam_b[2]]);
-        let bent =
-            moments.fold(0.0, |most: f64, moment| most.max(moment.abs())).max(largest * given.length * AT_A_CHANGE);
+        // What the forces beside a node can bend: where they balance nothing else says what is small.
+        let bent = |i: usize| {
+            let spans = super::sensitivity::ends(&self.spans, i).into_iter().flatten();
+            force_beside(&self.spans, i) * spans.fold(0.0, |most: f64, span| most.max(span.length()))
+        };
         let size = self.state.deflection.magnitude() / self.scale.depth;
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
         let mut weak = Vec::new();
@@ -193,7 +195,7 @@ impl Exact {
             match node.kind {
                 Kind::Smooth | Kind::Edge(_) => {
                     add(small(self.forces[i], largest), &[Weak::Force(i)]);
-                    add(node.can_move() && small(bend(&self.spans, i), bent), &[Weak::Bend(i, 0), Weak::Bend(i, 1)]);
+                    add(node.can_move() && small(bend(&self.spans, i), bent(i)), &[Weak::Bend(i, 0), Weak::Bend(i, 1)]);
                 }
                 Kind::ZoneStart | Kind::ZoneEnd => {
                     let outer = usize::from(node.kind == Kind::ZoneEnd);
@@ -202,14 +204,14 @@ impl Exact {
                 }
                 Kind::Support(index, beside) if beside != [Beside::Apart; 2] => {
                     let [left, right] = self.bends(i);
-                    add(small(right - left, bent.max(largest * given.length)), &[Weak::Couple(i)]);
+                    add(small(right - left, bent(i).max(largest * given.length)), &[Weak::Couple(i)]);
                     add(beside.contains(&Beside::Zone) && self.is_at_load(node.x), &[Weak::Place(i)]);
                     let ends = super::sensitivity::ends(&self.spans, i);
                     let clear = [ends[0].map(|span| span.at_b), ends[1].map(|span| span.at_a)];
                     let bridged = given.supports[index].clearance.map(|gap| gap <= AT_A_CHANGE * size);
                     for side in [0, 1] {
                         let level = clear[side].is_some_and(|[_, slope, ..]| small(slope * given.length, size));
-                        let straight = clear[side].is_some_and(|[_, _, bend, _]| small(bend, bent));
+                        let straight = clear[side].is_some_and(|[_, _, bend, _]| small(bend, bent(i)));
                         add(bridged[side] && level && straight, &[Weak::Bend(i, side)]);
                     }
                 }

@@ -16,6 +16,24 @@ fn at_a_change_of_the_kind_derivatives_are_one_sided() {
     }
 }
 
+/// The same where the bend that vanishes is rounding alone: two fields of `q l/2`, one of them held down by a load on its support,
+/// above ground at `q l⁴/(384 EI)`, at which the moment above the point in the middle is zero.
+#[test]
+fn at_a_change_that_is_rounded_derivatives_are_one_sided() {
+    for k in 1..=60 {
+        let (length, stiffness) = (1.0 + f64::from(k) / 7.0, f64::from(k) / 3.0);
+        let beam = Beam::new(length, stiffness).expect("a beam");
+        let load = Load::new(&beam, 1.0, Vec::new(), vec![PointLoad { at: length, force: -0.5 * length }]);
+        let depth = length.powi(4) / (384.0 * stiffness);
+        let scene = Scene::new(beam, load.expect("a load"), Some(Foundation::Flat { depth })).expect("a scene");
+        let exact = theory::solve(&scene).expect("an answer");
+        for derivative in exact.derivatives(&scene) {
+            let bends = matches!(derivative.by, By::Depth | By::Number(Quantity::SupportLevel(_) | Quantity::Uniform));
+            assert!(derivative.one_sided || !bends, "{k}: {derivative:?}");
+        }
+    }
+}
+
 /// Where contact is one point the force is linear in the depth: F = 5ql/8 − 48 EI u₀/l³.
 #[test]
 fn the_force_of_a_point_is_linear_in_the_depth() {
