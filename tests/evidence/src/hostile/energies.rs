@@ -27,8 +27,9 @@ pub(super) fn backed(trial: &mut Trial, who: &str, scene: &Scene, state: &Contac
     let share = if state.nodes.is_some() { USABLE } else { CERTAIN };
     let size = state.deflection.magnitude();
     let free = flexibility(scene) * scene.load().magnitude(scene.beam().length());
-    // Beams move by no less than what rounding of their loads does to them, and bounds are rounded outwards.
-    let rounding = 64.0 * f64::EPSILON * free + 64.0 * f64::MIN_POSITIVE;
+    // Beams move by no less than what rounding of their loads does to them; and bounds are rounded outwards, of what is nothing to
+    // the least number times the powers of two that the scene is scaled by, where numbers have no digits left.
+    let rounding = 64.0 * f64::EPSILON * free + f64::MIN_POSITIVE / f64::EPSILON;
     if exceeds(error, (1.0 + 1e-9) * (share * size).max(rounding)) {
         trial.wrong.push(format!("{who}: certified with an error of {error:e} of {size:e}"));
     }
