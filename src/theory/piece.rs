@@ -202,7 +202,16 @@ fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
     let right = given.breakpoints_inside(b.x - near_b, b.x).find(|i| loaded(b, i));
     match (left, right) {
         (Some(i), None) | (None, Some(i)) => given.breakpoints[i].x,
-        _ => 0.5 * (a.x + b.x),
+        // Beside both ends: at the larger one.
+        (Some(i), Some(j)) => {
+            let largest = |from: f64, to: f64| {
+                let inside = given.breakpoints_inside(from, to);
+                inside.fold(0.0, |most: f64, i| most.max(given.breakpoints[i].force.abs()))
+            };
+            let is_left = largest(b.x - near_b, b.x) < largest(a.x, a.x + near_a);
+            given.breakpoints[if is_left { i } else { j }].x
+        }
+        (None, None) => 0.5 * (a.x + b.x),
     }
 }
 

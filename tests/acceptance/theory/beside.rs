@@ -216,3 +216,26 @@ fn the_force_of_a_support_does_not_depend_on_how_short_the_zone_beside_it_is() {
         assert!((force - 0.235_909_771_9).abs() < 1e-9, "{level}: {force}");
     }
 }
+
+/// Loads right beside both ends of a span: `EI v(l/2) = 5 q l⁴/384 + Σ P c (3l² − 4c²)/48` with the distances `c` from the nearer end.
+/// Beyond the larger one, what is left of its shear force is a difference of nearly equal numbers.
+#[test]
+fn a_load_beside_each_end_leaves_the_deflection_its_digits() {
+    let (length, stiffness) = (10.0, 0.01);
+    for forces in [[-5.0, -1e12], [-1e12, -5.0]] {
+        let beam = Beam::new(length, stiffness).expect("a beam");
+        let places = [1e-9, length - 1e-9];
+        let point: Vec<PointLoad> = places.into_iter().zip(forces).map(|(at, force)| PointLoad { at, force }).collect();
+        let of_load = |load: &PointLoad| {
+            let c = load.at.min(length - load.at);
+            load.force * c * (3.0 * length * length - 4.0 * c * c) / 48.0
+        };
+        let bent = 5.0 * length.powi(4) / 384.0 + point.iter().map(of_load).sum::<f64>();
+        let load = Load::new(&beam, 1.0, Vec::new(), point).expect("a load");
+        let exact = solve(&Scene::new(beam, load, None).expect("a scene")).expect("an answer");
+        for x in [5.0_f64.next_down(), 5.0, 5.0_f64.next_up()] {
+            let off = exact.deflection(x) * stiffness / bent - 1.0;
+            assert!(off.abs() < 1e-9, "{forces:?} at {x}: {off:e}");
+        }
+    }
+}
