@@ -32,6 +32,9 @@ fn claimed(derivative: &Derivative) -> Vec<f64> {
     derivative.supports.iter().copied().chain([derivative.energy]).chain(contacts).collect()
 }
 
+/// Rounding of numbers, as a share of what they are made of.
+const ROUNDING: f64 = 1e-11;
+
 /// What a number is made of.
 struct Made {
     most: f64,
@@ -39,9 +42,9 @@ struct Made {
 }
 
 /// What the numbers that derivatives are told of are made of: a force of the shear forces beside it, whatever the largest force is, but
-/// for the last digits of that.
+/// for a unit in the last place of that.
 fn made_of(exact: &Exact, force: f64, size: f64, length: f64) -> Vec<Made> {
-    let least = 1e-9 * force;
+    let least = f64::EPSILON / ROUNDING * force;
     let at = |x: f64| exact.shear(x).into_iter().fold(least, |most: f64, shear| most.max(shear.abs()));
     let force_of = |own: f64, places: [f64; 2]| Made {
         most: places.map(at).into_iter().fold(own.abs(), f64::max),
@@ -84,8 +87,6 @@ type Wrong = (usize, [f64; 3]);
 /// A derivative that is not flagged is that of both sides, another that of one side at least: what each comparison says, as far as
 /// there is an answer on that side.
 fn compared(scene: &Scene, exact: &Exact, derivative: &Derivative) -> Vec<Option<Wrong>> {
-    /// Rounding of numbers, as a share of what they are made of.
-    const ROUNDING: f64 = 1e-11;
     /// A force that is a smaller share of those beside is lost in their rounding, after the step that it asks for.
     const TOLD: f64 = 1e-6;
     /// Half the step halves what the quotients are off by, or, where a zone ends without pressure, divides it by a root of two: they are
