@@ -337,8 +337,9 @@ pub(super) fn fixed_end_of_load(given: &PiecewiseScene, a: &End, b: &End) -> ([f
 fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;
     let (mut moment, mut shear, mut clamped) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-    let mut add = |x: f64, force: f64| {
-        let (s, r) = ((x - a.x) / l, (b.x - x) / l);
+    // Distances from both ends: those of a place are the same but for rounding, which over a short span is more than that of a load.
+    let mut add = |[from, to]: [f64; 2], force: f64| {
+        let (s, r) = (from / l, to / l);
         moment[0] += force * s * r * r * l;
         moment[1] += force * s * s * r * l;
         shear[0] += force * r;
@@ -354,11 +355,11 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     };
     let sign = if of == Drive::Load { 1.0 } else { -1.0 };
     for (cell, [lo, hi]) in given.loaded([a.x, b.x], [a.cell, b.cell]) {
-        for (x, weight) in given.load_rule.points(lo, hi) {
-            add(x, weight * drive(cell, x));
+        for (t, weight) in given.load_rule.points(lo - a.x, hi - a.x) {
+            add([t, l - t], weight * drive(cell, a.x + t));
         }
     }
-    given.forces_between(a.cell, b.cell).for_each(|j| add(j.x, sign * j.force));
+    given.forces_between(a.cell, b.cell).for_each(|j| add([j.x - a.x, b.x - j.x], sign * j.force));
     if of == Drive::Load {
         return FixedEnd { moment, shear, clamped };
     }
