@@ -3,7 +3,7 @@
 use super::check::check;
 use super::exact::Exact;
 use super::list::{Beside, Kind, List, Node};
-use super::margin::{Margin, all, failing};
+use super::margin::{Margin, all, failing, nearest_to_pull};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
@@ -18,10 +18,13 @@ const OF_A_SUPPORT: usize = 150;
 
 impl Exact {
     /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: a [`Margin`] for each
-    /// condition that can be followed from one scene to the other. [`None`] if there are no such contacts there.
+    /// condition that can be followed from one scene to the other. Where there are no such contacts, that is what the zone violates
+    /// that is nearest to where it would pull: it cannot go on from there. [`None`] if there is no such zone.
     #[must_use]
     pub fn failing(&self, scene: &Scene) -> Option<Vec<Margin>> {
-        let (given, list) = self.kept(scene)?;
+        let Some((given, list)) = self.kept(scene) else {
+            return nearest_to_pull(&self.given, &self.list).map(|margin| vec![margin]);
+        };
         Some(failing(&given, &list, &check(&given, &list), &self.pattern().pulls))
     }
 

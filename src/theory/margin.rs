@@ -91,6 +91,13 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
     margins
 }
 
+/// That the zone that is nearest to pulling does not.
+pub(super) fn nearest_to_pull(given: &PiecewiseScene, list: &List) -> Option<Margin> {
+    let zones = list.zones().map(|zone| Margin(Condition::ZonePresses(zone.node)));
+    let far = zones.filter_map(|margin| Some((margin, margin.value(given, list)?)));
+    far.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(margin, _)| margin)
+}
+
 /// True if the node is a support at which the ground has the slope that the beam is held with.
 fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
     list.nodes.get(node).is_some_and(|node| match node.kind {
