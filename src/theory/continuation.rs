@@ -128,7 +128,10 @@ fn carried(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope
         }
         Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd => {
             let shape = from.cells[node.cell].shape;
-            let first = to.cells.partition_point(|cell| cell.shape < shape);
+            // The first cell of that piece to the right of the same support.
+            let supports = from.supports.partition_point(|support| support.breakpoint <= node.cell);
+            let support = supports.checked_sub(1).map_or(0, |i| to.supports[i].breakpoint);
+            let first = to.cells.partition_point(|cell| cell.shape < shape).max(support).min(to.cells.len() - 1);
             let (lo, hi) = to.reach(first);
             // A piece of the profile that has moved takes its contacts with it.
             let was = from.reach(node.cell);
