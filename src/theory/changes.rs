@@ -5,7 +5,7 @@ use super::exact::Exact;
 use super::forces::{force_beside, pulling_couple};
 use super::list::{Beside, Kind, Node};
 use super::margin::lowest;
-use super::piecewise::AtSupport;
+use super::piecewise::{AtSupport, Cell};
 use super::sensitivity::{Change, NodeChange, bend, standing};
 use super::span::Span;
 use crate::scene::{Foundation, Held, Scene};
@@ -137,6 +137,18 @@ impl Exact {
         at(span.at_a, span.length()) && at(span.at_b, span.length())
     }
 
+    /// True if a contact begins, lies or ends where no load drives the beam onto the ground: one answer has several lists of contacts
+    /// there.
+    pub(crate) fn touches_without_load(&self) -> bool {
+        let given = &self.given;
+        let straight = |shape: usize| given.shapes[shape].degree().is_some_and(|degree| degree < 4);
+        let idle = |cell: &Cell| cell.load == 0.0 && cell.load_slope == 0.0 && straight(cell.shape);
+        self.state.contacts.iter().any(|contact| {
+            let [from, to] = [contact.from, contact.to].map(|x| x / self.scale.length);
+            given.cells.get(given.cell_to(from)..=given.cell_from(to)).is_some_and(|cells| cells.iter().any(idle))
+        })
+    }
+
     /// True if the ground presses at node `end`, an end of the zone before node `i`.
     pub(super) fn presses(&self, end: usize, i: usize) -> bool {
         let (given, node) = (&self.given, &self.list.nodes[end]);
@@ -182,10 +194,11 @@ impl Exact {
     pub(super) fn weak(&self) -> Vec<Weak> {
         let (given, nodes) = (&self.given, &self.list.nodes);
         let largest = self.largest_node_force();
-        // What the forces beside a node can bend: where they balance nothing else says what is small.
+        // What the forces beside a node can bend, or the loads on a beam at rest: what is small beside that is rounding.
         let bent = |i: usize| {
             let spans = super::sensitivity::ends(&self.spans, i).into_iter().flatten();
-            force_beside(&self.spans, i) * spans.fold(0.0, |most: f64, span| most.max(span.length()))
+            let beside = force_beside(&self.spans, i) * spans.fold(0.0, |most: f64, span| most.max(span.length()));
+            beside.max(self.rest() * given.length)
         };
         let size = self.state.deflection.magnitude() / self.scale.depth;
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;

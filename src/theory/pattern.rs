@@ -211,7 +211,7 @@ impl Exact {
     }
 
     /// What forces are compared with at least, over `EI`.
-    fn rest(&self) -> f64 {
+    pub(super) fn rest(&self) -> f64 {
         AT_REST * self.given.total_load
     }
 
