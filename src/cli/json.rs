@@ -91,7 +91,7 @@ pub(super) fn sweep(
     vary: Quantity,
     rows: &[(f64, Answer)],
     events: &[Event],
-    stopped: Option<Stopped>,
+    stopped: Option<&Stopped>,
 ) -> String {
     #[derive(Debug, Serialize)]
     struct SweepObject<'a> {
@@ -99,9 +99,9 @@ pub(super) fn sweep(
         vary: String,
         rows: Vec<RowObject<'a>>,
         events: &'a [Event],
-        /// Only of a sweep that takes more work than one may.
+        /// Only of a sweep that is not whole.
         #[serde(skip_serializing_if = "Option::is_none")]
-        stopped: Option<Stopped>,
+        stopped: Option<&'a Stopped>,
     }
     #[derive(Debug, Serialize)]
     struct RowObject<'a> {

@@ -35,8 +35,8 @@ pub(super) struct Swept {
     seconds: [f64; 2],
 }
 
-/// A sweep that takes more work than one may: what there is of it.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+/// A sweep that takes more work than one may, or comes to a value without an answer: what there is of it.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub(super) struct Stopped {
     /// Values with an answer.
     rows: usize,
@@ -45,7 +45,7 @@ pub(super) struct Stopped {
     /// Up to this value the events are complete.
     events_until: Option<f64>,
     /// Why.
-    reason: &'static str,
+    reason: String,
 }
 
 /// Why a sweep is stopped, and what to do.
@@ -53,19 +53,28 @@ const REASON: &str =
     "the work that one sweep may take is done: a shorter range, fewer values or a simpler scene take less";
 
 impl Swept {
-    /// All answers of a sweep over a beam of this length.
+    /// The answers of a sweep over a beam of this length, up to the first value that has none; an error if that is the first of all.
     pub(super) fn of(sweep: &Sweep<'_>, length: f64) -> Result<Self, Failure> {
         let begin = Instant::now();
         let mut walk = sweep.walk();
         let (mut rows, mut times) = (Vec::new(), Vec::new());
+        let mut ended = None;
         for value in sweep.values() {
             if MOST_WORK < walk.work() {
                 break;
             }
             let start = Instant::now();
-            let step = walk.solve(value)?;
-            times.push(start.elapsed().as_secs_f64());
-            rows.push(walk.row(step));
+            match walk.solve(value) {
+                Ok(step) => {
+                    times.push(start.elapsed().as_secs_f64());
+                    rows.push(walk.row(step));
+                }
+                Err(error) if rows.is_empty() => return Err(error.into()),
+                Err(error) => {
+                    ended = Some(error.to_string());
+                    break;
+                }
+            }
         }
         let solved = begin.elapsed().as_secs_f64();
         let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
@@ -75,7 +84,7 @@ impl Swept {
             rows: rows.len(),
             of,
             events_until: until,
-            reason: REASON,
+            reason: ended.unwrap_or_else(|| REASON.to_owned()),
         });
         let seconds = [solved, begin.elapsed().as_secs_f64() - solved];
         let rows = rows
@@ -91,7 +100,7 @@ impl Swept {
     }
 
     pub(super) fn json(&self, input: &Input) -> String {
-        json::sweep(input, self.quantity, &self.rows, &self.events, self.stopped)
+        json::sweep(input, self.quantity, &self.rows, &self.events, self.stopped.as_ref())
     }
 
     pub(super) fn figure(&self, input: &Input) -> Result<String, Failure> {
@@ -106,7 +115,7 @@ impl Swept {
             [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| labels.number(row.0)));
         let [rows, events] = self.seconds.map(magnitude);
         let status = Status::of_several(self.is_certified());
-        let of = self.stopped.map_or(self.rows.len(), |stopped| stopped.of);
+        let of = self.stopped.as_ref().map_or(self.rows.len(), |stopped| stopped.of);
         let ended = if self.stopped.is_some() { " are certified, and the sweep was stopped" } else { "" };
         let mut text = heading(status, &format!("{certified} of {of} answers{ended}"), input);
         text += &list(&given(&input.scene, &labels));
@@ -115,7 +124,7 @@ impl Swept {
             ("varied", format!("{}, {} values from {} to {}", self.quantity, self.rows.len(), ends[0], ends[1])),
             ("seconds", format!("{rows} for the answers with their bounds, {events} for the events")),
         ]);
-        if let Some(Stopped { rows, of, events_until, reason }) = self.stopped {
+        if let Some(Stopped { rows, of, events_until, reason }) = &self.stopped {
             let events =
                 events_until.map_or_else(String::new, |value| format!(", events up to {}", labels.number(value)));
             text += &list(&[("stopped", format!("after {rows} of {of} values{events}; {reason}"))]);

@@ -65,3 +65,17 @@ fn a_sweep_that_is_stopped_says_where_and_fails() {
     let reason = object["stopped"]["reason"].as_str().unwrap_or_default();
     assert!(reason.contains("the work that one sweep may take is done"), "{reason}");
 }
+
+/// A range that leaves what has an answer: what there is is printed, with the reason; if there is nothing, that is an error.
+#[test]
+fn a_sweep_that_leaves_what_has_an_answer_prints_what_there_is() {
+    let folder = Folder::new("sweep_left");
+    let run = folder.run("sweep example.toml --vary foundation.depth --from 1 --to -1 --steps 5 --format json");
+    assert_eq!(run.code, Some(1), "{}", run.err);
+    let object: serde_json::Value = serde_json::from_str(&run.out).expect("one object");
+    assert_eq!((object["rows"].as_array().map(Vec::len), object["stopped"]["of"].as_u64()), (Some(3), Some(5)));
+    let reason = object["stopped"]["reason"].as_str().unwrap_or_default();
+    assert!(reason.contains("`foundation.depth` = -0.5, and none from -0 on"), "{reason}");
+    let nothing = folder.run("sweep example.toml --vary foundation.depth --from -1 --to 1 --steps 5");
+    assert!(nothing.code == Some(2) && nothing.out.is_empty(), "{}", nothing.err);
+}
