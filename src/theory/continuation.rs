@@ -3,7 +3,7 @@
 use super::check::check;
 use super::exact::Exact;
 use super::list::{Beside, Kind, List, Node};
-use super::margin::{Margin, all, failing, nearest_to_pull};
+use super::margin::{Margin, all, failing, stopped};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
@@ -16,15 +16,23 @@ const START: u64 = 50;
 /// units keep a sweep over thousands of supports within 20 seconds.
 const OF_A_SUPPORT: usize = 150;
 
+/// Newton steps on contacts that only move: from beside the solution two double the digits up to the last one, and two are at rest.
+const STEPS: usize = 4;
+
+/// To make the scene and its spans and to check them once is as much as so many lists of a search. *Tuned* on 2,300 point loads: so the
+/// work of a search for events, which is mostly of this kind, takes the time that it takes elsewhere.
+const MOVED: usize = 4;
+
 impl Exact {
     /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: a [`Margin`] for each
-    /// condition that can be followed from one scene to the other. Where there are no such contacts, that is what the zone violates
-    /// that is nearest to where it would pull: it cannot go on from there. [`None`] if there is no such zone.
+    /// condition that can be followed from one scene to the other. Where there are no such contacts because one of them cannot go on, it
+    /// is that. [`None`] if there are none for another reason.
     #[must_use]
     pub fn failing(&self, scene: &Scene) -> Option<Vec<Margin>> {
-        let Some((given, list)) = self.kept(scene) else {
-            return nearest_to_pull(&self.given, &self.list).map(|margin| vec![margin]);
-        };
+        let (given, list, converged) = self.tried(scene)?;
+        if !converged {
+            return stopped(&given, &list).map(|margin| vec![margin]);
+        }
         Some(failing(&given, &list, &check(&given, &list), &self.pattern().pulls))
     }
 
@@ -64,8 +72,17 @@ impl Exact {
     /// a microsecond.
     #[must_use]
     pub fn work(&self) -> u64 {
+        self.work_of(self.lists, self.iterations)
+    }
+
+    /// What it takes to move its contacts to where they are in another scene, in the same units.
+    pub(crate) fn work_to_move(&self) -> u64 {
+        self.work_of(MOVED, STEPS)
+    }
+
+    fn work_of(&self, lists: usize, steps: usize) -> u64 {
         let nodes = self.list.nodes.len();
-        let passes = (self.lists + 1) * (self.given.cells.len() + nodes) + self.iterations * nodes;
+        let passes = (lists + 1) * (self.given.cells.len() + nodes) + steps * nodes;
         // Of thousands of supports this is nearly all of it.
         let many = OF_A_SUPPORT * self.given.supports.len().saturating_sub(2);
         START + u64::try_from(passes + many).unwrap_or(u64::MAX)
@@ -73,10 +90,16 @@ impl Exact {
 
     /// The list of this solution, with its places as they are in `scene`.
     fn kept(&self, scene: &Scene) -> Option<(PiecewiseScene, List)> {
+        self.tried(scene).and_then(|(given, list, converged)| converged.then_some((given, list)))
+    }
+
+    /// The same, and whether Newton's method converged.
+    fn tried(&self, scene: &Scene) -> Option<(PiecewiseScene, List, bool)> {
         let scaled = scene.scaled().ok()?;
         let given = PiecewiseScene::new(&scaled.scene);
         let mut list = self.list_in(&given, &scaled.scale)?;
-        newton::solve(&given, &mut list).converged.then_some((given, list))
+        let converged = newton::solve(&given, &mut list).converged;
+        Some((given, list, converged))
     }
 
     /// The list of this solution in a scene beside it, to start from; [`None`] if its nodes are not there.

@@ -23,6 +23,8 @@ enum Condition {
     Length(usize),
     /// The zone that ends at this node does not pull.
     ZonePresses(usize),
+    /// The contact lies on its smooth piece of the profile.
+    Stays(usize),
     /// Beside an edge, or a support, the beam is above the ground: the slope of the clearance to its left or to its right.
     Turns(usize, usize),
     /// The same beside a support at which the slope of the beam is that of the ground: the bend of the clearance.
@@ -91,11 +93,19 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
     margins
 }
 
-/// That the zone that is nearest to pulling does not.
-pub(super) fn nearest_to_pull(given: &PiecewiseScene, list: &List) -> Option<Margin> {
-    let zones = list.zones().map(|zone| Margin(Condition::ZonePresses(zone.node)));
-    let far = zones.filter_map(|margin| Some((margin, margin.value(given, list)?)));
-    far.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(margin, _)| margin)
+/// What has stopped Newton's method: a zone beside a stretch in which it would pull, or a contact at the end of its smooth piece of the
+/// profile. It goes nine tenths of the way there in each of its steps.
+pub(super) fn stopped(given: &PiecewiseScene, list: &List) -> Option<Margin> {
+    /// As a share of the beam.
+    const THERE: f64 = 1e-12;
+    let nodes = list.nodes.iter().enumerate().filter(|(_, node)| node.can_move());
+    let stays = nodes.map(|(i, _)| Condition::Stays(i));
+    let margins = list.zones().map(|zone| Condition::ZonePresses(zone.node)).chain(stays).map(Margin);
+    let mut there = margins.filter(|margin| {
+        let far = margin.of(given, list, &[], &[]);
+        far.is_some_and(|far| far.abs() <= THERE * given.length)
+    });
+    there.next()
 }
 
 /// True if the node is a support at which the ground has the slope that the beam is held with.
@@ -110,10 +120,10 @@ fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
 }
 
 impl Margin {
-    /// The same where the list is none of any beam: a zone that has been entered by a load that pulls, as Newton's method finds no
-    /// start of it there. Of other conditions nothing is known.
+    /// The same where the list is none of any beam, as Newton's method is stopped: a zone that has been entered by a load that pulls, or
+    /// a contact that has left its piece of the profile. Of other conditions nothing is known.
     pub(super) fn without_list(self) -> Option<f64> {
-        matches!(self.0, Condition::ZonePresses(_)).then_some(f64::NEG_INFINITY)
+        matches!(self.0, Condition::ZonePresses(_) | Condition::Stays(_)).then_some(f64::NEG_INFINITY)
     }
 
     /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
@@ -142,6 +152,11 @@ impl Margin {
                     if lo < hi { from.max(lo) - to.min(hi) } else { (from - lo).max(hi - to) }
                 };
                 given.tension.iter().map(outside).reduce(f64::min)
+            }
+            Condition::Stays(node) => {
+                let node = list.nodes.get(node)?;
+                let (from, to) = given.reach(node.cell);
+                Some((node.x - from).min(to - node.x))
             }
             Condition::Turns(node, 0) => before(node).map(|span| -span.at_b[1]),
             Condition::Turns(node, _) => before(node + 1).map(|span| span.at_a[1]),
