@@ -18,8 +18,8 @@ pub struct Event {
     pub value: f64,
     /// What happens there as the sweep goes on.
     pub what: String,
-    /// By how much the value may be off where the answers before and after it both meet their conditions to 12 digits for a while; 0
-    /// where they do not, and the value is known to a thousand-millionth of the range.
+    /// By how much the value may be off where the answers before and after it both meet their conditions to 12 digits for a while, or
+    /// where none is found between them; 0 where neither is so, and the value is known to a thousand-millionth of the range.
     #[cfg_attr(feature = "cli", serde(skip_serializing_if = "is_zero"))]
     pub uncertainty: f64,
 }
@@ -55,6 +55,8 @@ const ONE: f64 = 2.0 * BESIDE;
 #[derive(Debug, Clone)]
 pub(super) struct Root {
     pub(super) value: f64,
+    /// By how much the value may be off where no condition gives it, but only the answers on both sides.
+    pub(super) off: f64,
     pub(super) before: At,
     pub(super) after: At,
 }
@@ -117,14 +119,14 @@ impl Search<'_> {
     fn all(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
         let mut roots = Vec::new();
         let [start, end] = self.sweep.range;
-        let Some(&(last_row, _)) = rows.last() else { return (roots, Some(start)) };
-        let is_whole = last_row.total_cmp(&end).is_eq();
+        if rows.is_empty() {
+            return (roots, Some(start));
+        }
         let place = |i: u32| start + (end - start) * ((f64::from(i) - PAST) / f64::from(PLACES));
         // A row itself may be an event, as round numbers are: that is seen from beyond it only.
         let beyond = |i: u32, row: f64| self.at(place(i), &[]).map_or(row, |_| place(i));
-        let inner = (1..=PLACES).map(place).filter(|place| (place - start) * (place - last_row) < 0.0);
-        let mut places: Vec<f64> = [beyond(0, start)].into_iter().chain(inner).collect();
-        places.push(if is_whole { beyond(PLACES + 1, end) } else { last_row });
+        let places: Vec<f64> =
+            [beyond(0, start)].into_iter().chain((1..=PLACES).map(place)).chain([beyond(PLACES + 1, end)]).collect();
         let mut last: Option<At> = None;
         let mut first_without: Option<f64> = None;
         for value in places {
@@ -135,7 +137,7 @@ impl Search<'_> {
             let Some(next) = next else {
                 // Up to where there are answers.
                 if let Some(at) = last.take_if(|_| first_without.is_none()) {
-                    let farthest = self.farthest(&at, value);
+                    let farthest = self.farthest(&at, value, |_| true);
                     self.interval(&at, &farthest, rows, &mut roots);
                     last = Some(farthest);
                 }
@@ -143,7 +145,8 @@ impl Search<'_> {
                 continue;
             };
             if let Some(last) = &last {
-                let near = first_without.map_or_else(|| next.clone(), |without| self.farthest(&next, without));
+                let near =
+                    first_without.map_or_else(|| next.clone(), |without| self.farthest(&next, without, |_| true));
                 self.interval(last, &near, rows, &mut roots);
                 self.interval(&near, &next, rows, &mut roots);
             }
@@ -152,7 +155,7 @@ impl Search<'_> {
             }
             (last, first_without) = (Some(next), None);
         }
-        (roots, (!is_whole).then_some(last_row))
+        (roots, None)
     }
 
     /// The events between two answers with no place between them that is looked at, unless a row there has another kind.
@@ -204,7 +207,7 @@ impl Search<'_> {
             let middle = 0.5 * (last.value + root.value);
             let lasts = |at: &At, to: f64| [middle, to].into_iter().all(|value| self.kept(at, value).is_some());
             if lasts(&last.before, root.before.value) {
-                (last.value, last.after) = (root.value, root.after);
+                (last.value, last.off, last.after) = (root.value, root.off, root.after);
             } else if close || lasts(&root.after, last.after.value) {
                 last.after = root.after;
             } else {
@@ -216,6 +219,7 @@ impl Search<'_> {
             let (value, uncertainty) = self.settled(root);
             Event { value, what: describe(&root.before.exact, &root.after.exact), uncertainty }
         };
-        single.iter().filter(happens).map(event).collect()
+        // Of contacts that only move there is nothing to tell, however fast they do.
+        single.iter().filter(happens).map(event).filter(|event| !event.what.is_empty()).collect()
     }
 }

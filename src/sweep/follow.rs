@@ -46,14 +46,17 @@ impl Search<'_> {
         exact.solved.then(|| At::new(value, exact))
     }
 
-    /// The last answer on the way to a value that has none.
-    pub(super) fn farthest(&self, from: &At, to: f64) -> At {
+    /// The last answer that is accepted on the way to a value that has none.
+    pub(super) fn farthest(&self, from: &At, to: f64, accepts: impl Fn(&At) -> bool) -> At {
         /// Halvings: the place is known to a thousand-millionth of the way.
         const HALVINGS: u32 = 30;
         let (mut with, mut without) = (from.clone(), to);
         for _ in 0..HALVINGS {
+            if self.is_narrow(with.value, without) {
+                break;
+            }
             let middle = 0.5 * (with.value + without);
-            match self.at(middle, &[&with]) {
+            match self.at(middle, &[&with]).filter(&accepts) {
                 Some(at) => with = at,
                 None => without = middle,
             }
@@ -84,7 +87,7 @@ impl Search<'_> {
         let places = [left.value, left.value + STEP * width, right.value - STEP * width, right.value];
         let [a, near_a, near_b, b] = places.map(margins);
         let (a, near_a, near_b, b) = (a?, near_a?, near_b?, b?);
-        self.count(4 * left.exact.work());
+        self.count(4 * left.exact.work_to_move());
         for (margin, at_a) in a {
             let of = |list: &[(Margin, f64)]| list.iter().find(|(other, _)| *other == margin).map(|(_, value)| *value);
             let (Some(next), Some(last), Some(at_b)) = (of(&near_a), of(&near_b), of(&b)) else { continue };
@@ -95,7 +98,7 @@ impl Search<'_> {
                 continue;
             }
             let value = |share: f64| {
-                self.count(left.exact.work());
+                self.count(left.exact.work_to_move());
                 left.exact.margin(&self.sweep.scene(left.value + share * width).ok()?, margin)
             };
             let (mut lo, mut hi) = (0.0, 1.0);
@@ -127,17 +130,19 @@ impl Search<'_> {
                 events.push(event);
                 continue;
             }
-            if let Some(Root { value, before, after }) = self.next_event(&right, &left) {
+            if let Some(Root { value, off, before, after }) = self.next_event(&right, &left) {
                 // From the other side what it becomes is what it was.
                 right = after.clone();
-                beyond.push(Root { value, before: after, after: before });
+                beyond.push(Root { value, off, before: after, after: before });
                 continue;
             }
             let inside = |share: f64| left.value + share * (right.value - left.value);
             let narrow = self.is_narrow(left.value, right.value);
-            let middle = SHARES.into_iter().filter(|_| !narrow).find_map(|share| self.at(inside(share), &[&left]));
-            let Some(middle) = middle else {
-                events.push(Root { value: inside(0.5), before: left, after: right });
+            let found = |share| self.at(inside(share), &[&left, &right]);
+            let Some(middle) = SHARES.into_iter().filter(|_| !narrow).find_map(found) else {
+                let gap = self.gap(&left, &right);
+                // Without work that is left no answer is found anywhere.
+                events.extend((!self.is_spent()).then_some(gap));
                 break;
             };
             if left.is_like(&middle) {
@@ -150,6 +155,15 @@ impl Search<'_> {
             }
         }
         events.extend(beyond.into_iter().rev());
+    }
+
+    /// The event between two answers with none between them that is found: it lies between the last one of the first kind and the first
+    /// one of the other, and no more is known of it.
+    fn gap(&self, left: &At, right: &At) -> Root {
+        let before = self.farthest(left, right.value, |at| at.is_like(left));
+        let after = self.farthest(right, before.value, |at| at.is_like(right));
+        let [value, off] = [0.5 * (before.value + after.value), 0.5 * (after.value - before.value).abs()];
+        Root { value, off, before, after }
     }
 
     /// The first event on the way from `from` to `to`, which may be against the sweep, with an answer just beyond it as `after`.
@@ -165,24 +179,25 @@ impl Search<'_> {
             if 0.0 < (before - from.value) * step { self.kept(from, before) } else { Some(from.clone()) }
         };
         let sides: Vec<(f64, At)> = roots.into_iter().map_while(|value| Some((value, near(value)?))).collect();
-        // Beyond it they are others, and as near to it as may be those of `to`.
-        let beyond = |value: f64| {
-            let inside = 0.0 < (to.value - value) * step;
-            let after = if inside { self.at(value, &[from, to])? } else { to.clone() };
-            (!after.is_like(from)).then_some(after)
+        // Beyond it they are others, not the same ones that move fast, and as near to it as may be those of `to`: farther from it there
+        // may be more events before that.
+        let beyond = |value: f64, farther: f64| {
+            let next = value + farther * step;
+            let inside = 0.0 < (to.value - next) * step;
+            if inside { self.at(next, &[from, to]) } else { (farther <= FARTHER[0]).then(|| to.clone()) }
         };
         FARTHER.into_iter().find_map(|farther| {
             sides.iter().find_map(|(value, near)| {
-                let after = beyond(value + step * farther)?;
-                Some(Root { value: *value, before: near.clone(), after })
+                let after = beyond(*value, farther).filter(|after| !after.pattern.is_same_kind(&near.pattern))?;
+                Some(Root { value: *value, off: 0.0, before: near.clone(), after })
             })
         })
     }
 
     /// The answer at a value that has the contacts of another one, if there is one.
     pub(super) fn kept(&self, from: &At, value: f64) -> Option<At> {
+        self.count(from.exact.work_to_move());
         let exact = from.exact.moved(&self.sweep.scene(value).ok()?)?;
-        self.count(from.exact.work());
         Some(At::new(value, exact)).filter(|near| near.is_like(from))
     }
 
@@ -191,14 +206,17 @@ impl Search<'_> {
     pub(super) fn root(&self, from: &At, to: f64, margin: Margin) -> Option<f64> {
         /// Secants in turn before the middle is taken.
         const SECANTS: u32 = 3;
+        /// What a margin may be below zero at a root, as a share of what it is at `to`.
+        const NONE: f64 = 1e-2;
         let of = |value: f64| {
-            self.count(from.exact.work());
+            self.count(from.exact.work_to_move());
             from.exact.margin(&self.sweep.scene(value).ok()?, margin)
         };
         let (mut good, mut bad) = (from.value, to);
         let (mut at_good, mut at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
         if at_good.is_some_and(|m| m <= 0.0) {
-            return Some(good);
+            // A condition that has no meaning at `from` is violated there by more than rounding.
+            return at_good.filter(|m| NONE * at_bad <= *m).map(|_| good);
         }
         let mut turn = 0;
         let mut stays = 0;

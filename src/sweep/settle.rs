@@ -17,8 +17,9 @@ impl Search<'_> {
         let onward = (end - start).signum();
         let late = self.lasts(&root.before, root.value, onward * least);
         let early = self.lasts(&root.after, root.value, -onward * least);
+        let honest = |uncertainty: f64| if uncertainty <= least { 0.0 } else { uncertainty };
         if late <= 0.0 && early <= 0.0 {
-            return (root.value, 0.0);
+            return (root.value, honest(root.off));
         }
         let [first, last] = [root.value - onward * early, root.value + onward * late];
         // Beyond what the contacts meet, their margin is negative.
@@ -32,7 +33,7 @@ impl Search<'_> {
             (None, None) => (0.5 * (first + last), 0.5 * (last - first).abs()),
         };
         let inside = value.max(start.min(end)).min(start.max(end));
-        (inside, if uncertainty <= least { 0.0 } else { uncertainty })
+        (inside, honest(uncertainty.max(root.off)))
     }
 
     /// How far beyond `value` the contacts of an answer are one, `step` being the first step that is tried; 0 if they are not.
