@@ -103,11 +103,7 @@ impl Foundation {
     pub fn sides(&self, x: f64) -> [[f64; 2]; 2] {
         match self {
             Self::Flat { depth } => [[*depth, 0.0]; 2],
-            Self::Polynomial { coefficients } => {
-                let (value, slope) =
-                    coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), &c| (value * x + c, slope * x + value));
-                [[value, slope]; 2]
-            }
+            Self::Polynomial { coefficients } => [[self.depth(x), polynomial::slope(coefficients, x)]; 2],
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 let rate = 2.0 * std::f64::consts::PI / wavelength;
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength) + phase;
@@ -141,10 +137,7 @@ impl Foundation {
     pub(super) fn slope_size(&self, x: f64) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
-            Self::Polynomial { coefficients } => {
-                let size = |(value, slope): (f64, f64), c: &f64| (value * x.abs() + c.abs(), slope * x.abs() + value);
-                coefficients.iter().rev().fold((0.0, 0.0), size).1
-            }
+            Self::Polynomial { coefficients } => polynomial::magnitudes_at(coefficients, x)[1],
             Self::Cosine { amplitude, wavelength, phase, .. } => {
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();
                 2.0 * std::f64::consts::PI / wavelength * amplitude.abs() * (1.0 + angle)
@@ -174,7 +167,7 @@ impl Foundation {
     pub fn magnitude_at(&self, x: f64) -> f64 {
         match self {
             Self::Flat { depth } => depth.abs(),
-            Self::Polynomial { coefficients } => polynomial::magnitude_at(coefficients, x),
+            Self::Polynomial { coefficients } => polynomial::magnitudes_at(coefficients, x)[0],
             Self::Cosine { mean, amplitude, wavelength, phase } => {
                 // The angle is rounded as well.
                 let angle = 2.0 * std::f64::consts::PI * (x / wavelength).abs() + phase.abs();

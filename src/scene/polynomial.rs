@@ -56,15 +56,31 @@ pub(super) fn value(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, &c| sum * x + c)
 }
 
-/// What the rounding of `u(x)` is relative to: of a short polynomial its terms, of a long one the depth and what the rounding
-/// of the place changes it by, `|u| + |x u'|`.
-pub(super) fn magnitude_at(coefficients: &[f64], x: f64) -> f64 {
-    let terms = coefficients.iter().rev().fold(0.0, |sum, c| sum * x.abs() + c.abs());
-    if long_degree(coefficients).is_none() || !f64::is_finite(terms) {
+/// `u'(x)`.
+pub(super) fn slope(coefficients: &[f64], x: f64) -> f64 {
+    if long_degree(coefficients).is_some() {
+        let [_, slope] = expanded(coefficients, x);
+        if f64::is_finite(slope) {
+            return slope;
+        }
+    }
+    with_slope(coefficients.iter().copied(), x)[1]
+}
+
+/// `[u, u']` by Horner's scheme.
+fn with_slope(coefficients: impl DoubleEndedIterator<Item = f64>, x: f64) -> [f64; 2] {
+    coefficients.rev().fold([0.0; 2], |[value, slope], c| [value * x + c, slope * x + value])
+}
+
+/// What the rounding of `u(x)` and of `u'(x)` is relative to: of a short polynomial their terms, of a long one what they are and what
+/// the rounding of the place changes them by, `|u| + |x u'|` and `|u'| + |x u''|`.
+pub(super) fn magnitudes_at(coefficients: &[f64], x: f64) -> [f64; 2] {
+    let terms = with_slope(coefficients.iter().map(|c| c.abs()), x.abs());
+    if long_degree(coefficients).is_none() || !terms.iter().all(|terms| terms.is_finite()) {
         return terms;
     }
-    let [depth, slope] = expanded(coefficients, x);
-    (depth.abs() + (x * slope).abs()).min(terms)
+    let [depth, slope, half] = expanded(coefficients, x);
+    [(depth.abs() + (x * slope).abs()).min(terms[0]), (slope.abs() + (2.0 * x * half).abs()).min(terms[1])]
 }
 
 /// A bound on `|u|` over a beam; infinite if the terms overflow. For a long polynomial of degree `d` the largest magnitude at the

@@ -4,7 +4,7 @@
 //! polynomial with the coefficients that are given, in fractions.
 
 use palkki::route::{Method, Solver, Status};
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError};
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError, Support};
 use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::authority::{RBig, rational};
 use palkki_evidence::extremes::chebyshev;
@@ -117,6 +117,60 @@ fn a_long_polynomial_is_level_where_it_is_zero() {
             let touches = amplitude < 0.0 || degree % 2 == 1;
             let refused = matches!(above, Err(SceneError::AboveSupport { depth, .. }) if (depth + 1e-9).abs() < 1e-12);
             assert_eq!(refused, touches, "degree {degree}, {amplitude}: {above:?}");
+        }
+    }
+}
+
+/// `[u, u', u'']` of the coefficients as they are, in fractions.
+fn jet(coefficients: &[f64], x: f64) -> [f64; 3] {
+    let exact = |value: f64| RBig::try_from(value).expect("a finite number");
+    let x = exact(x);
+    let start = [RBig::ZERO, RBig::ZERO, RBig::ZERO];
+    let [u, slope, half] = coefficients
+        .iter()
+        .rev()
+        .fold(start, |[u, slope, half], &c| [&u * &x + exact(c), &slope * &x + u, half * &x + slope]);
+    [u, slope, half * RBig::from(2)].map(|value| rational::number(&value))
+}
+
+/// Beside a support, too, depth and slope of a long polynomial are what its coefficients make them: ground below a support is not level
+/// with it, and ground that rises where the beam is built in is not along the beam, by far less than the rounding of the terms.
+#[test]
+fn ground_meets_a_support_as_its_coefficients_say() {
+    /// Of a depth and a slope in 64 bits.
+    const ROUNDING: f64 = 4.0 * f64::EPSILON;
+    /// More than what is level but for rounding, and below the rounding of the terms of the higher degrees.
+    const BESIDE: f64 = 1e-11;
+    for degree in 7..=20 {
+        for length in [1.0, 10.0, 1000.0] {
+            let coefficients = wave(degree, 1.0, 0.25, length);
+            let ground = Foundation::Polynomial { coefficients: coefficients.clone() };
+            let above = |support: Support| {
+                let beam = Beam::new(length, 1.0).and_then(|beam| beam.with_supports(vec![support])).expect("a beam");
+                let load = Load::new(&beam, 1.0, Vec::new(), Vec::new()).expect("a load");
+                Scene::new(beam, load, Some(ground.clone()))
+            };
+            for at in (1..40).map(|k| length * f64::from(k) / 40.0) {
+                let name = format!("degree {degree}, at {at} of {length}");
+                let [depth, slope, bend] = jet(&coefficients, at);
+                for [u, du] in ground.sides(at) {
+                    assert!((u - depth).abs() <= ROUNDING * depth, "{name}: {u}, not {depth}");
+                    assert!(
+                        (du - slope).abs() <= ROUNDING * (slope.abs() + at * bend.abs()),
+                        "{name}: {du}, not {slope}"
+                    );
+                }
+                let size = 1.0 + at * slope.abs();
+                for (raised, meets) in [(0.0, true), (BESIDE * size, false)] {
+                    let scene = above(Support::simple(at).at_level(depth - raised)).expect("above the ground");
+                    assert_eq!(scene.held()[0].meets, [meets; 2], "{name}, raised by {raised:e}");
+                }
+                let along = Support { slope: Some(slope), ..Support::simple(at).at_level(depth) };
+                assert_eq!(above(along).expect("along the ground").held()[0].grounded, [true; 2], "{name}");
+                let turned = BESIDE * (slope.abs() + at * bend.abs());
+                let turned = above(Support { slope: Some(slope + turned), ..along });
+                assert!(matches!(turned, Err(SceneError::RisesAtBuiltIn { .. })), "{name}: {turned:?}");
+            }
         }
     }
 }
