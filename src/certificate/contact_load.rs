@@ -137,7 +137,8 @@ pub(super) fn deflection(
     balance(&enclosed, &mut nodes);
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
     let spans = (0..=nodes.len()).filter_map(|i| enclosed.span(ends(i)[0], ends(i)[1]));
-    Some(spans.flat_map(|span| span.curve(&enclosed, breaks.to_vec())).collect())
+    let curves = spans.flat_map(|span| span.curves(&enclosed, breaks.to_vec()));
+    Some(curves.map(|(part, [v, _])| (part, v)).collect())
 }
 
 #[cfg(test)]

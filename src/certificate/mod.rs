@@ -132,7 +132,7 @@ impl Proof {
 fn of_nodes(enclosed: &EnclosedScene<'_>, scale: &Scale, pair: &Pair, nodes: &Nodes) -> Option<(Error, f64)> {
     let EnclosedScene { stiffness, length, .. } = *enclosed;
     let cells = judged::parts(&pair.pieces, judged::cubics(nodes, scale, enclosed)?, length);
-    Some((distance::of(pair, cells, stiffness, length), 0.0))
+    Some((distance::of(pair, cells, stiffness, length)?, 0.0))
 }
 
 /// The same of the deflection that contact forces cause.
@@ -140,7 +140,7 @@ fn of_forces(enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) ->
     let EnclosedScene { stiffness, length, .. } = *enclosed;
     let caused = contact_load::deflection(forces, enclosed, &[])?;
     let cells = caused.iter().copied().map(judged::Cell::of);
-    let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length);
+    let error = distance::of(pair, judged::parts(&pair.pieces, cells, length), stiffness, length)?;
     let size = largest(caused.iter().copied());
     Some((Error { size: error.size.min(size.hi()), ..error }, size.lo()))
 }

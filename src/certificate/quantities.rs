@@ -4,7 +4,7 @@ use super::kernel::contact_node::EnclosedScene;
 use super::kernel::distance::{factor, on_part};
 use super::kernel::interval::Interval;
 use super::kernel::load::EnclosedLoad;
-use super::kernel::polynomial::number;
+use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
 use super::largest::least_magnitude;
 use crate::scene::Load;
@@ -14,8 +14,10 @@ pub(super) fn energy(pieces: &[Piece], load: &EnclosedLoad, stiffness: f64) -> I
     let mut sum = Interval::ZERO;
     for Piece { from, to, v, .. } in pieces {
         let width = Interval::exact(*to) - Interval::exact(*from);
-        let bending = v.derivative().derivative().integral_of_square(width) * Interval::exact(0.5 * stiffness);
-        let done = load.cell(*from, *to).integral_of_product(v, width) + load.point(*from) * v.at(Interval::ZERO);
+        let bent = v.derivative().derivative();
+        let bending = bent.integral_of_product(&bent, width).not_negative() * Interval::exact(0.5 * stiffness);
+        let done = Polynomial::new(&load.line(*from, [*from, *to])).integral_of_product(v, width)
+            + load.point(*from) * v.at(Interval::ZERO);
         sum = sum + bending - done;
     }
     // At the right end no piece begins.

@@ -120,7 +120,7 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
         let mut most = level_slopes(enclosed, about)[side].map_or(f64::INFINITY, |slope| sign * slope);
         if let Some(span) = &spans[side] {
             let breaks = enclosed.gap.breaks(span.from, span.to);
-            for ([a, b], v) in span.curve(enclosed, breaks) {
+            for ([a, b], [v, _]) in span.curves(enclosed, breaks) {
                 let clear = enclosed.gap.about(a, [a, b]).minus(&v);
                 let slope = |s: f64| clear.at(Interval::exact(s)).middle() / (sign * (a + s - about));
                 most = least_sample(slope, b - a, most);

@@ -158,12 +158,9 @@ impl Part {
         let deepest = self.clearance.at(Interval::ZERO).hi().min(self.clearance.at(self.width).hi());
         let inside = lowest >= MOST_EXCESS * deepest;
         let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
-        let is_known = is_even && is_small && (is_rounding || inside);
-        if enough.is_finite() && (is_known || *parts == 0) {
-            return Some(most.max(enough));
-        }
-        if *parts == 0 {
-            return None;
+        let is_known = enough.is_finite() && is_even && is_small && (is_rounding || inside);
+        if is_known || *parts == 0 {
+            return Some(most.max(enough)).filter(|most| most.is_finite());
         }
         // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
         let half = Interval::exact(0.5 * self.width.hi());

@@ -46,11 +46,6 @@ pub(crate) struct Error {
     pub(crate) size: f64,
 }
 
-impl Error {
-    /// Nothing is known.
-    pub(crate) const UNKNOWN: Self = Self { most: f64::INFINITY, at: 0.0, size: f64::INFINITY };
-}
-
 /// A part of the judged deflection: its ends, `v` and `v''` at both, and the largest `|v''''|`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Part {
@@ -64,9 +59,8 @@ fn bow(at_ends: [f64; 2], width: f64, second: f64) -> f64 {
     at_ends[0].max(at_ends[1]) + 0.125 * width * width * second
 }
 
-/// The error of a deflection by parts from left to right, each in one piece of `v̂`. One that is not there all the way cannot be
-/// judged.
-pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64, length: f64) -> Error {
+/// The error of a deflection by parts from left to right, each in one piece of `v̂`; [`None`] of one that is not there all the way.
+pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64, length: f64) -> Option<Error> {
     let factor = factor(pair.gap, stiffness);
     let mut parts = parts.peekable();
     let mut error = Error { most: 0.0, at: 0.0, size: 0.0 };
@@ -78,7 +72,7 @@ pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64,
         let mut left = at(reached);
         while let Some(Part { ends: [a, b], values, fourth }) = parts.next_if(|part| part.ends[1] <= *to) {
             if !(*from <= a && a <= reached && reached <= a && a < b) {
-                return Error::UNKNOWN;
+                return None;
             }
             let right = at(b);
             let off = |k: usize| [(left[k] - values[0][k]).magnitude(), (right[k] - values[1][k]).magnitude()];
@@ -88,7 +82,7 @@ pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64,
             let bound = (on_part(pair, factor, [a, b]) + apart) * OUTWARDS + f64::MIN_POSITIVE;
             let size = bow(own(0), width, bow(own(1), width, fourth)) * OUTWARDS + f64::MIN_POSITIVE;
             if bound.is_nan() || size.is_nan() {
-                return Error::UNKNOWN;
+                return None;
             }
             error.size = error.size.max(size);
             if error.most < bound {
@@ -97,7 +91,7 @@ pub(crate) fn of(pair: &Pair, parts: impl Iterator<Item = Part>, stiffness: f64,
             (reached, left) = (b, right);
         }
     }
-    if length <= reached && parts.peek().is_none() { error } else { Error::UNKNOWN }
+    (length <= reached && parts.peek().is_none()).then_some(error)
 }
 
 /// The same for the deflection that the places of a witness make, off which `v̂` was lifted: the bound.

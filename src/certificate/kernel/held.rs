@@ -3,10 +3,10 @@
 
 use super::contact_node::{ContactNode, EnclosedScene};
 use super::distance::factor;
-use super::hold::{Hold, Place};
+use super::hold::{Hold, Place, in_order};
 use super::interval::Interval;
 use super::load::cells;
-use super::polynomial::{Polynomial, number};
+use super::polynomial::number;
 use super::pressing::TensionCutOff;
 use super::proof::{Pair, Piece};
 
@@ -25,15 +25,21 @@ fn known(place: Place, gap: f64, share: Interval) -> Option<Place> {
 /// that share and the holds.
 pub(super) fn hold(
     enclosed: &EnclosedScene<'_>,
-    by_supports: Vec<Hold>,
+    turns_about: Option<f64>,
     mut carriers: Vec<Place>,
     pieces: &[Piece],
     cut_off: &TensionCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Hold>)> {
-    let mut holds = if by_supports.is_empty() { widest(&mut carriers).into_iter().collect() } else { by_supports };
-    holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    // Whatever the beam touches: neighbouring two of its supports, and one at which it cannot turn, or about which the loads are in
+    // balance.
+    let twice = |x: f64| Hold(Place::at(x), Place::at(x));
+    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
+    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
+    let held: Vec<Hold> = two.chain(one.chain(turns_about).map(twice)).collect();
+    let holds = if held.is_empty() { widest(&mut carriers).into_iter().collect() } else { held };
     if !holds.is_empty() {
+        let holds = in_order(holds);
         let carried = cut_off.carried(&holds, enclosed.stiffness);
         let gap = gap_of(carried, 0.0);
         let both = |Hold(left, right)| Some(Hold(known(left, gap, carried[1])?, known(right, gap, carried[1])?));
@@ -51,15 +57,6 @@ pub(super) fn hold(
     let carried = [0, 1].map(|k| both[0][k] + both[1][k]);
     let gap = gap_of(carried, stops.0.off.max(stops.1.off));
     Some((gap, carried[1], vec![between_stops(stops, known(place, gap, carried[1])?, factor(gap, enclosed.stiffness))]))
-}
-
-/// What holds the beam whatever it touches: neighbouring two of its supports, and one at which it cannot turn, or about which the
-/// loads are in balance.
-pub(super) fn held(enclosed: &EnclosedScene<'_>, turns_about: Option<f64>) -> Vec<Hold> {
-    let twice = |x: f64| Hold(Place::at(x), Place::at(x));
-    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
-    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    two.chain(one.chain(turns_about).map(twice)).collect()
 }
 
 /// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
@@ -82,14 +79,14 @@ pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forc
 /// each at least: the load, and what the shear of the beam that follows the ground changes by.
 fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -> Vec<Place> {
     let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
-    let part = |k: u32| Some([end(k), end(k + 1)]).filter(|[a, b]| a < b && enclosed.load.breaks(*a, *b).is_empty());
-    let pressed = |[from, to]: [f64; 2]| {
+    let pressed = |k: u32| {
+        let [from, to] = [end(k), end(k + 1)];
         let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
-        let one = Polynomial::new(&[Interval::exact(1.0)]);
-        let load = enclosed.load.cell(from, to).integral_of_product(&one, Interval::length(from, to));
-        Place { from, to, presses: (Interval::exact(enclosed.stiffness) * (start - end) + load).lo(), off: 0.0 }
+        let load = [from, to].map(|x| enclosed.load.line(x, [from, to])[0] * Interval::length(from, to) / number(2));
+        let presses = (Interval::exact(enclosed.stiffness) * (start - end) + load[0] + load[1]).lo();
+        (from < to && enclosed.load.breaks(from, to).is_empty()).then_some(Place { from, to, presses, off: 0.0 })
     };
-    (0..parts).step_by(2).filter_map(part).map(pressed).collect()
+    (0..parts).step_by(2).filter_map(pressed).collect()
 }
 
 /// Zones hold a beam that supports hold, too, and from nearer by: each second part of them, with the next one and with the supports
@@ -108,8 +105,8 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
     places.sort_by(|a, b| a.from.total_cmp(&b.from));
     let next = |left: &Place| places.get(places.partition_point(|right| right.from <= left.to)).copied();
     let holds = places.iter().filter_map(|left| Some(Hold(*left, next(left)?)));
-    pair.holds.extend(holds.filter(|hold| hold.presses().is_finite()));
-    pair.holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    let all = pair.holds.iter().copied().chain(holds.filter(|hold| hold.presses().is_finite()));
+    pair.holds = in_order(all.collect());
 }
 
 /// Of places that press the two that hold the beam best: strongly, and far apart.

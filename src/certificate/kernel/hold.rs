@@ -45,6 +45,12 @@ impl Place {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hold(pub(crate) Place, pub(crate) Place);
 
+/// Holds from left to right.
+pub(crate) fn in_order(mut holds: Vec<Hold>) -> Vec<Hold> {
+    holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    holds
+}
+
 /// Of holds from left to right those near a part of the beam, so that the price of a bound does not grow with all of them. Each hold
 /// by itself bounds what is asked, so that any of them may be left out.
 pub(crate) fn near(holds: &[Hold], [a, _]: [f64; 2]) -> &[Hold] {

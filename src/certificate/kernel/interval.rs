@@ -147,11 +147,13 @@ impl Add for Interval {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        // A sum with zero is exact.
-        if self.is_zero() || other.is_zero() {
-            return if self.is_zero() { other } else { self };
+        // A sum with zero is exact, and that of a number and its negative.
+        match [self, other].map(Self::is_zero) {
+            [true, _] => other,
+            [_, true] => self,
+            _ if self == -other && self.hi <= self.lo && self.is_finite() => Self::ZERO,
+            _ => Self::outward(self.lo + other.lo, self.hi + other.hi),
         }
-        Self::outward(self.lo + other.lo, self.hi + other.hi)
     }
 }
 
@@ -159,10 +161,6 @@ impl Sub for Interval {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        // A number less itself is exact, too.
-        if self == other && self.hi <= self.lo && self.is_finite() {
-            return Self::ZERO;
-        }
         self + -other
     }
 }

@@ -1,7 +1,6 @@
 //! The true load, distributed as it is: linear on pieces, with point loads between them.
 
 use super::interval::Interval;
-use super::polynomial::Polynomial;
 use crate::scene::{LinearLoad, Scene};
 
 /// The load of a scene by pieces.
@@ -9,7 +8,7 @@ use crate::scene::{LinearLoad, Scene};
 pub(crate) struct EnclosedLoad {
     /// Ends of the pieces, from 0 to `l`.
     ends: Vec<f64>,
-    /// On each piece `q` at its left end, and its slope.
+    /// On each piece `q` at both of its ends.
     lines: Vec<[Interval; 2]>,
     /// Places and forces, from left to right, one at a place.
     pub(crate) points: Vec<(f64, Interval)>,
@@ -25,12 +24,13 @@ impl EnclosedLoad {
         let mut parts: Vec<&LinearLoad> = load.linear().iter().collect();
         parts.sort_by(|a, b| a.from.total_cmp(&b.from));
         let (mut next, mut acting) = (parts.into_iter().peekable(), Vec::new());
-        let line_from = |x: f64| {
-            acting.retain(|q: &&LinearLoad| x < q.to);
-            acting.extend(std::iter::from_fn(|| next.next_if(|q| q.from <= x)));
-            line(load.uniform(), &acting, x)
+        let at_ends = |piece: &[f64]| {
+            acting.retain(|q: &&LinearLoad| piece[0] < q.to);
+            acting.extend(std::iter::from_fn(|| next.next_if(|q| q.from <= piece[0])));
+            let part = |q: &LinearLoad, x| line([q.from, q.to], [q.start, q.end].map(Interval::exact), x)[0];
+            [0, 1].map(|k| acting.iter().fold(Interval::exact(load.uniform()), |sum, q| sum + part(q, piece[k])))
         };
-        let lines = ends[..ends.len() - 1].iter().copied().map(line_from).collect();
+        let lines = ends.windows(2).map(at_ends).collect();
         let points = one_at_a_place(load.point().iter().map(|p| (p.at, Interval::exact(p.force))).collect());
         Self { ends, lines, points }
     }
@@ -44,11 +44,10 @@ impl EnclosedLoad {
         ends.chain(points).collect()
     }
 
-    /// `q(from + s)`; there is no break between the two places.
-    pub(crate) fn cell(&self, from: f64, to: f64) -> Polynomial {
+    /// `[q, q']` at an origin, between two places without a break between them, on which the origin is.
+    pub(crate) fn line(&self, origin: f64, [from, to]: [f64; 2]) -> [Interval; 2] {
         let piece = self.ends.partition_point(|x| *x <= from.max(0.0).min(to)).clamp(1, self.lines.len()) - 1;
-        let [start, slope] = self.lines[piece];
-        Polynomial::new(&[start + slope * Interval::length(self.ends[piece], from), slope])
+        line([self.ends[piece], self.ends[piece + 1]], self.lines[piece], origin)
     }
 
     /// The point load at a place, zero if there is none.
@@ -68,13 +67,11 @@ pub(crate) fn one_at_a_place(mut forces: Vec<(f64, Interval)>) -> Vec<(f64, Inte
     forces
 }
 
-/// All distributed loads on a piece that begins at `from`: `q` there, and its slope.
-fn line(uniform: f64, acting: &[&LinearLoad], from: f64) -> [Interval; 2] {
-    acting.iter().fold([Interval::exact(uniform), Interval::ZERO], |[sum, slopes], q| {
-        let slope = Interval::length(q.start, q.end) / Interval::length(q.from, q.to);
-        let there = Interval::exact(q.start) + slope * Interval::length(q.from, from);
-        [sum + there, slopes + slope]
-    })
+/// What a line is at a place, and its slope, from its values at both ends: where it vanishes at one of them, it is known from there.
+fn line(ends: [f64; 2], values: [Interval; 2], x: f64) -> [Interval; 2] {
+    let slope = (values[1] - values[0]) / Interval::length(ends[0], ends[1]);
+    let [left, right] = [0, 1].map(|k| values[k] + slope * Interval::length(ends[k], x));
+    [left.meet(right), slope]
 }
 
 /// Cells between two places: pairs of neighbouring ends, with all `breaks` among them.
@@ -89,6 +86,7 @@ pub(crate) fn cells(from: f64, to: f64, mut breaks: Vec<f64>) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certificate::kernel::polynomial::Polynomial;
     use crate::scene::{Beam, Load};
 
     /// Parts of a load that overlap, follow each other or begin together: what acts at a place is their sum.
@@ -111,9 +109,11 @@ mod tests {
                     let s = share * (to - from);
                     let acts = |q: &&LinearLoad| q.from <= from && to <= q.to;
                     let sum = parts.iter().filter(acts).fold(2.0, |sum, q| sum + q.intensity(from + s));
-                    let q = pieces.cell(from, to).at(Interval::exact(s)).middle();
                     let size = 2.0 + 12.0 * f64::from(count);
-                    assert!((q - sum).abs() <= ROUNDING * size, "{q}, not {sum}, at {}", from + s);
+                    for (origin, s) in [(from, s), (to, s - (to - from))] {
+                        let q = Polynomial::new(&pieces.line(origin, [from, to])).at(Interval::exact(s)).middle();
+                        assert!((q - sum).abs() <= ROUNDING * size, "{q}, not {sum}, {s} from {origin}");
+                    }
                 }
             }
         }

@@ -108,11 +108,6 @@ impl Polynomial {
         sum * width
     }
 
-    /// `∫₀^w f²`, not negative.
-    pub(crate) fn integral_of_square(&self, width: Interval) -> Interval {
-        self.integral_of_product(self, width).not_negative()
-    }
-
     /// All values for `0 ≤ s ≤ w`: between the least and the greatest Bernstein coefficient,
     /// `b_i = Σ_{j ≤ i} C(i, j) / C(d, j) c_j w^j`.
     pub(crate) fn range(&self, width: Interval) -> Interval {

@@ -65,11 +65,16 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut T
         cut_off.force(x, enclosed.load.point(x));
     }
     let piece = |[from, to]: [f64; 2]| {
-        let v = enclosed.gap.about(from, [from, to]);
-        let fourth = v.derivative().derivative().derivative().derivative();
-        let p = enclosed.load.cell(from, to).minus(&fourth.times(Interval::exact(enclosed.stiffness)));
-        pulls(&p, [from, to], Interval::length(from, to), &mut MOST_PARTS.clone(), cut_off);
-        Piece { from, to, v, follows: true }
+        let (cell, width) = ([from, to], Interval::length(from, to));
+        // From either end: a pressure that vanishes at one of them is known from there.
+        let [p, mirrored] = cell.map(|origin| {
+            let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
+            Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(Interval::exact(enclosed.stiffness)))
+        });
+        let seen = [p, mirrored.mirrored()].map(|p| (p.range(width).lo(), p));
+        let (_, p) = if seen[0].0 < seen[1].0 { &seen[1] } else { &seen[0] };
+        pulls(p, cell, width, &mut MOST_PARTS.clone(), cut_off);
+        Piece { from, to, v: enclosed.gap.about(from, cell), follows: true }
     };
     Some(enclosed.cells(from, to, Vec::new()).into_iter().map(piece).collect())
 }

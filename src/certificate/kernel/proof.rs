@@ -26,7 +26,7 @@
 
 use super::clearance;
 use super::contact_node::{ContactNode, EnclosedScene, Slope};
-use super::held::{carriers, held, hold};
+use super::held::{carriers, hold};
 use super::hold::Hold;
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
@@ -85,19 +85,17 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             continue;
         };
         let length = Interval::length(span.from, span.to);
-        if let [Some(_), Some(_)] = ends(i) {
-            let moments = [moments[i - 1].0[1], moments[i].0[0]];
-            let r = [stiffness * span.start[2] + moments[0], stiffness * span.end[2] + moments[1]];
-            // Not from the third derivative, of which rounding is larger by the square of a short span.
-            let shear = (moments[1] - moments[0] + span.loaded[0]) / length;
-            shears[i] = [shear, shear - span.loaded[1]];
-            gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
-        } else {
-            shears[i] = [span.start, span.end].map(|jet| -(stiffness * jet[3]));
-        }
-        let parts = span.curves(enclosed);
+        let beside = |i: usize, side: usize| moments.get(i).map_or(Interval::ZERO, |node| node.0[side]);
+        let moments = [beside(i.wrapping_sub(1), 1), beside(i, 0)];
+        let r = [stiffness * span.start[2] + moments[0], stiffness * span.end[2] + moments[1]];
+        // Not from the third derivative, of which rounding is larger by the square of a short span.
+        let shear = (moments[1] - moments[0]) / length;
+        shears[i] = [shear + span.loaded[0], shear - span.loaded[1]];
+        gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
+        let parts = span.curves(enclosed, Vec::new());
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
-        lifts = lifts + lift.derivative().derivative().integral_of_square(length) * stiffness;
+        let bent = lift.derivative().derivative();
+        lifts = lifts + bent.integral_of_product(&bent, length).not_negative() * stiffness;
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
@@ -129,7 +127,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         (corrected + share * Interval::exact(off)).hi()
     };
     let carriers = carriers(enclosed, nodes, &forces);
-    let (gap, share, holds) = hold(enclosed, held(enclosed, turns_about), carriers, &pieces, &cut_off, gap_of)?;
+    let (gap, share, holds) = hold(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
     let supports = nodes.iter().zip(forces).filter(|(node, _)| enclosed.support(node.x).is_some());
     let reactions = supports.map(|(_, force)| force + corrected).collect();

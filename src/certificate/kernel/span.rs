@@ -1,16 +1,20 @@
 //! A part of the beam that hangs free between two nodes: the exact beam under the true load, given deflection and slope
 //! at both ends. At a free end of the beam nothing is given, and moment and shear force vanish beyond it.
 //!
+//! The load at the distances `a` and `b` from the two ends, `a + b = L`, turns the beam at fixed ends by `E₀ = ∫ a b² q / L²` and
+//! `E₁ = ∫ a² b q / L²`. With `Δv = v₁ − v₀ − θ₀ L`, `Δθ = θ₁ − θ₀` and a point load `P` at a free end
+//!
 //! ```text
-//! v = v₀ + θ₀ s + κ₀ s²/2 + τ₀ s³/6 + v_q,     EI v_q'''' = q,  v_q = v_q' = v_q'' = v_q''' = 0 at s = 0
-//! κ₀ =  6 (Δv − θ₀ L)/L² − 2 Δθ/L,    τ₀ = −12 (Δv − θ₀ L)/L³ + 6 Δθ/L²,    Δv = v₁ − v_q(L) − v₀,  Δθ = θ₁ − v_q'(L) − θ₀
-//! free on the left    κ₀ = 0,  τ₀ = P/EI                              with a point load P at the free end
-//! free on the right   κ₀ = −v_q''(L) − τ₀ L,  τ₀ = −v_q'''(L) − P/EI
+//! EI v''(0) = EI (6 Δv/L − 2 Δθ)/L + E₀,        EI v''(L) = EI (4 Δθ − 6 Δv/L)/L + E₁
+//! EI v'''(0) = EI (v''(L) − v''(0))/L − ∫ b q / L,        EI v'''(L) = EI (v''(L) − v''(0))/L + ∫ a q / L
+//! free on the right   EI v''(0) = ∫ a q + P L,  v''(L) = 0,       on the left the mirror image
 //! ```
+//!
+//! A load near one of the ends has all its digits in each of these integrals.
 
 use super::contact_node::EnclosedScene;
 use super::interval::Interval;
-use super::load::cells;
+use super::load::{EnclosedLoad, cells};
 use super::polynomial::{Polynomial, number};
 
 /// `v, v', v'', v'''` at a place.
@@ -18,9 +22,6 @@ pub(crate) type Jet = [Interval; 4];
 
 /// `[v, v']` at the ends that are not free.
 type Ends = [Option<[Interval; 2]>; 2];
-
-/// The deflection between two places, about the first one.
-type Cell = ([f64; 2], Polynomial);
 
 /// The deflection between two places, about each of them.
 pub(crate) type Curve = ([f64; 2], [Polynomial; 2]);
@@ -34,89 +35,101 @@ pub(crate) struct Span {
     pub(crate) start: Jet,
     /// At its right end.
     pub(crate) end: Jet,
-    /// `∫ (L − s) q ds` and `∫ q ds`: the moment of its load about its right end, and its load.
+    /// What its load presses with on its ends if the beam is cut there.
     pub(crate) loaded: [Interval; 2],
 }
 
-/// Deflection on all cells between two places, starting with `jet`, and `v, …, v'''` just before the end; `breaks` besides those of
-/// the load.
-fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, [from, to]: [f64; 2], mut breaks: Vec<f64>) -> (Vec<Cell>, Jet) {
-    let (load, stiffness) = (enclosed.load, Interval::exact(enclosed.stiffness));
-    breaks.extend(load.breaks(from, to));
-    let mut curve = Vec::new();
-    for cell in cells(from, to, breaks) {
-        if from < cell[0] {
-            jet[3] = jet[3] + load.point(cell[0]) / stiffness;
+/// `∫ b q`, `∫ a q`, `∫ a b² q` and `∫ a² b q` of what stands between two places, at the distances `a` and `b` from them.
+fn integrals(load: &EnclosedLoad, [from, to]: [f64; 2]) -> [Interval; 4] {
+    let mut sums = [Interval::ZERO; 4];
+    let mut add = |a: Interval, b: Interval, force: Interval| {
+        let both = a * b * force;
+        sums = [sums[0] + b * force, sums[1] + a * force, sums[2] + both * b, sums[3] + both * a];
+    };
+    for [start, end] in cells(from, to, load.breaks(from, to)) {
+        let (before, behind) = (Interval::length(from, start), Interval::length(end, to));
+        if from < start {
+            add(before, Interval::length(start, to), load.point(start));
         }
-        let q = load.cell(cell[0], cell[1]).times(Interval::exact(1.0) / stiffness);
-        let [q, rise] = [0, 1].map(|j| q.coefficients().get(j).copied().unwrap_or(Interval::ZERO));
+        let ([q, rise], width) = (load.line(start, [start, end]), Interval::length(start, end));
+        // Boole's rule is exact up to the fifth degree.
+        for (k, weight) in [7, 32, 12, 32, 7].into_iter().enumerate() {
+            let [s, rest] = [k, 4 - k].map(|k| width * number(k) / number(4));
+            add(before + s, rest + behind, (q + rise * s) * width * number(weight) / number(90));
+        }
+    }
+    sums
+}
+
+/// Deflection on neighbouring cells, each about the end that comes first, starting with `jet` there: from left to right, or all the
+/// other way.
+fn march(enclosed: &EnclosedScene<'_>, mut jet: Jet, cells: &[[f64; 2]]) -> Vec<Polynomial> {
+    let stiffness = Interval::exact(enclosed.stiffness);
+    let march = |&[near, far]: &[f64; 2]| {
+        let [q, rise] = enclosed.load.line(near, [near.min(far), near.max(far)]).map(|q| q / stiffness);
         let [v, slope, curvature, third] = jet;
         let deflection =
             Polynomial::new(&[v, slope, curvature / number(2), third / number(6), q / number(24), rise / number(120)]);
-        let width = Interval::length(cell[0], cell[1]);
-        let first = deflection.derivative();
-        let second = first.derivative();
-        jet = [deflection.at(width), first.at(width), second.at(width), second.derivative().at(width)];
-        curve.push((cell, deflection));
-    }
-    (curve, jet)
+        let (there, force) = (deflection.shifted(Interval::length(near, far)), enclosed.load.point(far) / stiffness);
+        let c = there.coefficients();
+        jet = [c[0], c[1], c[2] * number(2), c[3] * number(6) + if near < far { force } else { -force }];
+        deflection
+    };
+    cells.iter().map(march).collect()
 }
 
 impl Span {
     /// The beam between two places with deflection and slope `[v, v']` at both, or at the one that is not free; `rise` is
     /// `v₁ − v₀ − θ₀ L` if that is known in another way, too.
     pub(crate) fn new(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], ends: Ends, rise: Option<Interval>) -> Self {
-        let stiffness = Interval::exact(enclosed.stiffness);
-        let (_, own) = march(enclosed, [Interval::ZERO; 4], [from, to], Vec::new());
-        let length = Interval::length(from, to);
-        let at_tip = |x: f64| enclosed.load.point(x) / stiffness;
-        let [half, sixth] = [length * length / number(2), length * length * length / number(6)];
-        let (left, right, [curvature, third]) = match ends {
+        let (stiffness, length) = (Interval::exact(enclosed.stiffness), Interval::length(from, to));
+        let [b, a, ab2, a2b] = integrals(enclosed.load, [from, to]);
+        let fixed = [ab2, a2b].map(|turned| turned / (length * length) / stiffness);
+        // From a node to the free end of an overhang, to the left with a negative length.
+        let free = |[v, slope]: [Interval; 2], to: Interval, [arms, near, far]: [Interval; 3], tip: f64| {
+            let bent = (arms + enclosed.load.point(tip) * length) / stiffness;
+            let turn = to * (bent - near - far) / number(2);
+            ([v + to * (slope + (to * (bent - near) + number(2) * turn) / number(6)), slope + turn], bent)
+        };
+        let (left, right, bent) = match ends {
             [Some(left), Some(right)] => {
                 let straight = right[0] - left[0] - left[1] * length;
-                let rise = rise.map_or(straight, |rise| rise.meet(straight)) - own[0];
-                let turn = right[1] - left[1] - own[1];
-                let curvature = (number(6) * rise / length - number(2) * turn) / length;
-                (left, right, [curvature, (number(6) * turn - number(12) * rise / length) / (length * length)])
+                let rise = number(6) * rise.map_or(straight, |rise| rise.meet(straight)) / length;
+                let turn = number(2) * (right[1] - left[1]);
+                let bent = [(rise - turn) / length + fixed[0], (number(2) * turn - rise) / length + fixed[1]];
+                (left, right, bent)
             }
             [Some(left), None] => {
-                let third = -(own[3] + at_tip(to));
-                let curvature = -own[2] - third * length;
-                let v = left[0] + left[1] * length + curvature * half + third * sixth + own[0];
-                (left, [v, left[1] + curvature * length + third * half + own[1]], [curvature, third])
+                let (right, bent) = free(left, length, [a, fixed[0], fixed[1]], to);
+                (left, right, [bent, Interval::ZERO])
             }
             [None, right] => {
                 let right = right.unwrap_or([Interval::ZERO; 2]);
-                let third = at_tip(from);
-                let slope = right[1] - third * half - own[1];
-                ([right[0] - slope * length - third * sixth - own[0], slope], right, [Interval::ZERO, third])
+                let (left, bent) = free(right, -length, [b, fixed[1], fixed[0]], from);
+                (left, right, [Interval::ZERO, bent])
             }
         };
-        Self {
-            from,
-            to,
-            start: [left[0], left[1], curvature, third],
-            end: [right[0], right[1], curvature + third * length + own[2], third + own[3]],
-            loaded: [own[2], own[3]].map(|v| v * stiffness),
-        }
+        let loaded = [b, a].map(|arms| arms / length);
+        let third = (bent[1] - bent[0]) / length;
+        let start = [left[0], left[1], bent[0], third - loaded[0] / stiffness];
+        let end = [right[0], right[1], bent[1], third + loaded[1] / stiffness];
+        Self { from, to, start, end, loaded }
     }
 
-    /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`. No
-    /// break of the foundation is gone over, at which its rounding would grow.
-    pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>) -> Vec<Curve> {
-        let [v, slope, curvature, third] = self.end;
-        let at_end = [v, slope, curvature / number(2), third / number(6)];
-        let both = |(part, start): Cell| {
-            let there = start.shifted(Interval::length(part[0], part[1]));
-            // At its end the span is known better.
-            (part, [start, if self.to <= part[1] { there.known(&at_end) } else { there }])
+    /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`;
+    /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
+    pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {
+        breaks.extend(enclosed.load.breaks(self.from, self.to));
+        let parts = cells(self.from, self.to, breaks);
+        let forwards = march(enclosed, self.start, &parts);
+        let from_the_end: Vec<[f64; 2]> = parts.iter().rev().map(|[from, to]| [*to, *from]).collect();
+        let backwards = march(enclosed, self.end, &from_the_end);
+        let both = |((part, start), end): (([f64; 2], Polynomial), Polynomial)| {
+            let width = Interval::length(part[0], part[1]);
+            let [there, here] = [start.shifted(width), end.shifted(-width)];
+            (part, [start.known(here.coefficients()), end.known(there.coefficients())])
         };
-        self.curve(enclosed, Vec::new()).into_iter().map(both).collect()
-    }
-
-    /// Its deflection by cells; `breaks` besides those of the load.
-    pub(crate) fn curve(&self, enclosed: &EnclosedScene<'_>, breaks: Vec<f64>) -> Vec<Cell> {
-        march(enclosed, self.start, [self.from, self.to], breaks).0
+        parts.into_iter().zip(forwards).zip(backwards.into_iter().rev()).map(both).collect()
     }
 }
 

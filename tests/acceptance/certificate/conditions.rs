@@ -2,7 +2,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::{Method, Solver, Status};
-use palkki::scene::{Foundation, Scene};
+use palkki::scene::{Foundation, LinearLoad, Scene};
 use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Refusal, Verdict};
 use palkki::{Settings, Witness, solve_raw};
@@ -263,7 +263,18 @@ fn what_is_at_rest_is_certain() {
         let ground = Some(Foundation::Flat { depth });
         Draft { length: 10.0, stiffness: 1.3, uniform, ground, ..Draft::default() }
     };
+    // Pressure that vanishes at one place: on the right of a part of the load, on its left, on both sides.
+    let vanishes = |parts: &[[f64; 4]]| {
+        let part = |&[from, to, start, end]: &[f64; 4]| LinearLoad { from, to, start, end };
+        Draft { linear: parts.iter().map(part).collect(), ..rest(1.0, 0.0) }
+    };
     let drafts = [
+        vanishes(&[[0.0, 2.3, 1.0, -1.0]]),
+        vanishes(&[[2.1, 3.7, 0.0, -1.0]]),
+        vanishes(&[[2.1, 3.7, -1.0, 0.3]]),
+        vanishes(&[[7.7, 10.0, -1.0, 1.0]]),
+        vanishes(&[[6.0, 10.0, 0.7, -1.0]]),
+        vanishes(&[[2.3, 4.9, 0.0, -1.0], [4.9, 8.1, -1.0, 0.0]]),
         rest(0.0, 1.0),
         rest(0.0, 0.0),
         rest(1.0, 0.0),

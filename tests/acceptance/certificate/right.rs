@@ -1,7 +1,7 @@
 //! Answers of beam theory that are right in families that are hard to prove: each of them is certified.
 
 use palkki::route::Status;
-use palkki::scene::{Foundation, PointLoad, Scene};
+use palkki::scene::{Foundation, PointLoad, Scene, Support};
 use palkki::solve_exactly;
 use palkki_evidence::draft::Draft;
 use palkki_evidence::extremes::chebyshev;
@@ -203,6 +203,29 @@ fn loads_next_to_the_only_place() {
             });
             let loads = loads.map(|p| (p.at, p.force));
             certified(&body(length, Foundation::Polyline { points }, 0.0, &loads), &format!("1e-{power}"));
+        }
+    }
+}
+
+/// A force so near to one support of a span that next to nothing of it bends the beam: beside the left and the right end of the beam,
+/// beside an inner support and at the root of an overhang, alone and far larger than the other loads.
+#[test]
+fn loads_next_to_a_support() {
+    let mut random = Random::new(25);
+    for power in 4..=13 {
+        for [left, right] in [[0.0, 1.0], [0.0, 0.7], [0.25, 1.0], [0.25, 0.7]] {
+            for k in 0..8 {
+                let length = random.pick(&[1.0, 10.0, 7.3]);
+                let near = 10.0_f64.powi(-power) * length;
+                let [left, right] = [left, right].map(|share| share * length);
+                let place = [left - near, left + near, right - near, right + near][k % 4].clamp(near, length - near);
+                let supports = Some(vec![Support::simple(left), Support::simple(right)]);
+                let uniform = if k < 4 { 0.0 } else { 1.0 };
+                let force = if k < 4 { 1.0 } else { 10.0_f64.powi(power) };
+                let draft = Draft { length, stiffness: 1.3, uniform, supports, ..Draft::default() };
+                let scene = draft.with_points(&[(place, force)]).scene().expect("well posed");
+                certified(&scene, &format!("{place} of {length}"));
+            }
         }
     }
 }

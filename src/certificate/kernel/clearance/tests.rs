@@ -27,16 +27,15 @@ fn lifts(foundation: &Foundation, load: f64, [left, right]: [ContactNode; 2]) ->
     let scene = Scene::new(beam, load, Some(foundation.clone())).expect("well posed");
     in_intervals(&scene, Balance::Held, |enclosed| {
         let span = enclosed.span(Some(&left), Some(&right)).expect("a span");
-        let curve = span.curve(enclosed, Vec::new());
+        let parts = span.curves(enclosed, Vec::new());
         let mut needed = 0.0_f64;
         for k in 1..PLACES {
             let s = (span.to - span.from) * f64::from(k) / f64::from(PLACES);
-            let v = curve[0].1.at(Interval::exact(s)).middle();
+            let v = parts[0].1[0].at(Interval::exact(s)).middle();
             needed = needed.max((v - foundation.depth(left.x + s)) / phi(s, span.to - span.from, left, right));
         }
         let middle = 0.5 * (span.to - span.from);
         let there = phi(middle, span.to - span.from, left, right);
-        let parts = span.curves(enclosed);
         let lift = lift(enclosed, &span, &parts, [Some(&left), Some(&right)]);
         (lift.map(|lift| lift.at(Interval::exact(middle)).hi() / there), needed)
     })

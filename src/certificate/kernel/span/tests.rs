@@ -40,3 +40,52 @@ fn overhangs_bend_by_their_closed_form() {
         }
     }
 }
+
+/// A force `P` beside either end of a beam that is built in at both, `a` from the one and `b` from the other: with `r` from the far end
+///
+/// ```text
+/// EI v'' = P a b²/L², P a² b/L² at the near and at the far end,     6 EI L³ v = P a² r² (3 b L − (3 b + a) r)
+/// ```
+///
+/// the moments and the forces to all their digits however near the force is, and the deflection, from both ends, to the digits of what
+/// the moment at the near end would bend the beam by.
+#[test]
+fn a_force_beside_an_end_has_its_digits() {
+    /// Some hundred roundings.
+    const ROUNDING: f64 = 1e-13;
+    let (stiffness, length, force) = (70.0, 16.0, 3.0);
+    let beam = Beam::new(length, stiffness).expect("positive");
+    for power in [1, 10, 25, 40] {
+        let a = 0.5_f64.powi(power);
+        let b = length - a;
+        for to_the_left in [true, false] {
+            let at = if to_the_left { a } else { b };
+            let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at, force }]).expect("finite");
+            let scene = Scene::new(beam.clone(), load, None).expect("well posed");
+            let (span, curves) = in_intervals(&scene, Balance::Held, |enclosed| {
+                let span = Span::new(enclosed, [0.0, length], [Some([Interval::ZERO; 2]); 2], None);
+                let curves = span.curves(enclosed, Vec::new());
+                (span, curves)
+            });
+            let r = 0.5 * length;
+            let inside = force * a * a * r * r * (3.0 * b * length - (3.0 * b + a) * r);
+            let inside = inside / (6.0 * stiffness * length * length * length);
+            let bent = [a * b * b, a * a * b].map(|moment| force * moment / (length * length * stiffness));
+            let pressed = [b, a].map(|arm| force * arm / length);
+            let order = |[near, far]: [f64; 2]| if to_the_left { [near, far] } else { [far, near] };
+            let ([from, to], [start, end]) = curves[usize::from(to_the_left)];
+            let numbers = [
+                (span.start[2], order(bent)[0], order(bent)[0]),
+                (span.end[2], order(bent)[1], order(bent)[1]),
+                (span.loaded[0], order(pressed)[0], order(pressed)[0]),
+                (span.loaded[1], order(pressed)[1], order(pressed)[1]),
+                (start.at(Interval::length(from, r)), inside, bent[0] * length * length),
+                (end.at(Interval::length(to, r)), inside, bent[0] * length * length),
+            ];
+            for (i, (found, expected, size)) in numbers.into_iter().enumerate() {
+                let close = (found.lo() - expected).abs().max((found.hi() - expected).abs()) <= ROUNDING * size;
+                assert!(close, "{i}, {power}, {to_the_left}: {found:?} for {expected}");
+            }
+        }
+    }
+}
