@@ -2,29 +2,33 @@
 
 use super::*;
 use crate::certificate::in_intervals;
-use crate::scene::{Balance, Beam, Foundation, Load, Scene};
+use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
 const LOAD: f64 = 3.0;
 const DEPTH: f64 = 0.4;
 
-/// A zone presses with `q − EI u''''`.
+/// A zone presses with `q − EI u''''`, under a load that is even, rises or falls.
 #[test]
 fn outer_thirds_press_with_what_lies_on_them() {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let curved = Foundation::Polynomial { coefficients: vec![DEPTH, 0.0, 0.0, 0.0, 1e-3] };
-    let load = Load::uniform_on(&beam, LOAD).expect("finite");
-    let scene = Scene::new(beam, load, Some(curved)).expect("well posed");
-    let thirds = in_intervals(&scene, Balance::Held, |enclosed| every_other(enclosed, [4.0, 16.0], 3));
-    let expected = 4.0 * (LOAD - 24e-3 * STIFFNESS);
-    for (place, [from, to]) in thirds.into_iter().zip([[4.0, 8.0], [12.0, 16.0]]) {
-        let force = place.presses;
-        assert!(
-            place.from.total_cmp(&from).is_eq() && place.to.total_cmp(&to).is_eq() && place.off <= 0.0,
-            "{place:?}"
-        );
-        assert!(force <= expected && expected - force <= 1e-10 * expected, "{force} for {expected}");
+    for growth in [0.0, 1.0, -0.25] {
+        let growing = LinearLoad { from: 0.0, to: LENGTH, start: LOAD, end: LOAD * (1.0 + growth) };
+        let load = Load::new(&beam, 0.0, vec![growing], Vec::new()).expect("finite");
+        let scene = Scene::new(beam.clone(), load, Some(curved.clone())).expect("well posed");
+        let thirds = in_intervals(&scene, Balance::Held, |enclosed| every_other(enclosed, [4.0, 16.0], 3));
+        assert_eq!(thirds.len(), 2);
+        for (place, [from, to]) in thirds.into_iter().zip([[4.0, 8.0], [12.0, 16.0]]) {
+            let middle = 0.5 * (from + to) / LENGTH;
+            let (force, expected) = (place.presses, 4.0 * (LOAD * (1.0 + growth * middle) - 24e-3 * STIFFNESS));
+            assert!(
+                place.from.total_cmp(&from).is_eq() && place.to.total_cmp(&to).is_eq() && place.off <= 0.0,
+                "{place:?}"
+            );
+            assert!(force <= expected && expected - force <= 1e-10 * expected, "{force} for {expected}");
+        }
     }
 }
 
