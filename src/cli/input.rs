@@ -12,8 +12,8 @@ use palkki::text::Results;
 use super::output::Failure;
 use super::table::Labels;
 
-/// Bytes of the largest survey, or file of contact forces, that is read: it has some millions of rows.
-const LARGEST_TABLE: u64 = 64 * 1024 * 1024;
+/// Bytes of the largest survey, or file of contact forces, that is read: ten million rows with all their digits.
+const LARGEST_TABLE: u64 = 512 * 1024 * 1024;
 
 /// Bytes of the largest scene file that is read. Its document takes some fifty times its size in memory; a foundation with more
 /// points has room in a survey.

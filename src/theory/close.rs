@@ -11,6 +11,7 @@ use super::penetration::deepest;
 use super::piece::NEAR;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
+use super::room;
 use super::search::Found;
 use super::span::Span;
 use super::violation::Violation;
@@ -39,6 +40,9 @@ pub(super) fn closer(given: &PiecewiseScene, mut found: Found) -> Found {
         }
         let Found { list, checked, .. } = last.as_ref().unwrap_or(&found);
         let mut list = repaired(given, list, checked, &faults);
+        if room::for_contacts(given, list.nodes.len()).is_err() {
+            break;
+        }
         let run = newton::solve(given, &mut list);
         let normal = normalised(given, &list.nodes);
         let converged = run.converged && normal == list;

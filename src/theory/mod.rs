@@ -11,7 +11,7 @@
 //! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
 //! 5. `repair`, `normal`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
 //!    `neutral` has the beams that rest on one place and may turn there.
-//! 6. `solve`, `exact`, `summary`: the answer in the units of the scene.
+//! 6. `solve`, `exact`, `summary`: the answer in the units of the scene; `room`: whether there is memory for it.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
 //! 8. `sensitivity`, `derivatives`, `changes`, `spread`: how the answer changes with the numbers of the scene, and where its kind does.
 //!
@@ -42,6 +42,7 @@ mod penetration;
 mod piece;
 mod piecewise;
 mod repair;
+mod room;
 mod search;
 mod sensitivity;
 mod shape;

@@ -13,6 +13,8 @@ use super::newton;
 use super::normal::normalised;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
+use super::room;
+use super::solve::TheoryError;
 
 /// Links of the first chain, more at the breaks of the profile: enough for most scenes.
 const LINKS: u32 = 12;
@@ -75,25 +77,30 @@ fn free(given: &PiecewiseScene) -> Found {
 ///
 /// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
 /// piece of the scene.
-pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Found {
+///
+/// # Errors
+///
+/// [`TheoryError::NoMemory`] for more samples or contacts than there is memory for.
+pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Result<Found, TheoryError> {
     // On a profile of so many cells a guess, which may be the free beam, is cheaper than this check, which most beams fail.
     let is_long = LONG < given.cells.len();
     let mut best = (!given.founded || !is_long).then(|| free(given));
     let is_solved = |best: &Option<Found>| best.as_ref().is_some_and(Found::solved);
     if let Some(free) = best.take_if(|free| free.solved() || !given.founded) {
-        return free;
+        return Ok(free);
     }
     let mut places = Vec::new();
     for list in near {
-        best = with_repairs(given, list, ROUNDS_FROM_NEAR, best, &mut places);
+        best = with_repairs(given, list, ROUNDS_FROM_NEAR, best, &mut places)?;
         if let Some(found) = best.take_if(|found| found.solved()) {
-            return found;
+            return Ok(found);
         }
     }
     let mut samples = Samples::first(given, LINKS);
     let mut guess = samples.chain(given);
     if ENOUGH < samples.count() {
         samples = samples.refined(given, &guess.touches, &[]);
+        room::for_samples(given, samples.count())?;
         guess = samples.chain(given);
     }
     let mut left = MULTIPLE * samples.count() + MOST_SAMPLES;
@@ -105,18 +112,19 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
                 break;
             }
             left -= samples.count();
+            room::for_samples(given, samples.count())?;
             guess = samples.chain(given);
         }
         places.clear();
-        best = with_repairs(given, samples.list(given, &guess), ROUNDS, best, &mut places);
+        best = with_repairs(given, samples.list(given, &guess), ROUNDS, best, &mut places)?;
         if is_solved(&best) {
             break;
         }
     }
-    match best {
+    Ok(match best {
         Some(found) if found.solved() || !is_long => found,
         found => better(found, free(given)),
-    }
+    })
 }
 
 /// The better of what was found before, if anything was, and of a list.
@@ -135,9 +143,10 @@ fn with_repairs(
     rounds: usize,
     mut best: Option<Found>,
     places: &mut Vec<f64>,
-) -> Option<Found> {
+) -> Result<Option<Found>, TheoryError> {
     let (mut strikes, mut fewest) = (0, usize::MAX);
     for _ in 0..rounds {
+        room::for_contacts(given, list.nodes.len())?;
         let run = newton::solve(given, &mut list);
         let normal = normalised(given, &list.nodes);
         // Without the nodes that made no sense the equations are others: Newton's method has not solved them.
@@ -145,7 +154,7 @@ fn with_repairs(
         let checked = check(given, &normal);
         let found = Found { list: normal, checked, steps: run.steps, lists: 1, converged: run.converged && !changed };
         if found.solved() {
-            return Some(better(best, closer(given, found)));
+            return Ok(Some(better(best, closer(given, found))));
         }
         list = repaired(given, &found.list, &found.checked, &found.checked.faults);
         let faults = found.checked.faults.len();
@@ -162,5 +171,5 @@ fn with_repairs(
             break;
         }
     }
-    best
+    Ok(best)
 }

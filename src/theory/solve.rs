@@ -6,6 +6,7 @@ use super::exact::Exact;
 use super::neutral;
 use super::normal;
 use super::piecewise::PiecewiseScene;
+use super::room::{self, MEMORY};
 use super::search::{Found, search};
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
@@ -35,28 +36,24 @@ pub enum TheoryError {
         /// The most that is possible \[rad\].
         most: f64,
     },
-    /// The profile has so many points that its pieces cannot be listed.
+    /// There is no memory for all points of a profile and all places at which the beam is near them.
     #[error(
-        "{of} given by points must have at most {most} of them for an exact solution, for which {memory} GiB of memory are enough, but has {count}",
-        memory = MEMORY >> 30
+        "there is no memory for {points} points of a profile and {near} places near contact, which take {needed} MB, of at most {most} MB",
+        needed = bytes / 1_000_000,
+        most = MEMORY / 1_000_000
     )]
-    TooManyPoints {
-        /// Which profile.
-        of: Profile,
-        /// How many there are.
-        count: usize,
-        /// The most that are possible.
-        most: usize,
+    NoMemory {
+        /// Points of the profile.
+        points: usize,
+        /// Contacts, or places near contact.
+        near: usize,
+        /// Memory that they take.
+        bytes: usize,
     },
 }
 
 /// Largest phase of a wave \[rad\]: half a unit in its last place is a tenth of what a condition may be violated by.
 const MOST_PHASE: f64 = 1000.0;
-
-/// Points of the longest polyline: of this memory, in bytes, so many are needed for each point where contact is dense.
-const MOST_POINTS: usize = MEMORY / BYTES_PER_POINT;
-const MEMORY: usize = 4 << 30;
-const BYTES_PER_POINT: usize = 2000;
 
 /// The exact solution of `scene`.
 ///
@@ -92,8 +89,8 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
                     return Err(TheoryError::TooManyPieces { of, wavelength: wavelength * unit, least: least * unit });
                 }
             }
-            Some(Foundation::Polyline { points }) if MOST_POINTS < points.len() => {
-                return Err(TheoryError::TooManyPoints { of, count: points.len(), most: MOST_POINTS });
+            Some(Foundation::Polyline { points }) => {
+                room::for_points(points.len())?;
             }
             _ => {}
         }
@@ -108,7 +105,7 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
         Some(found) => found,
         None => {
             let near = near.iter().filter(|near| near.solved);
-            let found = search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale)));
+            let found = search(&given, near.filter_map(|near| near.list_in(&given, &scaled.scale)))?;
             (reaching_free_ends(&given, found), None)
         }
     };

@@ -52,7 +52,8 @@ pub fn parse(
         Some(Given::Profile(profile)) => Ok((Some(profile), None)),
         Some(Given::Survey { path, span }) => {
             let unreadable = |problem| source.error(span, Problem::UnreadableSurvey { path: path.clone(), problem });
-            let survey = Survey { name: survey::beside(name, &path), text: read_survey(&path).map_err(unreadable)? };
+            let text = read_survey(&path).and_then(survey::with_memory).map_err(unreadable)?;
+            let survey = Survey { name: survey::beside(name, &path), text };
             Ok((Some(Foundation::Polyline { points: survey.points()? }), Some(survey)))
         }
     };

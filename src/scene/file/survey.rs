@@ -10,7 +10,8 @@ use std::path::Path;
 
 use super::problem::excerpt;
 use super::table::Span;
-use super::{FileError, Problem, Source};
+use super::{FileError, Problem, ReadProblem, Source};
+use crate::memory::can_be_had;
 
 const FIELDS: [&str; 2] = ["x", "depth"];
 
@@ -118,6 +119,16 @@ impl Survey {
     pub(super) fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
         Source { name: &self.name, text: &self.text }.error(span, problem)
     }
+}
+
+/// The text, if there is memory for its points.
+pub(super) fn with_memory(text: String) -> Result<String, ReadProblem> {
+    /// For each row while a scene is made: some four times its point.
+    const BYTES_PER_ROW: usize = 64;
+    if can_be_had(text.matches('\n').count(), BYTES_PER_ROW) {
+        return Ok(text);
+    }
+    Err(ReadProblem::Refused { reason: "out of memory".to_owned() })
 }
 
 /// Pieces of a text that starts at byte `start` of its file, trimmed.

@@ -196,23 +196,31 @@ fn a_terminal_without_colours_gets_no_escape_codes() {
     assert!(coloured.contains(&0x1b), "{}", String::from_utf8_lossy(&coloured));
 }
 
-/// The shell limits the memory to less than a fine grid takes: that is said beforehand, and nothing is aborted.
+/// The shell limits the memory to less than a fine grid, or a long survey, takes: that is said beforehand, and nothing is aborted.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_grid_that_there_is_no_memory_for_is_refused() {
+fn what_there_is_no_memory_for_is_refused() {
     let folder = Folder::new("little_memory");
     let program = env!("CARGO_BIN_EXE_palkki");
-    for (route, intervals, code, message) in [
-        ("--method force", 10_000_000, 2, "there is no memory for 10000000 intervals, which take 1000 MB"),
-        ("--method displacement --solver clarabel", 99_999, 1, "there is no memory for 99998 unknowns, which take"),
+    for points in [600_000, 3_000_000] {
+        let rows: String = (0..points).map(|i| format!("{},{}\n", f64::from(i) / 10.0, 1 + i % 7)).collect();
+        folder.write(&format!("{points}.csv"), &format!("x,depth\n{rows}"));
+        let beam = format!("[beam]\nlength = {}\nbending_stiffness = 1.0\n", f64::from(points - 1) / 10.0);
+        let rest = format!("[load]\nuniform = 1.0\n[foundation]\nsurvey = \"{points}.csv\"\n");
+        folder.write(&format!("{points}.toml"), &(beam + &rest));
+    }
+    for (arguments, code, message) in [
+        ("example.toml --method force --intervals 10000000", 2, "no memory for 10000000 intervals, which take 1000 MB"),
+        ("example.toml --method displacement --solver clarabel --intervals 99999", 1, "no memory for 99998 unknowns"),
+        ("600000.toml", 2, "600000 points of a profile and 0 places near contact, which take 252 MB, of"),
+        ("3000000.toml", 2, "it cannot be read (out of memory)"),
     ] {
-        let script =
-            format!("ulimit -c 0; ulimit -v 200000; exec {program} solve example.toml {route} --intervals {intervals}");
+        let script = format!("ulimit -c 0; ulimit -v 200000; exec {program} solve {arguments}");
         let output =
             Command::new("sh").args(["-c", &script]).current_dir(folder.path("")).output().expect("the program runs");
         let text = [output.stdout, output.stderr].concat();
         let text = String::from_utf8_lossy(&text);
-        assert_eq!(output.status.code(), Some(code), "{route}: {text}");
-        assert!(text.contains(message), "{route}: {text}");
+        assert_eq!(output.status.code(), Some(code), "{arguments}: {text}");
+        assert!(text.contains(message), "{arguments}: {text}");
     }
 }

@@ -39,7 +39,7 @@ pub(super) const PART: f64 = 1.0 / 12.0;
 const POINTS: [u32; 4] = [1000, 10_000, 100_000, 1_000_000];
 
 /// More than the exact solution takes, so that the file has its words for that; of one survey.
-pub(crate) const TOO_MANY: u32 = 5_000_000;
+pub(crate) const TOO_MANY: u32 = 20_000_000;
 
 /// Uniform loads on surveys: under the light one the beam rests on a few points, under the heavy one it lies on all that is
 /// smooth.

@@ -111,7 +111,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         interior_failed_after => least_most(failed),
         grid_off => all.iter().filter_map(|survey| survey.solved(ACTIVE_SET)?.energy_total).reduce(f64::max),
         refused => refused.map(|_| TOO_MANY),
-        most_points => refused.and_then(|line| first_number(&line.status)),
         tenth => most / 10,
         single => of_surveys().filter(|line| line.runs == Some(1)).count(),
         table => table(all.iter().filter(|survey| [most, largest_interior].contains(&survey.survey.points))),
@@ -119,11 +118,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         ..values
     };
     Evidence::new(values).figures([figure])
-}
-
-/// The first whole number of a message.
-fn first_number(message: &str) -> Option<u64> {
-    message.split(|c: char| !c.is_ascii_digit()).find(|digits| !digits.is_empty())?.parse().ok()
 }
 
 /// Seconds of a solve and of the whole program, and its megabytes, of every route on some surveys.
