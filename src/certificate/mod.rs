@@ -196,27 +196,28 @@ fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Op
     let of = |contacts: &[Contact]| {
         let nodes = witness::nodes(enclosed, contacts, scale);
         let mut pair = proof::pair(enclosed, &nodes)?;
-        if !is_sharp(enclosed, &pair) {
+        let mut sharp = is_sharp(enclosed, &pair);
+        if !sharp {
             hold_by_zones(enclosed, &nodes, &mut pair);
+            sharp = is_sharp(enclosed, &pair);
         }
-        Some(pair)
+        Some((pair, sharp))
     };
-    let better = |pair: Option<Pair>, contacts: &[Contact]| {
-        let other = of(contacts);
-        pair.into_iter().chain(other).min_by(|a, b| a.gap.total_cmp(&b.gap))
+    let better = |one: Option<(Pair, bool)>, other: Option<(Pair, bool)>| {
+        one.into_iter().chain(other).min_by(|(a, _), (b, _)| a.gap.total_cmp(&b.gap))
     };
-    let mut pair = of(contacts);
-    let sharp = |pair: &Option<Pair>| pair.as_ref().is_some_and(|pair| is_sharp(enclosed, pair));
+    let mut proven = of(contacts);
+    let is_open = |proven: &Option<(Pair, bool)>| proven.as_ref().is_none_or(|(_, sharp)| !sharp);
     // A place that is touched without a force is no contact where another one is next to it.
     let presses = |contact: &&Contact| contact.from < contact.to || contact.force.abs() > 0.0;
-    if !sharp(&pair) && !contacts.iter().all(|contact| presses(&contact)) {
-        pair = better(pair, &contacts.iter().filter(presses).copied().collect::<Vec<_>>());
+    if is_open(&proven) && !contacts.iter().all(|contact| presses(&contact)) {
+        proven = better(proven, of(&contacts.iter().filter(presses).copied().collect::<Vec<_>>()));
     }
-    if sharp(&pair) {
-        return pair;
+    if is_open(&proven) {
+        let none = of(&[]).map(|(none, sharp)| (Pair { lifted: f64::INFINITY, ..none }, sharp));
+        proven = better(proven, none);
     }
-    let none = of(&[]).map(|none| Pair { lifted: f64::INFINITY, ..none });
-    pair.into_iter().chain(none).min_by(|a, b| a.gap.total_cmp(&b.gap))
+    proven.map(|(pair, _)| pair)
 }
 
 /// Whether a pair bounds the deflection to a millionth of its largest value.

@@ -21,6 +21,8 @@ const MOST_PARTS: usize = 200;
 const SMALLEST_PART: f64 = 1.0 / 8.0;
 /// And until the bound is no more than so many times of what there is at one of their ends.
 const MOST_EXCESS: f64 = 2.0;
+/// Cells that are not looked at together: near a contact, where mostly none is clear, a look costs as much as a proof.
+const FEW: usize = 8;
 
 /// The ends of a span: nodes, or free ends of the beam.
 type Ends<'a> = [Option<&'a ContactNode>; 2];
@@ -98,7 +100,7 @@ impl Side<'_> {
         let Self { enclosed, node, from_the_left, .. } = *self;
         let ([first, ..], [.., last]) = (cells, cells) else { return Some(seen) };
         if 1 < cells.len() {
-            if self.is_clear([first[0], last[1]]) {
+            if FEW < cells.len() && self.is_clear([first[0], last[1]]) {
                 return Some(Seen { order: 0, known: Vec::new(), ..seen });
             }
             let (left, right) = cells.split_at(cells.len() / 2);
@@ -112,9 +114,9 @@ impl Side<'_> {
         let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&seen.known);
         let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(seen.order));
         let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
-        let turned = enclosed.gap.kink(far).map(|kink| clearance.derivative().at(width) + kink);
-        let known = turned.map_or(Vec::new(), |turned| vec![clearance.at(width), turned]);
-        Some(Seen { most: part.lift(seen.most, &mut MOST_PARTS.clone())?, order: 0, known })
+        let known = enclosed.gap.kink(far).map(|kink| [clearance.at(width), clearance.derivative().at(width) + kink]);
+        let most = part.lift(seen.most, &mut MOST_PARTS.clone())?;
+        Some(Seen { most, order: 0, known: known.map_or(Vec::new(), Vec::from) })
     }
 }
 

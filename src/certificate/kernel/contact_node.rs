@@ -135,8 +135,8 @@ impl EnclosedScene<'_> {
         let place = |node: Option<&ContactNode>, end: f64| node.map_or(end, |node| node.x);
         let ends = [place(left, 0.0), place(right, self.length)];
         let hangs = ends[0] < ends[1] && !left.is_some_and(|node| node.lies);
-        let known = [left, right].map(|node| node.map(|node| self.end(node)));
-        hangs.then(|| Span::new(self, ends, known, self.rise(left, right)))
+        let known = || [left, right].map(|node| node.map(|node| self.end(node)));
+        hangs.then(|| Span::new(self, ends, known(), self.rise(left, right)))
     }
 
     /// `v₁ − v₀ − θ₀ L` between two contacts, where the gap is a few straight lines: from what it turns by at each place, so that

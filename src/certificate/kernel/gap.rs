@@ -47,9 +47,9 @@ impl EnclosedGap<'_> {
 
     /// What its slope is larger by on the right side of a place than on the left; [`None`] at a step.
     pub(crate) fn kink(&self, x: f64) -> Option<Interval> {
-        let has_step = [self.ground, self.shape].iter().any(|profile| 1 < profile.points_at(x).len());
-        let kink = || self.jet(x, false)[1] - self.jet(x, true)[1];
-        (!has_step).then(|| if self.is_smooth_at(x) { Interval::ZERO } else { kink() })
+        let kink = |of: EnclosedFoundation<'_>| of.jet(x, false)[1] - of.jet(x, true)[1];
+        let [ground, own] = [self.ground, self.shape].map(|u| if u.is_smooth_at(x) { Interval::ZERO } else { kink(u) });
+        (self.ground.points_at(x).len().max(self.shape.points_at(x).len()) < 2).then(|| ground - own)
     }
 }
 

@@ -67,7 +67,8 @@ pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forc
         Place { presses, ..Place::at(x) }
     };
     let mut carriers: Vec<Place> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
-    for (from, to) in nodes.windows(2).filter(|w| w[0].lies).map(|w| (w[0].x, w[1].x)) {
+    // Two supports hold the beam without its zones.
+    for (from, to) in nodes.windows(2).filter(|w| w[0].lies && enclosed.supports.len() < 2).map(|w| (w[0].x, w[1].x)) {
         let breaks = enclosed.load.breaks(from, to);
         carriers.extend(breaks.iter().map(|&x| carried((x, enclosed.load.point(x)))));
         carriers.extend(cells(from, to, breaks).into_iter().flat_map(|cell| every_other(enclosed, cell, 3)));
