@@ -88,4 +88,21 @@ mod tests {
         assert_eq!(straight.depth(2.0), ground.depth(2.0), "nothing is rounded");
         assert_eq!(straight.about(0.5, [0.5, 3.5]).coefficients(), ground.about(0.5, [0.5, 3.5]).coefficients());
     }
+    /// Ground and own shape with a kink and a step each: the gap turns by the difference, and at a step by nothing that has a name.
+    /// Its least is told of a level shape alone.
+    #[test]
+    fn both_profiles_turn_the_gap() {
+        let line = |points: &[[f64; 2]]| Foundation::Polyline { points: points.to_vec() };
+        let ground = line(&[[0.0, 1.0], [1.0, 2.0], [3.0, 2.0], [3.0, 3.0], [4.0, 3.0]]);
+        let shape = line(&[[0.0, 0.0], [1.0, 0.5], [2.0, 0.5], [2.0, 0.25], [4.0, 0.25]]);
+        let level = Foundation::Flat { depth: 0.25 };
+        let [ground, shape, level] = [&ground, &shape, &level].map(|profile| EnclosedFoundation::on(profile, 4.0));
+        let gap = EnclosedGap { ground, shape };
+        let kink = |x: f64| gap.kink(x).map(|kink| [kink.lo(), kink.hi()]);
+        assert_eq!([kink(0.5), kink(2.0), kink(3.0)], [Some([0.0; 2]), None, None]);
+        assert!(kink(1.0).is_some_and(|[lo, hi]| lo <= -0.5 && -0.5 <= hi && hi - lo < 1e-15), "{:?}", kink(1.0));
+        assert!(gap.least(0.0, 4.0) < f64::MIN, "{}", gap.least(0.0, 4.0));
+        let least = EnclosedGap { ground, shape: level }.least(0.5, 4.0);
+        assert!(0.75 - 1e-15 < least && least <= 0.75, "{least}");
+    }
 }

@@ -72,6 +72,20 @@ fn spans_are_lifted_as_far_as_they_have_to_be() {
         let points = [[0.0, SAG], [ridge, 0.2 * SAG], [LENGTH, SAG]].to_vec();
         enough("ridge", &Foundation::Polyline { points }, LOAD, free);
     }
+    // Of many points that are far below the beam one that is not: cells are looked at together, but for those about it, and what is
+    // known at the end of those beside a corner says nothing beyond.
+    let corner = node(Kind::Corner, 2.0, 0.0);
+    for (ridge, left) in
+        [(6, free[0]), (25, free[0]), (50, free[0]), (74, free[0]), (26, corner), (27, corner), (28, corner)]
+    {
+        let depth = |k: u32| match k {
+            8 => 0.6 * SAG,
+            k if k == ridge => 0.2 * SAG,
+            k => (1.5 + 0.1 * f64::from(k % 3)) * SAG,
+        };
+        let points = (0..=80).map(|k| [LENGTH * f64::from(k) / 80.0, depth(k)]).collect();
+        enough("one of many", &Foundation::Polyline { points }, LOAD, [left, free[1]]);
+    }
     let wave = Foundation::Cosine { mean: 1.0, amplitude: 0.4, wavelength: 8.0, phase: 1.0 };
     // From crest to crest, and between two slopes, where the beam is in the ground beside the node.
     for (from, to) in [(4.0, 9.0), (2.0, 5.0), (3.0, 6.5), (0.0, LENGTH)] {

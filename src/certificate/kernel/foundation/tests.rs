@@ -225,6 +225,8 @@ fn the_least_depth_is_below_all() {
             }
         }
     }
+    let level = EnclosedFoundation::on(&Foundation::Flat { depth: 1.5 }, LENGTH).least(0.0, 1.0);
+    assert!(level.total_cmp(&1.5).is_eq(), "{level}");
     let least = EnclosedFoundation::on(&WAVE, LENGTH).least(0.0, 1.0);
     assert!(least < f64::MIN, "{least}");
 }

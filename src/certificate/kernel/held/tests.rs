@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::certificate::in_intervals;
-use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, Scene};
+use crate::certificate::kernel::contact_node::tests::{Kind, node};
+use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -46,4 +47,38 @@ fn the_widest_of_the_strongest_places_hold() {
     presses.iter_mut().filter(|p| p.presses < 2.0).for_each(|p| p.presses = 1.25);
     assert!(held(&mut presses, 0.0, 9.0));
     assert!(widest(&mut [part(0.0, 2.0, 1.0), part(1.0, 3.0, 1.0)]).is_none(), "no two places are apart");
+}
+
+/// A place carries what is certain of its force, and none that may pull; a load inside a part of a zone leaves that part out.
+#[test]
+fn what_may_pull_carries_nothing() {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_supports(Vec::new()).expect("none");
+    let load = Load::new(&beam, LOAD, Vec::new(), vec![PointLoad { at: 5.0, force: 2.0 }]).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: DEPTH })).expect("well posed");
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        let nodes = [4.0, 9.0].map(|x| node(Kind::Touch, x, 0.0));
+        let forces = [[1.0, 2.0], [-1.0, 2.0]].map(|[lo, hi]| Interval::between(lo, hi));
+        let places = carriers(enclosed, &nodes, &forces);
+        assert_eq!(places.iter().map(|place| [place.from, place.presses]).collect::<Vec<_>>(), [[4.0, 1.0]]);
+        let parts = every_other(enclosed, [4.0, 16.0], 3);
+        assert_eq!(parts.iter().map(|part| [part.from, part.to]).collect::<Vec<_>>(), [[12.0, 16.0]]);
+    });
+}
+
+/// Stops at the distances 4 and 6, with the clearances 0.5 and 0.25, of a place that may be off by 0.1: the formula, and the line
+/// between them bent by the lever.
+#[test]
+fn stops_are_off_by_what_the_other_one_leaves() {
+    let [left, at, right] = [(1.0, 0.5), (5.0, 0.1), (11.0, 0.25)].map(|(x, off)| Place { off, ..Place::at(x) });
+    for factor in [0.0, 0.125] {
+        let Hold(one, other) = between_stops(Hold(left, right), at, factor);
+        let risen = 10.0 * (0.1 + factor * Hold(left, right).lever([5.0; 2]));
+        for (place, expected) in [(one, (risen + 4.0 * 0.25) / 6.0), (other, (risen + 6.0 * 0.5) / 4.0)] {
+            let expected = expected.max(if place.from < 5.0 { 0.5 } else { 0.25 });
+            assert!(expected <= place.off && place.off <= (1.0 + 1e-12) * expected, "{place:?}, not {expected}");
+        }
+    }
+    // What is open at a stop itself is not less there.
+    let Hold(one, _) = between_stops(Hold(Place { off: 5.0, ..left }, right), at, 0.0);
+    assert!(5.0 <= one.off, "{one:?}");
 }

@@ -89,3 +89,23 @@ fn a_force_beside_an_end_has_its_digits() {
         }
     }
 }
+
+/// A span under two loads: each part has one deflection, whichever of its ends it is told from.
+#[test]
+fn parts_of_a_span_are_the_same_from_both_ends() {
+    let beam = Beam::new(20.0, 70.0).expect("positive");
+    let loads = [(5.0, 30.0), (14.0, -8.0)].map(|(at, force)| PointLoad { at, force });
+    let load = Load::new(&beam, 2.0, Vec::new(), loads.to_vec()).expect("finite");
+    let scene = Scene::new(beam, load, None).expect("well posed");
+    let ends = [[0.3, -0.2], [0.1, 0.4]].map(|end| Some(end.map(Interval::exact)));
+    let parts =
+        in_intervals(&scene, Balance::Held, |enclosed| Span::new(enclosed, [2.0, 18.0], ends, None).curves(enclosed, Vec::new()));
+    assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), [[2.0, 5.0], [5.0, 14.0], [14.0, 18.0]]);
+    for ([from, to], [start, end]) in parts {
+        for x in [from, 0.5 * (from + to), to] {
+            let [one, other] = [start.at(Interval::length(from, x)), end.at(Interval::length(to, x))];
+            let (width, least) = (one.hi() - one.lo() + other.hi() - other.lo(), one.hi().min(other.hi()));
+            assert!(one.lo().max(other.lo()) <= least && width <= 1e-9, "{one:?} and {other:?} at {x}");
+        }
+    }
+}
