@@ -110,8 +110,8 @@ mod tests {
                     let acts = |q: &&LinearLoad| q.from <= from && to <= q.to;
                     let sum = parts.iter().filter(acts).fold(2.0, |sum, q| sum + q.intensity(from + s));
                     let size = 2.0 + 12.0 * f64::from(count);
-                    for (origin, s) in [(from, s), (to, s - (to - from))] {
-                        let q = Polynomial::new(&pieces.line(origin, [from, to])).at(Interval::exact(s)).middle();
+                    for (origin, s, left) in [(from, s, from), (to, s - (to - from), from), (from + s, 0.0, from + s)] {
+                        let q = Polynomial::new(&pieces.line(origin, [left, to])).at(Interval::exact(s)).middle();
                         assert!((q - sum).abs() <= ROUNDING * size, "{q}, not {sum}, {s} from {origin}");
                     }
                 }

@@ -151,6 +151,17 @@ fn fourth_derivatives_of_both_deflections_count() {
     assert!((size..size * (1.0 + ROUNDING)).contains(&error.size), "{error:?}, not {size}");
 }
 
+/// The same of `v̂ = x⁵/10⁴`, whose fourth derivative is largest at the right end.
+#[test]
+fn a_fourth_derivative_that_grows_counts_with_its_largest_value() {
+    let (cube, share) = (LENGTH * LENGTH * LENGTH, 1e-4);
+    let ends = [[0.0; 2], [share * cube * LENGTH * LENGTH, 20.0 * share * cube]];
+    let part = Part { ends: [0.0, LENGTH], values: ends.map(|end| end.map(Interval::exact)), fourth: 0.0 };
+    let growing = pair(vec![piece([0.0, LENGTH], &[0.0, 0.0, 0.0, 0.0, 0.0, share])]);
+    let error = of(&growing, [part].into_iter(), STIFFNESS, LENGTH);
+    at_least(error.most, cube * LENGTH / 64.0 * 120.0 * share * LENGTH);
+}
+
 /// A difference `16 (x/l)² (1 − x/l)²` of one cell, which its curvature at the ends makes twice too large, is found to a twentieth in
 /// a short cell and nearly as it is in a long one.
 #[test]

@@ -82,3 +82,23 @@ fn stops_are_off_by_what_the_other_one_leaves() {
     let Hold(one, _) = between_stops(Hold(Place { off: 5.0, ..left }, right), at, 0.0);
     assert!(5.0 <= one.off, "{one:?}");
 }
+
+/// Parts of a zone that ends at a support, with what the gap leaves open at each: two that hold are apart, and so is the support.
+#[test]
+fn parts_of_zones_hold_with_what_is_apart() {
+    const GAP: f64 = 1e-6;
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("well posed");
+    let nodes = [node(Kind::Support, 0.0, 0.0), node(Kind::Start, 4.0, 0.0), node(Kind::End, LENGTH, 0.0)];
+    let none = (Vec::new(), Vec::new(), Vec::new());
+    let mut pair = Pair { pieces: none.0, gap: GAP, reactions: none.1, holds: none.2, turns_about: None, lifted: 0.0 };
+    in_intervals(&scene, Balance::Held, |enclosed| hold_by_zones(enclosed, &nodes, &mut pair));
+    assert!(100 < pair.holds.len(), "{}", pair.holds.len());
+    for Hold(left, right) in pair.holds {
+        assert!(left.to < right.from, "{left:?} and {right:?}");
+        for place in [left, right].into_iter().filter(|place| place.presses.is_finite()) {
+            assert!(GAP <= place.off * place.presses * (1.0 + 1e-15) && 0.0 < place.presses, "{place:?}");
+        }
+    }
+}

@@ -113,3 +113,16 @@ fn a_zone_pulls_where_its_curve_is_too_sharp() {
     let kink = Foundation::Polyline { points: vec![[0.0, 1.0], [8.0, 2.0], [LENGTH, 1.0]] };
     assert!(zone(&kink, 1.0, NOWHERE).is_none(), "no beam lies in a corner");
 }
+
+/// On level ground a beam lies where it is straight, and not over a kink of its own.
+#[test]
+fn no_zone_goes_over_a_kink_of_the_own_shape() {
+    let bent = Foundation::Polyline { points: vec![[0.0, 0.0], [8.0, 0.5], [LENGTH, 0.0]] };
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_shape(bent).expect("a line");
+    let load = Load::uniform_on(&beam, 3.0).expect("finite");
+    let scene = Scene::new(beam, load, Some(FLAT)).expect("well posed");
+    let lies = |ends: [f64; 2]| {
+        in_intervals(&scene, Balance::Held, |enclosed| zone(enclosed, ends, &mut TensionCutOff::default()).is_some())
+    };
+    assert_eq!([[4.0, 7.0], [4.0, 12.0], [9.0, 12.0]].map(lies), [true, false, true]);
+}
