@@ -15,6 +15,9 @@ pub struct SupportForce {
     /// Bending moment of the beam beside a built-in support, positive with the underside in tension; inside the beam, where the
     /// two sides differ, the one that is larger in magnitude. [`None`] for a simple support \[force · length\].
     pub moment: Option<f64>,
+    /// The couple that a built-in support exerts: the moment to its right less that to its left \[force · length\].
+    #[cfg_attr(feature = "cli", serde(skip))]
+    pub couple: f64,
 }
 
 /// How a beam stands on the ground that its supports do not hold against turning or moving.
@@ -322,6 +325,7 @@ impl ContactState {
                     at: s.at * length,
                     force: s.force * force,
                     moment: s.moment.map(|moment| moment * scale.moment()),
+                    couple: s.couple * scale.moment(),
                 })
                 .collect(),
             standing: self.standing.map(|standing| standing.in_units_of(scale)),

@@ -19,26 +19,6 @@ pub(super) struct DoubleSum {
 const BLOCK: usize = 16;
 
 impl DoubleSum {
-    /// From `f_1 … f_{N−1}` to `y_1 … y_{N−1}` with `y_0 = y_N = 0`; `s_0`, and the sum of all `f`.
-    pub(super) fn between_supports(falls: &mut [f64]) -> (f64, f64) {
-        let shot = Self::shot(falls);
-        #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
-        let slope = -shot.next() / (falls.len() + 1) as f64;
-        Self::from(0.0, slope).along(falls);
-        (slope, -shot.slope())
-    }
-
-    /// At the last of some falls, from `y_0 = 0` with `s_0 = 0`. Another start adds a straight line.
-    pub(super) fn shot(falls: &[f64]) -> Self {
-        let mut shot = Self::default();
-        let mut heights = [0.0; BLOCK];
-        for block in falls.chunks(BLOCK) {
-            heights[..block.len()].copy_from_slice(block);
-            shot.along(&mut heights[..block.len()]);
-        }
-        shot
-    }
-
     /// From a height with a slope.
     pub(super) fn from(height: f64, slope: f64) -> Self {
         let sum = |value| Sum { value, lost: 0.0 };
@@ -77,11 +57,14 @@ impl DoubleSum {
         self.slope.total()
     }
 
-    /// The height one node further on.
-    pub(super) fn next(mut self) -> f64 {
-        let mut height = [0.0];
-        self.along(&mut height);
-        height[0]
+    /// The height at the last node.
+    pub(super) fn height(self) -> f64 {
+        self.height.total()
+    }
+
+    /// From here on everything is higher by so much.
+    pub(super) fn raise(&mut self, by: f64) {
+        self.height.add(by);
     }
 }
 
@@ -118,7 +101,8 @@ mod tests {
         sums.along(&mut [1e16]);
         // 101 intervals with the steep slope; the k-th fall of one is felt in the 102 − k nodes behind it.
         let ones: f64 = (1..=100_i32).map(|k| f64::from(102 - k)).sum();
-        assert_eq!(sums.next().to_bits(), (101.0 * 1e16 - ones).to_bits());
+        sums.along(&mut [0.0]);
+        assert_eq!(sums.height().to_bits(), (101.0 * 1e16 - ones).to_bits());
         assert_eq!(sums.slope.total().to_bits(), (-100.0_f64).to_bits());
     }
 
@@ -132,7 +116,12 @@ mod tests {
         for n in [1, 15, 16, 17, 1000, 300_000_u32] {
             let number = f64::from(n);
             let mut heights = vec![fall; n as usize];
-            let (slope, sum) = DoubleSum::between_supports(&mut heights);
+            let mut shot = DoubleSum::default();
+            shot.along(&mut heights.clone());
+            let sum = -shot.slope();
+            shot.along(&mut [0.0]);
+            let slope = -shot.height() / (number + 1.0);
+            DoubleSum::from(0.0, slope).along(&mut heights);
             assert!((slope - fall * number / 2.0).abs() <= UNITS * f64::EPSILON * slope, "{slope} of {n}");
             assert!((sum - fall * number).abs() <= UNITS * f64::EPSILON * sum, "{sum} of {n}");
             let most = fall * (number + 1.0) * (number + 1.0) / 8.0;

@@ -1,15 +1,11 @@
 //! The residual of a discrete problem: how far nodal values are from (4), (5) and (8), as five dimensionless numbers.
 //!
-//! Loads and contact forces on the nodes bend the beam from support to support ([`NodalBeam`]): no method and no solver is asked.
-//! A beam that its supports do not hold is held by two nodes with the deflections of the state, its support and the nodes that
-//! press most: what balance asks of these takes the place of their contact forces, and the difference is one of equilibrium.
+//! The state says which forces act on the beam, those of the supports among them. Summed up they are moments, and these summed up
+//! deflections: no method and no solver is asked, and nothing is solved here either.
 
-use super::nodal_beam::{self, NodalBeam, Station};
+use super::summed::{BATCH, Couple, Summed, Walked};
 use crate::scene::{Grid, Held, Scene, is_same_place};
 use crate::state::{ContactState, Nodes, Reactions, SupportForce};
-
-/// Nodes that are compared together: few enough for the nearest cache.
-const BATCH: usize = 256;
 
 /// A state whose worst residual is at most this is certified.
 ///
@@ -51,61 +47,57 @@ impl Kkt {
     /// all supports among them: all nodes but the ends of the beam that have a support.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
-        let bent = BentBeam::of(scene, state)?;
-        let BentBeam { nodes, grid, first, ref stations, ref said, ref beam, .. } = bent;
-        let (x, v, h, p, moment) = (&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.contact_force, &nodes.moment);
-        let [force, depth] = bent.sizes(scene);
-
+        let said = Said::by(scene, state)?;
+        let Said { nodes, ref grid, first, ref supports, ref summed, .. } = said;
+        let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
+        let ([force, depth], length, step) = (said.sizes(scene), scene.beam().length(), grid.spacing());
+        let nearer = |said: f64, moment: f64, jump: f64| (said - moment).abs().min((said - (moment + jump)).abs());
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
-        let mut compare = |node: usize, caused_moment: &[f64], caused_deflection: &[f64]| {
-            let (places, u) = (&mut places[..caused_moment.len()], &mut depths[..caused_moment.len()]);
-            grid.places(node, places);
+        let mut at_supports = [0.0; 2];
+        let mut left_to_see = supports.iter().peekable();
+        let [start, slope] = said.start()?;
+        let tangents = summed.walk(start, slope, |walked| {
+            let Walked { first: from, moments, jump, deflections } = walked;
+            while let Some(support) = left_to_see.next_if(|s| s.node < from + deflections.len()) {
+                let off = (deflections[support.node - from] - support.held.deflection).abs();
+                let couple = support.said.moment.map_or(0.0, |said| nearer(said, moments[0] * step, jump * step));
+                at_supports = largest_each(at_supports, [[off, couple]].into_iter());
+            }
+            // An end of the beam that a support holds is no node of the state.
+            let Some(i) = from.checked_sub(first).filter(|i| *i < p.len()) else { return };
+            let (places, u) = (&mut places[..deflections.len()], &mut depths[..deflections.len()]);
+            grid.places(from, places);
             scene.gaps(places, u);
             let rows = (0..places.len()).map(|k| {
-                let i = node - first + k;
+                let i = i + k;
                 let clearance = u[k] - v[i];
                 [
                     -clearance,
                     -p[i],
                     (clearance / depth).min(p[i] / force),
-                    (v[i] - caused_deflection[k]).abs(),
-                    (moment[i] - caused_moment[k]).abs(),
+                    (v[i] - deflections[k]).abs(),
+                    nearer(moment[i], moments[k] * step, jump * step),
                     mistaken(h[i], u[k], clearance),
                     (x[i] - places[k]).abs(),
                 ]
             });
             worst = largest_each(worst, rows);
-        };
-        beam.walk(&mut compare);
-        // Beside a support in which the beam is built in either moment will do.
-        let nearer =
-            |said: f64, [left, right]: [f64; 2]| if (said - left).abs() < (said - right).abs() { left } else { right };
-        for (station, (_, moments)) in stations.iter().zip(&beam.stations) {
-            if let Some(&said) = station.node.checked_sub(first).and_then(|i| moment.get(i)) {
-                compare(station.node, &[nearer(said, *moments)], &[station.deflection]);
-            }
-        }
-        let [penetration, tension, complementarity, elastic, moments, clearances, out_of_place] = worst;
-        let balance = bent.exerted.iter().zip(&beam.stations).map(|(said, (force, _))| said - force);
-        let Reactions { left, right } = state.reactions;
-        let said_at = |node: usize| stations.iter().zip(said).find(|(station, _)| station.node == node)?.1.as_ref();
-        let ends = [(0, left), (grid.intervals(), right)]
-            .map(|(node, reaction)| reaction - said_at(node).map_or(0.0, |said| said.force));
-        let couples = said.iter().zip(&beam.stations).filter_map(|(said, (_, moments))| {
-            let said = said.as_ref()?.moment?;
-            Some((said - nearer(said, *moments)).abs())
         });
+        let [penetration, tension, complementarity, elastic, bent, clearances, out_of_place] = worst;
+        let [low, couples] = at_supports;
+        let turned = supports.iter().filter_map(|support| support.held.slope).zip(tangents);
+        let turned = turned.map(|(held, slope)| (slope - held).abs() * length);
+        let Reactions { left, right } = state.reactions;
+        let of_end = |node: usize| supports.iter().find(|s| s.node == node).map_or(0.0, |s| s.said.force);
+        let [shear, remaining] = summed.left_over;
+        let balance = [shear, remaining / length, left - of_end(0), right - of_end(grid.intervals())].map(f64::abs);
         Some(Self {
             penetration: penetration / depth,
             tension: tension / force,
             complementarity,
-            equilibrium: largest([elastic / depth, largest(balance.chain(ends).map(f64::abs)) / force]),
-            record: largest([
-                moments.max(largest(couples)) / (force * scene.beam().length()),
-                clearances / depth,
-                out_of_place / scene.beam().length(),
-            ]),
+            equilibrium: largest([elastic.max(low).max(largest(turned)) / depth, largest(balance) / force]),
+            record: largest([bent.max(couples) / (force * length), clearances / depth, out_of_place / length]),
         })
     }
 
@@ -122,26 +114,31 @@ impl Kkt {
     }
 }
 
-/// The beam that the loads and the contact forces of a state bend, beside what the state says.
-struct BentBeam<'a> {
+/// What a state says of the forces on a beam, summed up. What does not come out at the far end or at a support is a residual.
+struct Said<'a> {
     nodes: &'a Nodes,
     grid: Grid,
     /// The node of the grid that is the first of the state.
     first: usize,
-    stations: Vec<Station>,
-    /// What the state says of the support at each station, where there is one, and of the force that holds the beam there.
-    said: Vec<Option<SupportForce>>,
-    exerted: Vec<f64>,
-    beam: NodalBeam,
+    supports: Vec<SaidOfSupport>,
+    /// The beam under `t = q − p − R`.
+    summed: Summed,
     /// Sums of the magnitudes of all loads and of all contact forces \[force\].
     load: f64,
     contact: f64,
 }
 
-impl<'a> BentBeam<'a> {
+/// A support: its node, what it asks of the beam, and what the state says of it.
+struct SaidOfSupport {
+    node: usize,
+    held: Held,
+    said: SupportForce,
+}
+
+impl<'a> Said<'a> {
     /// [`None`] if the nodes of the state are not those of a grid with all supports among them, or if the state does not say of
     /// each support what it exerts.
-    fn of(scene: &Scene, state: &'a ContactState) -> Option<Self> {
+    fn by(scene: &Scene, state: &'a ContactState) -> Option<Self> {
         let nodes = state.nodes.as_ref()?;
         let p = &nodes.contact_force;
         if [&nodes.x, &nodes.deflection, &nodes.clearance, &nodes.moment].iter().any(|list| list.len() != p.len()) {
@@ -150,31 +147,59 @@ impl<'a> BentBeam<'a> {
         let (held, length) = (scene.held(), scene.beam().length());
         let [left, right] = [0.0, length].map(|end| usize::from(held.iter().any(|s| is_same_place(s.at, end, length))));
         let (grid, first) = (Grid::uniform(scene, (p.len() + left + right).checked_sub(1)?).ok()?, left);
-        let mut stations = nodal_beam::supports(&grid, &held)?;
-        let supports: Vec<SupportForce> =
-            held.iter().map(|held| said_of(state, held, length)).collect::<Option<_>>()?;
-        nodal_beam::stand(&mut stations, first, p, &nodes.deflection);
-
+        let support = |held: Held| {
+            Some(SaidOfSupport { node: grid.node_at(held.at)?, held, said: said_of(state, &held, length)? })
+        };
+        let supports: Vec<_> = held.into_iter().map(support).collect::<Option<_>>()?;
         let mut forces = grid.nodal_loads(scene.load());
         let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
         forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
-        let said_at = |station: &Station| {
-            let mut supports = held.iter().zip(&supports);
-            supports.find(|(held, _)| grid.node_at(held.at) == Some(station.node)).map(|(_, said)| *said)
+        supports.iter().for_each(|support| forces[support.node] -= support.said.force);
+        let built_in = supports.iter().filter(|support| support.held.slope.is_some());
+        let couples = built_in.map(|support| Couple { node: support.node, jump: support.said.couple }).collect();
+        let stiffness = scene.beam().bending_stiffness();
+        let summed = Summed::of(forces, couples, grid.spacing(), stiffness, nodes.discretisation);
+        Some(Self { nodes, grid, first, supports, summed, load, contact })
+    }
+
+    /// Deflection of the left end and slope beside it with which the beam goes through two places at which its deflection is known,
+    /// or through one at which its slope is known as well; [`None`] if there are no such places.
+    fn start(&self) -> Option<[f64; 2]> {
+        let known = self.known();
+        let mut shot = vec![0.0; known.len()];
+        let tangents = self.summed.walk(0.0, 0.0, |Walked { first, deflections, .. }| {
+            let here = first..first + deflections.len();
+            let seen = known.iter().zip(&mut shot).filter(|((node, _), _)| here.contains(node));
+            seen.for_each(|((node, _), height)| *height = deflections[node - first]);
+        });
+        let lowered = |k: usize| known[k].1 - shot[k];
+        let place = |k: usize| self.grid.place(known[k].0);
+        let slope = match known.len() {
+            0 => return None,
+            1 => self.supports.iter().find_map(|support| support.held.slope)? - tangents.first()?,
+            _ => (lowered(1) - lowered(0)) / (place(1) - place(0)),
         };
-        let said: Vec<Option<SupportForce>> = stations.iter().map(said_at).collect();
-        // What presses at a station counts as what it exerts.
-        let mut exerted = Vec::with_capacity(stations.len());
-        for (&Station { node, .. }, said) in stations.iter().zip(&said) {
-            exerted.push(if let Some(said) = said {
-                said.force
-            } else {
-                grid.loads(scene.load(), node, &mut forces[node..=node]);
-                p[node - first]
-            });
+        Some([lowered(0) - slope * place(0), slope])
+    }
+
+    /// The outermost two nodes at which the deflection is known, or one if there is no other: supports; and of a beam that these do
+    /// not hold nodes that press, with what the state says: most of all, or most about the one that is there.
+    fn known(&self) -> Vec<(usize, f64)> {
+        let of_support = |support: &SaidOfSupport| (support.node, support.held.deflection);
+        let mut known: Vec<_> = self.supports.first().map(of_support).into_iter().collect();
+        known.extend(self.supports[1.min(self.supports.len())..].last().map(of_support));
+        let p = &self.nodes.contact_force;
+        while known.len() < 2 && self.supports.iter().all(|support| support.held.slope.is_none()) {
+            let taken = known.first().map(|(node, _)| *node);
+            let turns = |i: usize| p[i] * taken.map_or(1.0, |taken| self.grid.place((i + self.first).abs_diff(taken)));
+            let most = (0..p.len()).filter(|i| 0.0 < turns(*i)).max_by(|a, b| turns(*a).total_cmp(&turns(*b)));
+            // Where nothing presses, the end that is farther off.
+            let far = if taken.is_some_and(|taken| self.grid.intervals() <= 2 * taken) { 0 } else { p.len() - 1 };
+            let i = most.unwrap_or(far);
+            known.push((i + self.first, self.nodes.deflection[i]));
         }
-        let beam = NodalBeam::of(scene, grid, forces, &stations, nodes.discretisation)?;
-        Some(Self { nodes, grid, first, stations, said, exerted, beam, load, contact })
+        known.sort_by_key(|(node, _)| *node);
+        known
     }
 
     /// `P` and `D`, by which forces and lengths are measured.

@@ -9,9 +9,10 @@
 //!
 //! where `q` is uniform. Whoever lumped the load means the deflection without that: it is the one to be bounded then.
 
-use super::contact_load::{ContactLoad, NotAForce};
-use super::nodal_beam::{self, NodalBeam, Station};
-use crate::scene::{Grid, Scene, SceneError};
+use super::contact_load::{ContactLoad, NotAForce, deflection};
+use super::in_intervals;
+use super::kernel::interval::Interval;
+use crate::scene::{Balance, Grid, Load, PointLoad, Scene, SceneError};
 use crate::state::{Discretisation, Nodes};
 
 /// Contact forces at all inner nodes of equal intervals, and the beam that bends under them and under the nodal loads (25),
@@ -102,46 +103,42 @@ impl Lumped {
     }
 }
 
-/// The beam under nodal loads and contact forces at the nodes of a grid from the `first` one: statics and integration, in the units
-/// of the scene.
+/// The beam under nodal loads and contact forces at the nodes of a grid from the `first` one, in the units of the scene.
 fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<Nodes, NotLumped> {
     let scaled = given.scaled()?;
-    let (scene, scale) = (&scaled.scene, &scaled.scale);
+    let (scene, scale, beam) = (&scaled.scene, &scaled.scale, scaled.scene.beam());
     let intervals = places.intervals();
     let grid = Grid::uniform(scene, intervals)?;
-    let nodes = first..first + forces.len();
-    let mut contact: Vec<f64> = forces.iter().map(|force| force / scale.force).collect();
-    let discretisation = Discretisation::BeamElements;
-    let beam = nodal_beam::supports(&grid, &scene.held()).and_then(|mut stations| {
-        // Supports have any force, and what stands on them is none of theirs.
-        let on_support = |station: &Station| station.node.checked_sub(first);
-        for node in stations.iter().filter_map(on_support) {
-            contact.get_mut(node).into_iter().for_each(|force| *force = 0.0);
-        }
-        nodal_beam::stand(&mut stations, first, &contact, &grid.gaps_at(scene, nodes.clone()));
-        let mut net = grid.nodal_loads(scene.load());
-        net[nodes.clone()].iter_mut().zip(&contact).for_each(|(q, p)| *q -= p);
-        Some((NodalBeam::of(scene, grid, net, &stations, discretisation)?, stations))
-    });
-    let (beam, stations) = beam.ok_or(NotLumped::NotHeld { intervals })?;
-    let (mut moment, mut deflection) = (vec![0.0; intervals + 1], vec![0.0; intervals + 1]);
-    beam.walk(|node, moments, deflections| {
-        moment[node..node + moments.len()].copy_from_slice(moments);
-        deflection[node..node + moments.len()].copy_from_slice(deflections);
-    });
-    for (station, (_, [_, right])) in stations.iter().zip(&beam.stations) {
-        (moment[station.node], deflection[station.node]) = (*right, station.deflection);
-    }
-    let times = |values: &[f64], unit: f64| values.iter().map(|value| value * unit).collect::<Vec<_>>();
+    let supports: Vec<Option<usize>> = beam.supports().iter().map(|support| grid.node_at(support.at)).collect();
+    let point = |(i, force): (usize, f64)| PointLoad { at: grid.place(i), force };
+    let points = grid.nodal_loads(scene.load()).into_iter().enumerate().map(point).collect();
+    let lumped = Scene::new(beam.clone(), Load::new(beam, 0.0, Vec::new(), points)?, scene.foundation().cloned())?;
+    // Supports have any force, and what stands on them is none of theirs.
+    let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
+    let pressing = ContactLoad::new(beam.length(), pressing.map(|(node, force)| (grid.place(node), force / scale.force)))?;
+    let bent = in_intervals(&lumped, Balance::Held, |enclosed| deflection(&pressing, enclosed, &[]));
+    let bent = bent.filter(|_| !supports.contains(&None)).ok_or(NotLumped::NotHeld { intervals })?;
+    let at_node = |node: usize| {
+        let x = grid.place(node);
+        let cell = bent.partition_point(|(cell, _)| cell[1] <= x).min(bent.len() - 1);
+        let ([from, _], v) = &bent[cell];
+        let s = Interval::exact(x) - Interval::exact(*from);
+        [v.at(s).middle(), -beam.bending_stiffness() * v.derivative().derivative().at(s).middle()]
+    };
+    let (deflection, moment): (Vec<f64>, Vec<f64>) = (first..first + forces.len())
+        .map(|node| {
+            let [v, moment] = at_node(node);
+            (v * scale.depth, moment * scale.moment())
+        })
+        .unzip();
     let mut x = vec![0.0; forces.len()];
     places.places(first, &mut x);
-    let deflection = times(&deflection[nodes.clone()], scale.depth);
     Ok(Nodes {
-        discretisation,
+        discretisation: Discretisation::BeamElements,
         clearance: x.iter().zip(&deflection).map(|(&x, v)| given.gap(x) - v).collect(),
         x,
         deflection,
         contact_force: forces,
-        moment: times(&moment[nodes], scale.moment()),
+        moment,
     })
 }

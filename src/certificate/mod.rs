@@ -42,8 +42,8 @@ mod kernel;
 mod kkt;
 mod largest;
 mod lumped;
-mod nodal_beam;
 mod quantities;
+mod summed;
 mod violations;
 mod witness;
 

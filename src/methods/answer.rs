@@ -95,7 +95,8 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     for support in &supports {
         let Some(HeldNode { force, moments: [left, right], .. }) = held_at(support.node) else { continue };
         let moment = support.held.slope.map(|_| held_beam::larger(*left, *right));
-        forces.push(SupportForce { at: support.held.at, force: *force, moment });
+        let couple = if moment.is_some() { right - left } else { 0.0 };
+        forces.push(SupportForce { at: support.held.at, force: *force, moment, couple });
         energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
         if !nodes.contains(&support.node) {
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;

@@ -61,6 +61,7 @@ fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64
             at: node.x * scale.length,
             force: (force + given.breakpoints[support.breakpoint].force) * stiffness * scale.force,
             moment: support.built_in.then_some(moment * stiffness * scale.moment()),
+            couple: if support.built_in { (right - left) * stiffness * scale.moment() } else { 0.0 },
         })
     });
     supports.collect()
