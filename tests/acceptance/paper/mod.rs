@@ -3,4 +3,5 @@
 mod claims;
 mod closed_form;
 mod convergence;
+mod in_one_file;
 mod tables;

@@ -10,6 +10,7 @@ mod convergence;
 mod cost;
 mod gallery;
 mod holds;
+mod in_one_file;
 mod judged;
 mod paper;
 mod problem;
@@ -61,6 +62,7 @@ type Subject = (&'static str, fn(&Study<'_>) -> Result<Evidence, Cause>);
 const SUBJECTS: &[Subject] = &[
     ("problem", problem::sketch),
     ("methods", problem::methods),
+    ("paper", in_one_file::evidence),
     ("theory", closed::evidence),
     ("sliders", sliders::evidence),
     ("solvers", problem::solvers),
