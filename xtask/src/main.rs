@@ -1,4 +1,4 @@
-//! The tasks of the repository that need the library: `cargo xtask report`, `certificates`, `measure`, `fuzz` and `hostile`.
+//! The tasks of the repository that need the library: `cargo xtask report`, `certificates`, `measure`, `mutants`, `fuzz` and `hostile`.
 #![expect(clippy::print_stderr, clippy::print_stdout, reason = "a command that talks to a person")]
 
 mod certificates;
@@ -6,6 +6,7 @@ mod data;
 mod fuzz;
 mod hostile;
 mod measure;
+mod mutants;
 mod report;
 mod scenes;
 mod table;
@@ -35,6 +36,15 @@ enum Task {
         #[arg(long, default_value_t = 3_500_000)]
         runs: u64,
     },
+    Mutants {
+        #[arg(long, default_value_t = 200)]
+        sample: usize,
+        #[arg(long, default_value_t = 1984)]
+        seed: u64,
+        /// Only files whose path begins so.
+        #[arg(long, default_value = "src/")]
+        only: String,
+    },
     Hostile {
         #[arg(long, default_value_t = 100_000)]
         runs: u64,
@@ -55,6 +65,7 @@ impl Task {
             Self::Report { .. } => report::write(root)?,
             Self::Certificates => certificates::run(root)?,
             Self::Measure(wish) => measure::run(root, &wish)?,
+            Self::Mutants { sample, seed, only } => mutants::run(root, sample, seed, &only)?,
             Self::Fuzz { runs } => fuzz::run(root, runs)?,
             Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),
             Self::Hostile { runs, from, .. } => hostile::run(root, from..from.saturating_add(runs))?,
