@@ -115,7 +115,8 @@ fn bent(given: &Scene, places: &Grid, first: usize, forces: Vec<f64>) -> Result<
     let lumped = Scene::new(beam.clone(), Load::new(beam, 0.0, Vec::new(), points)?, scene.foundation().cloned())?;
     // Supports have any force, and what stands on them is none of theirs.
     let pressing = (first..).zip(&forces).filter(|(node, _)| !supports.contains(&Some(*node)));
-    let pressing = ContactLoad::new(beam.length(), pressing.map(|(node, force)| (grid.place(node), force / scale.force)))?;
+    let pressing =
+        ContactLoad::new(beam.length(), pressing.map(|(node, force)| (grid.place(node), force / scale.force)))?;
     let bent = in_intervals(&lumped, Balance::Held, |enclosed| deflection(&pressing, enclosed, &[]));
     let bent = bent.filter(|_| !supports.contains(&None)).ok_or(NotLumped::NotHeld { intervals })?;
     let at_node = |node: usize| {

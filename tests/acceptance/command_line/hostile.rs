@@ -67,12 +67,12 @@ fn files_have_a_largest_size() {
     let folder = Folder::new("huge");
     // Holes: they take no room on the disk.
     for name in ["levels.csv", "forces.csv", "scene.toml"] {
-        fs::File::create(folder.path(name)).and_then(|file| file.set_len(100 << 20)).expect("a large file");
+        fs::File::create(folder.path(name)).and_then(|file| file.set_len(600 << 20)).expect("a large file");
     }
     folder.write("surveyed.toml", SURVEYED);
     let too_large = |bytes: u64| format!("it is larger than {} bytes", bytes << 20);
     for (arguments, most) in
-        [("solve scene.toml", 16), ("solve surveyed.toml", 64), ("certify example.toml forces.csv", 64)]
+        [("solve scene.toml", 16), ("solve surveyed.toml", 512), ("certify example.toml forces.csv", 512)]
     {
         let Run { code, out, err } = folder.run(arguments);
         assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments}");

@@ -204,7 +204,7 @@ fn what_there_is_no_memory_for_is_refused() {
     let program = env!("CARGO_BIN_EXE_palkki");
     for points in [600_000, 3_000_000] {
         let rows: String = (0..points).map(|i| format!("{},{}\n", f64::from(i) / 10.0, 1 + i % 7)).collect();
-        folder.write(&format!("{points}.csv"), &format!("x,depth\n{rows}"));
+        folder.write(&format!("{points}.csv"), format!("x,depth\n{rows}"));
         let beam = format!("[beam]\nlength = {}\nbending_stiffness = 1.0\n", f64::from(points - 1) / 10.0);
         let rest = format!("[load]\nuniform = 1.0\n[foundation]\nsurvey = \"{points}.csv\"\n");
         folder.write(&format!("{points}.toml"), &(beam + &rest));
