@@ -11,6 +11,7 @@ mod excerpt;
 pub(crate) mod files;
 mod html;
 mod links;
+mod sentences;
 mod template;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -97,7 +98,8 @@ pub(crate) fn render(root: &Path) -> Result<Rendered, Cause> {
 
 /// Some documents, with the figures and data of all subjects that they use.
 fn of_documents(root: &Path, wanted: impl Fn(&str) -> bool) -> Result<Rendered, Cause> {
-    let environment = template::environment(excerpt::all(root)?);
+    let mut environment = template::environment(excerpt::all(root)?);
+    sentences::install(&mut environment, sentences::tests(root)?);
     let templates = templates(root)?;
     let documents = || DOCUMENTS.into_iter().zip(&templates).filter(|(name, _)| wanted(name));
     let mut subjects = BTreeSet::new();
@@ -119,8 +121,12 @@ fn of_documents(root: &Path, wanted: impl Fn(&str) -> bool) -> Result<Rendered, 
     for (name, template) in documents() {
         let path = path_of(name);
         let up = if path.contains('/') { "../.." } else { ".." };
-        let text = template::render(&environment, name, template, &context, up)?;
+        let text = sentences::without_marks(&template::render(&environment, name, template, &context, up)?);
         rendered.insert(path, format!("{GENERATED}\n{}\n", text.trim()));
+        if name == sentences::DOCUMENT {
+            let list = sentences::list(&environment, template, &Value::from(context.clone()))?;
+            rendered.insert(sentences::LIST.to_owned(), list.csv()?);
+        }
     }
     Ok(rendered)
 }

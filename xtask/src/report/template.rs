@@ -62,6 +62,12 @@ pub(super) fn names(environment: &Environment<'_>, document: &str, template: &st
     parsed.map(|parsed| parsed.undeclared_variables(false)).map_err(|error| failed(document, &error))
 }
 
+/// One line of a document.
+pub(super) fn line(environment: &Environment<'_>, line: &str, values: &Value) -> Result<String, Cause> {
+    let rendered = environment.render_str(line, values);
+    rendered.map_err(|error| format!("{error:#}, in: {line}").into())
+}
+
 fn failed(document: &str, error: &TemplateError) -> Cause {
     format!("report/templates/{document}.md: {error}").into()
 }

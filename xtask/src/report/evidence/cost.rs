@@ -50,6 +50,11 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         stopping,
         runs,
         reactions => reactions(&store),
+        thirty => {
+            let error = |ground: &(&str, &str)| reaction_error(&store, ground.0, 30);
+            let uneven = GROUNDS[1..].iter().map(error).reduce(|a, b| Some(a?.min(b?))).flatten();
+            context! { flat => error(&GROUNDS[0]), least_uneven => uneven }
+        },
         advice => advice::table(&advice::held(study.root, &store)?, &store),
     };
     Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure])
@@ -79,18 +84,25 @@ fn nsor_gave_up(store: &Store) -> Option<Value> {
     finest().all(|line| !line.succeeded()).then(|| context! { intervals, seconds })
 }
 
-/// The error of the left reaction by the force method with the active set, scene by scene.
+/// Scenes whose left reaction has a table, flat ground first, in words.
+const GROUNDS: [(&str, &str); 4] =
+    [(EXAMPLE, "flat, the example"), ("wave", "smooth crests"), ("survey", "worn floor"), ("hump", "one hump")];
+
+/// The error of the left reaction by the force method with the active set, if that is solved.
+fn reaction_error(store: &Store, scene: &str, intervals: usize) -> Option<f64> {
+    let lines = ended(store, scene);
+    let line = lines.into_iter().find(|line| line.is("force", "active-set") && line.intervals == intervals)?;
+    line.reaction_total.filter(|_| line.succeeded())
+}
+
+/// The same, scene by scene.
 fn reactions(store: &Store) -> Table {
     const GRIDS: [usize; 3] = [30, 100, 1000];
     let header = row!["ground"].into_iter().chain(GRIDS.map(|grid| format!("{} intervals", count(grid))));
-    let scenes =
-        [(EXAMPLE, "flat, the example"), ("wave", "smooth crests"), ("survey", "worn floor"), ("hump", "one hump")];
-    Table::new(header).rows(scenes.map(|(scene, ground)| {
-        let lines = ended(store, scene);
+    Table::new(header).rows(GROUNDS.map(|(scene, ground)| {
         let errors = GRIDS.map(|grid| {
-            let line = lines.iter().find(|line| line.is("force", "active-set") && line.intervals == grid);
-            let error = line.filter(|line| line.succeeded()).and_then(|line| line.reaction_total);
-            error.map_or_else(|| "–".to_owned(), |error| format!("{} %", cell(Some(100.0 * error), 2)))
+            reaction_error(store, scene, grid)
+                .map_or_else(|| "–".to_owned(), |error| format!("{} %", cell(Some(100.0 * error), 2)))
         });
         row![ground].into_iter().chain(errors)
     }))

@@ -37,6 +37,7 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         reaction => exact.reaction,
         figure_4 => contact(&four, nodal_load),
         figure_7 => contact(&seven, nodal_load),
+        sums_off => [&four, &seven].map(|found| sums_off(found, &exact, length)).into_iter().fold(0.0, f64::max),
         // Largest difference of a nodal deflection from beam theory, over the depth, and where it is, in the left half.
         figure_8 => context! { error, at },
         table_4 => contact_table("finite differences", &state(Method::Complementarity)?, &exact),
@@ -99,6 +100,24 @@ fn shape_table(method: &str, state: &ContactState, exact: &FlatSolution) -> Tabl
         ("energy J", Quantity::Energy.exact(), Quantity::Energy.of(state)),
     ];
     compared("shape", method, &columns)
+}
+
+/// How far the sums of the nodal forces up to a node are outside those of beam theory one interval before it and one interval behind
+/// it, over the whole contact force.
+fn sums_off(found: &Pressures, exact: &FlatSolution, length: f64) -> f64 {
+    let lift_off = exact.lift_off.unwrap_or_default();
+    let pressed = |x: f64| exact.pressure(0.5 * length) * (x.min(length - lift_off) - lift_off);
+    let of_theory = |x: f64| match x {
+        x if x < lift_off => 0.0,
+        x if x <= length - lift_off => exact.end_force + pressed(x),
+        x => 2.0 * exact.end_force + pressed(x),
+    };
+    let forces = found.nodes.x.iter().zip(&found.nodes.contact_force);
+    let sums = forces.scan(0.0, |sum, (x, force)| {
+        *sum += force;
+        Some((of_theory(x - found.spacing) - *sum).max(*sum - of_theory(x + found.spacing)))
+    });
+    sums.fold(0.0, f64::max) / exact.contact_force
 }
 
 /// The left end of the contact by one method.
