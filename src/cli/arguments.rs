@@ -23,8 +23,8 @@ pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 /// computes where it touches, the contact forces, the reactions of the supports, the deflection and the bending moment.
 ///
 /// The problem on two simple supports and three methods to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
-/// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground are given in a scene file; report/scenes
-/// has examples.
+/// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground are given in a scene file;
+/// report/pages/scene-file.md has its keys, report/scenes has examples.
 #[derive(Debug, Parser)]
 #[command(name = "palkki", version, propagate_version = true, after_help = EXIT_CODES, max_term_width = 100)]
 pub(super) struct Arguments {

@@ -16,6 +16,7 @@ mod paper;
 mod problem;
 mod provenance;
 mod scale;
+mod scene_file;
 mod sliders;
 mod stability;
 mod sweeps;
@@ -76,6 +77,7 @@ const SUBJECTS: &[Subject] = &[
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
     ("holds", holds::evidence),
+    ("scene_file", scene_file::evidence),
     ("sweeps", sweeps::evidence),
     ("claims", paper::claims::evidence),
     ("recommendation", paper::claims::recommendation),

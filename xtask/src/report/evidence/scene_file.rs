@@ -1,0 +1,237 @@
+//! The keys of a scene file. What they mean is written here; which there are, the reader of scene files says, and the two have to
+//! agree.
+
+use palkki::scene::file::{Problem, parse};
+
+use super::prelude::*;
+
+/// A key: what it is and its unit, what it is if it is left out, what it means, an example.
+type Key = [&'static str; 5];
+
+const FILE: &[Key] = &[
+    ["title", "a line of text", "none", "what figures and tables call the scene", "title = \"A shelf\""],
+    ["beam", "a table", "needed", "the beam", ""],
+    ["load", "a table", "no load", "what the beam carries", ""],
+    ["foundation", "a table", "no ground", "what lies below", ""],
+    [
+        "units",
+        "a table",
+        "none",
+        "labels of figures and tables: `length` and `force`",
+        "units = { length = \"m\", force = \"kN\" }",
+    ],
+];
+const BEAM: &[Key] = &[
+    ["length", "length", "needed", "l, positive", "length = 10.0"],
+    [
+        "bending_stiffness",
+        "force · length²",
+        "needed",
+        "EI, positive, the same along the beam",
+        "bending_stiffness = 1.3",
+    ],
+    [
+        "shape",
+        "a table",
+        "straight",
+        "w₀(x), the line of the beam before it is loaded",
+        "shape = { points = [[0, 0], [5, 0.1], [10, 0]] }",
+    ],
+    [
+        "supports",
+        "an array of tables",
+        "one at each end",
+        "what holds the beam",
+        "supports = [{ at = 0.0 }, { at = 6.0, level = 0.1 }]",
+    ],
+];
+const SUPPORT: &[Key] = &[
+    ["at", "length", "needed", "its place x", "supports = [{ at = 0.0 }, { at = 10.0 }]"],
+    ["level", "length", "0", "how deep it stands", "supports = [{ at = 0.0 }, { at = 10.0, level = 0.1 }]"],
+    [
+        "built_in",
+        "true or false",
+        "false",
+        "whether it holds the slope too",
+        "supports = [{ at = 0.0, built_in = true }]",
+    ],
+    [
+        "slope",
+        "none",
+        "0",
+        "that slope, positive where the beam goes down to the right; only with `built_in`",
+        "supports = [{ at = 0.0, built_in = true, slope = -0.01 }]",
+    ],
+];
+const LOAD: &[Key] = &[
+    ["uniform", "force / length", "0", "along the whole beam", "uniform = 1.0"],
+    [
+        "linear",
+        "an array of tables",
+        "none",
+        "line loads between two places, straight between two intensities",
+        "linear = [{ from = 2.0, to = 5.0, start = 0.0, end = 1.0 }]",
+    ],
+    ["point", "an array of tables", "none", "forces at places", "point = [{ at = 5.0, force = 3.0 }]"],
+];
+const LINEAR: &[Key] = &[
+    ["from", "length", "needed", "where it begins", "linear = [{ from = 2.0, to = 5.0, start = 1.0, end = 1.0 }]"],
+    [
+        "to",
+        "length",
+        "needed",
+        "where it ends, to the right of `from`",
+        "linear = [{ from = 0.0, to = 10.0, start = 1.0, end = 0.0 }]",
+    ],
+    [
+        "start",
+        "force / length",
+        "needed",
+        "the intensity at `from`",
+        "linear = [{ from = 2.0, to = 5.0, start = 2.0, end = 1.0 }]",
+    ],
+    [
+        "end",
+        "force / length",
+        "needed",
+        "the intensity at `to`",
+        "linear = [{ from = 2.0, to = 5.0, start = 0.0, end = -1.0 }]",
+    ],
+];
+const POINT: &[Key] = &[
+    ["at", "length", "needed", "its place x", "point = [{ at = 2.5, force = 1.0 }]"],
+    ["force", "force", "needed", "how large it is; negative upwards", "point = [{ at = 5.0, force = -0.5 }]"],
+];
+const PROFILE: &[Key] = &[
+    ["depth", "length", "–", "level ground", "depth = 1.0"],
+    ["polynomial", "length / lengthᵏ", "–", "c₀ + c₁ x + c₂ x² + …", "polynomial = [1.5, -0.2, 0.02]"],
+    ["cosine", "a table", "–", "a wave", "cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0 }"],
+    [
+        "points",
+        "an array of [x, depth]",
+        "–",
+        "straight lines between points from one end to the other; two at one x are a step",
+        "points = [[0, 1.0], [4, 0.5], [10, 1.0]]",
+    ],
+    ["survey", "a file name", "–", "the same from a CSV file", "survey = \"levels.csv\""],
+];
+const COSINE: &[Key] = &[
+    [
+        "mean",
+        "length",
+        "needed",
+        "the depth about which it swings",
+        "cosine = { mean = 2.0, amplitude = 0.3, wavelength = 5.0 }",
+    ],
+    [
+        "amplitude",
+        "length",
+        "needed",
+        "how far it swings",
+        "cosine = { mean = 1.0, amplitude = 0.1, wavelength = 5.0 }",
+    ],
+    [
+        "wavelength",
+        "length",
+        "needed",
+        "from crest to crest, positive",
+        "cosine = { mean = 1.0, amplitude = 0.3, wavelength = 2.5 }",
+    ],
+    [
+        "phase",
+        "radians",
+        "0",
+        "how far it is moved",
+        "cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0, phase = 1.57 }",
+    ],
+];
+
+const UNITS: &[Key] = &[
+    ["length", "a line of text", "none", "the unit of lengths and depths", "units = { length = \"mm\" }"],
+    ["force", "a line of text", "none", "the unit of forces", "units = { force = \"N\" }"],
+];
+
+/// The tables of the file: name in the template, its keys, and how a scene with something in it is written: what `{}` stands for.
+const TABLES: &[(&str, &[Key], &str)] = &[
+    ("file", FILE, "{}\n[beam]\nlength = 10\nbending_stiffness = 1\n"),
+    ("beam", BEAM, "[beam]\nlength = 10\nbending_stiffness = 1\n{}\n"),
+    ("support", SUPPORT, "[beam]\nlength = 10\nbending_stiffness = 1\nsupports = [{ {} }]\n"),
+    ("load", LOAD, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\n{}\n"),
+    ("linear", LINEAR, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\nlinear = [{ {} }]\n"),
+    ("point", POINT, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\npoint = [{ {} }]\n"),
+    ("profile", PROFILE, "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\n{}\n"),
+    ("units", UNITS, "[beam]\nlength = 10\nbending_stiffness = 1\n[units]\n{}\n"),
+    ("cosine", COSINE, "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\ncosine = { {} }\n"),
+];
+
+const SMALLEST: &str = "[beam]\nlength = 10.0\nbending_stiffness = 1.3";
+const EXAMPLE: &str = "title = \"Two spans above waves\"
+
+[beam]
+length = 10.0
+bending_stiffness = 1.3
+supports = [{ at = 0.0, built_in = true }, { at = 6.0, level = 0.1 }]
+
+[load]
+uniform = 1.0
+linear = [{ from = 2.0, to = 5.0, start = 0.0, end = 1.0 }]
+point = [{ at = 8.0, force = 3.0 }]
+
+[foundation]
+cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0 }
+
+[units]
+length = \"m\"
+force = \"kN\"";
+
+pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
+    for text in [SMALLEST, EXAMPLE] {
+        read(text)?;
+    }
+    let mut values = vec![("smallest", Value::from(SMALLEST)), ("example", Value::from(EXAMPLE))];
+    for (name, keys, frame) in TABLES {
+        let known = known(frame)?;
+        let told: Vec<&str> = keys.iter().map(|key| key[0]).collect();
+        if told != known {
+            return Err(format!("of `{name}` the page has the keys {told:?}, and the reader knows {known:?}").into());
+        }
+        for [.., example] in keys.iter().filter(|key| !key[4].is_empty()) {
+            let frame = TABLES.iter().find(|(_, keys, frame)| is_of(example, keys) && !frame.contains("{ {} }"));
+            let (_, _, frame) = frame.ok_or_else(|| format!("`{example}` begins with no key"))?;
+            // A key of the frame itself is not there twice.
+            let key = example.split_once(" =").map_or("", |(key, _)| key);
+            let rest = frame.lines().filter(|line| !line.starts_with(&format!("{key} =")));
+            read(&rest.collect::<Vec<_>>().join("\n").replace("{}", example))?;
+        }
+        let rows = keys.iter().map(|[key, kind, default, meaning, example]| {
+            let example = if example.is_empty() { "–".to_owned() } else { format!("`{example}`") };
+            row![format!("`{key}`"), kind, default, meaning, example]
+        });
+        let header = ["key", "what it is, unit", "if left out", "meaning", "example"];
+        values.push((name, Table::new(header).rows(rows).into()));
+    }
+    Ok(Evidence::new(Value::from_pairs(values)))
+}
+
+/// Whether a line sets one of these keys.
+fn is_of(example: &str, keys: &[Key]) -> bool {
+    keys.iter().any(|key| example.starts_with(&format!("{} =", key[0])))
+}
+
+/// Reads a scene; a survey has two points.
+fn read(text: &str) -> Result<Scene, Cause> {
+    let survey = |_: &str| Ok("x,depth\n0,1\n10,1\n".to_owned());
+    parse("scene.toml", text, survey).map_err(|error| format!("{}\n{text}", error.render(false)).into())
+}
+
+/// The keys that the reader knows where `frame` has a key that it does not know.
+fn known(frame: &str) -> Result<Vec<&'static str>, Cause> {
+    let text = frame.replace("{}", "unheard_of = 1");
+    match parse("scene.toml", &text, |_| Ok(String::new())) {
+        Err(error) => match error.problem {
+            Problem::UnknownKey { known, .. } => Ok(known.to_vec()),
+            other => Err(format!("an unknown key in\n{text}\nis refused with: {other}").into()),
+        },
+        Ok(_) => Err(format!("an unknown key is read in\n{text}").into()),
+    }
+}
