@@ -12,6 +12,7 @@ mod gallery;
 mod holds;
 mod in_one_file;
 mod judged;
+mod moment;
 mod paper;
 mod problem;
 mod provenance;
@@ -69,6 +70,7 @@ const SUBJECTS: &[Subject] = &[
     ("solvers", problem::solvers),
     ("teaching", teaching::evidence),
     ("figures", paper::figures::evidence),
+    ("moment", moment::evidence),
     ("first_force", paper::figures::first_force),
     ("agreement", paper::agreement::evidence),
     ("bounds", bounds::evidence),

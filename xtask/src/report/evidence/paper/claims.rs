@@ -7,7 +7,6 @@ use palkki_evidence::paper::claims::accuracy::{Errors, errors};
 use palkki_evidence::paper::claims::four_step::FINEST;
 use palkki_evidence::paper::claims::nsor::GRIDS;
 use palkki_evidence::paper::claims::{Claim, Verdict, four_step, nsor};
-use palkki_evidence::paper::example;
 
 use crate::report::evidence::prelude::*;
 
@@ -111,24 +110,7 @@ pub(crate) fn recommendation(study: &Study<'_>) -> Result<Evidence, Cause> {
         // Thousands of sweeps of NSOR: of all factors of the race for the best one, and of that one.
         race => of_nsor(0),
         sweeps => of_nsor(1),
-        moments => moments()?,
     }))
-}
-
-/// Grids on which moments are compared node by node.
-const MOMENTS: [usize; 3] = [20, 100, 300];
-
-/// The worst error of a nodal moment by the force method, over the largest moment.
-fn moments() -> Result<Vec<Value>, Cause> {
-    let scene = example()?;
-    let exact = theory::solve(&scene)?;
-    let of_grid = |intervals: usize| {
-        let state = on_grid(&scene, Method::Force, Solver::ActiveSet, intervals)?.state;
-        let nodes = nodes_of(&state)?;
-        let off = nodes.x.iter().zip(&nodes.moment).map(|(&x, m)| m - exact.moment(x));
-        Ok(context! { intervals, worst => largest(off) / exact.state.moment.magnitude() })
-    };
-    MOMENTS.into_iter().map(of_grid).collect()
 }
 
 /// One more than the finest grid that is not usable.
