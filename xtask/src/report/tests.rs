@@ -123,3 +123,23 @@ fn a_figure_comes_with_its_data() {
     let evidence = Evidence::new(()).figure("a", "<svg/>".to_owned(), Table::new(["x"])).expect("a table");
     assert_eq!(evidence.files.keys().collect::<Vec<_>>(), ["data/a.csv", "figures/a.svg"], "both files");
 }
+
+/// Each claim has its sentence as it is printed. Where the surviving text of the paper is at hand, as the file that `PALKKI_PAPER`
+/// names, each of these sentences is in it.
+#[test]
+fn every_claim_has_its_sentence_in_the_paper() {
+    let claims = files::text(&root(), "report/templates/claims.md").expect("the template can be read");
+    let sections: Vec<&str> = claims.split("\n## ").filter(|section| section.contains(".verdict")).collect();
+    assert!(12 <= sections.len(), "{} claims", sections.len());
+    let paper = std::env::var_os("PALKKI_PAPER").map(|path| fs::read_to_string(path).expect("the paper can be read"));
+    let plain = |text: &str| text.replace('$', "");
+    for section in sections {
+        let title = section.lines().next().unwrap_or_default();
+        let printed = section.lines().find_map(|line| line.strip_prefix("> *")?.strip_suffix('*'));
+        let printed = printed.unwrap_or_else(|| panic!("{title} has no sentence of the paper"));
+        for sentence in printed.split(". ") {
+            let sentence = sentence.trim_end_matches('.');
+            assert!(paper.as_ref().is_none_or(|paper| plain(paper).contains(sentence)), "{title}: {sentence}");
+        }
+    }
+}
