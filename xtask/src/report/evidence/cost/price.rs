@@ -138,7 +138,9 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
         let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
         for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
-            panel = panel.with(Layer::named(front.iter().map(|line| place(line)).collect(), style, solver));
+            let factor = one_digit(front).map(|[time, _]| format!(" × {}", significant(time, 2))).unwrap_or_default();
+            let places = front.iter().map(|line| place(line)).collect();
+            panel = panel.with(Layer::named(places, style, format!("{solver}{factor}")));
         }
         panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
     });
