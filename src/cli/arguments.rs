@@ -63,7 +63,8 @@ that the scene does not have is answered with those that it has.
 
 Examples:
   palkki sweep scene.toml --vary foundation.depth --from 0.5 --to 8 --steps 101
-  palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --plot sweep.svg";
+  palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --plot sweep.svg
+  palkki sweep scene.toml --vary load.point[0].at,load.point[1].at --from 0 --to 8 --envelope";
 
 const COMPLETIONS_EXAMPLE: &str = "\
 Examples:
@@ -231,8 +232,8 @@ pub(super) struct Certify {
 pub(super) struct Sweep {
     #[command(flatten)]
     pub(super) common: Common,
-    /// The number that is varied
-    #[arg(long, value_name = "PATH")]
+    /// The number that is varied; of several with commas between them, the others are changed by the same amount as the first
+    #[arg(long, value_name = "PATH[,PATH…]")]
     pub(super) vary: String,
     /// Its first value
     #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = number)]
@@ -243,10 +244,15 @@ pub(super) struct Sweep {
     /// How many values, both ends included, at least 2
     #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = steps, default_value_t = 101)]
     pub(super) steps: usize,
-    /// Write a row for each value to this file, as CSV; `-` is standard output, and the answer then goes to standard error
+    /// Largest and least moment and shear force along the beam and force of each support over all values; the moments that govern and
+    /// the forces of supports are refined between them
+    #[arg(long)]
+    pub(super) envelope: bool,
+    /// Write a row for each value to this file, as CSV; `-` is standard output, and the answer then goes to standard error. With
+    /// --envelope: a row for each place
     #[arg(long, value_name = "FILE")]
     pub(super) csv: Option<PathBuf>,
-    /// Draw reactions, extremes and contacts over the value, with the events, into this file, or `-` as above
+    /// With --envelope: draw that; else draw reactions, extremes and contacts over the value, with the events, into this file, or `-` as above
     #[arg(long, value_name = "FILE.svg")]
     pub(super) plot: Option<PathBuf>,
 }

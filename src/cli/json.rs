@@ -6,9 +6,8 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
-use palkki::scene::Quantity;
 use palkki::state::{Contact, Extremes, Nodes, Regime, Standing, SupportForce};
-use palkki::sweep::Event;
+use palkki::sweep::{Envelope, Event};
 use serde::Serialize;
 
 use super::answer::Answer;
@@ -88,17 +87,20 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
 /// What `sweep` found: the number that was varied, its values with their answers, and the events.
 pub(super) fn sweep(
     input: &Input,
-    vary: Quantity,
+    vary: &str,
     rows: &[(f64, Answer)],
     events: &[Event],
+    envelope: Option<&Envelope>,
     stopped: Option<&Stopped>,
 ) -> String {
     #[derive(Debug, Serialize)]
     struct SweepObject<'a> {
         scene: &'a str,
-        vary: String,
+        vary: &'a str,
         rows: Vec<RowObject<'a>>,
         events: &'a [Event],
+        #[serde(skip_serializing_if = "Option::is_none")]
+        envelope: Option<&'a Envelope>,
         /// Only of a sweep that is not whole.
         #[serde(skip_serializing_if = "Option::is_none")]
         stopped: Option<&'a Stopped>,
@@ -110,7 +112,7 @@ pub(super) fn sweep(
         route: RouteObject<'a>,
     }
     let rows = rows.iter().map(|(value, answer)| RowObject { value: *value, route: answer.into() }).collect();
-    print(&SweepObject { scene: input.title(), vary: vary.to_string(), rows, events, stopped })
+    print(&SweepObject { scene: input.title(), vary, rows, events, envelope, stopped })
 }
 
 /// The version of the keys and of what they mean: a key that goes, or means something else, makes it another one.

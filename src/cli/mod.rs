@@ -188,11 +188,11 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
-    let arguments::Sweep { common, vary, from, to, steps, csv, plot } = arguments;
+    let arguments::Sweep { common, vary, from, to, steps, envelope, csv, plot } = arguments;
     let what = format!("sweeping {vary} for {}", input::called(&common.scene));
     run_on_scene(common, what, &[csv, plot], |input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
-        let swept = sweep::Swept::of(&sweep, input.scene.beam().length())?;
+        let swept = sweep::Swept::of(&sweep, input.scene.beam().length(), *envelope)?;
         let csv = csv.as_ref().map(|path| (path, swept.csv()));
         let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, swept.figure(input)?))).transpose()?;
         let text = common.shown(|| swept.text(input), || swept.json(input));

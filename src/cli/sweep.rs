@@ -6,7 +6,7 @@ use palkki::plot;
 use palkki::route::Status;
 use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
-use palkki::sweep::{Event, Events, MOST_WORK, Sweep};
+use palkki::sweep::{Envelope, Event, Events, Gathered, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep};
 use palkki::text::{magnitude, significant};
 
 use super::answer::Answer;
@@ -27,8 +27,11 @@ const DIGITS: usize = 12;
 /// What a sweep came to.
 pub(super) struct Swept {
     quantity: Quantity,
+    /// The paths of all numbers that are varied.
+    paths: String,
     rows: Vec<(f64, Answer)>,
     events: Vec<Event>,
+    envelope: Option<Envelope>,
     /// Where it was stopped.
     stopped: Option<Stopped>,
     /// Time of all answers with their certificates, and of the events.
@@ -54,11 +57,12 @@ const REASON: &str =
 
 impl Swept {
     /// The answers of a sweep over a beam of this length, up to the first value that has none; an error if that is the first of all.
-    pub(super) fn of(sweep: &Sweep<'_>, length: f64) -> Result<Self, Failure> {
+    pub(super) fn of(sweep: &Sweep<'_>, length: f64, envelope: bool) -> Result<Self, Failure> {
         let begin = Instant::now();
         let mut walk = sweep.walk();
         let (mut rows, mut times) = (Vec::new(), Vec::new());
         let mut ended = None;
+        let mut gathered = envelope.then(|| sweep.gathered());
         for value in sweep.values() {
             if MOST_WORK < walk.work() {
                 break;
@@ -67,6 +71,9 @@ impl Swept {
             match walk.solve(value) {
                 Ok(step) => {
                     times.push(start.elapsed().as_secs_f64());
+                    if let Some(gathered) = &mut gathered {
+                        gathered.add(&step);
+                    }
                     rows.push(walk.row(step));
                 }
                 Err(error) if rows.is_empty() => return Err(error.into()),
@@ -76,6 +83,7 @@ impl Swept {
                 }
             }
         }
+        let envelope = gathered.and_then(Gathered::envelope);
         let solved = begin.elapsed().as_secs_f64();
         let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
         let Events { events, until } = sweep.events_within(&kinds, MOST_WORK);
@@ -91,7 +99,8 @@ impl Swept {
             .into_iter()
             .zip(times)
             .map(|(row, time)| (row.value, Answer::without_grid(length, row.solution, time)));
-        Ok(Self { quantity: sweep.quantity(), rows: rows.collect(), events, stopped, seconds })
+        let (quantity, paths) = (sweep.quantity(), sweep.paths());
+        Ok(Self { quantity, paths, rows: rows.collect(), events, envelope, stopped, seconds })
     }
 
     /// Whether there is an answer for every value, and every one is certified.
@@ -100,10 +109,14 @@ impl Swept {
     }
 
     pub(super) fn json(&self, input: &Input) -> String {
-        json::sweep(input, self.quantity, &self.rows, &self.events, self.stopped.as_ref())
+        let Self { paths, rows, events, envelope, stopped, .. } = self;
+        json::sweep(input, paths, rows, events, envelope.as_ref(), stopped.as_ref())
     }
 
     pub(super) fn figure(&self, input: &Input) -> Result<String, Failure> {
+        if let Some(envelope) = &self.envelope {
+            return Ok(plot::envelope(&input.scene, &self.paths, envelope)?);
+        }
         let rows: Vec<_> = self.rows.iter().map(|(value, answer)| (*value, &answer.solution.state)).collect();
         Ok(plot::sweep(&input.scene, self.quantity, &rows, &self.events, "")?)
     }
@@ -115,13 +128,17 @@ impl Swept {
             [self.rows.first(), self.rows.last()].map(|row| row.map_or_else(String::new, |row| labels.number(row.0)));
         let [rows, events] = self.seconds.map(magnitude);
         let status = Status::of_several(self.is_certified());
+        let varied = match self.paths.split_once(',') {
+            Some((first, others)) => format!("{first}, and by as much {}", others.replace(',', ", ")),
+            None => self.paths.clone(),
+        };
         let of = self.stopped.as_ref().map_or(self.rows.len(), |stopped| stopped.of);
         let ended = if self.stopped.is_some() { " are certified, and the sweep was stopped" } else { "" };
         let mut text = heading(status, &format!("{certified} of {of} answers{ended}"), input);
         text += &list(&given(&input.scene, &labels));
         text.push('\n');
         text += &list(&[
-            ("varied", format!("{}, {} values from {} to {}", self.quantity, self.rows.len(), ends[0], ends[1])),
+            ("varied", format!("{varied}, {} values from {} to {}", self.rows.len(), ends[0], ends[1])),
             ("seconds", format!("{rows} for the answers with their bounds, {events} for the events")),
         ]);
         if let Some(Stopped { rows, of, events_until, reason }) = &self.stopped {
@@ -135,6 +152,9 @@ impl Swept {
             text += "\nEvents\n";
             let lines = self.events.iter().map(|event| (known(event), event.what.clone()));
             text += &list(&lines.collect::<Vec<_>>());
+        }
+        if let Some(envelope) = &self.envelope {
+            text += &envelope_text(envelope, &labels);
         }
         let outermost = outermost(input.scene.beam());
         let mut header = vec![
@@ -163,6 +183,9 @@ impl Swept {
 
     /// One row for each value. Supports and contacts are numbered from left to right; contacts that a row does not have are empty.
     pub(super) fn csv(&self) -> String {
+        if let Some(envelope) = &self.envelope {
+            return envelope_csv(envelope);
+        }
         let states = || self.rows.iter().map(|(_, answer)| &answer.solution.state);
         let supports = states().map(|state| state.supports.len()).max().unwrap_or(0);
         let contacts = states().map(|state| state.contacts.len()).max().unwrap_or(0);
@@ -190,6 +213,35 @@ impl Swept {
         }
         text
     }
+}
+
+/// The moments that govern, and the forces of the supports.
+fn envelope_text(envelope: &Envelope, labels: &Labels) -> String {
+    let Governing { moment_max, moment_min } = envelope.governing;
+    let moment = |moment: Moment| {
+        let at = format!("at x = {} for the value", labels.length.value(moment.at));
+        format!("{} {at} {}", labels.moment.value(moment.moment), labels.number(moment.value))
+    };
+    let governing = [("largest moment", moment(moment_max)), ("least moment", moment(moment_min))];
+    let mut text = String::from("\nEnvelope\n") + &list(&governing);
+    if !envelope.supports.is_empty() {
+        let header = ["support at", "largest force", "for the value", "least force", "for the value"];
+        let row = |support: &SupportEnvelope| {
+            let SupportEnvelope { at, max, max_value, min, min_value } = *support;
+            [at, max, max_value, min, min_value].map(|number| labels.number(number)).to_vec()
+        };
+        text += &table("Supports over all values", &header, &envelope.supports.iter().map(row).collect::<Vec<_>>());
+    }
+    text
+}
+
+/// One row for each place.
+fn envelope_csv(envelope: &Envelope) -> String {
+    let Envelope { x, moment_max, moment_min, shear_max, shear_min, .. } = envelope;
+    let rows =
+        (0..x.len()).map(|i| [x[i], moment_max[i], moment_min[i], shear_max[i], shear_min[i]].map(field).join(","));
+    let header = "x,moment_max,moment_min,shear_max,shear_min".to_owned();
+    std::iter::once(header).chain(rows).map(|row| row + "\n").collect()
 }
 
 /// The value of an event, with what it may be off by.

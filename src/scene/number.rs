@@ -69,9 +69,20 @@ impl Scene {
     ///
     /// Every [`SceneError`] of its parts.
     pub fn with_number(&self, quantity: Quantity, value: f64) -> Result<Self, SceneError> {
+        self.with_numbers([(quantity, value)])
+    }
+
+    /// The same for several numbers at once: what is between the first and the last of them need not be a scene.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Scene::with_number`].
+    pub fn with_numbers(&self, values: impl IntoIterator<Item = (Quantity, f64)>) -> Result<Self, SceneError> {
         let mut numbers = Numbers::of(self);
-        if let Some(number) = numbers.at(quantity) {
-            *number = value;
+        for (quantity, value) in values {
+            if let Some(number) = numbers.at(quantity) {
+                *number = value;
+            }
         }
         let Numbers { stiffness, supports, shape, uniform, linear, point, foundation } = numbers;
         let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?;

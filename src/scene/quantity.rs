@@ -74,6 +74,45 @@ pub enum ProfileKey {
     Whole,
 }
 
+/// What a number is measured in: numbers of one kind can be changed by the same amount.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A place, a depth or a level.
+    Length,
+    /// A force.
+    Force,
+    /// A force per length.
+    Intensity,
+    /// A slope, or an angle in radians.
+    Angle,
+    /// A force times the square of a length.
+    BendingStiffness,
+    /// A length over so many lengths.
+    Coefficient(usize),
+}
+
+impl Quantity {
+    /// What it is measured in; [`None`] for what is not one number.
+    #[must_use]
+    pub fn kind(self) -> Option<Kind> {
+        Some(match self {
+            Self::BendingStiffness => Kind::BendingStiffness,
+            Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) => Kind::Intensity,
+            Self::PointForce(_) => Kind::Force,
+            Self::SupportSlope(_) | Self::Profile(_, ProfileKey::Phase) => Kind::Angle,
+            Self::Profile(_, ProfileKey::Coefficient(i)) if 0 < i => Kind::Coefficient(i),
+            Self::Supports | Self::TotalLoad | Self::Profile(_, ProfileKey::Whole) => return None,
+            Self::Length
+            | Self::LinearFrom(_)
+            | Self::LinearTo(_)
+            | Self::PointAt(_)
+            | Self::SupportAt(_)
+            | Self::SupportLevel(_)
+            | Self::Profile(..) => Kind::Length,
+        })
+    }
+}
+
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

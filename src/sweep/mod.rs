@@ -30,6 +30,7 @@
 //! ```
 
 mod describe;
+mod envelope;
 mod events;
 mod follow;
 mod settle;
@@ -39,6 +40,7 @@ use crate::solve::Solution;
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 
+pub use envelope::{Envelope, Gathered, Governing, Moment, SupportEnvelope};
 pub use events::{Event, Events};
 
 /// The most values of a sweep.
@@ -57,6 +59,17 @@ pub enum SweepError {
     /// The number cannot be varied.
     #[error(transparent)]
     Path(#[from] PathError),
+    /// A number that is named twice.
+    #[error("`{0}` is to be varied twice")]
+    Twice(Quantity),
+    /// Numbers that cannot be changed by the same amount.
+    #[error("`{first}` and `{other}` cannot move together: one amount for both would have two units")]
+    Units {
+        /// The number that has the values.
+        first: Quantity,
+        /// One that moves with it.
+        other: Quantity,
+    },
     /// Too few or too many values.
     #[error("the number of steps must be between 2 and {MOST_STEPS}, but is {0}")]
     Steps(usize),
@@ -91,6 +104,8 @@ fn from(border: f64, value: f64) -> String {
 pub struct Sweep<'a> {
     scene: &'a Scene,
     quantity: Quantity,
+    /// The numbers that move with it, and what they are in the scene.
+    with: Vec<(Quantity, f64)>,
     range: [f64; 2],
     steps: usize,
 }
@@ -108,13 +123,27 @@ pub struct Row {
 
 impl<'a> Sweep<'a> {
     /// A sweep over `steps` values from `range[0]` to `range[1]`, both included, of the number with this path
-    /// ([`Scene::quantity`]).
+    /// ([`Scene::quantity`]). Of several paths, with commas between them, the first has these values, and the others are changed by the
+    /// same amount as it: an axle keeps its distance from the next.
     ///
     /// # Errors
     ///
     /// [`SweepError`], but for values without an answer, which are found on the way.
     pub fn new(scene: &'a Scene, path: &str, range: [f64; 2], steps: usize) -> Result<Self, SweepError> {
-        let quantity = scene.quantity(path)?;
+        let mut paths = path.split(',').map(|path| scene.quantity(path.trim()));
+        let quantity = paths.next().unwrap_or_else(|| scene.quantity(path))?;
+        let number = |quantity| scene.number(quantity).unwrap_or_default();
+        let mut with: Vec<(Quantity, f64)> = Vec::new();
+        for other in paths {
+            let other = other?;
+            if other == quantity || with.iter().any(|(known, _)| *known == other) {
+                return Err(SweepError::Twice(other));
+            }
+            if other.kind() != quantity.kind() {
+                return Err(SweepError::Units { first: quantity, other });
+            }
+            with.push((other, number(other)));
+        }
         let [from, to] = range;
         if !(2..=MOST_STEPS).contains(&steps) {
             return Err(SweepError::Steps(steps));
@@ -122,13 +151,20 @@ impl<'a> Sweep<'a> {
         if !(from.is_finite() && to.is_finite() && (to - from).is_finite() && 0.0 < (to - from).abs()) {
             return Err(SweepError::Range { from, to });
         }
-        Ok(Self { scene, quantity, range, steps })
+        Ok(Self { scene, quantity, with, range, steps })
     }
 
-    /// The number that is varied.
+    /// The number that is varied; of several, the first.
     #[must_use]
     pub fn quantity(&self) -> Quantity {
         self.quantity
+    }
+
+    /// The paths of all numbers that are varied, with commas between them.
+    #[must_use]
+    pub fn paths(&self) -> String {
+        let paths = std::iter::once(self.quantity).chain(self.with.iter().map(|(other, _)| *other));
+        paths.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(",")
     }
 
     /// Its values.
@@ -144,13 +180,21 @@ impl<'a> Sweep<'a> {
     ///
     /// Those of [`Scene::with_number`].
     pub fn scene(&self, value: f64) -> Result<Scene, SceneError> {
-        self.scene.with_number(self.quantity, value)
+        let by = value - self.scene.number(self.quantity).unwrap_or_default();
+        let with = self.with.iter().map(|&(other, number)| (other, number + by));
+        self.scene.with_numbers(std::iter::once((self.quantity, value)).chain(with))
     }
 
     /// A walk along the values.
     #[must_use]
     pub fn walk(&self) -> Walk<'_> {
         Walk { sweep: self, last: None, work: 0 }
+    }
+
+    /// What gathers the envelope of the rows.
+    #[must_use]
+    pub fn gathered(&self) -> Gathered<'_> {
+        Gathered::new(self)
     }
 
     /// All rows.
@@ -182,6 +226,20 @@ pub struct Walk<'a> {
     sweep: &'a Sweep<'a>,
     last: Option<(f64, Exact)>,
     work: u64,
+}
+
+impl Step {
+    /// The value.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// Its answer.
+    #[must_use]
+    pub fn exact(&self) -> &Exact {
+        &self.exact
+    }
 }
 
 /// A value, with its scene and its answer.

@@ -213,6 +213,7 @@ fn sweeps_are_shown() {
         "sweep ridge.toml --vary load.uniform --from 0.5 --to 2 -n 4",
         "sweep three.toml --vary load.uniform --from 1 --to 2 -n 2",
         "sweep one.toml --vary load.uniform --from 1 --to 2 -n 2",
+        "sweep three.toml --vary beam.supports[0].at,beam.supports[1].at --from 0 --to 0.5 -n 3 --envelope",
         "sweep example.toml --vary foundation.depth --from 1 --to 150 -n 3 --format json",
     ];
     assert_table!("shown@sweep", "One number varied", page(&folder("shown_sweep"), &varied));

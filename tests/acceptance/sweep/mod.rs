@@ -1,6 +1,7 @@
 //! Sweeps of one number of a scene, their events, and derivatives of exact answers.
 
 mod derivatives;
+mod envelope;
 mod events;
 mod family;
 mod rows;

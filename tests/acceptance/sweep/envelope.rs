@@ -1,0 +1,101 @@
+//! The envelope of a sweep: what governs, of one load and of several that move together.
+
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::sweep::{Envelope, Sweep, SweepError};
+use palkki::theory;
+
+/// A beam on supports, above ground or none, with axles of so much a distance behind the first.
+fn axles(length: f64, supports: &[f64], ground: Option<Foundation>, axles: &[(f64, f64)]) -> Scene {
+    let held = supports.iter().map(|&at| Support { at, level: 0.0, slope: None }).collect();
+    let beam = Beam::new(length, 5000.0).and_then(|beam| beam.with_supports(held)).expect("a beam");
+    let point = axles.iter().map(|&(at, force)| PointLoad { at, force }).collect();
+    let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
+    Scene::new(beam, load, ground).expect("a scene")
+}
+
+const PATHS: [&str; 2] = ["load.point[0].at", "load.point[0].at,load.point[1].at"];
+
+fn envelope(scene: &Scene, path: &str, to: f64, steps: usize) -> Envelope {
+    let sweep = Sweep::new(scene, path, [0.0, to], steps).expect("a sweep");
+    let (mut walk, mut gathered) = (sweep.walk(), sweep.gathered());
+    for value in sweep.values() {
+        let step = walk.solve(value).expect("an answer");
+        gathered.add(&step);
+        walk.row(step);
+    }
+    gathered.envelope().expect("there are rows")
+}
+
+/// Two axles `P` a distance `d` apart on a span `l`: the largest moment is `P (l − d/2)² / (2 l)`, under one of them, which is `d/4`
+/// from mid-span.
+#[test]
+fn two_axles_on_one_span_have_the_moment_of_the_textbook() {
+    let (l, d, force) = (12.0, 1.8, 100.0);
+    let scene = axles(l, &[0.0, l], None, &[(0.0, force), (d, force)]);
+    for steps in [8, 57] {
+        let found = envelope(&scene, PATHS[1], l - d, steps).governing.moment_max;
+        let expected = force * (l - 0.5 * d) * (l - 0.5 * d) / (2.0 * l);
+        assert!((found.moment - expected).abs() <= 1e-9 * expected, "{steps}: {found:?}, not {expected}");
+        let off_middle = (found.at - 0.5 * l).abs();
+        assert!((off_middle - 0.25 * d).abs() <= 1e-6, "{steps}: {found:?}");
+    }
+}
+
+/// The extremes over many positions are nowhere beyond the refined ones, and come near to them: one axle and two, over three spans, on
+/// uneven ground and without.
+#[test]
+fn refined_extremes_are_those_of_many_positions() {
+    const POSITIONS: u32 = 20_000;
+    let ground = Foundation::Cosine { mean: 0.3, amplitude: 0.1, wavelength: 12.0, phase: 0.0 };
+    for ground in [None, Some(ground)] {
+        for (path, places) in [(PATHS[0], vec![(0.0, 100.0)]), (PATHS[1], vec![(0.0, 100.0), (1.8, 80.0)])] {
+            let scene = axles(30.0, &[0.0, 10.0, 20.0, 30.0], ground.clone(), &places);
+            let found = envelope(&scene, path, 28.0, 113);
+            let sweep = Sweep::new(&scene, path, [0.0, 28.0], 2).expect("a sweep");
+            let mut near = None;
+            let mut brute = [[f64::INFINITY, f64::NEG_INFINITY]; 5];
+            for i in 0..=POSITIONS {
+                let scene = sweep.scene(28.0 * f64::from(i) / f64::from(POSITIONS)).expect("a scene");
+                let exact = theory::solve_near(&scene, near.as_ref().as_slice()).expect("an answer");
+                let state = &exact.state;
+                let supports = state.supports.iter().map(|support| [support.force; 2]);
+                for (brute, [least, most]) in
+                    brute.iter_mut().zip(std::iter::once([state.moment.min, state.moment.max]).chain(supports))
+                {
+                    *brute = [brute[0].min(least), brute[1].max(most)];
+                }
+                near = Some(exact);
+            }
+            let moments = found.governing;
+            let refined = std::iter::once([moments.moment_min.moment, moments.moment_max.moment]);
+            let refined = refined.chain(found.supports.iter().map(|support| [support.min, support.max]));
+            for (refined, brute) in refined.zip(brute) {
+                let size = brute[1].max(-brute[0]);
+                let beyond = [refined[0] - brute[0], brute[1] - refined[1]];
+                assert!(beyond.iter().all(|by| *by <= 1e-9 * size), "{path}: {refined:?} and {brute:?}");
+                // A position is at most 0.0007 from the one that governs; the moment changes by some 50 for each unit there.
+                assert!(beyond.iter().all(|by| -2e-4 * size <= *by), "{path}: {refined:?} and {brute:?}");
+            }
+            let over = |values: &[f64]| values.iter().fold(f64::NEG_INFINITY, |most: f64, value| most.max(*value));
+            assert!(over(&found.moment_max) <= moments.moment_max.moment, "the rows are within what governs");
+        }
+    }
+}
+
+/// Each number keeps what it has more than the first; places that coincide on the way are no error.
+#[test]
+fn numbers_that_move_together_keep_their_distance() {
+    let scene = axles(30.0, &[0.0, 10.0, 20.0, 30.0], None, &[(2.0, 1.0), (5.0, 2.0)]);
+    let sweep = Sweep::new(&scene, "load.point[1].at, load.point[0].at", [4.0, 29.0], 6).expect("a sweep");
+    let places: Vec<f64> = sweep.scene(29.0).expect("a scene").load().point().iter().map(|p| p.at).collect();
+    assert_eq!(places, [26.0, 29.0]);
+    assert_eq!(sweep.paths(), "load.point[1].at,load.point[0].at");
+    let scene = axles(40.0, &[0.0, 10.0, 20.0, 40.0], None, &[(2.0, 1.0)]);
+    let supports = Sweep::new(&scene, "beam.supports[1].at,beam.supports[2].at", [15.0, 25.0], 4).expect("a sweep");
+    let moved = supports.scene(20.0).expect("the second one is where the third one was");
+    assert_eq!(moved.beam().supports().iter().map(|support| support.at).collect::<Vec<_>>(), [0.0, 20.0, 30.0, 40.0]);
+    let refused = |path| Sweep::new(&scene, path, [0.0, 1.0], 3).expect_err(path);
+    assert!(matches!(refused("load.uniform,load.uniform"), SweepError::Twice(_)));
+    assert!(matches!(refused("load.point[0].at,load.point[0].force"), SweepError::Units { .. }));
+    assert!(matches!(refused("load.point[0].at,"), SweepError::Path(_)));
+}
