@@ -75,6 +75,7 @@
 
 pub mod adaptive;
 pub mod certificate;
+pub mod explain;
 mod memory;
 pub mod methods;
 mod multigrid;

@@ -9,6 +9,7 @@ use palkki::route::{Method, Solver};
 use palkki::sweep::MOST_STEPS;
 use palkki::text::{DIGITS, MOST_DIGITS};
 
+use super::explain::{EXAMPLE as EXPLAIN_EXAMPLE, Explain};
 use super::json::MOST_INTERVALS_WITH_NODES;
 
 /// Intervals of a grid that nobody asked for: those of the paper's example.
@@ -113,6 +114,13 @@ pub(super) enum Command {
     /// missed. The exit code is 0 if every answer is certified.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
+    /// Print the equations of the exact answer with their numbers, to be followed by hand.
+    ///
+    /// On the contacts that beam theory found: nodes and spans, the equation of three moments where two spans meet, one equation for
+    /// each side where the beam has a given slope. Each is printed with its numbers, and with what is left of it for the moments of
+    /// the answer. The exit code is that of solve.
+    #[command(after_help = EXPLAIN_EXAMPLE)]
+    Explain(Explain),
     /// Print what makes a shell complete commands and options, to be read by it.
     #[command(after_help = COMPLETIONS_EXAMPLE)]
     Completions {
@@ -195,7 +203,7 @@ fn tolerance_help() -> String {
     )
 }
 
-fn digits_help() -> String {
+pub(super) fn digits_help() -> String {
     format!("Significant digits of results in text, at most {MOST_DIGITS}; JSON and CSV have all")
 }
 
@@ -279,7 +287,7 @@ fn intervals(text: &str) -> Result<usize, String> {
 }
 
 /// `--digits`.
-fn digits(text: &str) -> Result<usize, String> {
+pub(super) fn digits(text: &str) -> Result<usize, String> {
     match text.parse::<usize>() {
         Ok(number @ 1..=MOST_DIGITS) => Ok(number),
         _ => Err(format!("the number of digits must be a whole number from 1 to {MOST_DIGITS}, but is {text}")),

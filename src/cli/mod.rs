@@ -11,6 +11,7 @@ mod busy;
 mod certify;
 mod compare;
 mod csv;
+mod explain;
 mod files;
 mod given;
 mod held;
@@ -58,6 +59,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Compare(arguments) => compare(arguments),
         Command::Certify(arguments) => certify(arguments),
         Command::Sweep(arguments) => sweep(arguments),
+        Command::Explain(arguments) => explain(arguments),
         Command::Completions { shell } => pages::completions(*shell),
         Command::Manual { command } => pages::manual(command.as_deref()),
     };
@@ -197,6 +199,16 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
         let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, swept.figure(input)?))).transpose()?;
         let text = common.shown(|| swept.text(input), || swept.json(input));
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
+    })
+}
+
+fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
+    let explain::Explain { scene, format, digits } = arguments;
+    let common = Common { scene: scene.clone(), format: Format::Text, digits: *digits };
+    run_on_scene(&common, format!("explaining {}", input::called(scene)), &[], |input| {
+        let answer = Answer::of(input, Route::Exact(Demand::default()))?;
+        let text = explain::text(input, &answer, *format);
+        Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })
     })
 }
 

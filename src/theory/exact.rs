@@ -116,7 +116,7 @@ impl Exact {
     }
 
     /// The same just left and just right of `x`: a support that holds the slope takes a couple.
-    fn moments(&self, x: f64) -> [f64; 2] {
+    pub(crate) fn moments(&self, x: f64) -> [f64; 2] {
         // Adding zero turns a −0.0 into 0.0.
         [false, true].map(|right| -self.beam(x, right)[2] * self.stiffness * self.scale.moment() + 0.0)
     }

@@ -10,6 +10,7 @@ mod output;
 mod refinement;
 mod scene_file;
 mod shown;
+mod steady;
 mod streams;
 mod sweep;
 mod words;

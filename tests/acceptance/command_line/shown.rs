@@ -4,8 +4,7 @@
 
 use std::fs;
 
-use palkki::text::Results;
-
+use super::steady::steady;
 use super::{EXAMPLE, Folder, Run, SURVEYED};
 use crate::support::{assert_table, assert_text};
 
@@ -36,105 +35,6 @@ fn folder(test: &str) -> Folder {
     folder.write("forces.csv", "x,force\n2.5,1\n5,-0.25\n7.5,1\n");
     folder.write("nodal.csv", "x,force\n2.5,2.333333333333\n5,2.666666666667\n7.5,2.333333333333\n");
     folder
-}
-
-/// What changes from run to run is the word `time`, and what is left of rounding the word `tiny`; a number with a point has at
-/// most six digits, so that it may be compared as printed.
-fn steady(text: &str) -> String {
-    let mut columns: Vec<usize> = Vec::new();
-    let mut lines = String::new();
-    for line in text.lines() {
-        let words = words(line);
-        if words.len() < 2 {
-            columns.clear();
-        }
-        // In a table numbers end where the name of their column ends.
-        let timed = |&(at, word): &(usize, &str)| (word == "seconds" && 2 < words.len()).then_some(at + word.len());
-        let of_header: Vec<usize> = words.iter().filter_map(timed).collect();
-        let is_time = line.starts_with("  seconds ") || line.contains("\"seconds\":");
-        let is_rest = ["what remains", "\"residual\":", "\"gap\":"].iter().any(|name| line.contains(name));
-        let library = [" clarabel ", " osqp "].iter().any(|name| line.contains(name)) && !columns.is_empty();
-        lines += &numbers(line, |end, number| {
-            let value: f64 = number.parse().unwrap_or(f64::NAN);
-            let real = number.contains(['.', 'e']);
-            if (is_time && real) || columns.contains(&end) {
-                Some("time".to_owned())
-            } else if (0.0 < value && value < ROUNDING) || (value == 0.0 && (is_rest || library)) {
-                Some("tiny".to_owned())
-            } else if library && !real {
-                // Another processor may take a library another iteration.
-                Some("some".to_owned())
-            } else {
-                (real && MOST_DIGITS < significant(number)).then(|| rounded(value))
-            }
-        });
-        lines.push('\n');
-        if !of_header.is_empty() {
-            columns = of_header;
-        }
-    }
-    lines
-}
-
-/// No number of these scenes is as small, but for those that would be zero without rounding.
-const ROUNDING: f64 = 2e-11;
-
-/// Digits that are compared.
-const MOST_DIGITS: usize = 6;
-
-/// The digits of a printed number from the first that is not zero.
-fn significant(number: &str) -> usize {
-    let mantissa = number.split('e').next().unwrap_or_default();
-    mantissa.chars().filter(char::is_ascii_digit).skip_while(|digit| *digit == '0').count()
-}
-
-/// A number with so many digits; it keeps its point, as a whole number is compared to the letter.
-fn rounded(value: f64) -> String {
-    let short = Results::with_digits(MOST_DIGITS).number(value);
-    if short.contains(['.', 'e']) { short } else { short + ".0" }
-}
-
-/// The words of a line with the places, counted in letters, at which they begin.
-fn words(line: &str) -> Vec<(usize, &str)> {
-    let mut at = 0;
-    let parts = line.split(' ').map(|word| {
-        let begin = at;
-        at += word.chars().count() + 1;
-        (begin, word)
-    });
-    parts.filter(|(_, word)| !word.is_empty()).collect()
-}
-
-/// A line with other numbers; `other` has the place, counted in letters, at which a number ends.
-fn numbers(line: &str, other: impl Fn(usize, &str) -> Option<String>) -> String {
-    let (mut text, mut rest, mut before) = (String::new(), line, ' ');
-    while let Some(first) = rest.chars().next() {
-        let digits = |from: usize| rest[from..].bytes().take_while(u8::is_ascii_digit).count();
-        let mut length = if before.is_alphanumeric() || "_.".contains(before) { 0 } else { digits(0) };
-        if 0 < length {
-            if rest[length..].starts_with('.') && 0 < digits(length + 1) {
-                length += 1 + digits(length + 1);
-            }
-            for exponent in ["e-", "e"] {
-                if rest[length..].starts_with(exponent) && 0 < digits(length + exponent.len()) {
-                    length += exponent.len() + digits(length + exponent.len());
-                }
-            }
-            let end = line[..line.len() - rest.len() + length].chars().count();
-            let number = other(end, &rest[..length]).unwrap_or_else(|| rest[..length].to_owned());
-            if number == "tiny" && text.ends_with('-') {
-                // Which sign is left of rounding says nothing.
-                text.pop();
-            }
-            text += &number;
-        } else {
-            length = first.len_utf8();
-            text.push(first);
-        }
-        before = rest[..length].chars().last().unwrap_or(' ');
-        rest = &rest[length..];
-    }
-    text
 }
 
 /// Commands with what they print, without what changes, and their exit codes.
@@ -217,6 +117,12 @@ fn sweeps_are_shown() {
         "sweep example.toml --vary foundation.depth --from 1 --to 150 -n 3 --format json",
     ];
     assert_table!("shown@sweep", "One number varied", page(&folder("shown_sweep"), &varied));
+}
+
+#[test]
+fn explanations_are_shown() {
+    let explained = ["explain example.toml", "explain three.toml", "explain cantilever.toml --format markdown"];
+    assert_table!("shown@explain", "Equations with their numbers", page(&folder("shown_explain"), &explained));
 }
 
 #[test]
@@ -371,7 +277,7 @@ fn shells_and_manual_know_every_option() {
     let folder = Folder::new("shown_pages");
     let shells =
         ["bash", "zsh", "fish", "powershell", "elvish"].map(|shell| folder.run(&format!("completions {shell}")));
-    let commands = ["solve", "compare", "certify", "sweep"];
+    let commands = ["solve", "compare", "certify", "sweep", "explain"];
     let manual = folder.run("manual");
     assert_eq!((manual.code, manual.err.as_str()), (Some(0), ""));
     for command in commands {
@@ -389,12 +295,4 @@ fn shells_and_manual_know_every_option() {
             }
         }
     }
-}
-
-#[test]
-fn what_flickers_is_masked() {
-    let table = "  method  seconds  error\n  force    1.5e-4  1.5e-4\n  osqp      12  -3.1e-13\n\n  seconds  2.5\n0.12345678 4 1.0000000002";
-    let expected = "  method  seconds  error\n  force    time  1.5e-4\n  osqp      some  tiny\n\n  seconds  time\n0.123457 4 1.0\n";
-    assert_eq!(steady(table), expected, "times, rounding and digits");
-    assert_eq!(steady("\"residual\": 0.0, \"gap\": 1e-20"), "\"residual\": tiny, \"gap\": tiny\n");
 }

@@ -6,6 +6,7 @@ mod borders;
 mod clearance;
 mod closed;
 mod crests;
+mod explain;
 mod held;
 mod level;
 mod long;

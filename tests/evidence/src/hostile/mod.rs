@@ -43,6 +43,12 @@ pub fn wrong(draft: &Draft) -> Vec<String> {
     trial::wrong(draft)
 }
 
+/// The scene of a run, if it is one.
+#[must_use]
+pub fn draft(seed: u64) -> Draft {
+    trial::draft(seed).1
+}
+
 /// The scene file of a run, and what is wrong with it as comments.
 #[must_use]
 pub fn scene(seed: u64) -> String {

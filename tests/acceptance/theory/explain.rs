@@ -1,0 +1,74 @@
+//! The equations of an explanation hold for the moments of the exact answer, and are those of a textbook.
+
+use palkki::explain::{Explanation, What};
+use palkki::scene::{Beam, LinearLoad, Load, Scene, Support};
+use palkki::theory;
+use palkki_evidence::hostile;
+
+/// `2 L M(2)·2 = −q L³/2` for two equal spans, and what a middle support that settles by `d` adds, `6 EI·2 d/L`.
+#[test]
+fn two_spans_have_the_equation_of_the_textbook() {
+    let (span, stiffness, q, settled) = (6.0, 40.0, 3.0, 0.01);
+    let held = [(0.0, 0.0), (span, settled), (2.0 * span, 0.0)].map(|(at, level)| Support { at, level, slope: None });
+    let beam = Beam::new(2.0 * span, stiffness).and_then(|beam| beam.with_supports(held.to_vec())).expect("a beam");
+    let load = Load::uniform_on(&beam, q).expect("a load");
+    let scene = Scene::new(beam, load, None).expect("a scene");
+    let found = Explanation::of(&scene, &theory::solve(&scene).expect("an answer"));
+    let [equation] = &found.equations[..] else { panic!("{:?}", found.equations) };
+    let factors: Vec<f64> = equation.terms.iter().map(|term| term.2).collect();
+    assert_eq!(factors, [span, 2.0 * span, 2.0 * span, span]);
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
+    assert!(close(equation.load, 0.5 * q * span * span * span), "{equation:?}");
+    assert!(close(equation.settlement, 6.0 * stiffness * 2.0 * settled / span), "{equation:?}");
+    assert!(
+        close(found.nodes[1].moments[0], (equation.settlement - equation.load) / (4.0 * span)),
+        "{:?}",
+        found.nodes
+    );
+}
+
+/// `S` of a triangular load that grows from zero at the left end: `7 q L³/60` at the left and `8 q L³/60` at the right end.
+#[test]
+fn a_triangular_load_has_the_terms_of_the_textbook() {
+    let (length, q) = (5.0, 2.0);
+    let beam = Beam::new(length, 7.0).expect("a beam");
+    let triangle = LinearLoad { from: 0.0, to: length, start: 0.0, end: q };
+    let scene = Scene::new(beam.clone(), Load::new(&beam, 0.0, vec![triangle], vec![]).expect("a load"), None);
+    let scene = scene.expect("a scene");
+    let found = Explanation::of(&scene, &theory::solve(&scene).expect("an answer"));
+    let expected = [7.0, 8.0].map(|share| share * q * length * length * length / 60.0);
+    for (found, expected) in found.spans[0].load.iter().zip(expected) {
+        assert!((found - expected).abs() <= 1e-13 * expected, "{found}, not {expected}");
+    }
+}
+
+/// Every equation of random scenes with supports, own shapes, points and zones holds.
+#[test]
+fn equations_of_random_scenes_hold() {
+    let (mut equations, mut kinds) = (0, [0; 6]);
+    for seed in hostile::seeds(0..1500) {
+        let Ok(scene) = hostile::draft(seed).scene() else { continue };
+        let Ok(exact) = theory::solve(&scene) else { continue };
+        if !exact.solved || exact.residual > 1e-12 {
+            continue;
+        }
+        let found = Explanation::of(&scene, &exact);
+        let what = [What::End, What::Support, What::BuiltIn, What::Corner, What::Point, What::ZoneEnd];
+        for node in &found.nodes {
+            kinds[what.iter().position(|kind| *kind == node.what).expect("one of them")] += 1;
+        }
+        // Moments and deflections of one answer are rounded beside the largest of them.
+        let largest = found.nodes.iter().flat_map(|node| node.moments).fold(0.0, |most: f64, m| most.max(m.abs()));
+        let deepest = found.nodes.iter().fold(0.0, |most: f64, node| most.max(node.deflection.abs()));
+        for equation in &found.equations {
+            let (residual, size) = (found.residual(equation).abs(), found.size(equation));
+            let lengths = equation.spans.iter().flatten().map(|&span| found.spans[span].length);
+            let (least, most) = lengths.fold((f64::INFINITY, 0.0_f64), |(a, b), length| (a.min(length), b.max(length)));
+            let rounding = 1e-12 * most * largest + 1e-13 * found.stiffness * deepest / least;
+            let fulfilled = residual <= 1e-9 * size + rounding;
+            assert!(fulfilled, "{seed}: {equation:?} of {:?}: {residual:e} of {size:e}", found.nodes);
+            equations += 1;
+        }
+    }
+    assert!(1000 < equations && kinds.iter().all(|count| 20 < *count), "{equations}, {kinds:?}");
+}
