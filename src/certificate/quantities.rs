@@ -128,7 +128,7 @@ mod tests {
     use crate::certificate::in_intervals;
     use crate::certificate::kernel::hold::{Hold, Place};
     use crate::certificate::kernel::polynomial::Polynomial;
-    use crate::scene::{Balance, Beam, Foundation, Load, Scene};
+    use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
     const LENGTH: f64 = 20.0;
     const STIFFNESS: f64 = 70.0;
@@ -143,6 +143,15 @@ mod tests {
     fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
         let coefficients: Vec<Interval> = coefficients.iter().map(|c| Interval::exact(*c)).collect();
         Piece { from, to, v: Polynomial::new(&coefficients), follows: false }
+    }
+
+    /// `Q = 2·20 + ½ (1 + 4)(7 − 3) − 8 = 42` and `J* = −21`: `D = Q²/(−2 J*) = 42`.
+    #[test]
+    fn the_stiffness_counts_every_part_of_a_load() {
+        let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+        let linear = vec![LinearLoad { from: 3.0, to: 7.0, start: 1.0, end: 4.0 }];
+        let load = Load::new(&beam, 2.0, linear, vec![PointLoad { at: 9.0, force: -8.0 }]).expect("finite");
+        stiffness([-21.0, -21.0], &load, LENGTH).expect("it bends").into_iter().for_each(|bound| sharp(bound, 42.0));
     }
 
     /// Moments `κ x` up to the distance `c` from a support, and not beyond, store `κ² c³/6 EI`.

@@ -257,6 +257,7 @@ fn point_forces(exact: &Exact) -> Vec<PointForce> {
 mod tests {
     use super::{Curves, contact_forces};
     use crate::plot::curves;
+    use crate::route::{Method, Solver};
     use crate::scene::{Beam, Foundation, Load, PointLoad, Scene};
     use crate::state::{Contact, ContactState, Extremes, Nodes, Reactions, Regime};
     use crate::theory;
@@ -334,6 +335,14 @@ mod tests {
         assert!(close(carried, q * l + force), "contact and reactions carry {carried}");
         assert!(close(area(&sampled.shear), 0.0), "shear is the derivative of a moment that vanishes at both ends");
         assert!(close(sampled.shear[0][1], t), "shear at the support is the reaction");
+        let settings = crate::Settings::new(Method::Force, Solver::ActiveSet, 400);
+        let nodal = crate::solve_raw(&scene, &settings).expect("a grid").state;
+        let nodal = Curves::of(&scene, &nodal).expect("nodes");
+        assert!(
+            (nodal.shear[0][1] - t).abs() < 0.2,
+            "{:?}: shear at the support but for half an interval",
+            nodal.shear[0]
+        );
         let svg = curves(&scene, &sampled, "exact").expect("a figure");
         assert!(svg.contains("V = 12 at x = 0") && svg.contains("contact pressure p"), "shear and pressure are drawn");
     }

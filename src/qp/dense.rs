@@ -67,3 +67,25 @@ fn without_rounding(values: &mut [f64], size: f64) {
     let least = -ROUNDING * values.iter().fold(size, |most, value| most.max(value.abs()));
     values.iter_mut().filter(|value| least <= **value && **value < 0.0).for_each(|value| *value = 0.0);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::qp::residual;
+
+    #[test]
+    fn what_is_negative_by_rounding_is_zero() {
+        let mut values = [-0.5 * ROUNDING, -2.0 * ROUNDING, 1.0];
+        without_rounding(&mut values, 1.0);
+        assert_eq!(values, [0.0, -2.0 * ROUNDING, 1.0]);
+    }
+
+    #[test]
+    fn a_number_that_is_none_is_no_optimum() {
+        let sizes = Sizes { x: 2.0, gradient: 5.0 };
+        assert_eq!(residual(sizes, &[4.0, 1.0], &[0.0, 10.0]), 0.5);
+        for (x, g) in [(f64::NAN, 0.0), (0.0, f64::NAN)] {
+            assert_eq!(residual(sizes, &[x], &[g]), f64::INFINITY);
+        }
+    }
+}

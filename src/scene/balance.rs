@@ -305,3 +305,22 @@ impl Sum {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, LinearLoad};
+
+    /// Both ends of a part, moved by a unit in their last place, are twice as far off as rounding puts them.
+    #[test]
+    fn the_ends_of_a_load_are_known_but_for_rounding() {
+        let beam = Beam::new(10.0, 1.0).expect("positive");
+        let forces = |from: f64, to: f64| {
+            let part = LinearLoad { from, to, start: 1.0, end: 1.0 };
+            Sum::of_forces(&Load::new(&beam, 0.0, vec![part], Vec::new()).expect("finite"), 10.0)
+        };
+        let (given, moved) = (forces(9.5, 9.75), forces(9.5_f64.next_down(), 9.75_f64.next_up()));
+        let moves = (moved.sum - given.sum).rounded();
+        assert!(0.0 < moves && moves <= 2.0 * given.within && given.within < 2.0 * moves, "{moves} within {given:?}");
+    }
+}

@@ -44,6 +44,9 @@ enum Task {
         /// Only files whose path begins so.
         #[arg(long, default_value = "src/")]
         only: String,
+        /// Only those of the last run that were not killed.
+        #[arg(long)]
+        again: bool,
     },
     Hostile {
         #[arg(long, default_value_t = 100_000)]
@@ -65,7 +68,7 @@ impl Task {
             Self::Report { .. } => report::write(root)?,
             Self::Certificates => certificates::run(root)?,
             Self::Measure(wish) => measure::run(root, &wish)?,
-            Self::Mutants { sample, seed, only } => mutants::run(root, sample, seed, &only)?,
+            Self::Mutants { sample, seed, only, again } => mutants::run(root, sample, seed, &only, again)?,
             Self::Fuzz { runs } => fuzz::run(root, runs)?,
             Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),
             Self::Hostile { runs, from, .. } => hostile::run(root, from..from.saturating_add(runs))?,

@@ -1,20 +1,22 @@
 //! `cargo xtask mutants`: a random sample of small changes of the code, each of which some test ought to notice.
 //!
 //! All changes of the sample are compiled into one copy of the repository, each behind a switch that an environment variable sets.
-//! A mutant therefore costs the time of its tests and not that of a compiler. The kernel has a list of its own.
+//! A mutant costs no compiler then, and only the tests that come to its switch, the quick ones first.
+//! The kernel has a list of its own.
 
 mod sites;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use self::sites::Site;
 use crate::{Cause, data, tell};
@@ -22,21 +24,42 @@ use crate::{Cause, data, tell};
 /// Where the copy is built and where the list of the sample goes, below the root.
 const PLACE: &str = "target/mutants";
 
+/// The list, there.
+const LIST: &str = "mutants.csv";
+
+/// The copy, there.
+const TREE: &str = "tree";
+
 /// The variable that says which mutant is switched on.
 const SWITCH: &str = "PALKKI_MUTANT";
 
-/// Read once in a process: a mutant costs a comparison.
+/// The variable that names the file in which a run without a mutant lists the switches that it comes to.
+const REACHED: &str = "PALKKI_REACHED";
+
+/// What the switches call.
 const READ_SWITCH: &str = r#"
 #[doc(hidden)]
 #[allow(missing_docs, unreachable_pub, dead_code)]
 pub fn mutated(mutant: usize) -> bool {
+    use std::sync::atomic::{AtomicBool, Ordering};
     static ON: std::sync::OnceLock<usize> = std::sync::OnceLock::new();
-    *ON.get_or_init(|| std::env::var("PALKKI_MUTANT").ok().and_then(|on| on.parse().ok()).unwrap_or(0)) == mutant
+    static SEEN: [AtomicBool; 4096] = [const { AtomicBool::new(false) }; 4096];
+    let on = *ON.get_or_init(|| std::env::var("PALKKI_MUTANT").ok().and_then(|on| on.parse().ok()).unwrap_or(0));
+    if on == 0 && !SEEN[mutant].load(Ordering::Relaxed) && !SEEN[mutant].swap(true, Ordering::Relaxed) {
+        if let Ok(path) = std::env::var("PALKKI_REACHED") {
+            let file = std::fs::OpenOptions::new().append(true).create(true).open(path);
+            let _ = std::io::Write::write_all(&mut file.unwrap(), format!("{mutant}\n").as_bytes());
+        }
+    }
+    on == mutant
 }
 "#;
 
-/// A run that takes so many times as long as the one without a mutant does not end.
-const PATIENCE: u32 = 4;
+/// A run that takes so many times as long as it took without a mutant, and this much longer, does not end.
+const PATIENCE: (u32, Duration) = (6, Duration::from_secs(30));
+
+/// Tests that take less are run first.
+const QUICK: Duration = Duration::from_millis(700);
 
 /// A mutant of the sample.
 #[derive(Debug, Clone)]
@@ -47,7 +70,7 @@ struct Mutant {
 }
 
 /// What became of it, as a line of the file.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct Line {
     number: usize,
     file: String,
@@ -56,10 +79,11 @@ struct Line {
     killed_by: String,
 }
 
-/// Makes a sample of so many mutants and runs the tests on each of them.
-pub(crate) fn run(root: &Path, sample: usize, seed: u64, only: &str) -> Result<(), Cause> {
+/// Makes a sample of so many mutants and runs the tests on each of them, or only on those that the last run did not kill.
+pub(crate) fn run(root: &Path, sample: usize, seed: u64, only: &str, again: bool) -> Result<(), Cause> {
     let place = root.join(PLACE);
-    let tree = place.join("tree");
+    let tree = place.join(TREE);
+    let before: Vec<Line> = if again { data::read(&place, LIST)?.1 } else { Vec::new() };
     let _ = fs::remove_dir_all(&tree);
     copy(root, &tree)?;
     let mut mutants = drawn(root, sample, seed, only)?;
@@ -78,25 +102,31 @@ pub(crate) fn run(root: &Path, sample: usize, seed: u64, only: &str) -> Result<(
             }
         }
     };
-    let suites: Vec<Suite> =
-        programs.into_iter().map(|program| Suite::new(program, &tree)).collect::<Result<_, _>>()?;
+    // Some tests read the sources, and the report shows lines of them.
+    copy(root, &tree)?;
+    let tests = Test::all(&programs, &place)?;
     let mut lines: Vec<Line> = Vec::new();
     for mutant in &mutants {
-        let mut killer = None;
-        for suite in &suites {
-            if killer.is_none() {
-                killer = suite.killer(&tree, mutant.number)?;
-            }
-        }
-        let killed_by = killer.unwrap_or_default();
-        let by = if killed_by.is_empty() { "LIVES" } else { killed_by.as_str() };
-        tell(&format!("{}:{} {}: {by}", mutant.file, mutant.site.line, mutant.site.what));
-        let (file, change) = (mutant.file.clone(), mutant.site.what.clone());
-        lines.push(Line { number: mutant.number, file, line: mutant.site.line, change, killed_by });
-        data::write(&place, "mutants.csv", &lines)?;
+        let mut line = mutant.line();
+        line.killed_by = match before.iter().find(|old| old.is_of(&line) && !old.killed_by.is_empty()) {
+            Some(old) => old.killed_by.clone(),
+            None => killer(&tests, &tree, mutant.number)?.unwrap_or_default(),
+        };
+        let by = if line.killed_by.is_empty() { "LIVES" } else { line.killed_by.as_str() };
+        tell(&format!("{}:{} {}: {by}", line.file, line.line, line.change));
+        lines.push(line);
+        // What is not run yet is in the list as it was.
+        let rest = mutants[lines.len()..].iter().filter_map(|m| before.iter().find(|old| old.is_of(&m.line())));
+        data::write(&place, LIST, &lines.iter().chain(rest).cloned().collect::<Vec<_>>())?;
     }
     let killed = lines.iter().filter(|line| !line.killed_by.is_empty()).count();
-    println!("{killed} of {} mutants are killed; {PLACE}/mutants.csv has them all", lines.len());
+    let commit = Command::new("git").args(["describe", "--always", "--dirty"]).current_dir(root).output()?.stdout;
+    let commit = String::from_utf8(commit)?;
+    println!("Seed {seed}, commit {}: {killed} of {} mutants are killed.", commit.trim(), lines.len());
+    println!("\n| file | change | why it lives |\n|---|---|---|");
+    for Line { file, line, change, .. } in lines.iter().filter(|line| line.killed_by.is_empty()) {
+        println!("| `{file}` | {line}: {change} | |");
+    }
     Ok(())
 }
 
@@ -169,7 +199,18 @@ fn write(root: &Path, tree: &Path, mutants: &[Mutant]) -> Result<(), Cause> {
 /// A place that the compiler names: file and line.
 type At = (String, usize);
 
+impl Line {
+    fn is_of(&self, other: &Self) -> bool {
+        (&self.file, self.line, &self.change) == (&other.file, other.line, &other.change)
+    }
+}
+
 impl Mutant {
+    fn line(&self) -> Line {
+        let (file, change) = (self.file.clone(), self.site.what.clone());
+        Line { number: self.number, file, line: self.site.line, change, killed_by: String::new() }
+    }
+
     /// Whether the switch of this mutant stands in this line of the copy.
     fn holds(&self, tree: &Path, (file, line): &At) -> bool {
         let switch = format!("crate::mutated({})", self.number);
@@ -186,7 +227,7 @@ impl Mutant {
 }
 
 enum Built {
-    /// The test programs and, last, the program that makes the report.
+    /// The test programs.
     Programs(Vec<PathBuf>),
     Not(Vec<At>),
 }
@@ -217,101 +258,114 @@ fn build(tree: &Path, place: &Path) -> Result<Built, Cause> {
     if !output.status.success() {
         return Ok(Built::Not(broken));
     }
-    // Unit tests first: they are quick.
-    programs.sort_by_key(|program| {
-        program.file_name().is_some_and(|name| name.to_string_lossy().starts_with("acceptance"))
-    });
-    let report = Command::new("cargo")
-        .args(["build", "--package", "xtask", "--locked"])
-        .current_dir(tree)
-        .env("CARGO_TARGET_DIR", &target)
-        .env("RUSTFLAGS", "-Awarnings")
-        .status()?;
-    if !report.success() {
-        return Err("the program that makes the report does not build".into());
-    }
-    programs.push(target.join("debug/xtask"));
     Ok(Built::Programs(programs))
 }
 
-/// A program that tests, and how it ends without a mutant.
-struct Suite {
+/// A test, as it is without a mutant.
+struct Test {
     program: PathBuf,
-    arguments: Vec<String>,
-    /// What it complains of because the sources of the copy are not those of the repository.
-    complaints: Vec<String>,
-    patience: Duration,
+    name: String,
+    takes: Duration,
+    /// Mutants whose switch it comes to.
+    reaches: BTreeSet<usize>,
 }
 
-impl Suite {
-    fn new(program: PathBuf, tree: &Path) -> Result<Self, Cause> {
-        let report = program.file_name().is_some_and(|name| name == "xtask");
-        let arguments = if report { vec!["report".to_owned(), "--check".to_owned()] } else { Vec::new() };
-        let mut suite = Self { program, arguments, complaints: Vec::new(), patience: Duration::from_secs(3600) };
+impl Test {
+    /// All tests that pass, the quick ones first.
+    fn all(programs: &[PathBuf], place: &Path) -> Result<Vec<Self>, Cause> {
         let begun = Instant::now();
-        suite.complaints = suite.run(tree, 0, false)?;
-        if !report {
-            suite.arguments.extend(suite.complaints.iter().flat_map(|test| ["--skip".to_owned(), test.clone()]));
+        let mut tests = Vec::new();
+        for program in programs {
+            let listed = Command::new(program).args(["--list", "--format", "terse"]).output()?;
+            let names = String::from_utf8(listed.stdout)?;
+            tests.extend(names.lines().filter_map(|line| line.strip_suffix(": test")).map(|name| Self {
+                program: program.clone(),
+                name: name.to_owned(),
+                takes: Duration::MAX,
+                reaches: BTreeSet::new(),
+            }));
         }
-        suite.patience = PATIENCE * begun.elapsed() + Duration::from_secs(20);
-        tell(&format!("{}: {:.0?}, without {:?}", suite.program.display(), begun.elapsed(), suite.complaints));
-        Ok(suite)
-    }
-
-    /// What this program says against a mutant first.
-    fn killer(&self, tree: &Path, mutant: usize) -> Result<Option<String>, Cause> {
-        let complaints = self.run(tree, mutant, true)?;
-        Ok(complaints.into_iter().find(|complaint| !self.complaints.contains(complaint)))
-    }
-
-    /// Tests that fail and documents that are not up to date, all of them or, at the first, no more.
-    fn run(&self, tree: &Path, mutant: usize, stop: bool) -> Result<Vec<String>, Cause> {
-        let mut child = Command::new(&self.program)
-            .args(&self.arguments)
-            .current_dir(tree)
-            .env(SWITCH, mutant.to_string())
-            .env("INSTA_UPDATE", "no")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()?;
-        let (send, lines) = channel();
-        let [output, errors]: [Box<dyn Read + Send>; 2] =
-            [Box::new(child.stdout.take().ok_or("no output")?), Box::new(child.stderr.take().ok_or("no errors")?)];
-        for stream in [output, errors] {
-            let send = send.clone();
-            thread::spawn(move || {
-                BufReader::new(stream).lines().map_while(Result::ok).try_for_each(|line| send.send(line))
-            });
-        }
-        drop(send);
-        let end = Instant::now() + self.patience;
-        let mut complaints = Vec::new();
-        loop {
-            match lines.recv_timeout(end.saturating_duration_since(Instant::now())) {
-                Ok(line) => complaints.extend(complaint(&line)),
-                Err(RecvTimeoutError::Timeout) => complaints.push("does not end".to_owned()),
-                Err(RecvTimeoutError::Disconnected) => {
-                    let status = child.wait()?;
-                    if !status.success() && complaints.is_empty() {
-                        complaints.push(format!("{status}"));
+        let queue = Mutex::new(tests.iter_mut().enumerate());
+        let next = || queue.lock().ok()?.next();
+        thread::scope(|scope| {
+            for _ in 0..thread::available_parallelism().map_or(1, |cores| cores.get()) {
+                scope.spawn(|| {
+                    while let Some((i, test)) = next() {
+                        if let Err(error) = test.measure(&place.join(TREE), &place.join(format!("reached-{i}"))) {
+                            tell(&format!("{} is left out: {error}", test.name));
+                        }
                     }
-                    return Ok(complaints);
+                });
+            }
+        });
+        drop(queue);
+        tests.retain(|test| test.takes < Duration::MAX);
+        tests.sort_by_key(|test| test.takes);
+        tell(&format!("{} tests pass without a mutant, in {:.0?}", tests.len(), begun.elapsed()));
+        Ok(tests)
+    }
+
+    /// Its time and what it reaches.
+    fn measure(&mut self, tree: &Path, list: &Path) -> Result<(), Cause> {
+        let begun = Instant::now();
+        fs::write(list, "")?;
+        let output = program(&self.program, tree, 0).args(["--exact", &self.name]).env(REACHED, list).output()?;
+        if !output.status.success() {
+            return Err("it fails without a mutant".into());
+        }
+        self.reaches = fs::read_to_string(list)?.lines().map(str::parse).collect::<Result<_, _>>()?;
+        self.takes = begun.elapsed();
+        Ok(fs::remove_file(list)?)
+    }
+}
+
+fn program(path: &Path, tree: &Path, mutant: usize) -> Command {
+    let mut command = Command::new(path);
+    command.current_dir(tree).env(SWITCH, mutant.to_string()).env("INSTA_UPDATE", "no");
+    command
+}
+
+/// The first test that fails with a mutant.
+fn killer(tests: &[Test], tree: &Path, mutant: usize) -> Result<Option<String>, Cause> {
+    for quick in [true, false] {
+        let mut programs: BTreeMap<&Path, Vec<&Test>> = BTreeMap::new();
+        for test in tests.iter().filter(|test| (test.takes < QUICK) == quick && test.reaches.contains(&mutant)) {
+            programs.entry(&test.program).or_default().push(test);
+        }
+        for (path, tests) in programs {
+            let killer = first_to_fail(program(path, tree, mutant), &tests)?;
+            if killer.is_some() {
+                return Ok(killer);
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The first of some tests of a program to fail.
+fn first_to_fail(mut program: Command, tests: &[&Test]) -> Result<Option<String>, Cause> {
+    program.arg("--exact").args(tests.iter().map(|test| &test.name)).stdout(Stdio::piped()).stderr(Stdio::null());
+    let mut child = program.spawn()?;
+    let output = BufReader::new(child.stdout.take().ok_or("no output")?);
+    let (send, lines) = channel();
+    thread::spawn(move || output.lines().map_while(Result::ok).try_for_each(|line| send.send(line)));
+    let end = Instant::now() + PATIENCE.0 * tests.iter().map(|test| test.takes).sum::<Duration>() + PATIENCE.1;
+    let killer = loop {
+        match lines.recv_timeout(end.saturating_duration_since(Instant::now())) {
+            Ok(line) => {
+                let failed = line.strip_prefix("test ").and_then(|line| line.strip_suffix(" ... FAILED"));
+                if let Some(test) = failed {
+                    break test.trim_end_matches(" - should panic").to_owned();
                 }
             }
-            if complaints.last().is_some_and(|last| last == "does not end")
-                || stop && !complaints.iter().all(|c| self.complaints.contains(c))
-            {
-                child.kill()?;
-                child.wait()?;
-                return Ok(complaints);
+            Err(RecvTimeoutError::Timeout) => break "does not end".to_owned(),
+            Err(RecvTimeoutError::Disconnected) => {
+                let status = child.wait()?;
+                return Ok((!status.success()).then(|| status.to_string()));
             }
         }
-    }
-}
-
-/// What a line of a program's output complains of.
-fn complaint(line: &str) -> Option<String> {
-    let failed = line.strip_prefix("test ").and_then(|line| line.strip_suffix(" ... FAILED"));
-    let stale = || ["stale: ", "missing: ", "left over: "].iter().find_map(|word| line.trim().strip_prefix(word));
-    failed.map(|test| test.trim_end_matches(" - should panic")).or_else(stale).map(str::to_owned)
+    };
+    child.kill()?;
+    child.wait()?;
+    Ok(Some(killer))
 }
