@@ -278,6 +278,16 @@ mod tests {
     }
 
     #[test]
+    fn a_strict_tolerance_is_kept_where_it_halves_the_error() {
+        let plan = plan(1e-3);
+        for (error, strict) in [(0.09, false), (0.04, true)] {
+            let trials =
+                [(plan.loose, 0.1), (1e-3 * plan.loose, error)].map(|(asked, e)| tried(&plan, (64, asked), |_| e));
+            assert_eq!(plan.tolerance(&trials, &trials[1]), trials[usize::from(strict)].tolerance);
+        }
+    }
+
+    #[test]
     fn the_finest_grid_is_the_last() {
         let (grids, end) = search(1e-12, |n| 1.0 / n);
         assert!(matches!(end, End::Limit { intervals } if 900_000 < intervals && intervals <= 1_000_000), "{grids:?}");

@@ -19,6 +19,9 @@ fn files_of_a_sweep_are_whole() {
     let columns = csv.lines().next().expect("a header").split(',').count();
     assert!(csv.lines().count() == 8 && csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
     assert!(folder.read("sweep.svg").ends_with("</svg>\n"));
+    // The last of 41 rows at most is the last one of all.
+    let run = folder.run(&VARY.replace("--steps 7", "--steps 100"));
+    assert!(run.out.contains("\nAnswers, 34 of 100; --csv and --format json have all"), "{}", run.out);
 }
 
 /// What a figure shows, in words.

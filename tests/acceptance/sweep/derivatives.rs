@@ -136,6 +136,23 @@ fn derivatives_hold_on_the_sides_that_are_said() {
     assert!(100 < scenes && 500 < both && 50 < one && 5 * cautious < one, "{trial:?}");
 }
 
+/// A load `P` that stands on a corner between spans `a` and `b` goes into it. Where it moves a couple `P` turns both spans, of which
+/// `b/(a + b)` bends the left one and presses with `P b/(a (a + b))` on its support.
+#[test]
+fn a_load_on_an_edge_is_carried_there() {
+    let beam = Beam::new(10.0, 20.0).expect("a beam");
+    let load = Load::new(&beam, 1.0, Vec::new(), vec![PointLoad { at: 4.0, force: 3.0 }]).expect("a load");
+    let ridge = Foundation::Polyline { points: vec![[0.0, 3.0], [4.0, 0.5], [10.0, 3.0]] };
+    let scene = Scene::new(beam, load, Some(ridge)).expect("a scene");
+    let derivatives = theory::solve(&scene).expect("an answer").derivatives(&scene);
+    for (by, expected) in [(Quantity::PointForce(0), [0.0, 1.0, 0.0]), (Quantity::PointAt(0), [-0.45, 0.25, 0.2])] {
+        let found = derivatives.iter().find(|d| d.by == By::Number(by)).expect("a derivative");
+        let forces = [found.supports[0], found.contacts[0].force, found.supports[1]];
+        let close = forces.iter().zip(expected).all(|(force, expected)| (force - expected).abs() < 1e-12);
+        assert!(close && !found.one_sided, "{found:?}");
+    }
+}
+
 /// The edge of a load stays where it is when the support below it moves: of q from 2 to 8 on supports there, R = 3 and 3, and the
 /// load's resultant at 5 is shared as the lever rule says.
 #[test]
