@@ -36,18 +36,7 @@ enum Task {
         #[arg(long, default_value_t = 3_500_000)]
         runs: u64,
     },
-    Mutants {
-        #[arg(long, default_value_t = 200)]
-        sample: usize,
-        #[arg(long, default_value_t = 1984)]
-        seed: u64,
-        /// Only files whose path begins so.
-        #[arg(long, default_value = "src/")]
-        only: String,
-        /// Only those of the last run that were not killed.
-        #[arg(long)]
-        again: bool,
-    },
+    Mutants(mutants::Wish),
     Hostile {
         #[arg(long, default_value_t = 100_000)]
         runs: u64,
@@ -68,7 +57,7 @@ impl Task {
             Self::Report { .. } => report::write(root)?,
             Self::Certificates => certificates::run(root)?,
             Self::Measure(wish) => measure::run(root, &wish)?,
-            Self::Mutants { sample, seed, only, again } => mutants::run(root, sample, seed, &only, again)?,
+            Self::Mutants(wish) => mutants::run(root, &wish)?,
             Self::Fuzz { runs } => fuzz::run(root, runs)?,
             Self::Hostile { seed: Some(seed), .. } => println!("{}", palkki_evidence::hostile::scene(seed)),
             Self::Hostile { runs, from, .. } => hostile::run(root, from..from.saturating_add(runs))?,

@@ -105,7 +105,7 @@ fn one_contact_gives_the_slope_where_the_ground_is_smooth() {
     let ridge = Foundation::Polyline { points: vec![[0.0, 1.0], [3.0, 0.4], [LENGTH, 3.0]] };
     let ridge = scene(Vec::new(), (0.0, &[(3.0, 1.0)]), Some(ridge), None);
     let lifted_ends = scene(Vec::new(), (0.0, &[(0.0, -1.0), (3.0, 5.0), (6.0, -1.0)]), flat(0.0), None);
-    assert_eq!(state(&lifted_ends, Method::Force, 40).standing.expect("free").motion, None);
+    assert_eq!(state(&lifted_ends, Method::Force, 30).standing.expect("free").motion, None);
     for method in Method::ALL {
         let found = state(&smooth, method, 40);
         assert_eq!(found.standing.expect("free").motion, None);

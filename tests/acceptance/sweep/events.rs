@@ -75,11 +75,9 @@ fn a_support_that_settles_begins_to_pull_where_its_force_vanishes() {
 #[test]
 fn a_load_history_splits_a_zone_where_the_load_begins_to_pull() {
     let scene = loaded(vec![Support::simple(0.0), Support::simple(10.0)], 1.0);
-    for range in [[3.0, -2.0], [3.0, -3.0]] {
-        let found = events(&scene, "load.point[0].force", range, 10);
-        let split = found.iter().find(|event| event.what.contains("splits")).expect("the zone splits");
-        assert!(split.value.abs() < 1e-12, "{found:?}");
-    }
+    let found = events(&scene, "load.point[0].force", [3.0, -2.0], 10);
+    let split = found.iter().find(|event| event.what.contains("splits")).expect("the zone splits");
+    assert!(split.value.abs() < 1e-12, "{found:?}");
 }
 
 /// A load that pulls and comes into a zone splits it: a uniform load lifts the beam off over `a = (24 EI u₀/q)^¼`, wherever on the

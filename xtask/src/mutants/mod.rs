@@ -61,6 +61,24 @@ const PATIENCE: (u32, Duration) = (6, Duration::from_secs(30));
 /// Tests that take less are run first.
 const QUICK: Duration = Duration::from_millis(700);
 
+/// What is asked for.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Wish {
+    #[arg(long, default_value_t = 200)]
+    sample: usize,
+    #[arg(long, default_value_t = 1984)]
+    seed: u64,
+    /// Only files whose path begins so.
+    #[arg(long, default_value = "src/")]
+    only: String,
+    /// Only mutants that the last run did not kill.
+    #[arg(long)]
+    again: bool,
+    /// Only tests whose name has this in it, or another one of these.
+    #[arg(long)]
+    test: Vec<String>,
+}
+
 /// A mutant of the sample.
 #[derive(Debug, Clone)]
 struct Mutant {
@@ -80,7 +98,8 @@ struct Line {
 }
 
 /// Makes a sample of so many mutants and runs the tests on each of them, or only on those that the last run did not kill.
-pub(crate) fn run(root: &Path, sample: usize, seed: u64, only: &str, again: bool) -> Result<(), Cause> {
+pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
+    let Wish { sample, seed, ref only, again, ref test } = *wish;
     let place = root.join(PLACE);
     let tree = place.join(TREE);
     let before: Vec<Line> = if again { data::read(&place, LIST)?.1 } else { Vec::new() };
@@ -104,7 +123,7 @@ pub(crate) fn run(root: &Path, sample: usize, seed: u64, only: &str, again: bool
     };
     // Some tests read the sources, and the report shows lines of them.
     copy(root, &tree)?;
-    let tests = Test::all(&programs, &place)?;
+    let tests = Test::all(&programs, &place, test)?;
     let mut lines: Vec<Line> = Vec::new();
     for mutant in &mutants {
         let mut line = mutant.line();
@@ -271,19 +290,25 @@ struct Test {
 }
 
 impl Test {
-    /// All tests that pass, the quick ones first.
-    fn all(programs: &[PathBuf], place: &Path) -> Result<Vec<Self>, Cause> {
+    /// All tests of such a name that pass, the quick ones first.
+    fn all(programs: &[PathBuf], place: &Path, wanted: &[String]) -> Result<Vec<Self>, Cause> {
         let begun = Instant::now();
         let mut tests = Vec::new();
         for program in programs {
             let listed = Command::new(program).args(["--list", "--format", "terse"]).output()?;
             let names = String::from_utf8(listed.stdout)?;
-            tests.extend(names.lines().filter_map(|line| line.strip_suffix(": test")).map(|name| Self {
-                program: program.clone(),
-                name: name.to_owned(),
-                takes: Duration::MAX,
-                reaches: BTreeSet::new(),
-            }));
+            tests.extend(
+                names
+                    .lines()
+                    .filter_map(|line| line.strip_suffix(": test"))
+                    .filter(|name| wanted.is_empty() || wanted.iter().any(|part| name.contains(part)))
+                    .map(|name| Self {
+                        program: program.clone(),
+                        name: name.to_owned(),
+                        takes: Duration::MAX,
+                        reaches: BTreeSet::new(),
+                    }),
+            );
         }
         let queue = Mutex::new(tests.iter_mut().enumerate());
         let next = || queue.lock().ok()?.next();

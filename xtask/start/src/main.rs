@@ -21,7 +21,7 @@ usage: cargo xtask <task>
   measure --fresh  begins that file again
   measure --only TEXT      what has TEXT in its line scene,route,intervals,tolerance; with --fresh: that again
   measure --only 'points of'   the surveys: time over their points, and time and memory of the whole program
-  mutants          small changes of the code, which some test ought to notice: into target/mutants; --sample N, --seed N, --only PATH, --again
+  mutants          small changes of the code, which some test ought to notice: into target/mutants; --sample N, --seed N, --only PATH, --again, --test NAME
   fuzz             look for texts that break the parsers, guided by coverage; --runs N
   hostile          random and adversarial scenes through the whole program: counts go to report/data/hostile.csv; --runs N, --from N for others
   doctor           what this machine lacks to build and to test, and what to do about it
