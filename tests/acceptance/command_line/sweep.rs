@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::time::Instant;
 
 use palkki_evidence::numdiff::numdiff;
 
@@ -19,9 +20,14 @@ fn files_of_a_sweep_are_whole() {
     let columns = csv.lines().next().expect("a header").split(',').count();
     assert!(csv.lines().count() == 8 && csv.lines().all(|line| line.split(',').count() == columns), "{csv}");
     assert!(folder.read("sweep.svg").ends_with("</svg>\n"));
-    // The last of 41 rows at most is the last one of all.
-    let run = folder.run(&VARY.replace("--steps 7", "--steps 100"));
-    assert!(run.out.contains("\nAnswers, 34 of 100; --csv and --format json have all"), "{}", run.out);
+    // Of many rows some are shown, and what answers and events take is no more than the program takes.
+    let begin = Instant::now();
+    let run = folder.run(&VARY.replace("--steps 7", "--steps 1000"));
+    let most = begin.elapsed().as_secs_f64();
+    assert!(run.out.contains("\nAnswers, 41 of 1000; --csv and --format json have all"), "{}", run.out);
+    let line = run.out.lines().find(|line| line.contains("for the events")).expect("how long it took");
+    let seconds: f64 = line.split_whitespace().filter_map(|word| word.parse::<f64>().ok()).sum();
+    assert!(0.0 < seconds && 0.95 * seconds < most, "{line}, but {most}");
 }
 
 /// What a figure shows, in words.
