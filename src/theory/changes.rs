@@ -41,6 +41,8 @@ pub(super) enum Weak {
     Span(usize, usize),
     /// The zone before this node presses everywhere.
     Zone(usize),
+    /// This cell, in a zone, presses at this breakpoint, inside the zone or at an end of it that stays there.
+    Pressure(usize, usize),
 }
 
 /// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes.
@@ -164,9 +166,18 @@ impl Exact {
         }
     }
 
-    /// True if a load stands on node `i`, and a zone ends there.
-    pub(super) fn jumps(&self, i: usize) -> bool {
-        standing(&self.given, &self.list, i) != 0.0 && self.list.ends_zone(i)
+    /// True if the force at the end of a zone at node `i`, which moves in the direction of `place`, jumps: a load that stands there goes
+    /// into the zone or out of it.
+    pub(super) fn jumps(&self, i: usize, of: Change, place: f64) -> bool {
+        let node = &self.list.nodes[i];
+        let loaded = standing(&self.given, &self.list, i) != 0.0;
+        match (of, node.kind) {
+            (Change::Move(at, _), _) if node.x <= at && at <= node.x => self.list.ends_zone(i),
+            (Change::Support(moved, _), Kind::Support(index, _)) if moved == index => loaded && self.list.ends_zone(i),
+            (_, Kind::ZoneStart) => loaded && place < 0.0,
+            (_, Kind::ZoneEnd) => loaded && 0.0 < place,
+            _ => false,
+        }
     }
 
     /// True if the load at `at` stands on an end of a zone.
@@ -244,10 +255,28 @@ impl Exact {
         let contacts = &self.state.contacts;
         let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
         weak.extend(self.list.zones().filter(|_| unloaded).map(|zone| Weak::Zone(zone.node)));
+        weak.extend(self.list.zones().flat_map(|zone| self.unpressed(zone.node)));
         let touches = |span| given.founded && lowest(given, span).is_some_and(|least| small(least, size));
         let spans = (0..self.spans.len()).filter(|&j| touches(&self.spans[j].1));
         weak.extend(spans.flat_map(|j| [Weak::Span(j, 0), Weak::Span(j, 1)]));
         weak
+    }
+
+    /// Where a zone does not press at a change of the load inside it, or at an end that stays where it is.
+    fn unpressed(&self, node: usize) -> Vec<Weak> {
+        let (given, ends) = (&self.given, [node - 1, node].map(|i| &self.list.nodes[i]));
+        let [from, to] = ends.map(|end| end.x);
+        let stays = |end: &Node| matches!(end.kind, Kind::Support(..) | Kind::Tip);
+        let least = AT_A_CHANGE * self.largest_node_force().max(given.total_load);
+        let (first, last) = (given.cell_from(from), given.cell_to(to));
+        let sides = (first..=last).flat_map(|cell| [(cell, cell), (cell + 1, cell)]);
+        let fixed = sides.filter(|&(breakpoint, _)| {
+            let x = given.breakpoints[breakpoint].x;
+            from < x && x < to || x <= from && from <= x && stays(ends[0]) || x <= to && to <= x && stays(ends[1])
+        });
+        let presses = |x: f64, cell: usize| least < given.drive(cell, x).abs() * given.length;
+        let none = fixed.filter(|&(breakpoint, cell)| !presses(given.breakpoints[breakpoint].x, cell));
+        none.map(|(breakpoint, cell)| Weak::Pressure(breakpoint, cell)).collect()
     }
 
     /// How a condition with nothing to spare changes: a number below which it fails, [`None`] where it is of no sign and not zero.
@@ -275,6 +304,11 @@ impl Exact {
                 let stays = rises.iter().all(|rise| *rise == 0.0);
                 (stays || self.lies_along(&self.spans[j].1)).then_some(rises[end])
             }
+            Weak::Pressure(breakpoint, cell) => Some(match of {
+                Change::Uniform(more) => more,
+                Change::Unload => -self.given.load(cell, self.given.breakpoints[breakpoint].x),
+                _ => 0.0,
+            }),
             Weak::Zone(i) => {
                 let [from, to] = [i - 1, i].map(|end| self.list.nodes[end].x);
                 zero(!matches!(of, Change::Uniform(_)) && !matches!(of, Change::Force(at, _) if from <= at && at <= to))

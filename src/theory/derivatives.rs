@@ -215,23 +215,22 @@ impl Exact {
     pub(super) fn derivative(&self, linear: &Sensitivity<'_>, weak: &[Weak], asked: Asked) -> Derivative {
         let Asked { by, change: of, unit, open, .. } = asked;
         let nodes = &self.list.nodes;
-        let changes = linear.change(of);
+        let changes = linear.change(of, 1.0);
         let (keeps, both) = self.keeps(weak, of, &changes);
         let holds = [0, 1].map(|side| open[side] && keeps[side]);
+        let (towards, changes) = if holds == [true, false] { (-1.0, linear.change(of, -1.0)) } else { (1.0, changes) };
         let one_sided = asked.one_sided || !both || holds != [true; 2];
         // Where the beam would be pulled onto the ground, or pushed off it, on either side.
         let parts = asked.parts.or((holds == [false; 2]).then_some(Missing::Unloaded));
-        let scaled = Scaled { exact: self, of, unit };
-        let jumping = |i: usize| match of {
-            Change::Move(at, _) => nodes[i].x <= at && at <= nodes[i].x && self.list.ends_zone(i),
-            Change::Support(index, _) => nodes[i].support() == Some(index) && self.jumps(i),
-            _ => false,
-        };
+        let scaled = Scaled { exact: self, of, unit, towards };
+        let jumping = |i: usize| self.jumps(i, of, towards * changes[i].place);
         let certain = |i: usize, value: f64| if self.crowded(i) || jumping(i) { f64::NAN } else { value };
         let (mut supports, mut contacts) = (Vec::new(), Vec::new());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
-                contacts.push(scaled.zone(&changes, i));
+                let zone = scaled.zone(&changes, i);
+                let ends = zone.end_forces.map(|[from, to]| [certain(i - 1, from), certain(i, to)]);
+                contacts.push(ContactDerivative { end_forces: ends, ..zone });
             }
             let Some(node) = nodes.get(i) else { continue };
             match node.kind {
@@ -314,6 +313,8 @@ struct Scaled<'a> {
     exact: &'a Exact,
     of: Change,
     unit: f64,
+    /// As the number grows, 1, or as it falls, −1.
+    towards: f64,
 }
 
 impl Scaled<'_> {
@@ -329,7 +330,7 @@ impl Scaled<'_> {
 
     /// That of the zone before node `i`.
     fn zone(&self, changes: &[NodeChange], i: usize) -> ContactDerivative {
-        let Self { exact, of, .. } = self;
+        let &Self { exact, of, towards, .. } = self;
         let given = &exact.given;
         let ends = [i - 1, i].map(|end| {
             let node = &exact.list.nodes[end];
@@ -342,7 +343,8 @@ impl Scaled<'_> {
         });
         let [(from, left, force_from, change_from), (to, right, force_to, change_to)] = ends;
         let (first, last) = (given.cell_from(from), given.cell_to(to));
-        let pushed = |cell: usize, x: f64, place: f64| match -given.drive(given.cell_ahead(x, cell, place), x) {
+        let pushed = |cell: usize, x: f64, place: f64| match -given.drive(given.cell_ahead(x, cell, towards * place), x)
+        {
             0.0 => 0.0,
             pressure => pressure * place,
         };

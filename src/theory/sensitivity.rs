@@ -182,8 +182,8 @@ impl<'a> Sensitivity<'a> {
         Some(Self { given, list, spans, forces, factors: factored(rows)? })
     }
 
-    /// What one change does to the nodes.
-    pub(super) fn change(&self, of: Change) -> Vec<NodeChange> {
+    /// What one change does to the nodes, per unit of its number: as that grows where `towards` is 1, as it falls where it is −1.
+    pub(super) fn change(&self, of: Change, towards: f64) -> Vec<NodeChange> {
         let &Self { given, list, spans, forces, .. } = self;
         let n = list.nodes.len();
         let asks: Vec<Ask> = (0..n).map(|i| ask(given, list, spans, forces, of, i)).collect();
@@ -192,22 +192,28 @@ impl<'a> Sensitivity<'a> {
         let changes = (0..n).map(|i| {
             let node = &list.nodes[i];
             let [on_left, on_right] = ends(spans, i);
+            let load = standing(given, list, i);
+            // A load that stands at the end of a zone comes into the span where that end moves inwards.
+            let end_of_zone = |bend: f64, third: f64, inwards: f64| {
+                let place = bend / third;
+                if 0.0 < inwards * towards * place { bend / (third - inwards * load) } else { place }
+            };
             let place = match node.kind {
                 Kind::Smooth => slopes[i][0] / bend(spans, i),
-                Kind::ZoneStart => beside[i].bend[0] / on_left.map_or(f64::NAN, |span| span.at_b[3]),
-                Kind::ZoneEnd => beside[i].bend[1] / on_right.map_or(f64::NAN, |span| span.at_a[3]),
+                Kind::ZoneStart => end_of_zone(beside[i].bend[0], on_left.map_or(f64::NAN, |span| span.at_b[3]), 1.0),
+                Kind::ZoneEnd => end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0),
                 Kind::Support(index, _) if matches!(of, Change::Support(moved, _) if moved == index) => 1.0,
                 _ => 0.0,
             };
             // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.
             let pushed = |in_zone: bool, cell: usize| {
-                if in_zone { given.drive(given.cell_ahead(node.x, cell, place), node.x) } else { 0.0 }
+                if in_zone { given.drive(given.cell_ahead(node.x, cell, towards * place), node.x) } else { 0.0 }
             };
             let jump = pushed(list.in_zone_before(i), given.cell_to(node.x))
                 - pushed(list.in_zone_before(i + 1), given.cell_from(node.x));
-            let [standing, _] = of.on_node(node.x, standing(given, list, i));
+            let [grown, _] = of.on_node(node.x, load);
             let moved = if place == 0.0 || jump == 0.0 { 0.0 } else { jump * place };
-            let force = beside[i].third[0] - beside[i].third[1] + moved + standing;
+            let force = beside[i].third[0] - beside[i].third[1] + moved + grown;
             NodeChange { place, force, value: asks[i].value, slopes: slopes[i], ends: beside[i] }
         });
         changes.collect()

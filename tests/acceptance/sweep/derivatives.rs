@@ -48,7 +48,8 @@ fn the_force_of_a_point_is_linear_in_the_depth() {
 }
 
 /// The zone starts exactly at the point load: stiffer, it starts beyond the load, and softer before it. By the stiffness its start
-/// moves by 1 on one side and by 0.2 on the other, and beside the load on both sides alike.
+/// moves by 1 on one side and by 0.2 on the other, and beside the load on both sides alike. The left support can only move inwards,
+/// and the start of the zone beyond the load with it.
 #[test]
 fn where_a_zone_ends_at_a_load_derivatives_are_one_sided() {
     let scene = |stiffness: f64| {
@@ -64,6 +65,34 @@ fn where_a_zone_ends_at_a_load_derivatives_are_one_sided() {
         let derivatives = exact.derivatives(&scene);
         let by_stiffness = derivatives.iter().find(|d| d.by == By::Number(Quantity::BendingStiffness));
         assert_eq!(by_stiffness.map(|d| d.one_sided), Some(one_sided), "stiffness {stiffness}");
+        if one_sided {
+            for (quantity, expected) in [(Quantity::BendingStiffness, 0.2), (Quantity::SupportAt(0), 0.2)] {
+                let derivative = derivatives.iter().find(|d| d.by == By::Number(quantity)).expect("of this number");
+                let from = derivative.contacts[0].from;
+                assert!((from - expected).abs() < 1e-12, "by {quantity} the zone starts {from} later");
+                assert_eq!(derivative.missing, None, "{quantity}");
+            }
+        }
+    }
+}
+
+/// On level ground under a load that falls to nothing at one place: where less load would lift the beam off there, and more would not.
+/// At an end of the beam, with a support and without, and inside.
+#[test]
+fn where_a_zone_does_not_press_at_one_place_derivatives_are_one_sided() {
+    for (supports, at) in [(true, 10.0), (false, 10.0), (true, 4.0), (false, 7.0)] {
+        let beam = Beam::new(10.0, 3.0).expect("positive");
+        let beam = if supports { beam } else { beam.with_supports(Vec::new()).expect("a body") };
+        let falling = LinearLoad { from: 0.0, to: at, start: 0.0, end: -2.0 };
+        let rising = LinearLoad { from: at, to: 10.0, start: -2.0, end: 0.0 };
+        let linear = if at < 10.0 { vec![falling, rising] } else { vec![falling] };
+        let load = Load::new(&beam, 2.0, linear, Vec::new()).expect("finite");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("well posed");
+        let exact = theory::solve(&scene).expect("in range");
+        let derivatives = exact.derivatives(&scene);
+        let flagged = |by| derivatives.iter().find(|d| d.by == by).map(|d| (d.one_sided, d.missing));
+        assert_eq!(flagged(By::Number(Quantity::Uniform)), Some((true, None)), "{supports}, {at}");
+        assert_eq!(flagged(By::Number(Quantity::BendingStiffness)), Some((false, None)), "{supports}, {at}");
     }
 }
 
