@@ -124,6 +124,12 @@ impl PiecewiseScene {
         c.load + c.load_slope * (x - c.lo)
     }
 
+    /// The load at a distance `t` from `lo`, a place in `cell`: over a few units in the last place it may change by all that it is.
+    pub(super) fn load_beyond(&self, cell: usize, lo: f64, t: f64) -> f64 {
+        let c = &self.cells[cell];
+        c.load + c.load_slope * ((lo - c.lo) + t)
+    }
+
     /// The cells from `first` to `last` in runs over straight ground under one line of load, each by its first and its last cell.
     pub(super) fn runs(&self, first: usize, last: usize) -> impl DoubleEndedIterator<Item = [usize; 2]> {
         let from = self.run_ends.partition_point(|&end| end <= first);
@@ -176,9 +182,9 @@ impl PiecewiseScene {
         profile - self.load(cell, x)
     }
 
-    /// The same without the waves of a profile, which follow in closed form.
-    pub(super) fn drive_without_waves(&self, cell: usize, x: f64) -> f64 {
-        self.shapes[self.cells[cell].shape].fourth_without_waves(x) - self.load(cell, x)
+    /// The same at a distance `t` from `lo`, without the waves of a profile, which follow in closed form.
+    pub(super) fn drive_without_waves(&self, cell: usize, lo: f64, t: f64) -> f64 {
+        self.shapes[self.cells[cell].shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
     }
 
     /// The cell in which `x` lies; at a breakpoint the one to its right, at the right support the last one.

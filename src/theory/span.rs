@@ -238,8 +238,8 @@ impl Overhang {
             sum.sag += force * r * r * (3.0 * length - r) / 6.0;
         };
         for (cell, [lo, hi]) in given.loaded([from, to], [given.cell_from(from), given.cell_to(to)]) {
-            for (at, weight) in given.load_rule.points(lo, hi) {
-                add(at, weight * given.load(cell, at));
+            for (t, weight) in given.load_rule.points(0.0, hi - lo) {
+                add(lo + t, weight * given.load_beyond(cell, lo, t));
             }
         }
         for breakpoint in given.forces() {
@@ -349,14 +349,14 @@ fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     };
     let waves = given.shapes[given.cells[a.cell].shape].waves();
     // The waves of a cosine follow in closed form.
-    let drive = |cell, x| match of {
-        Drive::Load => given.load(cell, x),
-        Drive::Clearance => given.drive_without_waves(cell, x),
+    let drive = |cell, lo, t| match of {
+        Drive::Load => given.load_beyond(cell, lo, t),
+        Drive::Clearance => given.drive_without_waves(cell, lo, t),
     };
     let sign = if of == Drive::Load { 1.0 } else { -1.0 };
     for (cell, [lo, hi]) in given.loaded([a.x, b.x], [a.cell, b.cell]) {
-        for (t, weight) in given.load_rule.points(lo - a.x, hi - a.x) {
-            add([t, l - t], weight * drive(cell, a.x + t));
+        for (t, weight) in given.load_rule.points(0.0, hi - lo) {
+            add([(lo - a.x) + t, (b.x - lo) - t], weight * drive(cell, lo, t));
         }
     }
     given.forces_between(a.cell, b.cell).for_each(|j| add([j.x - a.x, b.x - j.x], sign * j.force));

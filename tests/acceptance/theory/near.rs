@@ -195,3 +195,27 @@ fn a_load_right_beside_a_support_bends_the_beam() {
         }
     }
 }
+
+/// A load over a few units in the last place, and nothing else: over them it changes by what it is. At the end of an overhang, inside
+/// a span and beside a support, its force is its mean times its length, and the shear force is the same from there to the support.
+#[test]
+fn a_load_over_a_few_last_units_has_its_force() {
+    let supports = vec![Support::simple(2.0), Support::simple(6.0)];
+    let beam = Beam::new(10.0, 3.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+    for (end, sides) in [(10.0, [6.5, 8.5]), (4.7, [5.0, 5.9]), (6.0, [2.5, 4.0]), (1.3, [1.4, 1.9])] {
+        let mut from: f64 = end;
+        for units in 1..=6 {
+            from = from.next_down();
+            let load = Load::new(&beam, 0.0, vec![LinearLoad { from, to: end, start: 5.0, end: -1.0 }], Vec::new());
+            let exact =
+                solve(&Scene::new(beam.clone(), load.expect("a load"), None).expect("a scene")).expect("in range");
+            let (force, state) = (2.0 * (end - from), &exact.state);
+            let right = force * (end - 2.0) / 4.0;
+            for (found, expected) in [(state.supports[1].force, right), (state.supports[0].force, force - right)] {
+                assert!((found - expected).abs() <= 1e-13 * force, "{end}, {units}: {found:e} for {expected:e}");
+            }
+            let [left, right] = sides.map(|x| exact.shear(x)[0]);
+            assert!((left - right).abs() <= 1e-13 * force, "{end}, {units}: {left:e} and {right:e}");
+        }
+    }
+}
