@@ -5,6 +5,7 @@ use palkki::theory::{By, Derivative, Exact};
 
 use super::laws::{certified, exceeds, sizes};
 use super::trial::Trial;
+use crate::definition::moved_on_waves;
 use crate::draft::Draft;
 use crate::random::Random;
 
@@ -42,9 +43,11 @@ struct Made {
 }
 
 /// What the numbers that derivatives are told of are made of: a force of the shear forces beside it, whatever the largest force is, but
-/// for a unit in the last place of that.
-fn made_of(exact: &Exact, force: f64, size: f64, length: f64) -> Vec<Made> {
-    let least = f64::EPSILON / ROUNDING * force;
+/// for a unit in the last place of that, and on waves for one of the places.
+fn made_of(scene: &Scene, exact: &Exact, force: f64, size: f64) -> Vec<Made> {
+    let length = scene.beam().length();
+    let [_, moved] = moved_on_waves(scene, f64::EPSILON * length);
+    let least = (f64::EPSILON * force).max(moved) / ROUNDING;
     let at = |x: f64| exact.shear(x).into_iter().fold(least, |most: f64, shear| most.max(shear.abs()));
     let force_of = |own: f64, places: [f64; 2]| Made {
         most: places.map(at).into_iter().fold(own.abs(), f64::max),
@@ -105,7 +108,7 @@ fn compared(scene: &Scene, exact: &Exact, derivative: &Derivative) -> Vec<Option
     let sides: &[[f64; 2]] = if derivative.one_sided { &[[-1.0, 0.0], [0.0, 1.0]] } else { &[[-1.0, 1.0]] };
     // Of a derivative that does not exist at all the quotients grow, by less than the double from a step to its half.
     let agree = if derivative.one_sided { 2.0 } else { 8.0 };
-    let sizes = made_of(exact, force, size, length);
+    let sizes = made_of(scene, exact, force, size);
     // Where a large force moves, or ground is nearly level with a support, small forces are others after any part of the unit.
     let forces = here.iter().zip(&claimed).zip(&sizes).filter(|(_, size)| size.is_force);
     let own = forces.filter(|((now, change), size)| TOLD * size.most <= now.abs() && 0.0 < change.abs());

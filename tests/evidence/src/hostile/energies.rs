@@ -10,7 +10,7 @@ use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
 use palkki::verdict::{USABLE, Verdict};
 
-use super::laws::{CERTAIN, LEVEL, THEORY, exceeds, flexibility, sizes};
+use super::laws::{CERTAIN, THEORY, exceeds, flexibility, grounded, sizes};
 use super::trial::Trial;
 use crate::draft::Draft;
 
@@ -28,8 +28,10 @@ pub(super) fn backed(trial: &mut Trial, who: &str, scene: &Scene, state: &Contac
     let size = state.deflection.magnitude();
     let free = flexibility(scene) * scene.load().magnitude(scene.beam().length());
     // Beams move by no less than what rounding of their loads does to them; and bounds are rounded outwards, of what is nothing to
-    // the least number times the powers of two that the scene is scaled by, where numbers have no digits left.
-    let rounding = 64.0 * f64::EPSILON * free + f64::MIN_POSITIVE / f64::EPSILON;
+    // the least number times the powers of two that the scene is scaled by, where numbers have no digits left. Where nothing at all
+    // says how large deflections are, a bound is the root of the least energy.
+    let nothing = if size + free == 0.0 { f64::MIN_POSITIVE.sqrt() } else { f64::MIN_POSITIVE / f64::EPSILON };
+    let rounding = 64.0 * f64::EPSILON * free + nothing;
     if exceeds(error, (1.0 + 1e-9) * (share * size).max(rounding)) {
         trial.wrong.push(format!("{who}: certified with an error of {error:e} of {size:e}"));
     }
@@ -122,7 +124,7 @@ pub(super) fn castigliano(trial: &mut Trial, scene: &Scene, exact: &Exact) {
     for support in exact.state.supports.iter().take(6) {
         let Some(i) = given.iter().position(|s| s.at <= support.at && support.at <= s.at) else { continue };
         // Ground at the level of a support takes part in its force, and not in its movement.
-        if scene.foundation().is_some() && scene.depth(support.at) - given[i].level <= LEVEL * size {
+        if grounded(scene, support.at, given[i].level, size) {
             continue;
         }
         let quantity = Quantity::SupportLevel(i);

@@ -5,7 +5,7 @@
 use palkki::scene::{Foundation, Scene};
 use palkki::theory::Exact;
 
-use super::laws::{CERTAIN, LEVEL, exceeds, sizes};
+use super::laws::{CERTAIN, exceeds, grounded, sizes};
 use super::trial::Trial;
 use crate::authority::RBig;
 use crate::authority::number::Number;
@@ -140,9 +140,8 @@ fn depth(ground: &Foundation, x: f64) -> Option<RBig> {
 /// The forces of supports and point contacts are those of the beam that is held there.
 pub(super) fn by_moments(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: &Exact) {
     let (state, (largest, size)) = (&exact.state, sizes(scene, &exact.state));
-    let grounded = |at: f64, level: f64| scene.foundation().is_some() && scene.depth(at) - level <= LEVEL * size;
     let supports = scene.beam().supports();
-    let simple = supports.iter().all(|s| s.slope.is_none() && !grounded(s.at, s.level));
+    let simple = supports.iter().all(|s| s.slope.is_none() && !grounded(scene, s.at, s.level, size));
     if !simple || supports.is_empty() || draft.shape.is_some() || state.contacts.iter().any(|c| c.from < c.to) {
         return;
     }

@@ -34,7 +34,15 @@ pub(super) const THEORY: f64 = 1e-9;
 pub(super) const CERTAIN: f64 = 1e-6;
 
 /// Ground that is nearer than this share of the deflection to the level of a support may be level but for rounding.
-pub(super) const LEVEL: f64 = 1e-12;
+const LEVEL: f64 = 1e-12;
+
+/// Depths that are computed from a formula are rounded by so many units in the last place of their terms.
+const TERMS: f64 = 16.0 * f64::EPSILON;
+
+/// Whether the ground below `at` is level with a support there, but for rounding: it then takes part in the force of the support.
+pub(super) fn grounded(scene: &Scene, at: f64, level: f64, size: f64) -> bool {
+    scene.foundation().is_some_and(|ground| scene.depth(at) - level <= LEVEL * size + TERMS * ground.magnitude_at(at))
+}
 
 /// The least deflection that answers are measured by, as a share of what all forces together would cause: that of the judge,
 /// sixteen units in the last place over what is certified.

@@ -35,9 +35,10 @@ fn kinds(draft: &Draft, exact: &Exact) -> Option<Vec<(char, i64)>> {
                 // Crests are where the depth is least.
                 let crest = if *amplitude < 0.0 { 0.0 } else { 0.5 };
                 let middle = 0.5 * (contact.from + contact.to);
-                // Over waves that are bent less than the beam a contact slides from one to the next.
+                // Over waves that are bent less than the beam a contact slides from one to the next, through the trough.
                 let number = 2.0 * std::f64::consts::PI / wavelength;
-                if amplitude.abs() * number * number * draft.stiffness <= exact.moment(middle).abs() {
+                let in_trough = 0.0 <= amplitude * libm::cos(number * middle + phase);
+                if in_trough || amplitude.abs() * number * number * draft.stiffness <= exact.moment(middle).abs() {
                     return None;
                 }
                 (middle / wavelength + phase / (2.0 * std::f64::consts::PI) - crest).round() as i64
