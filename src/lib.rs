@@ -74,8 +74,10 @@
 #![warn(clippy::disallowed_methods)]
 
 pub mod adaptive;
+pub mod body;
 pub mod certificate;
 pub mod explain;
+mod double;
 mod memory;
 pub mod methods;
 mod multigrid;

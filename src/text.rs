@@ -124,19 +124,24 @@ pub fn magnitude(value: f64) -> String {
     }
 }
 
+/// A tenth of a unit in the second digit, or less.
+const SLACK: f64 = 0.01;
+
 /// An upper bound of which only the size is of interest: as [`magnitude`], but never below the number.
 #[must_use]
 pub fn magnitude_at_most(value: f64) -> String {
-    /// A tenth of a unit in the second digit, or less.
-    const SLACK: f64 = 0.01;
     bounding(value, magnitude, SLACK, |shown, value| value <= shown)
+}
+
+/// The same of a lower bound: never above the number.
+#[must_use]
+pub fn magnitude_at_least(value: f64) -> String {
+    bounding(value, magnitude, -SLACK, |shown, value| shown <= value)
 }
 
 /// An upper bound that is a share: in per cent where that can be read, `0.25 %`, and otherwise as [`magnitude_at_most`].
 #[must_use]
 pub fn share_at_most(value: f64) -> String {
-    /// As in [`magnitude_at_most`].
-    const SLACK: f64 = 0.01;
     if !(1e-4..10.0).contains(&value) {
         return magnitude_at_most(value);
     }

@@ -96,6 +96,13 @@ impl Status {
         }
     }
 
+    /// Of an answer for a [body](crate::body), which has no grid to blame: from the largest error of its clearances as a share of the
+    /// largest of them, and what was demanded.
+    #[must_use]
+    pub fn of_body(error: f64, demanded: f64, reports_success: bool) -> Self {
+        Self::of(within(error, demanded.min(EXACT)), reports_success)
+    }
+
     /// The word that JSON and report use.
     #[must_use]
     pub fn name(self) -> &'static str {

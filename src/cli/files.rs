@@ -5,7 +5,6 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::held::Held;
-use super::input::Input;
 use super::output::{self, Failure, PlaceProblem, Stream};
 
 /// Where a text goes.
@@ -46,14 +45,14 @@ struct Direct {
 
 impl Files {
     /// Checks that a file can be put at `path`, as far as that can be told before.
-    pub(super) fn reserve(&mut self, path: &Path, input: &Input) -> Result<(), Failure> {
+    pub(super) fn reserve(&mut self, path: &Path, read: &[PathBuf]) -> Result<(), Failure> {
         let place = place(path)?;
         let not = |problem| Err(Failure::NoPlace { path: path.to_owned(), problem });
         if self.places.iter().any(|(_, other)| *other == place) {
             return not(PlaceProblem::Twice);
         }
         if let Place::File(file) = &place {
-            if input.files.iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == *file)) {
+            if read.iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == *file)) {
                 return not(PlaceProblem::TheInput);
             }
             if file.exists() {

@@ -1,12 +1,14 @@
 //! Reading: a scene file and the survey that it may name.
 
-use std::cell::RefCell;
 use std::fs::File;
-use std::io::{self, Read as _};
+use std::io::{self, BufRead as _, BufReader, Read as _};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use palkki::scene::file::{FileError, Problem, ReadProblem, parse, parse_forces};
-use palkki::scene::{Scene, SceneError};
+use palkki::body::Body;
+use palkki::body::proof::Brought;
+use palkki::scene::file::{Beside, FileError, Model, Problem, ReadProblem, parse_answers, parse_forces, parse_model};
+use palkki::scene::{Scene, SceneError, Units};
 use palkki::text::Results;
 
 use super::output::Failure;
@@ -19,45 +21,129 @@ const LARGEST_TABLE: u64 = 512 * 1024 * 1024;
 /// points has room in a survey.
 const LARGEST_SCENE: u64 = 16 * 1024 * 1024;
 
-/// A scene with the files that it came from.
+/// Bytes of the longest line of a matrix: the format allows 1024 characters.
+const LONGEST_LINE: u64 = 4096;
+
+/// A scene, of a beam if nothing else is said, with the files that it came from.
 #[derive(Debug)]
-pub(super) struct Input {
+pub(super) struct Input<M = Scene> {
     /// The scene file as messages call it.
     pub(super) name: String,
+    title: String,
+    units: Units,
     /// The scene.
-    pub(super) scene: Scene,
+    pub(super) scene: M,
     /// The files that were read.
     pub(super) files: Vec<PathBuf>,
     /// How the numbers of its answer are written in text.
     results: Results,
 }
 
-impl Input {
-    /// Reads the scene file `path`, or standard input; its survey is relative to its folder, or to the working directory.
-    pub(super) fn read(path: &Path, results: Results) -> Result<Self, Failure> {
+/// What a scene file turns out to be.
+#[derive(Debug)]
+pub(super) enum Read {
+    Beam(Box<Input>),
+    Body(Box<Input<Body>>),
+}
+
+impl Read {
+    /// Reads the scene file `path`, or standard input; what it names is relative to its folder, or to the working directory.
+    pub(super) fn scene(path: &Path, results: Results) -> Result<Self, Failure> {
         let name = called(path);
         let text = read_argument(path, LARGEST_SCENE)
             .map_err(|problem| Box::new(FileError::whole(&name, Problem::Unreadable(problem))))?;
-        let files = RefCell::new(vec![if is_standard(path) { PathBuf::from("/dev/stdin") } else { path.to_owned() }]);
-        let scene = parse(&name, &text, |survey| {
-            let survey = path.with_file_name(survey);
-            let text = read(&survey, LARGEST_TABLE);
-            files.borrow_mut().push(survey);
-            text
-        })?;
-        Ok(Self { name, scene, files: files.into_inner(), results })
+        let first = if is_standard(path) { PathBuf::from("/dev/stdin") } else { path.to_owned() };
+        let mut beside = BesideScene { path, files: vec![first] };
+        let model = parse_model(&name, &text, &mut beside)?;
+        let files = beside.files;
+        Ok(match model {
+            Model::Scene(scene) => {
+                let (title, units) = (scene.title().to_owned(), scene.units().clone());
+                Self::Beam(Box::new(Input { name, title, units, scene, files, results }))
+            }
+            Model::Body(scene) => {
+                let (title, units) = (scene.title.clone(), scene.units.clone());
+                Self::Body(Box::new(Input { name, title, units, scene: *scene, files, results }))
+            }
+        })
     }
 
+    /// The files that were read.
+    pub(super) fn files(&self) -> &[PathBuf] {
+        match self {
+            Self::Beam(input) => &input.files,
+            Self::Body(input) => &input.files,
+        }
+    }
+}
+
+/// Files beside a scene file.
+struct BesideScene<'a> {
+    path: &'a Path,
+    files: Vec<PathBuf>,
+}
+
+impl BesideScene<'_> {
+    fn file(&mut self, name: &str) -> PathBuf {
+        let file = self.path.with_file_name(name);
+        self.files.push(file.clone());
+        file
+    }
+}
+
+impl Beside for BesideScene<'_> {
+    fn text(&mut self, name: &str) -> Result<String, ReadProblem> {
+        read(&self.file(name), LARGEST_TABLE)
+    }
+
+    fn lines(&mut self, name: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
+        let mut stream = BufReader::new(open(&self.file(name))?);
+        let mut bytes = Vec::new();
+        for number in 1.. {
+            bytes.clear();
+            // One byte more, to see that there is more.
+            let taken = stream.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut bytes);
+            if taken.map_err(|error| refused(&error))? == 0 {
+                break;
+            }
+            if usize::try_from(LONGEST_LINE).is_ok_and(|limit| limit < bytes.len()) {
+                return Err(ReadProblem::LongLine { line: number, limit: LONGEST_LINE });
+            }
+            let line = str::from_utf8(&bytes).map_err(|error| {
+                let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+                ReadProblem::NotText { line: number, column: good.chars().count() + 1 }
+            })?;
+            if each(line.trim_end_matches(['\n', '\r'])).is_break() {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<M> Input<M> {
     /// Names and numbers of this scene in text.
     pub(super) fn labels(&self) -> Labels {
-        Labels::of(self.scene.units(), self.results)
+        Labels::of(&self.units, self.results)
     }
 
     /// What the scene is called: by its title, or else by its file.
     pub(super) fn title(&self) -> &str {
-        if self.scene.title().is_empty() { &self.name } else { self.scene.title() }
+        if self.title.is_empty() { &self.name } else { &self.title }
     }
+}
 
+impl Input<Body> {
+    /// Reads what a program brought for this body.
+    pub(super) fn answers(&self, path: &Path) -> Result<Brought, Failure> {
+        let name = called(path);
+        let text = read_argument(path, LARGEST_TABLE)
+            .map_err(|problem| Box::new(FileError::whole(&name, Problem::UnreadableForces(problem))))?;
+        Ok(parse_answers(&name, &text, &self.scene)?)
+    }
+}
+
+impl Input {
     /// Reads contact forces for the beam of this scene.
     pub(super) fn forces(&self, path: &Path) -> Result<Vec<(f64, f64)>, Failure> {
         let name = called(path);
@@ -98,6 +184,11 @@ fn refused(error: &io::Error) -> ReadProblem {
 
 /// A file of at most `largest` bytes as text.
 fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
+    text_of(open(path)?, largest)
+}
+
+/// A file, and nothing else that may have a name.
+fn open(path: &Path) -> Result<File, ReadProblem> {
     // Opening one would wait until somebody writes.
     if is_named_pipe(path) {
         return Err(ReadProblem::NamedPipe);
@@ -106,7 +197,7 @@ fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
     if file.metadata().map_err(|error| refused(&error))?.is_dir() {
         return Err(ReadProblem::Directory);
     }
-    text_of(file, largest)
+    Ok(file)
 }
 
 /// All of a stream of at most `largest` bytes, as text.

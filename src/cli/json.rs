@@ -118,7 +118,7 @@ pub(super) fn sweep(
 /// The version of the keys and of what they mean: a key that goes, or means something else, makes it another one.
 const VERSION: u32 = 1;
 
-fn print(value: &impl Serialize) -> String {
+pub(super) fn print(value: &impl Serialize) -> String {
     #[derive(Debug, Serialize)]
     struct Versioned<'a, T> {
         version: u32,

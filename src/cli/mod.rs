@@ -7,6 +7,7 @@
 
 mod answer;
 mod arguments;
+mod body;
 mod busy;
 mod certify;
 mod compare;
@@ -30,6 +31,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 use palkki::adaptive::Request;
+use palkki::body::Body;
 use palkki::plot::{self, Curves};
 use palkki::route::Status;
 use palkki::sweep::Sweep;
@@ -39,7 +41,7 @@ use palkki::verdict::Demand;
 use self::answer::{Answer, Route};
 use self::arguments::{Arguments, Command, Common, Format, Solve};
 use self::files::Files;
-use self::input::Input;
+use self::input::{Input, Read};
 use self::local::Local;
 use self::output::Failure;
 
@@ -104,15 +106,19 @@ fn run_on_scene<'a>(
     common: &Common,
     what: String,
     places: &[&Option<PathBuf>],
-    work: impl FnOnce(&Input) -> Result<Outcome<'a>, Failure>,
+    on_beam: impl FnOnce(&Input) -> Result<Outcome<'a>, Failure>,
+    on_body: impl FnOnce(&Input<Body>) -> Result<Outcome<'a>, Failure>,
 ) -> Result<u8, Failure> {
-    let input = Input::read(&common.scene, Results::with_digits(common.digits))?;
+    let read = Read::scene(&common.scene, Results::with_digits(common.digits))?;
     let mut files = Files::default();
     // Before the work, so that a bad name is not found out about after it.
     for path in places.iter().copied().flatten() {
-        files.reserve(path, &input)?;
+        files.reserve(path, read.files())?;
     }
-    let outcome = busy::telling(what, || work(&input))?;
+    let outcome = busy::telling(what, || match &read {
+        Read::Beam(input) => on_beam(input),
+        Read::Body(input) => on_body(input),
+    })?;
     for (path, text) in outcome.files.into_iter().flatten() {
         files.stage(path, text)?;
     }
@@ -137,10 +143,9 @@ impl Common {
 
 fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
-    let route = arguments.route()?;
     let what = format!("solving {}", input::called(&common.scene));
-    run_on_scene(common, what, &[csv, plot], |input| {
-        let answer = Answer::of(input, route)?;
+    let on_beam = |input: &Input| {
+        let answer = Answer::of(input, arguments.route()?)?;
         let local = Local::of(&input.scene, &answer, arguments);
         let csv = csv.as_ref().map(|path| (path, csv::table(&input.scene, &answer)));
         let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, figure(input, &answer)?))).transpose()?;
@@ -149,7 +154,8 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
             || json::solve(input, &answer, *nodes, &local),
         );
         Ok(Outcome { text, files: vec![csv, plot], is_certified: answer.is_certified() })
-    })
+    };
+    run_on_scene(common, what, &[csv, plot], on_beam, |input| body::solve(input, arguments))
 }
 
 /// The figure of `--plot`.
@@ -168,11 +174,12 @@ fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let arguments::Compare { common, intervals } = arguments;
     let what = format!("comparing all routes for {} on {intervals} intervals", input::called(&common.scene));
-    run_on_scene(common, what, &[], |input| {
+    let on_beam = |input: &Input| {
         let found = compare::Comparison::of(input, *intervals)?;
         let text = common.shown(|| compare::text(input, &found), || json::compare(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.is_certified() })
-    })
+    };
+    run_on_scene(common, what, &[], on_beam, |input| Ok(body::compare(input, common)))
 }
 
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
@@ -182,24 +189,26 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
         return Err(Failure::Usage { command: "certify", kind: ErrorKind::ArgumentConflict, message });
     }
     let what = format!("certifying {}", input::called(&arguments.forces));
-    run_on_scene(common, what, &[], |input| {
+    let on_beam = |input: &Input| {
         let found = certify::Finding::of(input, arguments)?;
         let text = common.shown(|| certify::text(input, &found), || json::certify(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.verdict.status == Status::Certified })
-    })
+    };
+    run_on_scene(common, what, &[], on_beam, |input| body::certify(input, arguments))
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
     let arguments::Sweep { common, vary, from, to, steps, envelope, csv, plot } = arguments;
     let what = format!("sweeping {vary} for {}", input::called(&common.scene));
-    run_on_scene(common, what, &[csv, plot], |input| {
+    let on_beam = |input: &Input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
         let swept = sweep::Swept::of(&sweep, input.scene.beam().length(), *envelope)?;
         let csv = csv.as_ref().map(|path| (path, swept.csv()));
         let plot = plot.as_ref().map(|path| Ok::<_, Failure>((path, swept.figure(input)?))).transpose()?;
         let text = common.shown(|| swept.text(input), || swept.json(input));
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
-    })
+    };
+    run_on_scene(common, what, &[csv, plot], on_beam, |_| Err(body::no_sweep()))
 }
 
 fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {

@@ -11,7 +11,7 @@ use super::input::Input;
 use super::table::{Labels, MOST_ROWS, Row, first, list, table};
 
 /// What the answer is worth, in the first line, and the title of the scene, underlined.
-pub(super) fn heading(status: Status, reason: &str, input: &Input) -> String {
+pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> String {
     let title = input.title();
     format!("{status}: {reason}\n\n{title}\n{}\n\n", "=".repeat(title.chars().count()))
 }

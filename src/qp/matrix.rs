@@ -2,6 +2,8 @@
 
 use nalgebra::DMatrix;
 
+use super::Profile;
+
 /// A symmetric matrix, stored as it is shaped.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Matrix {
@@ -9,6 +11,8 @@ pub enum Matrix {
     Dense(DMatrix<f64>),
     /// Half bandwidth 2: row `i` holds `a_ii, a_i,i+1, a_i,i+2`.
     Pentadiagonal(Vec<[f64; 3]>),
+    /// Rows from their first entry.
+    Profile(Profile),
 }
 
 /// The upper triangle by columns: `starts` has n + 1 entries, `rows` and `values` one for each stored number.
@@ -29,6 +33,7 @@ impl Matrix {
         match self {
             Self::Dense(a) => a.nrows(),
             Self::Pentadiagonal(rows) => rows.len(),
+            Self::Profile(rows) => rows.dimension(),
         }
     }
 
@@ -41,6 +46,7 @@ impl Matrix {
                 let (i, j) = (i.min(j), i.max(j));
                 rows[i].get(j - i).copied().unwrap_or(0.0)
             }
+            Self::Profile(rows) => rows.entry(i, j),
         }
     }
 
@@ -50,7 +56,7 @@ impl Matrix {
         match self {
             // Columns are contiguous, one after the other, and the matrix is symmetric.
             Self::Dense(a) => a.as_slice()[i * a.nrows()..][..a.nrows()].iter().zip(x).map(|(a, x)| a * x).sum(),
-            Self::Pentadiagonal(_) => self.neighbours(i).map(|j| self.entry(i, j) * x[j]).sum(),
+            Self::Pentadiagonal(_) | Self::Profile(_) => self.neighbours(i).map(|j| self.entry(i, j) * x[j]).sum(),
         }
     }
 
@@ -61,6 +67,7 @@ impl Matrix {
         match self {
             Self::Dense(_) => n * n,
             Self::Pentadiagonal(_) => 5 * n,
+            Self::Profile(rows) => 2 * rows.numbers() - n,
         }
     }
 
@@ -84,6 +91,7 @@ impl Matrix {
         match self {
             Self::Dense(a) => 0..a.ncols(),
             Self::Pentadiagonal(rows) => i.saturating_sub(2)..(i + 3).min(rows.len()),
+            Self::Profile(rows) => rows.across(i),
         }
     }
 }

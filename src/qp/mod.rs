@@ -14,14 +14,19 @@
 
 mod band;
 mod dense;
+mod explicit;
 mod free_set;
 mod matrix;
+mod profile;
 mod sparse;
 
 pub use band::{Band, NotPositiveDefinite, Row};
 pub use dense::Dense;
+pub use explicit::Explicit;
 pub use free_set::FreeSet;
 pub use matrix::{Matrix, UpperColumns};
+pub use profile::Profile;
+pub(crate) use profile::Sums;
 pub use sparse::SparseForm;
 
 /// A quadratic program (32) that can use its structure.
@@ -54,6 +59,11 @@ pub trait Qp {
     ///
     /// [`NotPositiveDefinite`] if rounding destroys the definiteness of `A` on the free set.
     fn stationary(&self, free: &FreeSet) -> Result<Stationary, NotPositiveDefinite>;
+
+    /// Unknowns that a [stationary point](Self::stationary) goes through: the variables, or more where a solve costs more for each.
+    fn solve_work(&self) -> usize {
+        self.dimension()
+    }
 
     /// Changes which variables are free, if there is no stationary point on those that are, to a set on which there is one with
     /// `x ≥ 0`: where `A` is only positive semidefinite. Nothing to do for others.

@@ -15,9 +15,9 @@
 
 use std::cmp::Ordering;
 
-use super::double::Double;
 use super::error::shown;
 use super::{Foundation, Load, Scale, Scene};
+use crate::double::Double;
 
 /// The resultant of all loads.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,6 @@ mod balance;
 mod beam;
 mod bend;
 mod depths;
-mod double;
 mod error;
 pub mod file;
 mod foundation;

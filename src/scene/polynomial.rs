@@ -8,7 +8,7 @@
 
 use std::f64::consts::PI;
 
-use super::double::Double;
+use crate::double::Double;
 
 /// A polynomial with more coefficients is long. Those of Chebyshev's polynomial of degree `d` add up to `(3 + √8)^d / 2` times its
 /// largest value: with seven coefficients a sum in 64 bits still has eleven digits of it, with ten no more than nine, and the

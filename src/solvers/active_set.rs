@@ -75,7 +75,7 @@ pub(super) fn solve_from(qp: &dyn Qp, mut free: FreeSet) -> Answer {
         Ok(idle <= PATIENCE)
     };
     let end = optimum(&mut Reduced::of(qp), &mut free, &mut solves, patient);
-    answer(end, qp.dimension(), solves, solves * qp.dimension())
+    answer(end, qp.dimension(), solves, solves * qp.solve_work())
 }
 
 /// How a run ended.
@@ -160,7 +160,7 @@ pub(crate) struct Reduced<'a> {
 impl<'a> Reduced<'a> {
     /// All of a quadratic program.
     pub(super) fn of(qp: &'a dyn Qp) -> Self {
-        let most_solves = solves_within(MOST_WORK, qp.dimension());
+        let most_solves = solves_within(MOST_WORK, qp.solve_work());
         Self {
             point: Box::new(|free| qp.stationary(free)),
             make_definite: Box::new(|free| qp.make_definite(free)),

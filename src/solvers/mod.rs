@@ -5,6 +5,7 @@ pub(crate) mod active_set;
 #[cfg(feature = "clarabel")]
 mod clarabel;
 mod four_step;
+mod interior;
 mod nsor;
 #[cfg(feature = "osqp")]
 mod osqp;
@@ -18,7 +19,7 @@ use std::fmt;
 use crate::memory::can_be_had;
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 use crate::qp::SparseForm;
-use crate::qp::{FreeSet, Qp};
+use crate::qp::{Explicit, FreeSet, Qp};
 
 /// The solvers of the quadratic program (32). A solver that is not part of a build has no name in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -168,6 +169,12 @@ impl Answer {
 #[must_use]
 pub fn active_set_from(qp: &dyn Qp, free: FreeSet) -> Answer {
     active_set::solve_from(qp, free)
+}
+
+/// The active set from a guess by interior points, where there is only a matrix.
+#[must_use]
+pub fn active_set_of(qp: &Explicit) -> Answer {
+    active_set::solve_from(qp, interior::free_set(qp))
 }
 
 /// Unknowns that one run of the active set may go through, all its solves together: a few hundred solves of a million unknowns.

@@ -18,15 +18,21 @@ pub(super) struct Contents {
 pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
     let file = Keys::of_file(document, &["title", "beam", "load", "foundation", "units"])?;
     let beam = beam(&file)?;
-    let units = file.table("units", &["length", "force"])?;
-    let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
+    let units = units(&file)?;
     Ok(Contents {
         title: file.line_of_text("title")?.unwrap_or_default(),
-        units: Units { length: label("length")?, force: label("force")? },
+        units,
         beam,
         load: load(&file)?,
         foundation: profile(&file, "foundation", Profile::Foundation)?,
     })
+}
+
+/// `[units]`, which may be left out.
+pub(super) fn units(file: &Keys<'_>) -> Result<Units, Error> {
+    let units = file.table("units", &["length", "force"])?;
+    let label = |key| units.as_ref().map_or(Ok(None), |units| units.line_of_text(key));
+    Ok(Units { length: label("length")?, force: label("force")? })
 }
 
 /// What `[beam]` says.

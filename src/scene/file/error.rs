@@ -42,6 +42,12 @@ impl FileError {
         Self { file: file.to_owned(), place: Some(Place::of(text, span)), problem }
     }
 
+    /// An error about the bytes `span` of a line, of which `text` is all.
+    pub(super) fn on_line(file: &str, line: usize, text: &str, span: Span, problem: Problem) -> Self {
+        let place = Place { line, ..Place::of(text, span) };
+        Self { file: file.to_owned(), place: Some(place), problem }
+    }
+
     /// The message with its picture, in colours of a terminal if `colour`. Without the feature `cli` there is no picture.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {

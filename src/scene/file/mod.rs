@@ -7,6 +7,7 @@
 //!
 //! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
 
+mod body;
 mod contents;
 mod error;
 mod forces;
@@ -15,8 +16,10 @@ mod problem;
 mod survey;
 mod table;
 
+use toml::Spanned;
 use toml::de::DeTable;
 
+pub use body::{Beside, Model, parse_answers};
 pub use error::FileError;
 pub use forces::parse_forces;
 pub use problem::{Problem, ReadProblem};
@@ -41,11 +44,30 @@ pub fn parse(
     text: &str,
     mut read_survey: impl FnMut(&str) -> Result<String, ReadProblem>,
 ) -> Result<Scene, Box<FileError>> {
-    if text.is_empty() {
-        return Err(Box::new(FileError::whole(name, Problem::Empty)));
-    }
     let source = Source { name, text };
-    let document = DeTable::parse(text).map_err(|e| source.syntax(&e))?;
+    parse_beam(source, &source.document()?, &mut read_survey)
+}
+
+/// Reads a scene file with a beam or with a [body](crate::body); what is beside it is read by `beside`.
+///
+/// # Errors
+///
+/// Those of [`parse`], and what is wrong with the files of a body.
+pub fn parse_model(name: &str, text: &str, beside: &mut dyn Beside) -> Result<Model, Box<FileError>> {
+    let source = Source { name, text };
+    let document = source.document()?;
+    if document.get_ref().contains_key("body") {
+        return body::read(source, document.get_ref(), beside).map(|body| Model::Body(Box::new(body)));
+    }
+    parse_beam(source, &document, &mut |survey| beside.text(survey)).map(Model::Scene)
+}
+
+fn parse_beam(
+    source: Source<'_>,
+    document: &Spanned<DeTable<'_>>,
+    read_survey: &mut dyn FnMut(&str) -> Result<String, ReadProblem>,
+) -> Result<Scene, Box<FileError>> {
+    let name = source.name;
     let mut contents = contents::read(document.get_ref()).map_err(|e| source.error(e.span, e.problem))?;
     let mut profile = |given: Option<Given>| match given {
         None => Ok::<_, Box<FileError>>((None, None)),
@@ -72,7 +94,14 @@ struct Source<'a> {
     text: &'a str,
 }
 
-impl Source<'_> {
+impl<'a> Source<'a> {
+    fn document(&self) -> Result<Spanned<DeTable<'a>>, Box<FileError>> {
+        if self.text.is_empty() {
+            return Err(Box::new(FileError::whole(self.name, Problem::Empty)));
+        }
+        DeTable::parse(self.text).map_err(|e| self.syntax(&e))
+    }
+
     fn error(&self, span: Span, problem: Problem) -> Box<FileError> {
         Box::new(FileError::at(self.name, self.text, span, problem))
     }

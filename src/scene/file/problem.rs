@@ -1,5 +1,6 @@
 //! What can be wrong with a scene file or a survey, besides what it describes.
 
+use crate::body::BodyProblem;
 use crate::scene::{Profile, SceneError};
 
 /// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
@@ -23,6 +24,14 @@ pub enum ReadProblem {
     /// It is larger than any file of this kind should be.
     #[error("it is larger than {limit} bytes, the most that is read")]
     TooLarge {
+        /// The limit.
+        limit: u64,
+    },
+    /// A line that no file of this kind has.
+    #[error("line {line} is longer than {limit} bytes, the most that is read")]
+    LongLine {
+        /// Which line, from 1.
+        line: usize,
         /// The limit.
         limit: u64,
     },
@@ -134,6 +143,9 @@ pub enum Problem {
         /// `x` or `depth` in a survey.
         quantity: Option<&'static str>,
     },
+    /// A body is none.
+    #[error(transparent)]
+    Body(#[from] BodyProblem),
     /// A survey without its header.
     #[error("a survey must begin with the header `x,depth`, but begins with {found:?}")]
     SurveyHeader {

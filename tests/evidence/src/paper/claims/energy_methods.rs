@@ -79,9 +79,9 @@ fn inverse_defect(intervals: usize) -> Result<f64, SceneError> {
 pub fn dense(qp: &dyn Qp) -> DMatrix<f64> {
     match qp.matrix() {
         Matrix::Dense(a) => a,
-        banded @ Matrix::Pentadiagonal(_) => {
-            let n = banded.dimension();
-            DMatrix::from_fn(n, n, |i, j| banded.entry(i, j))
+        other @ (Matrix::Pentadiagonal(_) | Matrix::Profile(_)) => {
+            let n = other.dimension();
+            DMatrix::from_fn(n, n, |i, j| other.entry(i, j))
         }
     }
 }

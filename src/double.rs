@@ -6,21 +6,21 @@ use std::ops::{Add, Mul, Sub};
 
 /// `high + low`, with `low` at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Double {
+pub(crate) struct Double {
     high: f64,
     low: f64,
 }
 
 impl Double {
-    pub(super) const ZERO: Self = Self { high: 0.0, low: 0.0 };
+    pub(crate) const ZERO: Self = Self { high: 0.0, low: 0.0 };
 
     /// A number, exactly.
-    pub(super) fn exact(value: f64) -> Self {
+    pub(crate) fn exact(value: f64) -> Self {
         Self { high: value, low: 0.0 }
     }
 
     /// `self · x + other`, off by some units of `10⁻³²` of the two terms.
-    pub(super) fn times_plus(self, x: f64, other: Self) -> Self {
+    pub(crate) fn times_plus(self, x: f64, other: Self) -> Self {
         let product = self.high * x;
         let lost = libm::fma(self.high, x, -product);
         let Self { high: sum, low: rest } = Self::sum(product, other.high);
@@ -36,8 +36,13 @@ impl Double {
         Self { high, low: (a - (high - part)) + (b - part) }
     }
 
+    /// Its two numbers of 64 bits, the larger one first.
+    pub(crate) fn parts(self) -> [f64; 2] {
+        [self.high, self.low]
+    }
+
     /// Rounded to 64 bits.
-    pub(super) fn rounded(self) -> f64 {
+    pub(crate) fn rounded(self) -> f64 {
         self.high
     }
 }

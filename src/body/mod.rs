@@ -1,0 +1,188 @@
+//! Any elastic body above ground in place of the beam: "the methods are easy to extend to cases in which some other elastic body stands in
+//! the place of the beam and in which the foundation is elastic as well".
+//!
+//! ```text
+//! stiffness K     variables: clearances h      K h = (K g − q) + p
+//! flexibility C   variables: contact forces p  (C + G) p = (C q − g) + h
+//!
+//! h ≥ 0, p ≥ 0, h_i p_i = 0     displacements v = g − h of loads q − p;  g: gaps;  G: flexibility of the ground, 0 if it is rigid
+//! ```
+//!
+//! Both are the quadratic program (32), of a matrix that is given. The [proof] bounds the error of any answer from both sides.
+
+pub mod matrix_market;
+mod problem;
+pub mod proof;
+
+pub use problem::BodyProblem;
+
+use self::proof::Unproven;
+use crate::double::Double;
+use crate::qp::{Explicit, NotPositiveDefinite, Profile, Qp as _, Sums};
+use crate::scene::Units;
+use crate::solvers::{Answer, Solver, active_set_of};
+use crate::text::{magnitude_at_least, magnitude_at_most, share_at_most};
+use crate::verdict::Status;
+
+/// Which matrix of a body is given, and with it which variables the program has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Force over displacement; the variables are clearances.
+    Stiffness,
+    /// Displacement over force; the variables are contact forces.
+    Flexibility,
+}
+
+/// An elastic body with its gaps and loads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// What it is called.
+    pub title: String,
+    /// Labels of its units.
+    pub units: Units,
+    kind: Kind,
+    gap: Vec<f64>,
+    load: Vec<f64>,
+    program: Explicit,
+}
+
+/// Clearances and contact forces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// Of each freedom, to the ground.
+    pub clearance: Vec<f64>,
+    /// Of the ground on the body.
+    pub contact_force: Vec<f64>,
+    /// Potential energy `½ vᵀ K v − qᵀ v` of the body, with that of an elastic foundation.
+    pub energy: f64,
+}
+
+/// Products that the four steps may take, `n` factorisations at most: some seconds.
+const MOST_PRODUCTS: usize = 1 << 33;
+
+impl Body {
+    /// A body from its matrix, that of an elastic foundation, which goes with a flexibility, gaps and loads.
+    ///
+    /// # Errors
+    ///
+    /// [`NotPositiveDefinite`] if a pivot is not positive.
+    ///
+    /// # Panics
+    ///
+    /// If the sizes of the two matrices, of gaps and of loads are not the same.
+    pub fn new(
+        kind: Kind,
+        matrix: Profile,
+        foundation: Option<&Profile>,
+        gap: Vec<f64>,
+        load: Vec<f64>,
+    ) -> Result<Self, NotPositiveDefinite> {
+        let n = matrix.dimension();
+        assert!([gap.len(), load.len(), foundation.map_or(n, Profile::dimension)] == [n; 3], "sizes differ");
+        let (given, taken) = match kind {
+            Kind::Stiffness => (&gap, &load),
+            Kind::Flexibility => (&load, &gap),
+        };
+        let mut linear = Sums::zero(n);
+        matrix.times_into(&given.iter().copied().map(Double::exact).collect::<Vec<_>>(), &mut linear);
+        taken.iter().enumerate().for_each(|(i, taken)| linear.add(i, -1.0, Double::exact(*taken)));
+        let parts = match foundation {
+            Some(foundation) => matrix.sum(foundation),
+            None => [matrix, Profile::default()],
+        };
+        let program = Explicit::of_sums(parts, linear)?;
+        Ok(Self { title: String::new(), units: Units::default(), kind, gap, load, program })
+    }
+
+    /// Which matrix was given.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The method of the paper that its program is, by its name.
+    #[must_use]
+    pub fn method(&self) -> &'static str {
+        match self.kind {
+            Kind::Stiffness => "displacement",
+            Kind::Flexibility => "force",
+        }
+    }
+
+    /// The quadratic program.
+    #[must_use]
+    pub fn program(&self) -> &Explicit {
+        &self.program
+    }
+
+    /// Solves the program by a solver; `tolerance` is the scaled residual at which an iterative one may stop. The active set begins
+    /// with what steps through the interior tell.
+    #[must_use]
+    pub fn run(&self, solver: Solver, tolerance: f64) -> Answer {
+        let n = self.program.dimension();
+        let products = self.program.profile().products().saturating_mul(n);
+        let mut answer = match solver {
+            Solver::ActiveSet => return active_set_of(&self.program),
+            Solver::FourStep if MOST_PRODUCTS < products => Answer::refused(
+                n,
+                format!("not tried: up to {products} products, {MOST_PRODUCTS} is the limit of this solver for a body"),
+            ),
+            other => other.run(&self.program, tolerance),
+        };
+        answer.gradient = self.program.gradient(&answer.x);
+        answer
+    }
+
+    /// What an answer says.
+    #[must_use]
+    pub fn state(&self, answer: &Answer) -> State {
+        let b = self.program.linear();
+        let (x, g) = (answer.x.clone(), answer.gradient.clone());
+        let each = x.iter().zip(g.iter().zip(&b));
+        let (bent, [clearance, contact_force]): (f64, _) = match self.kind {
+            Kind::Stiffness => (each.map(|(x, (g, b))| x * (g - b)).sum(), [x, g]),
+            Kind::Flexibility => (each.map(|(x, (g, b))| x * (g + b)).sum(), [g, x]),
+        };
+        State { clearance, contact_force, energy: 0.5 * bent + proof::constant(self).0.rounded() }
+    }
+
+    /// What clearances are worth whose largest error is known; `demanded` is a share of the largest of them.
+    #[must_use]
+    pub fn verdict(
+        &self,
+        clearance: &[f64],
+        off: Result<[f64; 2], Unproven>,
+        demanded: f64,
+        reports_success: bool,
+    ) -> Verdict {
+        // The largest of clearances and displacements; a body at rest on the ground, which has neither, is measured by 1.
+        let each = clearance.iter().zip(&self.gap);
+        let size = each.fold(0.0, |most: f64, (h, g)| most.max(h.abs()).max((g - h).abs()));
+        let size = if size == 0.0 { 1.0 } else { size };
+        let [least, most] = off.unwrap_or([0.0, f64::INFINITY]);
+        let status = Status::of_body(most / size, demanded, reports_success);
+        let share = share_at_most(most / size);
+        let reason = match off {
+            Err(unproven) => unproven.to_string(),
+            Ok(_) if !clearance.iter().all(|h| h.is_finite()) => "the clearances are not all numbers".to_owned(),
+            Ok(_) if status == Status::Certified => format!("the clearances are certain to {share} of the largest"),
+            Ok(_) => format!(
+                "the clearances are off by at least {} and at most {}, {share} of the largest",
+                magnitude_at_least(least),
+                magnitude_at_most(most),
+            ),
+        };
+        Verdict { status, reason, off: [least, most] }
+    }
+}
+
+/// What is said of clearances.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// Certified or not.
+    pub status: Status,
+    /// How far they may be off, or why nothing is known of it.
+    pub reason: String,
+    /// The largest error of a clearance, at least and at most.
+    pub off: [f64; 2],
+}

@@ -1,0 +1,147 @@
+//! What can be wrong with the files of a body.
+
+use crate::scene::file::ReadProblem;
+
+/// What is wrong with `[body]`, or with one of its files.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BodyProblem {
+    /// A table that belongs to a beam.
+    #[error("[{0}] must not be there: a scene has a [beam], or a [body] with its own loads and gaps")]
+    Beside(&'static str),
+    /// No matrix, or two.
+    #[error("[body] must have exactly one of `stiffness` and `flexibility`")]
+    OneMatrix,
+    /// An elastic foundation beside a stiffness.
+    #[error(
+        "`body.foundation` must not be there: flexibilities of body and ground add up, and `body.stiffness` is none"
+    )]
+    FoundationOfStiffness,
+    /// A file that could not be read.
+    #[error("cannot read `body.{key}`, {path:?}: {problem}")]
+    Unreadable {
+        /// Which key names it.
+        key: &'static str,
+        /// As the scene file has it.
+        path: String,
+        /// Why not.
+        problem: ReadProblem,
+    },
+    /// The first line of a matrix.
+    #[error(
+        "a matrix must begin with `%%MatrixMarket matrix coordinate|array real symmetric|general`, but begins with {found:?}"
+    )]
+    Header {
+        /// What is there.
+        found: String,
+    },
+    /// Not so many numbers in a line.
+    #[error("this line must have {expected}, but has {found} fields")]
+    Fields {
+        /// What it must have.
+        expected: &'static str,
+        /// How many fields it has.
+        found: usize,
+    },
+    /// Not a number.
+    #[error("`{quantity}` must be {expected}, but is {found:?}")]
+    Number {
+        /// What the number is.
+        quantity: &'static str,
+        /// What it must be.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// No square matrix.
+    #[error("the matrix must be square, but has {rows} rows and {columns} columns")]
+    NotSquare {
+        /// Rows.
+        rows: usize,
+        /// Columns.
+        columns: usize,
+    },
+    /// A file that ends too early, or does not end.
+    #[error("the matrix must have {expected} entries, but has {found}")]
+    Entries {
+        /// As the size says.
+        expected: String,
+        /// What there are; of too many the first that is one too many.
+        found: usize,
+    },
+    /// A place for the second time.
+    #[error("the entry at {i} {j} is there twice, first in line {line}")]
+    Twice {
+        /// Row.
+        i: usize,
+        /// Column.
+        j: usize,
+        /// Where it is first.
+        line: usize,
+    },
+    /// Both triangles of a matrix that is said to be symmetric.
+    #[error(
+        "of a matrix that is said to be symmetric one triangle must be given, but there is an entry at {i} {j} and, in line {line}, one at {j} {i}"
+    )]
+    BothTriangles {
+        /// Row.
+        i: usize,
+        /// Column.
+        j: usize,
+        /// Where the other is.
+        line: usize,
+    },
+    /// Two entries that should be the same.
+    #[error("the matrix must be symmetric, but is {here:?} at {i} {j} and {there:?} at {j} {i}")]
+    NotSymmetric {
+        /// Row.
+        i: usize,
+        /// Column.
+        j: usize,
+        /// Entry.
+        here: f64,
+        /// The other one.
+        there: f64,
+    },
+    /// Rows of a matrix that are too long to be factorised.
+    #[error(
+        "the matrix takes {numbers} numbers from the first entry of each row to its diagonal, more than {most} or than there is memory for: number neighbours one after the other"
+    )]
+    TooLarge {
+        /// What it takes.
+        numbers: usize,
+        /// The limit.
+        most: usize,
+    },
+    /// A pivot that is not positive.
+    #[error(
+        "the matrix must be positive definite, but its pivot {pivot} is {value:?}: rows 1 to {pivot} can be moved without a force, or give way with a gain"
+    )]
+    NotPositiveDefinite {
+        /// Which pivot, from 1.
+        pivot: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// Matrices of different sizes.
+    #[error("the matrix of the foundation must have as many rows as that of the body, {body}, but has {foundation}")]
+    Sizes {
+        /// Rows of the matrix of the body.
+        body: usize,
+        /// Of its foundation.
+        foundation: usize,
+    },
+    /// A table without its header.
+    #[error("this file must begin with the header {expected}, but begins with {found:?}")]
+    TableHeader {
+        /// What should be there.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// Products of its numbers that are too large.
+    #[error("the product of the matrix with gaps or loads is beyond the range of 64-bit floating point")]
+    Range,
+    /// A freedom for the second time.
+    #[error("the row of {0} is there twice")]
+    RowTwice(usize),
+}

@@ -1,0 +1,324 @@
+//! `solve`, `compare` and `certify` of any elastic body.
+
+use std::time::Instant;
+
+use clap::error::ErrorKind;
+use palkki::DEFAULT_TOLERANCE;
+use palkki::body::proof::{Brought, Proof, Unproven, prove};
+use palkki::body::{Body, State, Verdict};
+use palkki::certificate::ViolationKind;
+use palkki::qp::{Qp as _, residual};
+use palkki::route::{Solver, Status};
+use palkki::text::{magnitude, magnitude_at_least, magnitude_at_most};
+use palkki::verdict::EXACT;
+use serde::Serialize;
+
+use super::Outcome;
+use super::arguments::{Certify, Common, DEFAULT_SOLVER, LoadArgument, Solve};
+use super::csv::field;
+use super::input::Input;
+use super::json::{MOST_INTERVALS_WITH_NODES, print};
+use super::output::Failure;
+use super::table::{Row, list, table};
+use super::text::heading;
+
+/// How a body was solved by one solver.
+#[derive(Debug, Serialize)]
+struct Route {
+    method: &'static str,
+    solver: &'static str,
+    status: Status,
+    reason: String,
+    solver_status: String,
+    residual: f64,
+    unknowns: usize,
+    iterations: usize,
+    seconds: f64,
+    energy: f64,
+    certificate: Option<Certificate>,
+    #[serde(skip)]
+    state: State,
+    /// What the largest error of a clearance is at least and at most; not in the answer of `solve`.
+    #[serde(skip)]
+    off: [f64; 2],
+}
+
+/// What is proven; `error` is that of the clearances, and `force_error` that of the contact forces.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct Certificate {
+    energy_lower: f64,
+    energy_upper: f64,
+    gap: f64,
+    error: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_error: Option<f64>,
+}
+
+impl Certificate {
+    fn new(proof: &Proof, error: f64, force_error: Option<f64>) -> Self {
+        let [energy_lower, energy_upper] = proof.energy;
+        Self { energy_lower, energy_upper, gap: proof.gap, error, force_error }
+    }
+}
+
+/// A refusal of an option that has no meaning for a body.
+pub(super) fn refused(command: &'static str, message: &str) -> Failure {
+    Failure::Usage { command, kind: ErrorKind::ArgumentConflict, message: message.to_owned() }
+}
+
+/// A point that is proven to be the optimum nearly, with the free variables of an answer of the active set as witness.
+fn proven(body: &Body) -> Result<Proof, Unproven> {
+    prove(body, body.run(Solver::ActiveSet, 0.0).x.iter().map(|x| 0.0 < *x))
+}
+
+impl Route {
+    /// By a solver; the active set is its own witness, for others it is `proof`.
+    fn of(body: &Body, solver: Solver, demanded: f64, proof: Option<&Result<Proof, Unproven>>) -> Self {
+        let start = Instant::now();
+        let answer = body.run(solver, DEFAULT_TOLERANCE);
+        let seconds = start.elapsed().as_secs_f64();
+        let own;
+        let proof = match proof {
+            Some(proof) => proof,
+            None => {
+                let own_witness = solver == Solver::ActiveSet;
+                own = if own_witness { prove(body, answer.x.iter().map(|x| 0.0 < *x)) } else { proven(body) };
+                &own
+            }
+        };
+        let state = body.state(&answer);
+        let off = proof.as_ref().map(|proof| proof.off(&state.clearance)).map_err(|error| *error);
+        let Verdict { status, reason, off } = body.verdict(&state.clearance, off, demanded, answer.reports_success);
+        let force_off = |proof: &Proof| proof.force_off(&state.contact_force)[1];
+        let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, off[1], Some(force_off(proof))));
+        Self {
+            method: body.method(),
+            solver: solver.name(),
+            status,
+            reason,
+            solver_status: answer.message,
+            residual: residual(body.program().sizes(), &answer.x, &answer.gradient),
+            unknowns: answer.x.len(),
+            iterations: answer.iterations,
+            seconds,
+            energy: state.energy,
+            certificate,
+            state,
+            off,
+        }
+    }
+}
+
+/// `solve`.
+pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Outcome<'a>, Failure> {
+    #[derive(Debug, Serialize)]
+    struct SolveObject<'a> {
+        scene: &'a str,
+        #[serde(flatten)]
+        route: &'a Route,
+        nodes: Option<Nodes<'a>>,
+    }
+    #[derive(Debug, Serialize)]
+    struct Nodes<'a> {
+        clearance: &'a [f64],
+        contact_force: &'a [f64],
+    }
+    let Solve { common, csv, plot, nodes, solver, tolerance, .. } = arguments;
+    let of_beams = [
+        ("intervals", arguments.intervals.is_some()),
+        ("derivatives", arguments.derivatives),
+        ("depth-tolerance", arguments.depth_tolerance.is_some()),
+        ("plot", plot.is_some()),
+    ];
+    if let Some((option, _)) = of_beams.iter().find(|(_, asked)| *asked) {
+        return Err(refused("solve", &format!("--{option} belongs to a beam; a [body] has no use for it")));
+    }
+    let method = input.scene.method();
+    if arguments.method.discretised().is_some_and(|asked| asked.name() != method) {
+        return Err(refused("solve", &format!("the matrix of this [body] is that of --method {method}")));
+    }
+    let solver = solver.map_or(DEFAULT_SOLVER, |solver| solver.0);
+    let route = Route::of(&input.scene, solver, tolerance.unwrap_or(EXACT), None);
+    let State { clearance, contact_force, .. } = &route.state;
+    let few = route.unknowns <= MOST_INTERVALS_WITH_NODES || *nodes;
+    let shown = common.shown(
+        || text(input, &route, *nodes),
+        || {
+            let nodes = few.then_some(Nodes { clearance, contact_force });
+            print(&SolveObject { scene: input.title(), route: &route, nodes })
+        },
+    );
+    let rows = (1..).zip(clearance.iter().zip(contact_force));
+    let rows = rows.map(|(i, (h, p))| format!("{i},{},{}\n", field(*h), field(*p)));
+    let written = csv
+        .as_ref()
+        .map(|path| (path, std::iter::once("i,clearance,contact_force\n".to_owned()).chain(rows).collect()));
+    Ok(Outcome { text: shown, files: vec![written], is_certified: route.status == Status::Certified })
+}
+
+/// The answer of `solve`, for a person.
+fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
+    let labels = input.labels();
+    let State { clearance, contact_force, energy } = &route.state;
+    let touching = contact_force.iter().filter(|force| 0.0 < **force).count();
+    let largest = clearance.iter().copied().fold(0.0, f64::max);
+    let mut text = heading(route.status, &route.reason, input);
+    text += &list(&[
+        ("method", route.method.to_owned()),
+        ("solver", format!("{}, which says: {}", route.solver, route.solver_status)),
+        ("unknowns", route.unknowns.to_string()),
+        ("iterations", route.iterations.to_string()),
+        ("seconds", magnitude(route.seconds)),
+        ("freedoms in contact", touching.to_string()),
+        (&labels.force.name("contact force"), labels.number(contact_force.iter().sum())),
+        (&labels.length.name("largest clearance"), labels.number(largest)),
+        (&labels.moment.name("energy J"), labels.number(*energy)),
+    ]);
+    if let Some(certificate) = &route.certificate {
+        text += &bounds(input, certificate, None);
+    }
+    if nodes {
+        let rows: Vec<Row> = (1..)
+            .zip(clearance.iter().zip(contact_force))
+            .map(|(i, (h, p)): (usize, _)| vec![i.to_string(), labels.number(*h), labels.number(*p)])
+            .collect();
+        let header = ["freedom", &labels.length.name("clearance"), &labels.force.name("contact force")];
+        text += &table("Freedoms", &header, &rows);
+    }
+    text
+}
+
+/// What is guaranteed, rounded so that it stays so.
+fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) -> String {
+    let labels = input.labels();
+    let Certificate { energy_lower, energy_upper, error, force_error, .. } = *certificate;
+    let [lower, upper] = [labels.results.at_least(energy_lower), labels.results.at_most(energy_upper)];
+    let mut rows = vec![vec![labels.moment.name("energy J*"), lower, upper]];
+    let least = least.map_or_else(String::new, magnitude_at_least);
+    rows.push(vec![labels.length.name("largest error of a clearance"), least, magnitude_at_most(error)]);
+    let of_force = labels.force.name("largest error of a contact force");
+    rows.extend(force_error.map(|error| vec![of_force, String::new(), magnitude_at_most(error)]));
+    table("Guaranteed", &["", "at least", "at most"], &rows)
+}
+
+/// `compare`: every solver.
+pub(super) fn compare<'a>(input: &Input<Body>, common: &Common) -> Outcome<'a> {
+    #[derive(Debug, Serialize)]
+    struct ComparisonObject<'a> {
+        scene: &'a str,
+        intervals: Option<usize>,
+        routes: Vec<RouteObject<'a>>,
+    }
+    #[derive(Debug, Serialize)]
+    struct RouteObject<'a> {
+        #[serde(flatten)]
+        route: &'a Route,
+        off: [f64; 2],
+    }
+    let proof = proven(&input.scene);
+    let routes = Solver::ALL.map(|solver| Route::of(&input.scene, solver, EXACT, Some(&proof)));
+    let certified = routes.iter().filter(|route| route.status == Status::Certified).count();
+    let as_text = || {
+        let row = |route: &Route| {
+            vec![
+                route.solver.to_owned(),
+                route.status.to_string(),
+                route.solver_status.clone(),
+                magnitude(route.residual),
+                route.iterations.to_string(),
+                magnitude(route.seconds),
+                magnitude_at_least(route.off[0]),
+                magnitude_at_most(route.off[1]),
+            ]
+        };
+        let header =
+            ["solver", "status", "says", "residual", "iterations", "seconds", "off by at least", "off by at most"];
+        let rows: Vec<Row> = routes.iter().map(row).collect();
+        let title = format!("{}, {} unknowns", input.title(), input.scene.program().dimension());
+        let why = proof.as_ref().err().map_or_else(String::new, |error| format!("\n{error}\n"));
+        let status = Status::of_several(0 < certified);
+        format!("{status}: {certified} of {} answers\n", routes.len()) + &table(&title, &header, &rows) + &why
+    };
+    let as_json = || {
+        let routes = routes.iter().map(|route| RouteObject { off: route.off, route }).collect();
+        print(&ComparisonObject { scene: input.title(), intervals: None, routes })
+    };
+    Outcome { text: common.shown(as_text, as_json), files: Vec::new(), is_certified: 0 < certified }
+}
+
+/// A condition that is violated, where it is worst.
+#[derive(Debug, Serialize)]
+struct Violation {
+    condition: ViolationKind,
+    at: usize,
+    amount: f64,
+}
+
+/// `certify`: how far what a program brought is off.
+pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Outcome<'a>, Failure> {
+    #[derive(Debug, Serialize)]
+    struct FindingObject<'a> {
+        scene: &'a str,
+        status: Status,
+        reason: &'a str,
+        off: [f64; 2],
+        certificate: Option<Certificate>,
+        violations: &'a [Violation],
+    }
+    if arguments.load == LoadArgument::Nodal {
+        return Err(refused("certify", "--load belongs to a beam; a [body] has no use for it"));
+    }
+    let body = &input.scene;
+    let brought = input.answers(&arguments.forces)?;
+    let proof = proven(body);
+    let judged = match &proof {
+        Ok(proof) => proof.judge(body, &brought).map_err(Unproven::from),
+        Err(error) => Err(*error),
+    };
+    let (clearance, off) = match judged {
+        Ok((clearance, off)) => (clearance, Ok(off)),
+        Err(error) => (Vec::new(), Err(error)),
+    };
+    let verdict = body.verdict(&clearance, off, EXACT, true);
+    let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, verdict.off[1], None));
+    let violations = violations(&brought, &clearance);
+    let as_text = || {
+        let mut text = heading(verdict.status, &verdict.reason, input);
+        text += &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.off[0])));
+        let rows: Vec<Row> = violations
+            .iter()
+            .map(|v| vec![v.condition.name().to_owned(), v.at.to_string(), magnitude(v.amount)])
+            .collect();
+        match rows.len() {
+            0 => text + "\nViolations: none\n",
+            _ => text + &table("Violations, the worst of each kind", &["", "freedom", "amount"], &rows),
+        }
+    };
+    let as_json = || {
+        let Verdict { status, reason, off } = &verdict;
+        let (off, violations) = (*off, violations.as_slice());
+        print(&FindingObject { scene: input.title(), status: *status, reason, off, certificate, violations })
+    };
+    let text = arguments.common.shown(as_text, as_json);
+    Ok(Outcome { text, files: Vec::new(), is_certified: verdict.status == Status::Certified })
+}
+
+/// Conditions that clearances violate, and forces where they were brought.
+fn violations(brought: &Brought, clearance: &[f64]) -> Vec<Violation> {
+    let worst = |condition, amounts: &mut dyn Iterator<Item = f64>| {
+        let (at, amount) = (1..).zip(amounts).max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (0.0 < amount).then_some(Violation { condition, at, amount })
+    };
+    let mut found = vec![worst(ViolationKind::Penetration, &mut clearance.iter().map(|h| -h))];
+    if let Brought::Force(force) = brought {
+        found.push(worst(ViolationKind::Tension, &mut force.iter().map(|p| -p)));
+        let across = force.iter().zip(clearance).map(|(p, h)| if 0.0 < *p { *h } else { 0.0 });
+        found.push(worst(ViolationKind::Complementarity, &mut { across }));
+    }
+    found.into_iter().flatten().collect()
+}
+
+/// What a body is not asked.
+pub(super) fn no_sweep() -> Failure {
+    refused("sweep", "a [body] has no number that could be varied; sweep a beam")
+}

@@ -1,0 +1,300 @@
+//! A symmetric matrix by rows, each from its first entry to the diagonal: banded, dense or anything between.
+//!
+//! Cholesky's factors `L Lᵀ` fill exactly the same places, so that a row of `w` numbers costs `w²/2` products.
+
+use std::ops::Range;
+
+use super::NotPositiveDefinite;
+use crate::double::Double;
+
+/// The lower triangle of a symmetric matrix, shape (n, n).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Profile {
+    /// Column of the first entry of each row.
+    first: Vec<usize>,
+    /// Where each row starts in `values`; n + 1 entries.
+    start: Vec<usize>,
+    /// Row of the last entry of each column; of a matrix, not of a part or of factors of one.
+    last: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Profile {
+    /// The matrix of some entries `(i, j, a_ij)`, of which each place on or below the diagonal has one at most.
+    #[must_use]
+    pub fn of_entries(n: usize, entries: impl Iterator<Item = (usize, usize, f64)> + Clone) -> Self {
+        let mut first: Vec<usize> = (0..n).collect();
+        entries.clone().for_each(|(i, j, _)| first[i] = first[i].min(j));
+        let mut matrix = Self::zero(first);
+        entries.for_each(|(i, j, a)| matrix.values[matrix.start[i] + j - matrix.first[i]] = a);
+        matrix
+    }
+
+    /// Zeros in rows that begin in these columns.
+    fn zero(first: Vec<usize>) -> Self {
+        let mut start = vec![0];
+        first.iter().enumerate().for_each(|(i, first)| start.push(start[i] + i + 1 - first));
+        let mut last: Vec<usize> = (0..first.len()).collect();
+        first.iter().enumerate().for_each(|(i, first)| last[*first..i].fill(i));
+        Self { values: vec![0.0; start[first.len()]], first, start, last }
+    }
+
+    /// The sum of two matrices, and what is rounded off it, exactly.
+    #[must_use]
+    pub fn sum(&self, other: &Self) -> [Self; 2] {
+        let first: Vec<usize> = self.first.iter().zip(&other.first).map(|(a, b)| *a.min(b)).collect();
+        let mut sum = [Self::zero(first.clone()), Self::zero(first)];
+        for i in 0..self.dimension() {
+            for j in sum[0].first[i]..=i {
+                let both = Double::exact(self.entry(i, j)) + Double::exact(other.entry(i, j));
+                let at = sum[0].start[i] + j - sum[0].first[i];
+                [sum[0].values[at], sum[1].values[at]] = both.parts();
+            }
+        }
+        sum
+    }
+
+    /// `n`.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.first.len()
+    }
+
+    /// Numbers that are stored.
+    #[must_use]
+    pub fn numbers(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Products that a factorisation takes, about.
+    #[must_use]
+    pub fn products(&self) -> usize {
+        self.rows().map(|(_, row)| row.len() * row.len() / 2 + row.len()).sum()
+    }
+
+    /// Entry `a_ij`.
+    #[must_use]
+    pub fn entry(&self, i: usize, j: usize) -> f64 {
+        let (i, j) = (i.max(j), i.min(j));
+        j.checked_sub(self.first[i]).map_or(0.0, |k| self.row(i)[k])
+    }
+
+    /// The diagonal.
+    pub fn diagonal(&self) -> impl Iterator<Item = f64> + '_ {
+        self.start[1..].iter().map(|end| self.values[end - 1])
+    }
+
+    /// Row `i`, from its first entry to the diagonal.
+    #[must_use]
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.values[self.start[i]..self.start[i + 1]]
+    }
+
+    /// The columns in which row `i` may have entries, on both sides of the diagonal.
+    #[must_use]
+    pub fn across(&self, i: usize) -> Range<usize> {
+        self.first[i]..self.last[i] + 1
+    }
+
+    /// The rows with the column in which each begins.
+    fn rows(&self) -> impl Iterator<Item = (usize, &[f64])> {
+        (0..self.dimension()).map(|i| (self.first[i], self.row(i)))
+    }
+
+    /// Some rows and their columns, ascending, with `shift` taken from the diagonal.
+    #[must_use]
+    pub fn part(&self, chosen: &[usize], shift: f64) -> Self {
+        let mut part = Self { start: vec![0], ..Self::default() };
+        for (k, &i) in chosen.iter().enumerate() {
+            let from = chosen.partition_point(|&j| j < self.first[i]);
+            part.first.push(from);
+            part.values.extend(chosen[from..k].iter().map(|&j| self.row(i)[j - self.first[i]]));
+            part.values.push(self.entry(i, i) - shift);
+            part.start.push(part.values.len());
+        }
+        part
+    }
+
+    /// Adds to the diagonal.
+    pub(crate) fn add_to_diagonal(&mut self, added: impl Iterator<Item = f64>) {
+        self.start[1..].iter().zip(added).for_each(|(end, added)| self.values[end - 1] += added);
+    }
+
+    /// The factor `L` of `L Lᵀ`, row by row.
+    ///
+    /// # Errors
+    ///
+    /// [`NotPositiveDefinite`] if a pivot is not positive.
+    pub fn cholesky(mut self) -> Result<Self, NotPositiveDefinite> {
+        for i in 0..self.dimension() {
+            let first = self.first[i];
+            let (done, rest) = self.values.split_at_mut(self.start[i]);
+            let row = &mut rest[..=i - first];
+            for j in first..i {
+                let from = first.max(self.first[j]);
+                let other = &done[self.start[j]..self.start[j + 1]];
+                let taken = dot(&row[from - first..j - first], &other[from - self.first[j]..]);
+                row[j - first] = (row[j - first] - taken) / other[j - self.first[j]];
+            }
+            let pivot = row[i - first] - dot(&row[..i - first], &row[..i - first]);
+            // Also refuses NaN.
+            if !(0.0 < pivot && pivot < f64::INFINITY) {
+                return Err(NotPositiveDefinite { index: i, pivot });
+            }
+            row[i - first] = pivot.sqrt();
+        }
+        Ok(self)
+    }
+
+    /// Solves `L Lᵀ x = b` in place, this being `L`.
+    pub fn solve(&self, b: &mut [f64]) {
+        for (i, (first, row)) in self.rows().enumerate() {
+            let (before, pivot) = row.split_at(i - first);
+            b[i] = (b[i] - dot(before, &b[first..i])) / pivot[0];
+        }
+        for i in (0..self.dimension()).rev() {
+            let (before, pivot) = self.row(i).split_at(i - self.first[i]);
+            b[i] /= pivot[0];
+            let x = b[i];
+            b[self.first[i]..i].iter_mut().zip(before).for_each(|(b, a)| *b -= a * x);
+        }
+    }
+
+    /// `A x`.
+    #[must_use]
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; x.len()];
+        for (i, (first, row)) in self.rows().enumerate() {
+            product[i] += dot(row, &x[first..=i]);
+            product[first..i].iter_mut().zip(row).for_each(|(sum, a)| *sum += a * x[i]);
+        }
+        product
+    }
+
+    /// Adds `A x` to some sums.
+    pub(crate) fn times_into(&self, x: &[Double], sums: &mut Sums) {
+        for (i, (first, row)) in self.rows().enumerate() {
+            for (j, &a) in (first..).zip(row).filter(|(_, a)| **a != 0.0) {
+                sums.add(i, a, x[j]);
+                if j < i {
+                    sums.add(j, a, x[i]);
+                }
+            }
+        }
+    }
+
+    /// For each row the sum of `part(i, j, a_ij)` over all its columns, those beyond the diagonal as well.
+    pub(crate) fn row_sums(&self, part: impl Fn(usize, usize, f64) -> f64) -> Vec<f64> {
+        let mut sums = vec![0.0; self.dimension()];
+        for (i, (first, row)) in self.rows().enumerate() {
+            for (j, &a) in (first..).zip(row) {
+                let part = part(i, j, a);
+                sums[i] += part;
+                if j < i {
+                    sums[j] += part;
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// A sum of products in a fixed order, several at a time: the same bits on every processor.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let (a, b) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum();
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.zip(b) {
+        (0..LANES).for_each(|k| sums[k] += a[k] * b[k]);
+    }
+    sums.iter().sum::<f64>() + rest
+}
+
+/// Sums of products `a · x` in twice the precision, with a bound on what is rounded off each of them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Sums {
+    pub(crate) values: Vec<Double>,
+    /// Magnitudes of all terms.
+    sizes: Vec<f64>,
+    /// How many terms.
+    terms: Vec<f64>,
+    /// What the first term may have been off.
+    before: Vec<f64>,
+}
+
+impl Sums {
+    /// What a step of a sum rounds off at most, as a share of the magnitudes of its terms so far.
+    ///
+    /// In [`Double::times_plus`] six operations round, each on numbers of at most `4 · 2⁻⁵³` of product and sum: below
+    /// `13 · 2⁻¹⁰⁶`. The rest, a factor of 5, covers that magnitudes are themselves rounded.
+    pub(crate) const STEP: f64 = 1.0 / ((1_u128 << 100) as f64);
+
+    /// Nothing yet.
+    pub(crate) fn zero(n: usize) -> Self {
+        Self { values: vec![Double::ZERO; n], sizes: vec![0.0; n], terms: vec![0.0; n], before: vec![0.0; n] }
+    }
+
+    /// One more product.
+    pub(crate) fn add(&mut self, i: usize, a: f64, x: Double) {
+        self.values[i] = x.times_plus(a, self.values[i]);
+        self.sizes[i] += (a * x.rounded()).abs();
+        self.terms[i] += 1.0;
+    }
+
+    /// What sum `i` is off at most; products below the range of 64 bits lose digits beside it.
+    pub(crate) fn off(&self, i: usize) -> f64 {
+        self.before[i] + self.terms[i] * (self.sizes[i] * Self::STEP + f64::MIN_POSITIVE)
+    }
+
+    /// Sums that begin with these, less than zero.
+    pub(crate) fn negative(&self) -> Self {
+        let n = self.values.len();
+        Self {
+            values: self.values.iter().map(|value| Double::ZERO - *value).collect(),
+            sizes: self.values.iter().map(|value| value.rounded().abs()).collect(),
+            terms: vec![1.0; n],
+            before: (0..n).map(|i| self.off(i)).collect(),
+        }
+    }
+
+    /// The sums, rounded.
+    pub(crate) fn rounded(&self) -> Vec<f64> {
+        self.values.iter().map(|value| value.rounded()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `[[4, 2, 0], [2, 5, 2], [0, 2, 5]]`, all pivots being 4, times (1, 2, 3).
+    #[test]
+    fn factors_and_products_of_a_small_matrix_are_exact() {
+        let entries = [(0, 0, 4.0), (1, 0, 2.0), (1, 1, 5.0), (2, 1, 2.0), (2, 2, 5.0)];
+        let matrix = Profile::of_entries(3, entries.into_iter());
+        assert_eq!(matrix.numbers(), 5, "row 2 begins in column 1");
+        assert_eq!(matrix.times(&[1.0, 2.0, 3.0]), [8.0, 18.0, 19.0]);
+        let mut sums = Sums::zero(3);
+        matrix.times_into(&[1.0, 2.0, 3.0].map(Double::exact), &mut sums);
+        assert_eq!(sums.rounded(), [8.0, 18.0, 19.0]);
+        let mut x = [8.0, 18.0, 19.0];
+        matrix.clone().cholesky().expect("its pivots are 4").solve(&mut x);
+        assert_eq!(x.map(f64::to_bits), [1.0, 2.0, 3.0].map(f64::to_bits));
+        let outer = matrix.part(&[0, 2], 1.0);
+        let bits = |values: [f64; 3]| values.map(f64::to_bits);
+        let entries = [outer.entry(0, 0), outer.entry(0, 1), outer.entry(1, 1)];
+        assert_eq!(bits(entries), bits([3.0, 0.0, 4.0]));
+        let error = matrix.part(&[0, 1, 2], 4.5).cholesky().expect_err("a pivot is 4 − 4.5");
+        assert_eq!(error, NotPositiveDefinite { index: 0, pivot: -0.5 });
+    }
+
+    #[test]
+    fn what_a_sum_of_matrices_rounds_off_is_kept() {
+        let tiny = f64::EPSILON / 8.0;
+        let one = |a: f64| Profile::of_entries(2, [(0, 0, a), (1, 1, 1.0), (1, 0, 0.0)].into_iter());
+        let [sum, rest] = one(1.0).sum(&one(tiny));
+        let entries = [sum.entry(0, 0), rest.entry(0, 0), sum.entry(1, 1)];
+        assert_eq!(entries.map(f64::to_bits), [1.0, tiny, 2.0].map(f64::to_bits));
+    }
+}

@@ -1,0 +1,180 @@
+//! `[body]`: an elastic body from a matrix, with gaps and loads as CSV in the layout of a survey.
+
+use std::ops::ControlFlow;
+
+use toml::de::DeTable;
+
+use super::contents::units;
+use super::problem::excerpt;
+use super::survey::{Survey, beside as named_beside};
+use super::table::{Error, Keys, Value};
+use super::{FileError, ReadProblem, Source};
+use crate::body::matrix_market::{Reader, Wrong};
+use crate::body::proof::Brought;
+use crate::body::{Body, BodyProblem, Kind};
+use crate::qp::{Profile, Qp as _};
+use crate::scene::Scene;
+
+/// Who reads the files that a scene file names, as they are written there.
+pub trait Beside {
+    /// All of a file.
+    ///
+    /// # Errors
+    ///
+    /// Why it cannot be read.
+    fn text(&mut self, path: &str) -> Result<String, ReadProblem>;
+
+    /// The lines of a file one by one, without their ends, until `each` breaks.
+    ///
+    /// # Errors
+    ///
+    /// Why it cannot be read.
+    fn lines(&mut self, path: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem>;
+}
+
+/// What a scene file describes.
+#[derive(Debug)]
+pub enum Model {
+    /// A beam above a foundation.
+    Scene(Scene),
+    /// Any elastic body.
+    Body(Box<Body>),
+}
+
+const FILE: &[&str] = &["title", "units", "body", "beam", "load", "foundation"];
+const BODY: &[&str] = &["stiffness", "flexibility", "gap", "load", "foundation"];
+
+pub(super) fn read(
+    source: Source<'_>,
+    document: &DeTable<'_>,
+    beside: &mut dyn Beside,
+) -> Result<Body, Box<FileError>> {
+    let at = |error: Error| source.error(error.span, error.problem);
+    let wrong = |value: &Value<'_>, problem: BodyProblem| source.error(value.span(), problem.into());
+    let file = Keys::of_file(document, FILE).map_err(at)?;
+    for beam in ["beam", "load", "foundation"] {
+        if let Some(value) = file.get(beam) {
+            return Err(wrong(&value, BodyProblem::Beside(beam)));
+        }
+    }
+    let body = file.required_table("body", BODY).map_err(at)?;
+    let (kind, key, given) = match (body.get("stiffness"), body.get("flexibility")) {
+        (Some(given), None) => (Kind::Stiffness, "stiffness", given),
+        (None, Some(given)) => (Kind::Flexibility, "flexibility", given),
+        _ => return Err(source.error(body.span(), BodyProblem::OneMatrix.into())),
+    };
+    let mut files = Files { source, beside };
+    let matrix = files.matrix(key, &given)?;
+    let n = matrix.dimension();
+    let foundation = match body.get("foundation") {
+        None => None,
+        Some(value) if kind == Kind::Stiffness => return Err(wrong(&value, BodyProblem::FoundationOfStiffness)),
+        Some(value) => {
+            let foundation = files.matrix("foundation", &value)?;
+            if foundation.dimension() != n {
+                let problem = BodyProblem::Sizes { body: n, foundation: foundation.dimension() };
+                return Err(wrong(&value, problem));
+            }
+            Some(foundation)
+        }
+    };
+    let mut table =
+        |key, quantity| body.get(key).map_or_else(|| Ok(vec![0.0; n]), |v| files.table(key, quantity, &v, n));
+    let (gap, load) = (table("gap", "gap")?, table("load", "force")?);
+    let title = file.line_of_text("title").map_err(at)?.unwrap_or_default();
+    let units = units(&file).map_err(at)?;
+    // Each matrix by itself is positive definite already, so that only rounding could destroy it.
+    let body = Body::new(kind, matrix, foundation.as_ref(), gap, load);
+    let mut body = body.map_err(|error| wrong(&given, BodyProblem::indefinite(error)))?;
+    if !body.program().linear().iter().all(|b| b.is_finite()) {
+        return Err(wrong(&given, BodyProblem::Range));
+    }
+    (body.title, body.units) = (title, units);
+    Ok(body)
+}
+
+/// The files of a body.
+struct Files<'a> {
+    source: Source<'a>,
+    beside: &'a mut dyn Beside,
+}
+
+impl Files<'_> {
+    fn unreadable(&self, key: &'static str, path: &str, value: &Value<'_>, problem: ReadProblem) -> Box<FileError> {
+        let problem = BodyProblem::Unreadable { key, path: excerpt(path), problem };
+        self.source.error(value.span(), problem.into())
+    }
+
+    /// A positive definite matrix.
+    fn matrix(&mut self, key: &'static str, value: &Value<'_>) -> Result<Profile, Box<FileError>> {
+        let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
+        let name = named_beside(self.source.name, &path);
+        let at = |w: Wrong| Box::new(FileError::on_line(&name, w.line.max(1), &w.text, w.marked, w.problem.into()));
+        let (mut reader, mut found) = (Reader::default(), None);
+        let read = self.beside.lines(&path, &mut |line| match reader.line(line) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(wrong) => {
+                found = Some(wrong);
+                ControlFlow::Break(())
+            }
+        });
+        read.map_err(|problem| self.unreadable(key, &path, value, problem))?;
+        let matrix = found.map_or_else(|| reader.end(), Err).map_err(at)?;
+        match matrix.clone().cholesky() {
+            Ok(_) => Ok(matrix),
+            Err(error) => Err(Box::new(FileError::whole(&name, BodyProblem::indefinite(error).into()))),
+        }
+    }
+
+    /// A number for each freedom.
+    fn table(
+        &mut self,
+        key: &'static str,
+        quantity: &'static str,
+        value: &Value<'_>,
+        n: usize,
+    ) -> Result<Vec<f64>, Box<FileError>> {
+        let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
+        let text = self.beside.text(&path).map_err(|problem| self.unreadable(key, &path, value, problem))?;
+        column(&Survey { name: named_beside(self.source.name, &path), text }, &[quantity], n).map(|(_, values)| values)
+    }
+}
+
+/// Numbers `i,quantity` of n freedoms, `i` from 1, zero for those that are not listed; and which of some quantities they are.
+fn column(file: &Survey, quantities: &[&'static str], n: usize) -> Result<(usize, Vec<f64>), Box<FileError>> {
+    let (layout, mut rows) = (file.layout(), file.rows());
+    let (header, span) = rows.next().unwrap_or(("", 0..0));
+    let names: Vec<&str> = layout.fields(header, span.start).map(|(name, _)| name).collect();
+    let Some(which) = quantities.iter().position(|quantity| names == ["i", quantity]) else {
+        let expected = quantities.iter().map(|quantity| format!("`i,{quantity}`")).collect::<Vec<_>>().join(" or ");
+        return Err(file.error(span, BodyProblem::TableHeader { expected, found: excerpt(header) }.into()));
+    };
+    let mut values: Vec<Option<f64>> = vec![None; n];
+    for (row, span) in rows {
+        let mut given = layout.fields(row, span.start);
+        let (Some((i, place)), Some(value), None) = (given.next(), given.next(), given.next()) else {
+            let found = layout.fields(row, span.start).count();
+            return Err(file.error(span, BodyProblem::Fields { expected: "two numbers", found }.into()));
+        };
+        let Some(index) = i.parse().ok().filter(|i| (1..=n).contains(i)) else {
+            let (expected, found) = (format!("a whole number from 1 to {n}"), excerpt(i));
+            return Err(file.error(place, BodyProblem::Number { quantity: "i", expected, found }.into()));
+        };
+        let value = file.number(layout, quantities[which], value)?;
+        if values[index - 1].replace(value).is_some() {
+            return Err(file.error(place, BodyProblem::RowTwice(index).into()));
+        }
+    }
+    Ok((which, values.into_iter().map(|value| value.unwrap_or(0.0)).collect()))
+}
+
+/// Reads what a program brought for a body: `i,force` or `i,clearance`.
+///
+/// # Errors
+///
+/// Text that is not such a file, with line and column.
+pub fn parse_answers(name: &str, text: &str, body: &Body) -> Result<Brought, Box<FileError>> {
+    let file = Survey { name: name.to_owned(), text: text.to_owned() };
+    let (which, values) = column(&file, &["force", "clearance"], body.program().dimension())?;
+    Ok(if which == 0 { Brought::Force(values) } else { Brought::Clearance(values) })
+}

@@ -1,0 +1,97 @@
+//! Mehrotra's predictor and corrector (Mehrotra 1992): a first set of free variables for the active set, which alone would exchange
+//! them one by one.
+
+use crate::qp::{Explicit, FreeSet, NotPositiveDefinite, Profile, Qp as _, Sizes};
+
+/// Most steps: 10 to 30 are the rule.
+const STEPS: usize = 60;
+
+/// Steps end where the mean product of a pair, and the rest of the equations, are this share of their sizes: far below what tells
+/// the members of a pair apart.
+const PRODUCT: f64 = 1e-18;
+const REST: f64 = 1e-12;
+
+/// How much of the way to the border a step goes.
+const SHORT_OF_BORDER: f64 = 0.995;
+
+/// `x > 0` and `g > 0` with `A x − g = b`.
+struct Interior<'a> {
+    matrix: &'a Profile,
+    linear: &'a [f64],
+    x: Vec<f64>,
+    gradient: Vec<f64>,
+}
+
+/// A step of both, and how much of it leads to the border.
+struct Step {
+    x: Vec<f64>,
+    gradient: Vec<f64>,
+    longest: f64,
+}
+
+/// Which variables are free as far as steps through the interior tell: of each pair the member that vanishes faster is zero.
+pub(super) fn free_set(qp: &Explicit) -> FreeSet {
+    let (n, Sizes { x, gradient }) = (qp.dimension(), qp.sizes());
+    let linear = qp.linear();
+    let mut point = Interior { matrix: qp.profile(), linear: &linear, x: vec![x; n], gradient: vec![gradient; n] };
+    let mut free = FreeSet::all(n);
+    for _ in 0..STEPS {
+        let rest = point.rest();
+        let mean = point.mean(&[], &[], 0.0);
+        let solved = mean <= PRODUCT * x * gradient && rest.iter().all(|r| r.abs() <= REST * gradient);
+        let Some(step) = (!solved).then(|| point.step(&rest, mean).ok()).flatten() else { break };
+        let length = (SHORT_OF_BORDER * step.longest).min(1.0);
+        let next = |from: &[f64], step: &[f64]| -> Vec<f64> {
+            from.iter().zip(step).map(|(from, step)| from + length * step).collect()
+        };
+        let (x, gradient) = (next(&point.x, &step.x), next(&point.gradient, &step.gradient));
+        if x.iter().chain(&gradient).any(|value| !(0.0 < *value && *value < f64::INFINITY)) {
+            break;
+        }
+        (0..n).for_each(|i| free.set(i, gradient[i] * point.x[i] < x[i] * point.gradient[i]));
+        (point.x, point.gradient) = (x, gradient);
+    }
+    free
+}
+
+impl Interior<'_> {
+    /// `A x − b − g`.
+    fn rest(&self) -> Vec<f64> {
+        let others = self.linear.iter().zip(&self.gradient);
+        self.matrix.times(&self.x).iter().zip(others).map(|(product, (b, g))| product - b - g).collect()
+    }
+
+    /// The mean of `x_i g_i` after a part of a step.
+    fn mean(&self, x: &[f64], gradient: &[f64], length: f64) -> f64 {
+        let moved = |from: f64, step: &[f64], i: usize| from + length * step.get(i).copied().unwrap_or(0.0);
+        let pairs = self.x.iter().zip(&self.gradient).enumerate();
+        let sum: f64 = pairs.map(|(i, (p, g))| moved(*p, x, i) * moved(*g, gradient, i)).sum();
+        #[expect(clippy::cast_precision_loss, reason = "far below 2⁵³ variables")]
+        let n = self.x.len() as f64;
+        sum / n
+    }
+
+    /// Towards pairs whose products are all the same, smaller number: `g dx + x dg = σμ − x g − dx dg`, `A dx − dg = −rest`.
+    fn step(&self, rest: &[f64], mean: f64) -> Result<Step, NotPositiveDefinite> {
+        let mut shifted = self.matrix.clone();
+        shifted.add_to_diagonal(self.gradient.iter().zip(&self.x).map(|(g, x)| g / x));
+        let factor = shifted.cholesky()?;
+        let towards = |product: f64, before: Option<&Step>| {
+            let second = |i: usize| before.map_or(0.0, |step| step.x[i] * step.gradient[i]);
+            let pairs = self.x.iter().zip(&self.gradient).enumerate();
+            let right: Vec<f64> = pairs.map(|(i, (x, g))| product - x * g - second(i)).collect();
+            let mut x: Vec<f64> = (0..right.len()).map(|i| right[i] / self.x[i] - rest[i]).collect();
+            factor.solve(&mut x);
+            let gradient: Vec<f64> =
+                (0..right.len()).map(|i| (right[i] - self.gradient[i] * x[i]) / self.x[i]).collect();
+            let border = |from: &[f64], step: &[f64]| {
+                let ways = from.iter().zip(step).filter(|(_, step)| **step < 0.0).map(|(from, step)| -from / step);
+                ways.fold(1.0, f64::min)
+            };
+            Step { longest: border(&self.x, &x).min(border(&self.gradient, &gradient)), x, gradient }
+        };
+        let straight = towards(0.0, None);
+        let share = self.mean(&straight.x, &straight.gradient, straight.longest) / mean;
+        Ok(towards(share * share * share * mean, Some(&straight)))
+    }
+}
