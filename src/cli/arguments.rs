@@ -1,16 +1,16 @@
-//! The arguments, the help that explains them, the words and numbers that they take, and how others are refused.
+//! The arguments, the help that explains them, the numbers that they take, and how others are refused.
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValue;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use palkki::DEFAULT_TOLERANCE;
-use palkki::route::{Method, Solver};
+use palkki::route::Solver;
 use palkki::sweep::MOST_STEPS;
 use palkki::text::{DIGITS, MOST_DIGITS};
 
 use super::explain::{EXAMPLE as EXPLAIN_EXAMPLE, Explain};
 use super::json::MOST_INTERVALS_WITH_NODES;
+pub(super) use super::values::{Form, Format, GridMethod, LoadArgument, MethodArgument, SolverArgument};
 
 /// Intervals of a grid that nobody asked for: those of the paper's example.
 pub(super) const DEFAULT_INTERVALS: usize = 30;
@@ -21,7 +21,8 @@ pub(super) const DEFAULT_SOLVER: Solver = Solver::ActiveSet;
 ///
 /// An elastic beam is held by simple or built-in supports, by one at each end if the scene does not say otherwise, or lies on the
 /// ground alone. Below it, at a known depth, lies rigid, uneven ground. Under load the beam sags and may touch the ground. palkki
-/// computes where it touches, the contact forces, the reactions of the supports, the deflection and the bending moment.
+/// computes where it touches, the contact forces, the reactions of the supports, the deflection and the bending moment. Any elastic
+/// body may stand in the place of the beam, from its stiffness or flexibility matrix.
 ///
 /// The problem on two simple supports and three methods to solve it are those of M. Heinisuo, "Yksinkertainen palkki jäykällä epätasaisella
 /// alustalla", Rakenteiden Mekaniikka 17 (1984). The beam, its loads and the ground are given in a scene file;
@@ -52,9 +53,12 @@ the beam, positive upwards, for example
   x,force
   2.3333,1.14
   2.6667,0.55
+For a scene with a [body] the header is i,force or i,clearance: freedoms, from 1, with contact forces
+or clearances. The largest error of a clearance is then bounded from both sides.
 
 Examples:
   palkki certify scene.toml forces.csv
+  palkki certify body.toml answer.csv
   palkki certify scene.toml forces.csv --load nodal --format json";
 
 const SWEEP_EXAMPLES: &str = "\
@@ -66,6 +70,12 @@ Examples:
   palkki sweep scene.toml --vary foundation.depth --from 0.5 --to 8 --steps 101
   palkki sweep scene.toml --vary load.point[0].at --from 0 --to 10 --steps 1001 --plot sweep.svg
   palkki sweep scene.toml --vary load.point[0].at,load.point[1].at --from 0 --to 8 --envelope";
+
+const EXPORT_EXAMPLES: &str = "\
+Examples:
+  palkki export report/scenes/ridge.toml --method force --intervals 30 --to ridge
+  palkki certify ridge/body.toml answer.csv
+  palkki export scene.toml --method displacement -n 300 --to scene --form sparse";
 
 const COMPLETIONS_EXAMPLE: &str = "\
 Examples:
@@ -121,6 +131,12 @@ pub(super) enum Command {
     /// the answer. The exit code is that of solve.
     #[command(after_help = EXPLAIN_EXAMPLE)]
     Explain(Explain),
+    /// Write the quadratic program of a beam on a grid, for other solvers.
+    ///
+    /// As a scene of its own with a [body], whose matrix and gaps or loads are files, or in the sparse variables with moments
+    /// that the libraries are given: minimise ½ xᵀ P x + qᵀ x subject to lower ≤ A x ≤ upper. names.csv says what each variable is.
+    #[command(after_help = EXPORT_EXAMPLES)]
+    Export(Export),
     /// Print what makes a shell complete commands and options, to be read by it.
     #[command(after_help = COMPLETIONS_EXAMPLE)]
     Completions {
@@ -139,7 +155,7 @@ pub(super) enum Command {
 
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// Scene file: beam, supports, loads and foundation, in TOML; `-` is standard input
+    /// Scene file: beam, supports, loads and foundation, or any elastic body, in TOML; `-` is standard input
     #[arg(value_name = "SCENE")]
     pub(super) scene: PathBuf,
     /// A table to read, or JSON to read on
@@ -237,6 +253,24 @@ pub(super) struct Certify {
 }
 
 #[derive(Debug, Args)]
+pub(super) struct Export {
+    #[command(flatten)]
+    pub(super) common: Common,
+    /// The method whose program it is
+    #[arg(short, long, value_name = "METHOD", value_enum)]
+    pub(super) method: GridMethod,
+    /// Equal intervals, at least 2
+    #[arg(short = 'n', long, value_name = "N", allow_hyphen_values = true, value_parser = intervals, default_value_t = DEFAULT_INTERVALS)]
+    pub(super) intervals: usize,
+    /// The folder for the files; it is made if there is none
+    #[arg(long, value_name = "FOLDER")]
+    pub(super) to: PathBuf,
+    /// In which variables
+    #[arg(long, value_name = "FORM", value_enum, default_value = "dense")]
+    pub(super) form: Form,
+}
+
+#[derive(Debug, Args)]
 pub(super) struct Sweep {
     #[command(flatten)]
     pub(super) common: Common,
@@ -325,87 +359,3 @@ const MOST_INTERVALS: usize = 10_000_000;
 
 /// The finest grid whose nodes are printed, written or drawn: their text takes some hundred megabytes for each million.
 pub(super) const MOST_INTERVALS_WRITTEN: usize = 3_000_000;
-
-/// `--format`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    Text,
-    Json,
-}
-
-/// `--method`.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum MethodArgument {
-    Exact,
-    Discretised(Method),
-}
-
-impl MethodArgument {
-    pub(super) fn discretised(self) -> Option<Method> {
-        match self {
-            Self::Exact => None,
-            Self::Discretised(method) => Some(method),
-        }
-    }
-}
-
-impl ValueEnum for MethodArgument {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self::Exact,
-            Self::Discretised(Method::Complementarity),
-            Self::Discretised(Method::Displacement),
-            Self::Discretised(Method::Force),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(match self {
-            Self::Exact => PossibleValue::new("exact").help("the exact solution of beam theory, no grid"),
-            Self::Discretised(method) => PossibleValue::new(method.name()).help(match method {
-                Method::Complementarity => "finite differences: no penetration, no tension, one of the two everywhere",
-                Method::Displacement => "beam elements: least potential energy without penetration at the nodes",
-                Method::Force => "flexibility: least complementary energy without tension at the nodes",
-            }),
-        })
-    }
-}
-
-/// `--solver`.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct SolverArgument(pub(super) Solver);
-
-impl ValueEnum for SolverArgument {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self(Solver::ActiveSet),
-            Self(Solver::Nsor),
-            #[cfg(feature = "clarabel")]
-            Self(Solver::Clarabel),
-            #[cfg(feature = "osqp")]
-            Self(Solver::Osqp),
-            Self(Solver::FourStep),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.0.name()).help(match self.0 {
-            Solver::ActiveSet => "exchanges nodes until the contact set is right; always ends at the optimum",
-            Solver::Nsor => "projected over-relaxation, which the paper recommends for many unknowns",
-            #[cfg(feature = "clarabel")]
-            Solver::Clarabel => "interior points, a library",
-            #[cfg(feature = "osqp")]
-            Solver::Osqp => "operator splitting, a library",
-            Solver::FourStep => "the paper's own four steps, for comparison; may stop short of the optimum",
-        }))
-    }
-}
-
-/// `--load` of `certify`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum LoadArgument {
-    /// distributed along the beam, as in the scene; FORCES may lie anywhere
-    Distributed,
-    /// lumped at the nodes of equal intervals; FORCES has every inner node, with 0 where nothing touches
-    Nodal,
-}

@@ -13,6 +13,7 @@ mod certify;
 mod compare;
 mod csv;
 mod explain;
+mod export;
 mod files;
 mod given;
 mod held;
@@ -24,6 +25,7 @@ mod pages;
 mod sweep;
 mod table;
 mod text;
+mod values;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -62,6 +64,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Certify(arguments) => certify(arguments),
         Command::Sweep(arguments) => sweep(arguments),
         Command::Explain(arguments) => explain(arguments),
+        Command::Export(arguments) => export(arguments),
         Command::Completions { shell } => pages::completions(*shell),
         Command::Manual { command } => pages::manual(command.as_deref()),
     };
@@ -214,11 +217,24 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
 fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
     let explain::Explain { scene, format, digits } = arguments;
     let common = Common { scene: scene.clone(), format: Format::Text, digits: *digits };
-    run_on_scene(&common, format!("explaining {}", input::called(scene)), &[], |input| {
+    let what = format!("explaining {}", input::called(scene));
+    let on_beam = |input: &Input| {
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })
-    })
+    };
+    run_on_scene(&common, what, &[], on_beam, |_| Err(body::refused("explain", "the equations are those of a beam")))
+}
+
+fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
+    let failed = |error| Failure::Write { path: arguments.to.clone(), error };
+    std::fs::create_dir_all(&arguments.to).map_err(failed)?;
+    let (places, common) = (arguments.places(), &arguments.common);
+    let what = format!("exporting {}", input::called(&common.scene));
+    let places_of_files: Vec<_> = places.iter().collect();
+    let on_beam = |input: &Input| export::export(input, arguments, &places);
+    let on_body = |_: &Input<Body>| Err(body::refused("export", "a scene with a [body] is one of matrices already"));
+    run_on_scene(common, what, &places_of_files, on_beam, on_body)
 }
 
 impl Solve {

@@ -127,7 +127,8 @@ impl Discrete {
     }
 
     /// The node of an unknown.
-    pub(super) fn node(&self, unknown: usize) -> usize {
+    #[must_use]
+    pub fn node(&self, unknown: usize) -> usize {
         let first = self.nodes().start + unknown;
         self.supports.inner().iter().fold(first, |node, support| node + usize::from(support.node <= node))
     }

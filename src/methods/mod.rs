@@ -30,6 +30,7 @@ pub use answer::{Nodal, contact_state, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
 pub use rigid::{balanced, single_contact};
+pub use sparse::moments;
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -89,7 +90,8 @@ impl Method {
     }
 
     /// Length by which a contact force is divided in the gradient: finite differences have pressures, the others forces.
-    fn share(self, discrete: &Discrete) -> f64 {
+    #[must_use]
+    pub fn share(self, discrete: &Discrete) -> f64 {
         match self {
             Self::Complementarity => discrete.spacing,
             Self::Displacement | Self::Force => 1.0,

@@ -70,6 +70,20 @@ impl Hinge {
     }
 }
 
+/// What the moments of a sparse form are, in their order.
+#[must_use]
+pub fn moments(discrete: &Discrete) -> Vec<String> {
+    let name = |hinge: &Hinge| {
+        let side = match hinge.sides {
+            [true, false] => "left of",
+            [false, true] => "right of",
+            _ => "at",
+        };
+        format!("moment {side} x = {:?}", discrete.grid.place(hinge.node))
+    };
+    Hinge::all(discrete).iter().map(name).collect()
+}
+
 /// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));

@@ -199,10 +199,10 @@ impl Profile {
     }
 }
 
-/// A sum of products in a fixed order, several at a time: the same bits on every processor.
+/// A sum of as many products as `a` has numbers, in a fixed order, several at a time: the same bits on every processor.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     const LANES: usize = 8;
-    let (a, b) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let (a, b) = (a.chunks_exact(LANES), b[..a.len()].chunks_exact(LANES));
     let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum();
     let mut sums = [0.0; LANES];
     for (a, b) in a.zip(b) {
@@ -287,6 +287,17 @@ mod tests {
         assert_eq!(bits(entries), bits([3.0, 0.0, 4.0]));
         let error = matrix.part(&[0, 1, 2], 4.5).cholesky().expect_err("a pivot is 4 − 4.5");
         assert_eq!(error, NotPositiveDefinite { index: 0, pivot: -0.5 });
+    }
+
+    /// `a_ij = min(i, j)` from 1 has the factor of ones: rows of all lengths about the eight products that go together.
+    #[test]
+    fn long_rows_are_factored_exactly() {
+        let whole = |i: usize| f64::from(u32::try_from(i).expect("small"));
+        let entries = (0..40).flat_map(|i| (0..=i).map(move |j| (i, j, whole(j + 1))));
+        let factor = Profile::of_entries(40, entries).cholesky().expect("its pivots are 1");
+        for i in 0..40 {
+            assert!(factor.row(i).iter().all(|l| l.to_bits() == 1.0_f64.to_bits()), "row {i}");
+        }
     }
 
     #[test]

@@ -1,0 +1,140 @@
+//! `export`: the quadratic program of a beam on a grid, for other solvers; `certify` takes their answer.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use palkki::methods::{Discrete, moments};
+use palkki::qp::{Qp, SparseForm, UpperColumns};
+use palkki::route::Method;
+
+use super::Outcome;
+use super::arguments::{Export, Form};
+use super::body::refused;
+use super::input::Input;
+use super::output::Failure;
+
+/// Most unknowns of a full matrix as text: 4000 take some 200 MB.
+const LARGEST_DENSE: usize = 4000;
+
+impl Export {
+    /// The names of the files, in the order in which they are made.
+    fn names(&self) -> &'static [&'static str] {
+        match (self.form, self.method.0.is_free_in_contact()) {
+            (Form::Sparse, _) => &["P.mtx", "q.csv", "A.mtx", "bounds.csv", "names.csv"],
+            (Form::Dense, true) => &["body.toml", "C.mtx", "gap.csv", "names.csv"],
+            (Form::Dense, false) => &["body.toml", "K.mtx", "load.csv", "names.csv"],
+        }
+    }
+
+    /// The files.
+    pub(super) fn places(&self) -> Vec<Option<PathBuf>> {
+        self.names().iter().map(|name| Some(self.to.join(name))).collect()
+    }
+}
+
+/// The program of a beam as files.
+pub(super) fn export<'a>(
+    input: &Input,
+    arguments: &Export,
+    places: &'a [Option<PathBuf>],
+) -> Result<Outcome<'a>, Failure> {
+    let Export { method, intervals, form, .. } = arguments;
+    let method = method.0;
+    if input.scene.foundation().is_none() {
+        return Err(refused("export", "without a foundation there is no quadratic program"));
+    }
+    let discrete = Discrete::new(&input.scene, *intervals).map_err(|error| input.error(error))?;
+    let qp = method.qp(&discrete);
+    let what = if method.is_free_in_contact() { "contact force" } else { "clearance" };
+    let names = (0..qp.dimension()).map(|k| format!("{what} at x = {:?}", discrete.grid.place(discrete.node(k))));
+    let texts = match form {
+        Form::Dense => {
+            let names = names.map(|name| [name]);
+            let [scene, matrix, linear] = dense(input, method, &discrete, qp.as_ref())?;
+            vec![scene, matrix, linear, csv("i,what", names)]
+        }
+        Form::Sparse => {
+            let Some(form) = qp.sparse() else { return Err(refused("export", "there is no sparse form")) };
+            let unit = form.sizes.x;
+            let names = names.map(|name| format!("{name} in units of {unit:?}"));
+            let names = moments(&discrete).into_iter().map(|name| format!("{name} in a unit of its own")).chain(names);
+            let mut texts = sparse(&form);
+            texts.push(csv("i,what", names.map(|name| [name])));
+            texts
+        }
+    };
+    let shown = arguments.common.shown(
+        || format!("{} unknowns in {}\n", qp.dimension(), arguments.to.display()),
+        || super::json::print(&serde_json::json!({ "scene": input.title(), "files": arguments.names() })),
+    );
+    let files = places.iter().flatten().zip(texts).map(Some).collect();
+    Ok(Outcome { text: shown, files, is_certified: true })
+}
+
+/// A scene with a body, its matrix, and its gaps or loads: `b` is the product of neither with the matrix, and stays as it is.
+fn dense(input: &Input, method: Method, discrete: &Discrete, qp: &dyn Qp) -> Result<[String; 3], Failure> {
+    let n = qp.dimension();
+    if let Some(why) = qp.without_matrix() {
+        return Err(refused("export", &format!("{why}; --form sparse has one")));
+    }
+    if LARGEST_DENSE < n {
+        let message = format!("a full matrix of {n} unknowns is more than {LARGEST_DENSE}; take --form sparse");
+        return Err(refused("export", &message));
+    }
+    let (matrix, share) = (qp.matrix(), method.share(discrete));
+    let entries = (0..n).flat_map(|j| (j..n).map(move |i| (i, j)));
+    let entries = entries.map(|(i, j)| (i, j, matrix.entry(i, j) * share)).filter(|entry| entry.2 != 0.0);
+    let quoted = |text: &str| format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""));
+    let title = quoted(&format!("{}, {method} method, {} intervals", input.title(), discrete.intervals));
+    let (keys, quantity) = if method.is_free_in_contact() {
+        ("flexibility = \"C.mtx\"\ngap = \"gap.csv\"", "i,gap")
+    } else {
+        ("stiffness = \"K.mtx\"\nload = \"load.csv\"", "i,force")
+    };
+    let mut scene = format!("title = {title}\n\n[body]\n{keys}\n");
+    let units = input.scene.units();
+    let labels = [("length", &units.length), ("force", &units.force)];
+    if labels.iter().any(|(_, label)| label.is_some()) {
+        scene += "\n[units]\n";
+        for (key, label) in labels.iter().filter_map(|(key, label)| Some((key, label.as_ref()?))) {
+            let _ = writeln!(scene, "{key} = {}", quoted(label));
+        }
+    }
+    let linear = csv(quantity, qp.linear().iter().map(|b| [format!("{:?}", -b * share)]));
+    Ok([scene, matrix_market([n, n], "symmetric", &entries.collect::<Vec<_>>()), linear])
+}
+
+/// `P`, `q`, `A` and the bounds: minimise `½ xᵀ P x + qᵀ x` subject to `lower ≤ A x ≤ upper`.
+fn sparse(form: &SparseForm) -> Vec<String> {
+    let m = form.linear.len();
+    let n = m - form.signed;
+    let by_columns = |starts: &[usize], rows: &[usize], values: &[f64]| -> Vec<(usize, usize, f64)> {
+        let columns = starts.windows(2).enumerate().flat_map(|(j, range)| (range[0]..range[1]).map(move |k| (j, k)));
+        columns.map(|(j, k)| (rows[k], j, values[k])).collect()
+    };
+    let UpperColumns { starts, rows, values } = &form.quadratic;
+    let quadratic: Vec<_> = by_columns(starts, rows, values).into_iter().map(|(i, j, a)| (j, i, a)).collect();
+    let (starts, rows, values) = form.constraints(1.0);
+    let equations = form.right.iter().map(|e| [format!("{e:?}"), format!("{e:?}")]);
+    let signs = (0..n).map(|_| ["0.0".to_owned(), "inf".to_owned()]);
+    vec![
+        matrix_market([m, m], "symmetric", &quadratic),
+        csv("i,q", form.linear.iter().map(|q| [format!("{q:?}")])),
+        matrix_market([form.right.len() + n, m], "general", &by_columns(&starts, &rows, &values)),
+        csv("i,lower,upper", equations.chain(signs)),
+    ]
+}
+
+fn matrix_market([rows, columns]: [usize; 2], kind: &str, entries: &[(usize, usize, f64)]) -> String {
+    let mut text = format!("%%MatrixMarket matrix coordinate real {kind}\n{rows} {columns} {}\n", entries.len());
+    for (i, j, a) in entries {
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "{} {} {a:?}", i + 1, j + 1);
+    }
+    text
+}
+
+/// Rows that begin with their number.
+fn csv<const N: usize>(header: &str, rows: impl Iterator<Item = [String; N]>) -> String {
+    (1..).zip(rows).fold(format!("{header}\n"), |text, (i, row)| text + &format!("{i},{}\n", row.join(",")))
+}
