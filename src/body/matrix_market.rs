@@ -181,7 +181,7 @@ impl Reader {
         }
         if entries < rows {
             // Its diagonal alone has as many.
-            let expected = format!("at least {rows}, those of its diagonal,");
+            let expected = format!("at least {rows}");
             return Err(self.wrong(text, 0..text.len(), BodyProblem::Entries { expected, found: entries }));
         }
         Ok([rows, entries])

@@ -16,7 +16,7 @@ pub mod proof;
 
 pub use problem::BodyProblem;
 
-use self::proof::Unproven;
+use self::proof::{Off, Unproven};
 use crate::double::Double;
 use crate::qp::{Explicit, NotPositiveDefinite, Profile, Qp as _, Sums};
 use crate::scene::Units;
@@ -145,35 +145,6 @@ impl Body {
         };
         State { clearance, contact_force, energy: 0.5 * bent + proof::constant(self).0.rounded() }
     }
-
-    /// What clearances are worth whose largest error is known; `demanded` is a share of the largest of them.
-    #[must_use]
-    pub fn verdict(
-        &self,
-        clearance: &[f64],
-        off: Result<[f64; 2], Unproven>,
-        demanded: f64,
-        reports_success: bool,
-    ) -> Verdict {
-        // The largest of clearances and displacements; a body at rest on the ground, which has neither, is measured by 1.
-        let each = clearance.iter().zip(&self.gap);
-        let size = each.fold(0.0, |most: f64, (h, g)| most.max(h.abs()).max((g - h).abs()));
-        let size = if size == 0.0 { 1.0 } else { size };
-        let [least, most] = off.unwrap_or([0.0, f64::INFINITY]);
-        let status = Status::of_body(most / size, demanded, reports_success);
-        let share = share_at_most(most / size);
-        let reason = match off {
-            Err(unproven) => unproven.to_string(),
-            Ok(_) if !clearance.iter().all(|h| h.is_finite()) => "the clearances are not all numbers".to_owned(),
-            Ok(_) if status == Status::Certified => format!("the clearances are certain to {share} of the largest"),
-            Ok(_) => format!(
-                "the clearances are off by at least {} and at most {}, {share} of the largest",
-                magnitude_at_least(least),
-                magnitude_at_most(most),
-            ),
-        };
-        Verdict { status, reason, off: [least, most] }
-    }
 }
 
 /// What is said of clearances.
@@ -183,6 +154,27 @@ pub struct Verdict {
     pub status: Status,
     /// How far they may be off, or why nothing is known of it.
     pub reason: String,
-    /// The largest error of a clearance, at least and at most.
-    pub off: [f64; 2],
+    /// How far they are off.
+    pub off: Off,
+}
+
+impl Verdict {
+    /// From how far they are off; `demanded` is a share of the largest of them.
+    #[must_use]
+    pub fn new(off: Result<Off, Unproven>, demanded: f64, reports_success: bool) -> Self {
+        let known = off.unwrap_or(Off { least: 0.0, most: f64::INFINITY, share: f64::INFINITY });
+        let status = Status::of_body(known.share, demanded, reports_success);
+        let share = share_at_most(known.share);
+        let reason = match off {
+            Err(unproven) => unproven.to_string(),
+            Ok(Off { least, .. }) if !least.is_finite() => "the clearances are not all numbers".to_owned(),
+            Ok(_) if status == Status::Certified => format!("the clearances are certain to {share} of the largest"),
+            Ok(Off { least, most, .. }) => format!(
+                "the clearances are off by at least {} and at most {}, {share} of the largest",
+                magnitude_at_least(least),
+                magnitude_at_most(most),
+            ),
+        };
+        Self { status, reason, off: known }
+    }
 }

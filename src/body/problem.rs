@@ -113,9 +113,7 @@ pub enum BodyProblem {
         most: usize,
     },
     /// A pivot that is not positive.
-    #[error(
-        "the matrix must be positive definite, but its pivot {pivot} is {value:?}: rows 1 to {pivot} can be moved without a force, or give way with a gain"
-    )]
+    #[error("the matrix must be positive definite, but pivot {pivot} of its factorisation is {value:?}")]
     NotPositiveDefinite {
         /// Which pivot, from 1.
         pivot: usize,

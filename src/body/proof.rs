@@ -34,6 +34,19 @@ pub struct Proof {
     pub gap: f64,
     /// `τ`.
     pub least_eigenvalue: f64,
+    /// The largest clearance; where there is none the largest displacement, and 1 where nothing moves.
+    pub size: f64,
+}
+
+/// How far clearances are off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Off {
+    /// The largest error of one of them is at least this,
+    pub least: f64,
+    /// and at most this,
+    pub most: f64,
+    /// which is such a share of their [size](Proof::size).
+    pub share: f64,
 }
 
 /// Why nothing is proven.
@@ -178,28 +191,37 @@ pub fn prove(body: &Body, free: impl Iterator<Item = bool>) -> Result<Proof, Unp
     if !bounds.iter().all(|bound| bound.is_finite()) {
         return Err(Unproven::Range);
     }
-    Ok(Proof { clearance, error, force, force_error, energy, gap, least_eigenvalue: least })
+    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |most: f64, value| most.max(value.abs()));
+    let clear = most(&mut clearance.iter().map(|h| h.rounded()));
+    let moved = most(&mut clearance.iter().zip(&body.gap).map(|(h, gap)| gap - h.rounded()));
+    let size = [clear, moved].into_iter().find(|size| error < *size).unwrap_or(1.0);
+    Ok(Proof { clearance, error, force, force_error, energy, gap, least_eigenvalue: least, size })
 }
 
 impl Proof {
-    /// What the largest error of some clearances, and of some contact forces, is at least and at most.
+    /// How far some clearances are off.
     #[must_use]
-    pub fn off(&self, clearance: &[f64]) -> [f64; 2] {
-        apart(&self.clearance, clearance.iter().copied().map(Double::exact), self.error)
+    pub fn off(&self, clearance: &[f64]) -> Off {
+        self.off_by(clearance.iter().copied().map(Double::exact), self.error)
     }
 
-    /// The same of contact forces.
+    fn off_by(&self, clearance: impl Iterator<Item = Double>, error: f64) -> Off {
+        let [least, most] = apart(&self.clearance, clearance, error);
+        Off { least, most, share: most / self.size }
+    }
+
+    /// What the largest error of some contact forces is at least and at most.
     #[must_use]
     pub fn force_off(&self, force: &[f64]) -> [f64; 2] {
         apart(&self.force, force.iter().copied().map(Double::exact), self.force_error)
     }
 
-    /// The clearances that an answer has, or that its forces cause, and what their largest error is at least and at most.
+    /// The clearances that an answer has, or that its forces cause, and how far they are off.
     ///
     /// # Errors
     ///
     /// [`NotPositiveDefinite`] never of a body that there is.
-    pub fn judge(&self, body: &Body, brought: &Brought) -> Result<(Vec<f64>, [f64; 2]), NotPositiveDefinite> {
+    pub fn judge(&self, body: &Body, brought: &Brought) -> Result<(Vec<f64>, Off), NotPositiveDefinite> {
         let qp = &body.program;
         let exact = |values: &[f64]| values.iter().copied().map(Double::exact).collect::<Vec<_>>();
         let (clearance, off) = match (brought, body.kind) {
@@ -219,7 +241,7 @@ impl Proof {
             }
         };
         let rounded = clearance.iter().map(|h| h.rounded()).collect();
-        Ok((rounded, apart(&self.clearance, clearance.into_iter(), (self.error + off) * UP)))
+        Ok((rounded, self.off_by(clearance.into_iter(), (self.error + off) * UP)))
     }
 }
 

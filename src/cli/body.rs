@@ -88,9 +88,9 @@ impl Route {
         };
         let state = body.state(&answer);
         let off = proof.as_ref().map(|proof| proof.off(&state.clearance)).map_err(|error| *error);
-        let Verdict { status, reason, off } = body.verdict(&state.clearance, off, demanded, answer.reports_success);
+        let Verdict { status, reason, off } = Verdict::new(off, demanded, answer.reports_success);
         let force_off = |proof: &Proof| proof.force_off(&state.contact_force)[1];
-        let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, off[1], Some(force_off(proof))));
+        let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, off.most, Some(force_off(proof))));
         Self {
             method: body.method(),
             solver: solver.name(),
@@ -104,7 +104,7 @@ impl Route {
             energy: state.energy,
             certificate,
             state,
-            off,
+            off: [off.least, off.most],
         }
     }
 }
@@ -279,12 +279,12 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
         Ok((clearance, off)) => (clearance, Ok(off)),
         Err(error) => (Vec::new(), Err(error)),
     };
-    let verdict = body.verdict(&clearance, off, EXACT, true);
-    let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, verdict.off[1], None));
+    let verdict = Verdict::new(off, EXACT, true);
+    let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, verdict.off.most, None));
     let violations = violations(&brought, &clearance);
     let as_text = || {
         let mut text = heading(verdict.status, &verdict.reason, input);
-        text += &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.off[0])));
+        text += &certificate.map_or_else(String::new, |found| bounds(input, &found, Some(verdict.off.least)));
         let rows: Vec<Row> = violations
             .iter()
             .map(|v| vec![v.condition.name().to_owned(), v.at.to_string(), magnitude(v.amount)])
@@ -296,7 +296,7 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
     };
     let as_json = || {
         let Verdict { status, reason, off } = &verdict;
-        let (off, violations) = (*off, violations.as_slice());
+        let (off, violations) = ([off.least, off.most], violations.as_slice());
         print(&FindingObject { scene: input.title(), status: *status, reason, off, certificate, violations })
     };
     let text = arguments.common.shown(as_text, as_json);

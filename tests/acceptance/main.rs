@@ -3,6 +3,7 @@
 mod scenes;
 mod support;
 
+mod body;
 mod certificate;
 mod command_line;
 mod methods;

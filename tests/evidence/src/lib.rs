@@ -12,6 +12,7 @@
 #![cfg(feature = "full")]
 
 pub mod authority;
+pub mod bodies;
 pub mod closed;
 pub mod compare;
 pub mod definition;
