@@ -1,13 +1,15 @@
 //! Symmetric matrices in Matrix Market files, line by line: nothing but the numbers is kept.
 //!
-//! `coordinate` or `array`, `real` (or `integer`, `double`), `symmetric` or `general`. A general matrix has to be symmetric up to rounding; it
-//! stands for the mean of its two triangles. See Boisvert, Pozo and Remington, "The Matrix Market exchange formats", NISTIR 5935 (1996).
+//! `coordinate` or `array`, `real` (or `integer`, `double`), `symmetric` or `general`. A general matrix has to be symmetric up to rounding;
+//! it stands for the mean of its two triangles. See Boisvert, Pozo and Remington, "The Matrix Market exchange formats", NISTIR 5935
+//! (1996).
 
 use std::ops::Range;
+use std::str::FromStr;
 
 use super::BodyProblem;
 use crate::memory::can_be_had;
-use crate::qp::{NotPositiveDefinite, Profile};
+use crate::qp::Profile;
 
 /// Numbers from the first entry of each row to the diagonal, all together: 128 MB, as much for each factor, and minutes to solve if the
 /// matrix is full.
@@ -29,10 +31,14 @@ pub struct Wrong {
     pub problem: BodyProblem,
 }
 
-/// An entry that was read.
+/// Bytes of a line, and what is wrong with them.
+type Mark = (Range<usize>, BodyProblem);
+
+/// An entry that was read, by its place on or below the diagonal.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
-    place: [u32; 2],
+    place: [usize; 2],
+    above: bool,
     line: usize,
     value: f64,
 }
@@ -41,14 +47,13 @@ struct Entry {
 #[derive(Debug, Default)]
 pub struct Reader {
     line: usize,
-    /// Whether there are places, and whether there is one triangle.
+    /// Whether places are given, and whether one triangle is.
     form: Option<[bool; 2]>,
     /// Rows, and entries that the file must have.
     size: Option<[usize; 2]>,
-    /// Entries that were read, zeros of arrays included.
     count: usize,
     /// Place of the next entry of an array.
-    next: [u32; 2],
+    next: [usize; 2],
     entries: Vec<Entry>,
 }
 
@@ -61,231 +66,169 @@ impl Reader {
     pub fn line(&mut self, text: &str) -> Result<(), Wrong> {
         self.line += 1;
         let text = text.trim_end();
+        self.read(text).map_err(|(marked, problem)| Wrong { line: self.line, text: text.to_owned(), marked, problem })
+    }
+
+    fn read(&mut self, text: &str) -> Result<(), Mark> {
         let Some([coordinate, symmetric]) = self.form else {
-            self.form = Some(self.header(text)?);
+            self.form = Some(header(text)?);
             return Ok(());
         };
-        if text.trim_start().is_empty() || text.starts_with('%') {
+        if text.is_empty() || text.starts_with('%') {
             return Ok(());
         }
-        match self.size {
-            None => self.size = Some(self.size(text, coordinate, symmetric)?),
-            Some([_, expected]) if expected <= self.count => {
-                return Err(self.wrong(
-                    text,
-                    0..text.len(),
-                    BodyProblem::Entries { expected: expected.to_string(), found: self.count + 1 },
-                ));
-            }
-            Some([n, _]) => {
-                let (place, value) = if coordinate {
-                    let [i, j, a] = self.fields(text, "three numbers: row, column and value")?;
-                    ([self.index(text, "row", i, n)?, self.index(text, "column", j, n)?], self.value(text, a)?)
-                } else {
-                    let [a] = self.fields(text, "one number")?;
-                    (self.next_place(n, symmetric), self.value(text, a)?)
-                };
-                self.count += 1;
-                // Coordinates are kept, zero or not, to find those that are there twice.
-                if coordinate || value != 0.0 {
-                    self.entries.push(Entry { place, line: self.line, value });
-                }
-            }
+        let Some([n, expected]) = self.size else {
+            self.size = Some(size(text, coordinate, symmetric)?);
+            return Ok(());
+        };
+        let ([i, j], value) = if coordinate {
+            let [i, j, value] = fields(text, "three numbers: row, column and value")?;
+            ([whole("row", i, 1, n)? - 1, whole("column", j, 1, n)? - 1], value)
+        } else {
+            let [i, j] = self.next;
+            // By columns, each from the top or from the diagonal.
+            self.next = if i + 1 < n { [i + 1, j] } else { [if symmetric { j + 1 } else { 0 }, j + 1] };
+            let [value] = fields(text, "one number")?;
+            ([i, j], value)
+        };
+        let value = number("value", value, |value: &f64| value.is_finite(), || "a finite number".to_owned())?;
+        self.count += 1;
+        if expected < self.count {
+            let problem = BodyProblem::Entries { expected: expected.to_string(), found: self.count };
+            return Err((0..text.len(), problem));
+        }
+        // Coordinates are kept, zero or not, to find those that are there twice.
+        if coordinate || value != 0.0 {
+            self.entries.push(Entry { place: [i.max(j), i.min(j)], above: i < j, line: self.line, value });
         }
         Ok(())
     }
 
-    fn wrong(&self, text: &str, marked: Range<usize>, problem: BodyProblem) -> Wrong {
-        Wrong { line: self.line, text: text.to_owned(), marked, problem }
-    }
-
-    fn header(&self, text: &str) -> Result<[bool; 2], Wrong> {
-        let words: Vec<String> = text.split_whitespace().map(str::to_lowercase).collect();
-        match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-            [
-                "%%matrixmarket",
-                "matrix",
-                form @ ("coordinate" | "array"),
-                "real" | "integer" | "double",
-                kind @ ("symmetric" | "general"),
-            ] => Ok([form == "coordinate", kind == "symmetric"]),
-            _ => {
-                let found = text.chars().take(60).collect();
-                Err(self.wrong(text, 0..text.len(), BodyProblem::Header { found }))
-            }
-        }
-    }
-
-    /// So many fields with their places in the line.
-    fn fields<'a, const N: usize>(
-        &self,
-        text: &'a str,
-        expected: &'static str,
-    ) -> Result<[(&'a str, Range<usize>); N], Wrong> {
-        let place = |field: &'a str| {
-            let start = field.as_ptr() as usize - text.as_ptr() as usize;
-            (field, start..start + field.len())
-        };
-        let mut fields = text.split_ascii_whitespace();
-        let found: Vec<_> = fields.by_ref().take(N).map(place).collect();
-        let rest = fields.count();
-        let many = found.len() + rest;
-        match found.try_into() {
-            Ok(found) if rest == 0 => Ok(found),
-            _ => Err(self.wrong(text, 0..text.len(), BodyProblem::Fields { expected, found: many })),
-        }
-    }
-
-    /// A whole number up to a limit.
-    fn whole(
-        &self,
-        text: &str,
-        quantity: &'static str,
-        (field, place): (&str, Range<usize>),
-        range: std::ops::RangeInclusive<usize>,
-    ) -> Result<usize, Wrong> {
-        field.parse().ok().filter(|number| range.contains(number)).ok_or_else(|| {
-            let expected = format!("a whole number from {} to {}", range.start(), range.end());
-            let found = field.chars().take(60).collect();
-            self.wrong(text, place, BodyProblem::Number { quantity, expected, found })
-        })
-    }
-
-    fn index(&self, text: &str, quantity: &'static str, field: (&str, Range<usize>), n: usize) -> Result<u32, Wrong> {
-        self.whole(text, quantity, field, 1..=n).map(|index| u32::try_from(index - 1).unwrap_or(u32::MAX))
-    }
-
-    fn value(&self, text: &str, (field, place): (&str, Range<usize>)) -> Result<f64, Wrong> {
-        field.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| {
-            let (expected, found) = ("a finite number".to_owned(), field.chars().take(60).collect());
-            self.wrong(text, place, BodyProblem::Number { quantity: "value", expected, found })
-        })
-    }
-
-    fn size(&self, text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Wrong> {
-        const MOST: usize = u32::MAX as usize;
-        let [rows, columns, entries] = if coordinate {
-            let [n, m, entries] = self.fields(text, "three numbers: rows, columns and entries")?;
-            [
-                self.whole(text, "rows", n, 1..=MOST)?,
-                self.whole(text, "columns", m, 1..=MOST)?,
-                self.whole(text, "entries", entries, 0..=usize::MAX)?,
-            ]
-        } else {
-            let [n, m] = self.fields(text, "two numbers: rows and columns")?;
-            let [n, m] = [self.whole(text, "rows", n, 1..=MOST)?, self.whole(text, "columns", m, 1..=MOST)?];
-            [n, m, if symmetric { n.saturating_mul(n + 1) / 2 } else { n.saturating_mul(n) }]
-        };
-        if rows != columns {
-            return Err(self.wrong(text, 0..text.len(), BodyProblem::NotSquare { rows, columns }));
-        }
-        if entries < rows {
-            // Its diagonal alone has as many.
-            let expected = format!("at least {rows}");
-            return Err(self.wrong(text, 0..text.len(), BodyProblem::Entries { expected, found: entries }));
-        }
-        Ok([rows, entries])
-    }
-
-    /// Arrays go by columns, from the top or from the diagonal.
-    fn next_place(&mut self, n: usize, symmetric: bool) -> [u32; 2] {
-        let [i, j] = self.next;
-        let in_column = usize::try_from(i).is_ok_and(|i| i + 1 < n);
-        self.next = if in_column { [i + 1, j] } else { [if symmetric { j + 1 } else { 0 }, j + 1] };
-        [i, j]
-    }
-
-    /// The matrix, when there are no more lines.
+    /// The matrix, when there are no more lines; it need not be positive definite.
     ///
     /// # Errors
     ///
-    /// [`Wrong`]; a matrix that is not positive definite is none yet.
+    /// [`Wrong`].
     pub fn end(mut self) -> Result<Profile, Wrong> {
-        let missing = |expected: String| self.wrong("", 0..0, BodyProblem::Entries { expected, found: self.count });
-        let Some(([_, symmetric], [n, expected])) = self.form.zip(self.size) else {
-            return Err(match self.form {
-                None => self.wrong("", 0..0, BodyProblem::Header { found: String::new() }),
-                Some(_) => missing("its size and its".to_owned()),
-            });
+        let last = self.line.max(1);
+        let at_end = |problem| Wrong { line: last, text: String::new(), marked: 0..0, problem };
+        let Some([_, symmetric]) = self.form else {
+            return Err(at_end(BodyProblem::Header { found: String::new() }));
         };
+        let [n, expected] = self.size.unwrap_or([0, usize::MAX]);
         if self.count < expected {
-            return Err(missing(expected.to_string()));
+            let expected = self.size.map_or_else(|| "a size, and".to_owned(), |[_, expected]| expected.to_string());
+            return Err(at_end(BodyProblem::Entries { expected, found: self.count }));
         }
-        // Both entries of a pair beside each other, in the order of the file.
-        self.entries.sort_unstable_by_key(|&Entry { place: [i, j], line, .. }| (i.max(j), i.min(j), line));
-        let mut roots = vec![0.0; n];
-        for entry in self.entries.iter().filter(|entry| entry.place[0] == entry.place[1]) {
-            roots[entry.place[0] as usize] = entry.value.abs().sqrt();
-        }
-        let mut kept = 0;
-        let mut next = 0;
-        while next < self.entries.len() {
-            let Entry { place: [i, j], value, .. } = self.entries[next];
-            let pair = self.entries[next..].iter().take_while(|other| same_pair(other.place, [i, j])).count();
-            let there =
-                twin(&self.entries[next..next + pair], symmetric)?.unwrap_or(if symmetric { value } else { 0.0 });
-            let there = if i == j { value } else { there };
-            if SYMMETRIC * roots[i as usize] * roots[j as usize] < (value - there).abs() {
-                let problem = BodyProblem::NotSymmetric { i: i as usize + 1, j: j as usize + 1, here: value, there };
-                return Err(self.entries[next].wrong(problem));
+        // The entries of a place beside each other, in the order of the file.
+        self.entries.sort_unstable_by_key(|entry| (entry.place, entry.line));
+        let (mut roots, mut first) = (vec![0.0; n], (0..n).collect::<Vec<_>>());
+        for Entry { place: [i, j], value, .. } in &self.entries {
+            first[*i] = first[*i].min(*j);
+            if i == j {
+                roots[*i] = value.abs().sqrt();
             }
-            self.entries[kept] =
-                Entry { place: [i.max(j), i.min(j)], value: value + 0.5 * (there - value), ..self.entries[next] };
-            kept += 1;
-            next += pair;
         }
-        self.entries.truncate(kept);
-        let lower = self.entries.iter().map(|e| (e.place[0] as usize, e.place[1] as usize, e.value));
-        let lower = lower.filter(|(i, j, value)| i == j || *value != 0.0);
-        let numbers = numbers(n, lower.clone());
-        if MOST_NUMBERS < numbers || !can_be_had(numbers, 4 * size_of::<f64>()) {
-            return Err(self.wrong("", 0..0, BodyProblem::TooLarge { numbers, most: MOST_NUMBERS }));
+        let mut lower = Vec::with_capacity(self.entries.len());
+        for pair in self.entries.chunk_by(|a, b| a.place == b.place) {
+            let Entry { place: [i, j], value: here, .. } = pair[0];
+            let there = match pair {
+                [_] if symmetric || i == j => here,
+                [_] => 0.0,
+                [one, other] if !symmetric && one.above != other.above => other.value,
+                [one, .., again] => return Err(again.wrong(|i, j| BodyProblem::Twice { i, j, line: one.line })),
+                [] => continue,
+            };
+            if SYMMETRIC * roots[i] * roots[j] < (here - there).abs() {
+                return Err(pair[0].wrong(|i, j| BodyProblem::NotSymmetric { i, j, here, there }));
+            }
+            lower.push((i, j, here + 0.5 * (there - here)));
         }
-        Ok(Profile::of_entries(n, lower))
+        let numbers = first.iter().enumerate().map(|(i, first)| i + 1 - first).sum();
+        affordable(numbers).map_err(at_end)?;
+        Ok(Profile::of_entries(n, lower.into_iter()))
     }
 }
 
 impl Entry {
     /// What is wrong with an entry that was read before.
-    fn wrong(&self, problem: BodyProblem) -> Wrong {
-        let text = format!("{} {} {:?}", self.place[0] + 1, self.place[1] + 1, self.value);
-        Wrong { line: self.line, marked: 0..text.len(), text, problem }
+    fn wrong(&self, problem: impl Fn(usize, usize) -> BodyProblem) -> Wrong {
+        let [i, j] = self.place.map(|index| index + 1);
+        let [i, j] = if self.above { [j, i] } else { [i, j] };
+        let text = format!("{i} {j} {:?}", self.value);
+        Wrong { line: self.line, marked: 0..text.len(), text, problem: problem(i, j) }
     }
 }
 
-fn same_pair([i, j]: [u32; 2], [k, l]: [u32; 2]) -> bool {
-    (i, j) == (k, l) || (i, j) == (l, k)
+/// An error if there are too many numbers.
+fn affordable(numbers: usize) -> Result<(), BodyProblem> {
+    let fits = numbers <= MOST_NUMBERS && can_be_had(numbers, 4 * size_of::<f64>());
+    if fits { Ok(()) } else { Err(BodyProblem::TooLarge { numbers, most: MOST_NUMBERS }) }
 }
 
-/// The second entry of a pair, if it is there and may be.
-fn twin(pair: &[Entry], symmetric: bool) -> Result<Option<f64>, Wrong> {
-    let [first, others @ ..] = pair else { return Ok(None) };
-    let [i, j] = first.place.map(|index| index as usize + 1);
-    let again = others.iter().find(|other| other.place == first.place).or(others.get(1));
-    match (again, others) {
-        (Some(again), _) => {
-            let before = pair.iter().find(|before| before.place == again.place).unwrap_or(first);
-            let [i, j] = again.place.map(|index| index as usize + 1);
-            Err(again.wrong(BodyProblem::Twice { i, j, line: before.line }))
+fn header(text: &str) -> Result<[bool; 2], Mark> {
+    let words = text.to_lowercase();
+    match words.split_whitespace().collect::<Vec<_>>()[..] {
+        ["%%matrixmarket", "matrix", form, "real" | "integer" | "double", kind]
+            if ["coordinate", "array"].contains(&form) && ["symmetric", "general"].contains(&kind) =>
+        {
+            Ok([form == "coordinate", kind == "symmetric"])
         }
-        (None, [other, ..]) if symmetric => {
-            Err(other.wrong(BodyProblem::BothTriangles { i: j, j: i, line: first.line }))
-        }
-        (None, others) => Ok(others.first().map(|other| other.value)),
+        _ => Err((0..text.len(), BodyProblem::Header { found: excerpt(text) })),
     }
 }
 
-/// What a profile of these entries stores.
-fn numbers(n: usize, lower: impl Iterator<Item = (usize, usize, f64)>) -> usize {
-    let mut first: Vec<usize> = (0..n).collect();
-    lower.for_each(|(i, j, _)| first[i] = first[i].min(j));
-    first.iter().enumerate().map(|(i, first)| i + 1 - first).sum()
+fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mark> {
+    const MOST: usize = u32::MAX as usize;
+    let whole_line = |problem| Err((0..text.len(), problem));
+    let (rows, columns, entries) = if coordinate {
+        let [n, m, entries] = fields(text, "three numbers: rows, columns and entries")?;
+        (n, m, Some(whole("entries", entries, 0, usize::MAX)?))
+    } else {
+        let [n, m] = fields(text, "two numbers: rows and columns")?;
+        (n, m, None)
+    };
+    let (rows, columns) = (whole("rows", rows, 1, MOST)?, whole("columns", columns, 1, MOST)?);
+    let of_array = if symmetric { rows.saturating_mul(rows + 1) / 2 } else { rows.saturating_mul(rows) };
+    let entries = entries.unwrap_or(of_array);
+    if rows != columns {
+        return whole_line(BodyProblem::NotSquare { rows, columns });
+    }
+    // Its diagonal alone has as many.
+    if entries < rows {
+        return whole_line(BodyProblem::Entries { expected: format!("at least {rows}"), found: entries });
+    }
+    affordable(entries / 2).map_or_else(whole_line, |()| Ok([rows, entries]))
 }
 
-impl BodyProblem {
-    /// A pivot that is not positive.
-    #[must_use]
-    pub fn indefinite(error: NotPositiveDefinite) -> Self {
-        Self::NotPositiveDefinite { pivot: error.index + 1, value: error.pivot }
-    }
+/// A field with its place in the line.
+type Field<'a> = (&'a str, Range<usize>);
+
+fn fields<'a, const N: usize>(text: &'a str, expected: &'static str) -> Result<[Field<'a>; N], Mark> {
+    let place = |field: &'a str| {
+        let start = field.as_ptr() as usize - text.as_ptr() as usize;
+        (field, start..start + field.len())
+    };
+    let found: Vec<_> = text.split_ascii_whitespace().map(place).collect();
+    found.try_into().map_err(|found: Vec<_>| (0..text.len(), BodyProblem::Fields { expected, found: found.len() }))
+}
+
+fn whole(quantity: &'static str, field: Field<'_>, least: usize, most: usize) -> Result<usize, Mark> {
+    let expected = || format!("a whole number from {least} to {most}");
+    number(quantity, field, |number| (least..=most).contains(number), expected)
+}
+
+fn number<T: FromStr>(
+    quantity: &'static str,
+    (field, place): Field<'_>,
+    is_right: impl Fn(&T) -> bool,
+    expected: impl Fn() -> String,
+) -> Result<T, Mark> {
+    let wrong = || (place, BodyProblem::Number { quantity, expected: expected(), found: excerpt(field) });
+    field.parse().ok().filter(is_right).ok_or_else(wrong)
+}
+
+/// As much of a text as a message repeats.
+fn excerpt(text: &str) -> String {
+    text.chars().take(60).collect()
 }

@@ -1,5 +1,6 @@
 //! What can be wrong with the files of a body.
 
+use crate::qp::NotPositiveDefinite;
 use crate::scene::file::ReadProblem;
 
 /// What is wrong with `[body]`, or with one of its files.
@@ -69,25 +70,13 @@ pub enum BodyProblem {
         found: usize,
     },
     /// A place for the second time.
-    #[error("the entry at {i} {j} is there twice, first in line {line}")]
+    #[error("the entry at {i} {j} is there twice, or its mirror image is: first in line {line}")]
     Twice {
         /// Row.
         i: usize,
         /// Column.
         j: usize,
         /// Where it is first.
-        line: usize,
-    },
-    /// Both triangles of a matrix that is said to be symmetric.
-    #[error(
-        "of a matrix that is said to be symmetric one triangle must be given, but there is an entry at {i} {j} and, in line {line}, one at {j} {i}"
-    )]
-    BothTriangles {
-        /// Row.
-        i: usize,
-        /// Column.
-        j: usize,
-        /// Where the other is.
         line: usize,
     },
     /// Two entries that should be the same.
@@ -142,4 +131,10 @@ pub enum BodyProblem {
     /// A freedom for the second time.
     #[error("the row of {0} is there twice")]
     RowTwice(usize),
+}
+
+impl From<NotPositiveDefinite> for BodyProblem {
+    fn from(error: NotPositiveDefinite) -> Self {
+        Self::NotPositiveDefinite { pivot: error.index + 1, value: error.pivot }
+    }
 }

@@ -240,7 +240,8 @@ impl Proof {
                 (x, square.sqrt() / self.least_eigenvalue * UP)
             }
         };
-        let rounded = clearance.iter().map(|h| h.rounded()).collect();
+        // What may be nothing but the rounding of its own solve is zero.
+        let rounded = clearance.iter().map(|h| if h.rounded().abs() <= off { 0.0 } else { h.rounded() }).collect();
         Ok((rounded, self.off_by(clearance.into_iter(), (self.error + off) * UP)))
     }
 }

@@ -9,9 +9,11 @@ use palkki::body::{Body, State, Verdict};
 use palkki::certificate::ViolationKind;
 use palkki::qp::{Qp as _, residual};
 use palkki::route::{Solver, Status};
+use palkki::solvers::Answer;
 use palkki::text::{magnitude, magnitude_at_least, magnitude_at_most};
 use palkki::verdict::EXACT;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::Outcome;
 use super::arguments::{Certify, Common, DEFAULT_SOLVER, LoadArgument, Solve};
@@ -35,12 +37,11 @@ struct Route {
     iterations: usize,
     seconds: f64,
     energy: f64,
+    /// What the largest error of a clearance is at least and at most.
+    off: [f64; 2],
     certificate: Option<Certificate>,
     #[serde(skip)]
     state: State,
-    /// What the largest error of a clearance is at least and at most; not in the answer of `solve`.
-    #[serde(skip)]
-    off: [f64; 2],
 }
 
 /// What is proven; `error` is that of the clearances, and `force_error` that of the contact forces.
@@ -50,7 +51,6 @@ struct Certificate {
     energy_upper: f64,
     gap: f64,
     error: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     force_error: Option<f64>,
 }
 
@@ -66,45 +66,38 @@ pub(super) fn refused(command: &'static str, message: &str) -> Failure {
     Failure::Usage { command, kind: ErrorKind::ArgumentConflict, message: message.to_owned() }
 }
 
+type Proven = Result<Proof, Unproven>;
+
 /// A point that is proven to be the optimum nearly, with the free variables of an answer of the active set as witness.
-fn proven(body: &Body) -> Result<Proof, Unproven> {
-    prove(body, body.run(Solver::ActiveSet, 0.0).x.iter().map(|x| 0.0 < *x))
+fn proven(body: &Body, answer: &Answer) -> Proven {
+    prove(body, answer.x.iter().map(|x| 0.0 < *x))
+}
+
+fn timed(body: &Body, solver: Solver) -> (Answer, f64) {
+    let start = Instant::now();
+    (body.run(solver, DEFAULT_TOLERANCE), start.elapsed().as_secs_f64())
 }
 
 impl Route {
-    /// By a solver; the active set is its own witness, for others it is `proof`.
-    fn of(body: &Body, solver: Solver, demanded: f64, proof: Option<&Result<Proof, Unproven>>) -> Self {
-        let start = Instant::now();
-        let answer = body.run(solver, DEFAULT_TOLERANCE);
-        let seconds = start.elapsed().as_secs_f64();
-        let own;
-        let proof = match proof {
-            Some(proof) => proof,
-            None => {
-                let own_witness = solver == Solver::ActiveSet;
-                own = if own_witness { prove(body, answer.x.iter().map(|x| 0.0 < *x)) } else { proven(body) };
-                &own
-            }
-        };
+    fn of(body: &Body, solver: Solver, (answer, seconds): (Answer, f64), demanded: f64, proof: &Proven) -> Self {
         let state = body.state(&answer);
         let off = proof.as_ref().map(|proof| proof.off(&state.clearance)).map_err(|error| *error);
         let Verdict { status, reason, off } = Verdict::new(off, demanded, answer.reports_success);
-        let force_off = |proof: &Proof| proof.force_off(&state.contact_force)[1];
-        let certificate = proof.as_ref().ok().map(|proof| Certificate::new(proof, off.most, Some(force_off(proof))));
+        let force_error = |proof: &Proof| Some(proof.force_off(&state.contact_force)[1]);
         Self {
             method: body.method(),
             solver: solver.name(),
             status,
             reason,
-            solver_status: answer.message,
             residual: residual(body.program().sizes(), &answer.x, &answer.gradient),
+            solver_status: answer.message,
             unknowns: answer.x.len(),
             iterations: answer.iterations,
             seconds,
             energy: state.energy,
-            certificate,
-            state,
             off: [off.least, off.most],
+            certificate: proof.as_ref().ok().map(|proof| Certificate::new(proof, off.most, force_error(proof))),
+            state,
         }
     }
 }
@@ -116,12 +109,7 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
         scene: &'a str,
         #[serde(flatten)]
         route: &'a Route,
-        nodes: Option<Nodes<'a>>,
-    }
-    #[derive(Debug, Serialize)]
-    struct Nodes<'a> {
-        clearance: &'a [f64],
-        contact_force: &'a [f64],
+        nodes: Option<Value>,
     }
     let Solve { common, csv, plot, nodes, solver, tolerance, .. } = arguments;
     let of_beams = [
@@ -138,13 +126,18 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
         return Err(refused("solve", &format!("the matrix of this [body] is that of --method {method}")));
     }
     let solver = solver.map_or(DEFAULT_SOLVER, |solver| solver.0);
-    let route = Route::of(&input.scene, solver, tolerance.unwrap_or(EXACT), None);
+    let timed_answer = timed(&input.scene, solver);
+    let proof = match solver {
+        Solver::ActiveSet => proven(&input.scene, &timed_answer.0),
+        _ => proven(&input.scene, &input.scene.run(Solver::ActiveSet, 0.0)),
+    };
+    let route = Route::of(&input.scene, solver, timed_answer, tolerance.unwrap_or(EXACT), &proof);
     let State { clearance, contact_force, .. } = &route.state;
     let few = route.unknowns <= MOST_INTERVALS_WITH_NODES || *nodes;
     let shown = common.shown(
         || text(input, &route, *nodes),
         || {
-            let nodes = few.then_some(Nodes { clearance, contact_force });
+            let nodes = few.then(|| json!({ "clearance": clearance, "contact_force": contact_force }));
             print(&SolveObject { scene: input.title(), route: &route, nodes })
         },
     );
@@ -203,46 +196,31 @@ fn bounds(input: &Input<Body>, certificate: &Certificate, least: Option<f64>) ->
 
 /// `compare`: every solver.
 pub(super) fn compare<'a>(input: &Input<Body>, common: &Common) -> Outcome<'a> {
-    #[derive(Debug, Serialize)]
-    struct ComparisonObject<'a> {
-        scene: &'a str,
-        intervals: Option<usize>,
-        routes: Vec<RouteObject<'a>>,
-    }
-    #[derive(Debug, Serialize)]
-    struct RouteObject<'a> {
-        #[serde(flatten)]
-        route: &'a Route,
-        off: [f64; 2],
-    }
-    let proof = proven(&input.scene);
-    let routes = Solver::ALL.map(|solver| Route::of(&input.scene, solver, EXACT, Some(&proof)));
+    let body = &input.scene;
+    let proof = proven(body, &body.run(Solver::ActiveSet, 0.0));
+    let routes = Solver::ALL.map(|solver| Route::of(body, solver, timed(body, solver), EXACT, &proof));
     let certified = routes.iter().filter(|route| route.status == Status::Certified).count();
+    let row = |route: &Route| {
+        vec![
+            route.solver.to_owned(),
+            route.status.to_string(),
+            magnitude(route.residual),
+            route.iterations.to_string(),
+            magnitude(route.seconds),
+            magnitude_at_least(route.off[0]),
+            magnitude_at_most(route.off[1]),
+            route.solver_status.clone(),
+        ]
+    };
+    let header = ["solver", "status", "residual", "iterations", "seconds", "off by at least", "at most", "it says"];
     let as_text = || {
-        let row = |route: &Route| {
-            vec![
-                route.solver.to_owned(),
-                route.status.to_string(),
-                route.solver_status.clone(),
-                magnitude(route.residual),
-                route.iterations.to_string(),
-                magnitude(route.seconds),
-                magnitude_at_least(route.off[0]),
-                magnitude_at_most(route.off[1]),
-            ]
-        };
-        let header =
-            ["solver", "status", "says", "residual", "iterations", "seconds", "off by at least", "off by at most"];
-        let rows: Vec<Row> = routes.iter().map(row).collect();
-        let title = format!("{}, {} unknowns", input.title(), input.scene.program().dimension());
+        let title = format!("{}, {} unknowns", input.title(), body.program().dimension());
         let why = proof.as_ref().err().map_or_else(String::new, |error| format!("\n{error}\n"));
         let status = Status::of_several(0 < certified);
+        let rows: Vec<Row> = routes.iter().map(row).collect();
         format!("{status}: {certified} of {} answers\n", routes.len()) + &table(&title, &header, &rows) + &why
     };
-    let as_json = || {
-        let routes = routes.iter().map(|route| RouteObject { off: route.off, route }).collect();
-        print(&ComparisonObject { scene: input.title(), intervals: None, routes })
-    };
+    let as_json = || print(&json!({ "scene": input.title(), "intervals": null, "routes": routes }));
     Outcome { text: common.shown(as_text, as_json), files: Vec::new(), is_certified: 0 < certified }
 }
 
@@ -256,21 +234,12 @@ struct Violation {
 
 /// `certify`: how far what a program brought is off.
 pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Outcome<'a>, Failure> {
-    #[derive(Debug, Serialize)]
-    struct FindingObject<'a> {
-        scene: &'a str,
-        status: Status,
-        reason: &'a str,
-        off: [f64; 2],
-        certificate: Option<Certificate>,
-        violations: &'a [Violation],
-    }
     if arguments.load == LoadArgument::Nodal {
         return Err(refused("certify", "--load belongs to a beam; a [body] has no use for it"));
     }
     let body = &input.scene;
     let brought = input.answers(&arguments.forces)?;
-    let proof = proven(body);
+    let proof = proven(body, &body.run(Solver::ActiveSet, 0.0));
     let judged = match &proof {
         Ok(proof) => proof.judge(body, &brought).map_err(Unproven::from),
         Err(error) => Err(*error),
@@ -296,8 +265,10 @@ pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Ou
     };
     let as_json = || {
         let Verdict { status, reason, off } = &verdict;
-        let (off, violations) = ([off.least, off.most], violations.as_slice());
-        print(&FindingObject { scene: input.title(), status: *status, reason, off, certificate, violations })
+        let off = [off.least, off.most];
+        print(
+            &json!({ "scene": input.title(), "status": status, "reason": reason, "off": off, "certificate": certificate, "violations": violations }),
+        )
     };
     let text = arguments.common.shown(as_text, as_json);
     Ok(Outcome { text, files: Vec::new(), is_certified: verdict.status == Status::Certified })
@@ -316,9 +287,4 @@ fn violations(brought: &Brought, clearance: &[f64]) -> Vec<Violation> {
         found.push(worst(ViolationKind::Complementarity, &mut { across }));
     }
     found.into_iter().flatten().collect()
-}
-
-/// What a body is not asked.
-pub(super) fn no_sweep() -> Failure {
-    refused("sweep", "a [body] has no number that could be varied; sweep a beam")
 }

@@ -211,7 +211,9 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
         let text = common.shown(|| swept.text(input), || swept.json(input));
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
     };
-    run_on_scene(common, what, &[csv, plot], on_beam, |_| Err(body::no_sweep()))
+    run_on_scene(common, what, &[csv, plot], on_beam, |_| {
+        Err(body::refused("sweep", "a [body] has no number that could be varied"))
+    })
 }
 
 fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
@@ -228,13 +230,19 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
 
 fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
     let failed = |error| Failure::Write { path: arguments.to.clone(), error };
+    let is_new = !arguments.to.exists();
     std::fs::create_dir_all(&arguments.to).map_err(failed)?;
     let (places, common) = (arguments.places(), &arguments.common);
     let what = format!("exporting {}", input::called(&common.scene));
     let places_of_files: Vec<_> = places.iter().collect();
     let on_beam = |input: &Input| export::export(input, arguments, &places);
     let on_body = |_: &Input<Body>| Err(body::refused("export", "a scene with a [body] is one of matrices already"));
-    run_on_scene(common, what, &places_of_files, on_beam, on_body)
+    let done = run_on_scene(common, what, &places_of_files, on_beam, on_body);
+    if is_new && done.is_err() {
+        // Nothing is in it; where it stays it harms nobody.
+        let _ = std::fs::remove_dir(&arguments.to);
+    }
+    done
 }
 
 impl Solve {

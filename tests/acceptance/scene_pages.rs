@@ -184,6 +184,10 @@ fn page(scene: &Scene) -> String {
 fn every_scene_has_its_page() {
     with_our_settings!("All that is pinned about one scene, by the active set", Numdiff, {
         insta::glob!("../../report/scenes", "**/*.toml", |path| {
+            // A body has no beam; its answer stands beside it.
+            if path.components().any(|part| part.as_os_str() == "bodies") {
+                return;
+            }
             let text = fs::read_to_string(path).expect("a scene file");
             let survey = |name: &str| fs::read_to_string(path.with_file_name(name)).map_err(|_| ReadProblem::Missing);
             insta::assert_snapshot!(

@@ -85,7 +85,7 @@ pub(super) fn read(
     let units = units(&file).map_err(at)?;
     // Each matrix by itself is positive definite already, so that only rounding could destroy it.
     let body = Body::new(kind, matrix, foundation.as_ref(), gap, load);
-    let mut body = body.map_err(|error| wrong(&given, BodyProblem::indefinite(error)))?;
+    let mut body = body.map_err(|error| wrong(&given, BodyProblem::from(error)))?;
     if !body.program().linear().iter().all(|b| b.is_finite()) {
         return Err(wrong(&given, BodyProblem::Range));
     }
@@ -109,7 +109,7 @@ impl Files<'_> {
     fn matrix(&mut self, key: &'static str, value: &Value<'_>) -> Result<Profile, Box<FileError>> {
         let path = value.line_of_text().map_err(|error| self.source.error(error.span, error.problem))?;
         let name = named_beside(self.source.name, &path);
-        let at = |w: Wrong| Box::new(FileError::on_line(&name, w.line.max(1), &w.text, w.marked, w.problem.into()));
+        let at = |w: Wrong| Box::new(FileError::on_line(&name, w.line, &w.text, w.marked, w.problem.into()));
         let (mut reader, mut found) = (Reader::default(), None);
         let read = self.beside.lines(&path, &mut |line| match reader.line(line) {
             Ok(()) => ControlFlow::Continue(()),
@@ -122,7 +122,7 @@ impl Files<'_> {
         let matrix = found.map_or_else(|| reader.end(), Err).map_err(at)?;
         match matrix.clone().cholesky() {
             Ok(_) => Ok(matrix),
-            Err(error) => Err(Box::new(FileError::whole(&name, BodyProblem::indefinite(error).into()))),
+            Err(error) => Err(Box::new(FileError::whole(&name, BodyProblem::from(error).into()))),
         }
     }
 

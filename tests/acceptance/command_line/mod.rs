@@ -1,5 +1,6 @@
 //! The program as it is run: exit codes, standard output, files, JSON. The contract is what scripts rely on.
 
+mod body;
 mod certify;
 mod compare;
 mod exact;

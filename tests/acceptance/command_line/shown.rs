@@ -152,6 +152,7 @@ fn help_is_shown() {
         "compare --help",
         "certify --help",
         "sweep --help",
+        "export --help",
         "completions --help",
         "manual --help",
     ];
