@@ -10,7 +10,7 @@ use std::process::Command;
 use crate::{Cause, tell};
 
 /// The targets, each with a corpus of its name.
-const TARGETS: [&str; 3] = ["scene", "survey", "forces"];
+const TARGETS: [&str; 4] = ["scene", "survey", "forces", "matrix"];
 
 /// Year of the paper.
 const SEED: u64 = 1984;

@@ -5,7 +5,10 @@
 //! - What is accepted is well posed: finite where it has to be, supports above the foundation, dimensionless numbers of order 1.
 //! - What is refused is refused with line and column inside the text, in a message of bounded length that a terminal can show.
 
-use palkki::scene::file::{FileError, Problem, ReadProblem, parse, parse_forces};
+use std::ops::ControlFlow;
+
+use palkki::body::matrix_market;
+use palkki::scene::file::{self, FileError, Problem, ReadProblem, parse, parse_forces};
 use palkki::scene::{Foundation, Scene};
 
 /// Length of the beam that surveys and forces are read for.
@@ -48,6 +51,45 @@ pub fn forces(bytes: &[u8]) -> bool {
         }
         Err(error) => {
             refused(text, &error);
+            false
+        }
+    }
+}
+
+/// The scene that a matrix is read for.
+const BODY: &str = "[body]\nstiffness = 'K.mtx'\n";
+
+/// One file beside the scene of a body.
+struct Beside<'a>(&'a str);
+
+impl file::Beside for Beside<'_> {
+    fn text(&mut self, _: &str) -> Result<String, ReadProblem> {
+        Err(ReadProblem::Missing)
+    }
+
+    fn lines(&mut self, _: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
+        let _ = self.0.split('\n').try_for_each(each);
+        Ok(())
+    }
+}
+
+/// Reads bytes as the matrix of a body; true if it is one.
+pub fn matrix(bytes: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(bytes) else { return false };
+    match file::parse_model("body.toml", BODY, &mut Beside(text)) {
+        Ok(model) => {
+            let file::Model::Body(body) = model else { panic!("it is no beam") };
+            let matrix = body.program().profile();
+            assert!(matrix.numbers() <= matrix_market::MOST_NUMBERS, "{} numbers", matrix.numbers());
+            let rows = 0..matrix.dimension();
+            assert!(rows.clone().all(|i| matrix.row(i).iter().all(|a| a.is_finite())), "finite");
+            assert!(rows.clone().all(|i| 0.0 < matrix.entry(i, i)), "a positive diagonal");
+            true
+        }
+        Err(error) => {
+            if error.place.is_some() {
+                refused(text, &error);
+            }
             false
         }
     }

@@ -50,3 +50,8 @@ fn surveys_never_break_the_parser() {
 fn contact_forces_never_break_the_parser() {
     check("forces", texts::forces);
 }
+
+#[test]
+fn matrices_never_break_the_parser() {
+    check("matrix", texts::matrix);
+}
