@@ -76,8 +76,8 @@
 pub mod adaptive;
 pub mod body;
 pub mod certificate;
-pub mod explain;
 mod double;
+pub mod explain;
 mod memory;
 pub mod methods;
 mod multigrid;
