@@ -1,7 +1,9 @@
 //! The keys of a scene file. What they mean is written here; which there are, the reader of scene files says, and the two have to
 //! agree.
 
-use palkki::scene::file::{Problem, parse};
+use std::ops::ControlFlow;
+
+use palkki::scene::file::{Beside, Model, Problem, ReadProblem, parse_model};
 
 use super::prelude::*;
 
@@ -151,6 +153,20 @@ const UNITS: &[Key] = &[
     ["force", "a line of text", "none", "the unit of forces", "units = { force = \"N\" }"],
 ];
 
+const BODY: &[Key] = &[
+    ["stiffness", "a file name", "needed, or `flexibility`", "K, a Matrix Market file", "stiffness = \"K.mtx\""],
+    ["flexibility", "a file name", "needed, or `stiffness`", "C, the inverse of that", "flexibility = \"C.mtx\""],
+    ["gap", "a file name", "all 0", "a CSV file `i,gap`: how far each freedom may move, i from 1", "gap = \"gap.csv\""],
+    ["load", "a file name", "all 0", "a CSV file `i,force`", "load = \"load.csv\""],
+    [
+        "foundation",
+        "a file name",
+        "rigid",
+        "the flexibility of the ground, only beside one of the body",
+        "foundation = \"G.mtx\"",
+    ],
+];
+
 /// The tables of the file: name in the template, its keys, and how a scene with something in it is written: what `{}` stands for.
 const TABLES: &[(&str, &[Key], &str)] = &[
     ("file", FILE, "{}\n[beam]\nlength = 10\nbending_stiffness = 1\n"),
@@ -161,6 +177,7 @@ const TABLES: &[(&str, &[Key], &str)] = &[
     ("point", POINT, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\npoint = [{ {} }]\n"),
     ("profile", PROFILE, "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\n{}\n"),
     ("units", UNITS, "[beam]\nlength = 10\nbending_stiffness = 1\n[units]\n{}\n"),
+    ("body", BODY, "[body]\n{}\n"),
     ("cosine", COSINE, "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\ncosine = { {} }\n"),
 ];
 
@@ -196,12 +213,21 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
             return Err(format!("of `{name}` the page has the keys {told:?}, and the reader knows {known:?}").into());
         }
         for [.., example] in keys.iter().filter(|key| !key[4].is_empty()) {
-            let frame = TABLES.iter().find(|(_, keys, frame)| is_of(example, keys) && !frame.contains("{ {} }"));
-            let (_, _, frame) = frame.ok_or_else(|| format!("`{example}` begins with no key"))?;
+            let holds = |keys: &[Key], frame: &str| is_of(example, keys) && !frame.contains("{ {} }");
+            let own = holds(keys, frame).then_some(frame);
+            let frame = own.or_else(|| TABLES.iter().find(|(_, keys, frame)| holds(keys, frame)).map(|table| &table.2));
+            let frame = frame.ok_or_else(|| format!("`{example}` begins with no key"))?;
             // A key of the frame itself is not there twice.
             let key = example.split_once(" =").map_or("", |(key, _)| key);
             let rest = frame.lines().filter(|line| !line.starts_with(&format!("{key} =")));
-            read(&rest.collect::<Vec<_>>().join("\n").replace("{}", example))?;
+            let text = rest.collect::<Vec<_>>().join("\n").replace("{}", example);
+            // A body has a matrix, and a stiffness has no ground with a flexibility.
+            let matrix = match key {
+                "gap" | "load" if text.starts_with("[body]") => "stiffness = \"K.mtx\"\n",
+                "foundation" if text.starts_with("[body]") => "flexibility = \"C.mtx\"\n",
+                _ => "",
+            };
+            read(&(text + "\n" + matrix))?;
         }
         let rows = keys.iter().map(|[key, kind, default, meaning, example]| {
             let example = if example.is_empty() { "–".to_owned() } else { format!("`{example}`") };
@@ -218,16 +244,35 @@ fn is_of(example: &str, keys: &[Key]) -> bool {
     keys.iter().any(|key| example.starts_with(&format!("{} =", key[0])))
 }
 
-/// Reads a scene; a survey has two points.
-fn read(text: &str) -> Result<Scene, Cause> {
-    let survey = |_: &str| Ok("x,depth\n0,1\n10,1\n".to_owned());
-    parse("scene.toml", text, survey).map_err(|error| format!("{}\n{text}", error.render(false)).into())
+/// Reads a scene file. A survey beside it has two points, and every other file one number.
+fn read(text: &str) -> Result<Model, Cause> {
+    parse_model("scene.toml", text, &mut Files).map_err(|error| format!("{}\n{text}", error.render(false)).into())
+}
+
+/// The files that examples name.
+struct Files;
+
+impl Beside for Files {
+    fn text(&mut self, path: &str) -> Result<String, ReadProblem> {
+        Ok(match path {
+            "gap.csv" => "i,gap\n1,1\n",
+            "load.csv" => "i,force\n1,1\n",
+            _ => "x,depth\n0,1\n10,1\n",
+        }
+        .to_owned())
+    }
+
+    fn lines(&mut self, _: &str, each: &mut dyn FnMut(&str) -> ControlFlow<()>) -> Result<(), ReadProblem> {
+        // Nothing is left to read where it breaks off.
+        let _ = ["%%MatrixMarket matrix array real symmetric", "1 1", "2"].into_iter().try_for_each(each);
+        Ok(())
+    }
 }
 
 /// The keys that the reader knows where `frame` has a key that it does not know.
 fn known(frame: &str) -> Result<Vec<&'static str>, Cause> {
     let text = frame.replace("{}", "unheard_of = 1");
-    match parse("scene.toml", &text, |_| Ok(String::new())) {
+    match parse_model("scene.toml", &text, &mut Files) {
         Err(error) => match error.problem {
             Problem::UnknownKey { known, .. } => Ok(known.to_vec()),
             other => Err(format!("an unknown key in\n{text}\nis refused with: {other}").into()),
