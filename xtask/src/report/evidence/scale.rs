@@ -47,6 +47,12 @@ impl<'a> Measured<'a> {
         self.solved(route)?.median_s
     }
 
+    /// Seconds of a run that ended, and whose answer does not pass our check.
+    fn failed_after(&self, route: Route) -> Option<f64> {
+        let place = ROUTES.iter().position(|other| *other == route)?;
+        self.lines[place].filter(|line| !line.succeeded())?.median_s
+    }
+
     /// Seconds by a route over those by another.
     fn ratio(&self, of: Route, over: Route) -> Option<f64> {
         Some(self.seconds(of)? / self.seconds(over)?)
@@ -158,13 +164,19 @@ fn panels(surveys: &[Measured<'_>]) -> (Vec<Panel>, Table) {
             if !places.is_empty() {
                 panel = panel.with(Layer::named(places, style, label));
             }
+            // A run that ended without an answer took its time all the same.
+            let failed = of_panel.iter().filter_map(|survey| Some([points_of(survey), survey.failed_after(route)?]));
+            panel = panel.with(Layer::line(failed.collect(), Style::marks(style.color, Marker::OpenCircle)));
         }
         panel
     });
     let panels = panels.collect();
-    let data = Table::new(["survey", "route", "points", "seconds"]).rows(all().filter_map(|(survey, route)| {
-        let seconds = scientific(survey.seconds(route)?, 3);
-        Some(row![survey.name().replace(", ", " "), look(route).0, survey.survey.points, seconds])
-    }));
+    let data =
+        Table::new(["survey", "route", "points", "seconds", "solved"]).rows(all().filter_map(|(survey, route)| {
+            let seconds = survey.seconds(route);
+            let shown = scientific(seconds.or_else(|| survey.failed_after(route))?, 3);
+            let name = survey.name().replace(", ", " ");
+            Some(row![name, look(route).0, survey.survey.points, shown, yes_no(seconds.is_some())])
+        }));
     (panels, data)
 }
