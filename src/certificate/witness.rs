@@ -28,10 +28,8 @@ pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &
         let [from, to] = [contact.from / scale.length, contact.to / scale.length];
         // Zones that share an end are one zone, and the end of a zone is no other contact.
         if in_zone && nodes.last().is_some_and(|node| node.x == from) {
-            if from < to {
-                nodes.pop();
-                nodes.push(ContactNode::on_ground(to, true));
-            }
+            nodes.pop();
+            nodes.push(ContactNode::on_ground(to, true));
             continue;
         }
         in_zone = from != to;

@@ -29,12 +29,5 @@ pub(super) fn matrix(discrete: &Discrete) -> Matrix {
     let mut rows = vec![[6.0 * factor, -4.0 * factor, factor]; n];
     rows[0][0] -= factor;
     rows[n - 1][0] -= factor;
-    for (i, row) in rows.iter_mut().enumerate() {
-        for (k, entry) in row.iter_mut().enumerate().skip(1) {
-            if n <= i + k {
-                *entry = 0.0;
-            }
-        }
-    }
     Matrix::Pentadiagonal(rows)
 }

@@ -238,7 +238,16 @@ fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::apart;
+    use super::{Frame, apart};
+
+    #[test]
+    fn a_line_along_a_side_is_not_covered() {
+        let frame = Frame { left: 0.0, top: 0.0, right: 100.0, bottom: 50.0, outer: 100.0 };
+        for place in [[2.0, 25.0], [98.0, 25.0], [50.0, 2.0], [50.0, 48.0]] {
+            assert!(!frame.covers(place), "{place:?}");
+        }
+        assert!(frame.covers([4.0, 46.0]));
+    }
 
     #[test]
     fn names_of_lines_stand_a_line_apart() {

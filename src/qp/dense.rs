@@ -77,15 +77,15 @@ mod tests {
     fn what_is_negative_by_rounding_is_zero() {
         let mut values = [-0.5 * ROUNDING, -2.0 * ROUNDING, 1.0];
         without_rounding(&mut values, 1.0);
-        assert_eq!(values, [0.0, -2.0 * ROUNDING, 1.0]);
+        assert_eq!(values.map(f64::to_bits), [0.0, -2.0 * ROUNDING, 1.0].map(f64::to_bits));
     }
 
     #[test]
     fn a_number_that_is_none_is_no_optimum() {
         let sizes = Sizes { x: 2.0, gradient: 5.0 };
-        assert_eq!(residual(sizes, &[4.0, 1.0], &[0.0, 10.0]), 0.5);
+        assert!((residual(sizes, &[4.0, 1.0], &[0.0, 10.0]) - 0.5).abs() < f64::EPSILON);
         for (x, g) in [(f64::NAN, 0.0), (0.0, f64::NAN)] {
-            assert_eq!(residual(sizes, &[x], &[g]), f64::INFINITY);
+            assert!(residual(sizes, &[x], &[g]).is_infinite());
         }
     }
 }

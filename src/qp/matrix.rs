@@ -9,7 +9,7 @@ use super::Profile;
 pub enum Matrix {
     /// Every entry, shape (n, n).
     Dense(DMatrix<f64>),
-    /// Half bandwidth 2: row `i` holds `a_ii, a_i,i+1, a_i,i+2`.
+    /// Half bandwidth 2: row `i` holds `a_ii, a_i,i+1, a_i,i+2`, and anything beyond the last column.
     Pentadiagonal(Vec<[f64; 3]>),
     /// Rows from their first entry.
     Profile(Profile),
