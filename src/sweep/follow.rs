@@ -6,6 +6,8 @@
 //! be followed, the kind of the answer itself is bisected. Between two answers of one kind, a margin that comes near to zero on the
 //! way is followed to its least value.
 
+use std::collections::HashMap;
+
 use super::events::{At, BESIDE, PAST, Root, Search};
 use crate::theory::{Exact, Margin};
 
@@ -88,19 +90,18 @@ impl Search<'_> {
         let [a, near_a, near_b, b] = places.map(margins);
         let (a, near_a, near_b, b) = (a?, near_a?, near_b?, b?);
         self.count(4 * left.exact.work_to_move());
+        let others = [near_a, near_b, b].map(|list| list.into_iter().collect::<HashMap<Margin, f64>>());
         for (margin, at_a) in a {
-            let of = |list: &[(Margin, f64)]| list.iter().find(|(other, _)| *other == margin).map(|(_, value)| *value);
-            let (Some(next), Some(last), Some(at_b)) = (of(&near_a), of(&near_b), of(&b)) else { continue };
+            let [Some(&next), Some(&last), Some(&at_b)] = others.each_ref().map(|list| list.get(&margin)) else {
+                continue;
+            };
             let (falls, rises) = ((at_a - next) / STEP, (at_b - last) / STEP);
             // Where the tangents meet: a margin that is bent one way does not go below it.
             let lowest = (at_a * rises + at_b * falls - falls * rises) / (falls + rises);
             if !(0.0 < falls && 0.0 < rises && lowest < 0.0 && 0.0 < at_a && 0.0 < at_b) {
                 continue;
             }
-            let value = |share: f64| {
-                self.count(left.exact.work_to_move());
-                left.exact.margin(&self.sweep.scene(left.value + share * width).ok()?, margin)
-            };
+            let value = |share: f64| self.margin(left, left.value + share * width, margin);
             let (mut lo, mut hi) = (0.0, 1.0);
             for _ in 0..SECTIONS {
                 let (c, d) = (hi - GOLDEN * (hi - lo), lo + GOLDEN * (hi - lo));
@@ -201,6 +202,15 @@ impl Search<'_> {
         Some(At::new(value, exact)).filter(|near| near.is_like(from))
     }
 
+    /// A margin of the contacts of an answer at another value.
+    fn margin(&self, of: &At, value: f64, margin: Margin) -> Option<f64> {
+        if self.is_spent() {
+            return None;
+        }
+        self.count(of.exact.work_to_move());
+        of.exact.margin(&self.sweep.scene(value).ok()?, margin)
+    }
+
     /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value
     /// at an end that stays halved (Illinois), and the middle where that does not halve the interval soon.
     pub(super) fn root(&self, from: &At, to: f64, margin: Margin) -> Option<f64> {
@@ -208,10 +218,7 @@ impl Search<'_> {
         const SECANTS: u32 = 3;
         /// What a margin may be below zero at a root, as a share of what it is at `to`.
         const NONE: f64 = 1e-2;
-        let of = |value: f64| {
-            self.count(from.exact.work_to_move());
-            from.exact.margin(&self.sweep.scene(value).ok()?, margin)
-        };
+        let of = |value: f64| self.margin(from, value, margin);
         let (mut good, mut bad) = (from.value, to);
         let (mut at_good, mut at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
         if at_good.is_some_and(|m| m <= 0.0) {
@@ -220,7 +227,7 @@ impl Search<'_> {
         }
         let mut turn = 0;
         let mut stays = 0;
-        loop {
+        while !self.is_spent() {
             let middle = 0.5 * (good + bad);
             if self.is_narrow(good, bad) {
                 return Some(middle);
@@ -247,5 +254,6 @@ impl Search<'_> {
                 }
             }
         }
+        None
     }
 }

@@ -50,7 +50,7 @@ pub const MOST_STEPS: usize = 20_001;
 /// seconds each on a slow machine, and more for scenes of a few pieces than 20,001 rows need.
 pub const MOST_WORK: u64 = 50_000_000;
 
-/// What a row takes beside its answer is so many times the work of that: its bounds, and the judgement of them.
+/// What a row takes beside its answer is so many times the work of its lists: its bounds, and the judgement of them.
 const JUDGED: u64 = 7;
 
 /// Why there is no sweep.
@@ -285,7 +285,7 @@ impl Walk<'_> {
     /// The answer with its verdict. The next one starts from it.
     pub fn row(&mut self, Step { value, scene, exact }: Step) -> Row {
         let pattern = exact.pattern();
-        self.work = self.work.saturating_add(exact.work().saturating_mul(1 + JUDGED));
+        self.work = self.work.saturating_add(exact.work()).saturating_add(exact.work_of_lists().saturating_mul(JUDGED));
         let mut solution = exact.judged(&scene, &Demand::default());
         self.last = solution.exact.take().map(|exact| (value, *exact));
         Row { value, solution, pattern }

@@ -26,6 +26,8 @@ pub struct Exact {
     pub iterations: usize,
     /// Lists of contacts that were tried.
     pub lists: usize,
+    /// Samples of the chains that were solved to find these.
+    pub(super) samples: usize,
     /// Worst violation of any condition, relative to the largest deflection and moment, or to the forces beside a contact.
     pub residual: f64,
     /// What the answer violates; empty if it is solved.
@@ -56,7 +58,7 @@ impl Exact {
         let state = summary::state(&given, &found, &scale, stiffness);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
-        let Found { list, checked, steps, lists, converged } = found;
+        let Found { list, checked, steps, lists, samples, converged } = found;
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples =
@@ -68,6 +70,7 @@ impl Exact {
             unknowns: list.unknowns(&given),
             iterations: steps,
             lists,
+            samples,
             residual: checked.worst,
             violations,
             support_couples,

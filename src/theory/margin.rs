@@ -10,10 +10,10 @@ use super::span::Span;
 use super::violation::Violation;
 
 /// A condition of a list of contacts that can be followed from scene to scene. Indices are those of the nodes of the list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Margin(Condition);
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Condition {
     /// A contact presses.
     Presses(usize),

@@ -39,7 +39,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Opt
     let slope = 0.0_f64.max(slopes[0]).min(slopes[1]);
     let list = List { nodes: vec![Node { slope, ..node }] };
     let checked = check(given, &list);
-    let found = Found { list, checked, steps: 0, lists: 1, converged: true };
+    let found = Found { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
     found.solved().then_some((found, turns.then_some(slopes)))
 }
 

@@ -45,6 +45,8 @@ pub(super) struct Found {
     pub(super) steps: usize,
     /// Lists that were tried, this one included.
     pub(super) lists: usize,
+    /// Samples of the chains that were solved for all of these lists, once the search has ended.
+    pub(super) samples: usize,
     /// True if Newton's method converged for the list.
     pub(super) converged: bool,
 }
@@ -70,7 +72,7 @@ fn free(given: &PiecewiseScene) -> Found {
     // Slopes over inner supports are unknown even so.
     let run = newton::solve(given, &mut list);
     let checked = check(given, &list);
-    Found { list, checked, steps: run.steps, lists: 1, converged: run.converged }
+    Found { list, checked, steps: run.steps, lists: 1, samples: 0, converged: run.converged }
 }
 
 /// The exact solution, looked for from lists `near` it first, in turn.
@@ -103,7 +105,8 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         room::for_samples(given, samples.count())?;
         guess = samples.chain(given);
     }
-    let mut left = MULTIPLE * samples.count() + MOST_SAMPLES;
+    let mut taken = samples.count();
+    let mut left = MULTIPLE * taken + MOST_SAMPLES;
     let guesses = if is_long { GUESSES_OF_LONG } else { GUESSES };
     for turn in 0..guesses {
         if 0 < turn {
@@ -112,6 +115,7 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
                 break;
             }
             left -= samples.count();
+            taken += samples.count();
             room::for_samples(given, samples.count())?;
             guess = samples.chain(given);
         }
@@ -121,10 +125,11 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
             break;
         }
     }
-    Ok(match best {
+    let found = match best {
         Some(found) if found.solved() || !is_long => found,
         found => better(found, free(given)),
-    })
+    };
+    Ok(Found { samples: taken, ..found })
 }
 
 /// The better of what was found before, if anything was, and of a list.
@@ -152,7 +157,8 @@ fn with_repairs(
         // Without the nodes that made no sense the equations are others: Newton's method has not solved them.
         let changed = normal != list;
         let checked = check(given, &normal);
-        let found = Found { list: normal, checked, steps: run.steps, lists: 1, converged: run.converged && !changed };
+        let converged = run.converged && !changed;
+        let found = Found { list: normal, checked, steps: run.steps, lists: 1, samples: 0, converged };
         if found.solved() {
             return Ok(Some(better(best, closer(given, found))));
         }

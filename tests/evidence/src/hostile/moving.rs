@@ -1,7 +1,7 @@
 //! What must be true of answers while a number of the scene varies: sweeps, and tolerances of the ground.
 
 use palkki::scene::{Foundation, Scene};
-use palkki::sweep::{Event, Sweep};
+use palkki::sweep::{Event, MOST_WORK, Row, Sweep};
 use palkki::theory::{self, Exact};
 use palkki::tolerance::{DepthTolerance, Touches};
 
@@ -87,6 +87,13 @@ fn varied(draft: &Draft, scene: &Scene, random: &mut Random) -> Option<(String, 
         .then(|| (path, if random.once_in(2) { [from, to] } else { [to, from] }))
 }
 
+/// The events between rows, if they are found with the work that the program spends on them.
+fn events(sweep: &Sweep<'_>, rows: &[Row]) -> Option<Vec<Event>> {
+    let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
+    let found = sweep.events_within(&kinds, MOST_WORK);
+    found.until.is_none().then_some(found.events)
+}
+
 /// The rows of a sweep are the answers of their scenes, between two of another kind there is an event, and events do not depend on
 /// the number of rows.
 pub(super) fn sweep(trial: &mut Trial, draft: &Draft, scene: &Scene, random: &mut Random) {
@@ -94,7 +101,7 @@ pub(super) fn sweep(trial: &mut Trial, draft: &Draft, scene: &Scene, random: &mu
     let steps = random.pick(&[5, 12, 31]);
     let Ok(sweep) = Sweep::new(scene, &path, range, steps) else { return };
     let Ok(rows) = sweep.rows() else { return };
-    let events = sweep.events(&rows);
+    let Some(events) = events(&sweep, &rows) else { return };
     let span = (range[1] - range[0]).abs();
     let mut last: Option<(f64, Vec<(char, i64)>)> = None;
     for row in &rows {
@@ -140,7 +147,7 @@ fn in_other_steps(trial: &mut Trial, scene: &Scene, path: &str, range: [f64; 2],
         .iter()
         .filter_map(|&count| {
             let sweep = Sweep::new(scene, path, range, count).ok()?;
-            Some((count, sweep.events(&sweep.rows().ok()?)))
+            Some((count, events(&sweep, &sweep.rows().ok()?)?))
         })
         .collect();
     let alike = |a: f64, b: f64| (a - b).abs() <= 1e-9 * span + 1e-9 * a.abs();

@@ -89,7 +89,8 @@ pub(super) fn refused(trial: &mut Trial, draft: &Draft, error: &FileError) {
     let message = error.problem.to_string();
     let place = error.place.as_ref().is_some_and(|place| 0 < place.line && 0 < place.column);
     let without_a_value = [Unheld::NothingPresses, Unheld::NothingCarries].map(|why| why.to_string());
-    let value = message.contains(|c: char| c.is_ascii_digit()) || without_a_value.contains(&message);
+    let told = message.contains(|c: char| c.is_ascii_digit()) || message.ends_with("is inf");
+    let value = told || without_a_value.contains(&message);
     if !place || !value {
         trial.wrong.push(format!("a refusal without a place or a value: {message}"));
     }
