@@ -2,7 +2,7 @@
 
 use palkki::adaptive::{Request, adapt};
 use palkki::route::{Method, Solver};
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene};
+use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::{Settings, solve_raw, theory};
 use palkki_evidence::random::Random;
 
@@ -65,4 +65,31 @@ fn small_files_are_little_work() {
         let work: usize = adapted.trials.iter().map(|trial| trial.work).sum();
         assert!(work <= ADAPTED, "{kind}: {work}");
     }
+}
+
+/// A search through tens of thousands of samples counts as work, or a sweep of such answers has no end: waves, and a force of `10¹³` on a
+/// support that is raised by `10¹⁰`.
+#[test]
+fn the_samples_of_a_search_are_work() {
+    let (length, at) = (8.727_194_418_120_849, 0.410_305_173_698_997_7);
+    let supports = [(at, -20_576_904_475.283_4), (1.745_438_883_624_17, 0.0)].map(|(at, level)| Support {
+        at,
+        level,
+        slope: None,
+    });
+    let beam = Beam::new(length, 974.225_927_544_029_6).and_then(|beam| beam.with_supports(supports.to_vec()));
+    let beam = beam.expect("a beam");
+    let point =
+        [(0.410_305_173_698_995_8, 1.0), (at, 7.637_535_102_195_078e12)].map(|(at, force)| PointLoad { at, force });
+    let load = Load::new(&beam, 0.0, Vec::new(), point.to_vec()).expect("a load");
+    let waves = Foundation::Cosine {
+        mean: 0.007_394_203_718_527_087,
+        amplitude: 0.001_679_536_333_641_294_4,
+        wavelength: 4.935_057_725_763_338,
+        phase: 2.759_607_504_056_789,
+    };
+    let hard = theory::solve(&Scene::new(beam, load, Some(waves)).expect("a scene")).expect("in range");
+    let plain = scene(13.0, 1.0, Vec::new(), Foundation::Flat { depth: 1.0 });
+    let plain = theory::solve(&plain).expect("in range");
+    assert!(100 * plain.work() < hard.work(), "{} and {}", plain.work(), hard.work());
 }
