@@ -58,7 +58,7 @@ pub enum Missing {
     Unloaded,
     /// Beyond a support that moves off an end of the beam, the ground is level with it, and the beam touches it at once.
     Touches,
-    /// The force at the end of a zone, or of a support there, jumps: a load that stands on it moves into the zone or out of it.
+    /// The force at the end of a zone, or of a support there, jumps: a load that stands on it comes into the zone or leaves it.
     Jumps,
     /// Loads of both signs stand at one place on a zone, which lifts off under one of them as soon as they part.
     Pulls,
@@ -82,7 +82,9 @@ impl Missing {
             Self::Touches => {
                 "none: beyond a support that moves off the end of the beam, the beam touches the ground at once"
             }
-            Self::Jumps => "in part: the force at the end of a zone jumps as the load that stands there moves",
+            Self::Jumps => {
+                "in part: the force at the end of a zone jumps as the load that stands there comes into the zone or leaves it"
+            }
             Self::Pulls => "none: one of the loads at this place pulls, and lifts the beam off as soon as they part",
             Self::Crowded => {
                 "in part: a contact is so near a support that only the sum and the couple of their forces are certain"
