@@ -13,7 +13,6 @@
 //! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
 mod band;
-mod dense;
 mod explicit;
 mod free_set;
 mod matrix;
@@ -21,7 +20,6 @@ mod profile;
 mod sparse;
 
 pub use band::{Band, NotPositiveDefinite, Row};
-pub use dense::Dense;
 pub use explicit::Explicit;
 pub use free_set::FreeSet;
 pub use matrix::{Matrix, UpperColumns};

@@ -39,6 +39,14 @@ impl Profile {
         Self { values: vec![0.0; start[first.len()]], first, start, last }
     }
 
+    /// The matrix with all entries of a lower triangle.
+    #[must_use]
+    pub fn full(n: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
+        let mut matrix = Self::zero(vec![0; n]);
+        matrix.values = (0..n).flat_map(|i| (0..=i).map(move |j| [i, j])).map(|[i, j]| entry(i, j)).collect();
+        matrix
+    }
+
     /// The sum of two matrices, and what is rounded off it, exactly.
     #[must_use]
     pub fn sum(&self, other: &Self) -> [Self; 2] {

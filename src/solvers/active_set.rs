@@ -301,17 +301,18 @@ fn change(from: &Stationary, to: &Stationary) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::qp::Dense;
+    use crate::qp::{Explicit, Profile};
 
     /// A chain on rough ground, of which many variables have to be dropped and released again.
-    fn chain(n: usize) -> Dense {
+    fn chain(n: usize) -> Explicit {
         let entry = |i: usize, j: usize| match i.abs_diff(j) {
             0 => 6.0,
             1 => -4.0,
             2 => 1.0,
             _ => 0.0,
         };
-        Dense::of(n, entry, |i| if i % 5 < 2 { 1.0 } else { -1.0 })
+        let linear: Vec<f64> = (0..n).map(|i| if i % 5 < 2 { 1.0 } else { -1.0 }).collect();
+        Explicit::new(Profile::full(n, entry), &linear).expect("positive definite")
     }
 
     /// By exchanges and by a descent, whatever the limit is: a step that has begun makes at most two solves more.

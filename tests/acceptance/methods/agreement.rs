@@ -1,8 +1,8 @@
 //! Agreement of the energy methods by their own matrices and without. Every method with every solver is in `multigrid`.
 
 use palkki::methods::Discrete;
-use palkki::qp::{Dense, Matrix};
 use palkki::route::{Method, Solver};
+use palkki_evidence::paper::claims::energy_methods::explicit;
 
 use crate::scenes::{apart, largest, nodes, report, run};
 
@@ -22,9 +22,7 @@ fn the_energy_methods_agree_to_rounding() {
             let without = nodes(&without);
             for method in [Method::Displacement, Method::Force] {
                 let qp = method.qp(&discrete);
-                let Matrix::Dense(matrix) = qp.matrix() else { panic!("{method} has a full matrix") };
-                let qp = Dense { matrix, linear: qp.linear().into(), sizes: qp.sizes() };
-                let answer = Solver::ActiveSet.run(&qp, 0.0);
+                let answer = Solver::ActiveSet.run(&explicit(qp.as_ref()), 0.0);
                 assert!(answer.reports_success, "{name}, {method}, {intervals}: {}", answer.message);
                 let with = method.nodal(&discrete, answer.x, answer.gradient);
                 let force = apart(&with.contact_force, &without.contact_force) / load;

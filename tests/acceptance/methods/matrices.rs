@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use palkki::adaptive::observed_order;
 use palkki::methods::{Discrete, Method, flexibility};
-use palkki::qp::{Dense, FreeSet, Qp};
+use palkki::qp::{FreeSet, Qp};
 use palkki::scene::{Foundation, Scene};
-use palkki_evidence::paper::claims::energy_methods::dense;
+use palkki_evidence::paper::claims::energy_methods::{dense, explicit};
 use palkki_evidence::random::Random;
 
 use crate::scenes::{apart, example, largest, report, uniform};
@@ -113,7 +113,7 @@ fn structured_solves_agree_with_dense_ones_on_any_face() {
             let discrete = discrete(&scene, 24);
             let qp = method.qp(&discrete);
             let sizes = qp.sizes();
-            let other = Dense { matrix: dense(qp.as_ref()), linear: qp.linear().into(), sizes };
+            let other = explicit(qp.as_ref());
             for share in [0.0, 0.2, 0.5, 0.8, 1.0] {
                 let free: FreeSet = (0..23).map(|_| random.between(0.0, 1.0) < share).collect();
                 let a = qp.stationary(&free).expect("a definite face");

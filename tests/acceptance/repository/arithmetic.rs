@@ -38,9 +38,8 @@ fn elementary_functions_come_from_libm() {
 
 /// Files of the library that name the matrix library, and what they take from it: nothing that
 /// multiplies two matrices larger than five, for which it looks at the processor.
-const MATRICES: [(&str, &str); 5] = [
+const MATRICES: [(&str, &str); 4] = [
     ("src/qp/matrix.rs", "entries and columns"),
-    ("src/qp/dense.rs", "the product with a vector and Cholesky's factor, both plain loops"),
     ("src/methods/program.rs", "columns, and a sum"),
     ("src/methods/force.rs", "entries from a function"),
     ("src/methods/displacement.rs", "columns, and a sum"),

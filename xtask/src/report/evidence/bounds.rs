@@ -2,13 +2,12 @@
 //! that were computed with the load lumped at the nodes: those of the paper, and of springs instead of a rigid foundation. What
 //! `palkki certify` finds about them, told that the load is nodal and not told.
 
-use nalgebra::{DMatrix, DVector};
 use palkki::certificate::{
     ContactLoad, Judged, Lumped, Violation, ViolationKind, certify, violations, violations_at_nodes,
 };
 use palkki::methods::Discrete;
 use palkki::plot::{Axis, Layer, Panel, Style};
-use palkki::qp::Dense;
+use palkki::qp::{Explicit, Profile};
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
 use palkki_evidence::faults::Truth;
@@ -185,11 +184,8 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
     let rigid = Method::Force.qp(&discrete);
     let (n, flexibility) = (rigid.dimension(), rigid.matrix());
     let softness = |i: usize, j: usize| if i == j { 1.0 / spring } else { 0.0 };
-    let qp = Dense {
-        matrix: DMatrix::from_fn(n, n, |i, j| flexibility.entry(i, j) + softness(i, j)),
-        linear: DVector::from_vec(rigid.linear()),
-        sizes: rigid.sizes(),
-    };
+    let matrix = Profile::full(n, |i, j| flexibility.entry(i, j) + softness(i, j));
+    let qp = Explicit::new(matrix, &rigid.linear())?;
     let answer = Solver::ActiveSet.run(&qp, 0.0);
     if !answer.reports_success {
         return Err(format!("springs of ratio {ratio}: {}", answer.message).into());

@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 use palkki::certificate::{Judged, certify};
 use palkki::methods::{Discrete, Method};
-use palkki::qp::{Dense, FreeSet, Matrix, Qp, Stationary};
+use palkki::qp::{Explicit, FreeSet, Matrix, Profile, Qp, Stationary};
 use palkki::scene::{Scene, SceneError};
 use palkki::solvers::{Answer, Solver};
 use palkki::state::Contact;
@@ -54,9 +54,7 @@ fn differences(scene: &Scene) -> Result<(f64, f64), SceneError> {
     let discrete = Discrete::new(&scaled.scene, INTERVALS)?;
     let nodal = |method: Method| {
         let qp = method.qp(&discrete);
-        let (linear, sizes) = (qp.linear().into(), qp.sizes());
-        let Answer { x, gradient, .. } =
-            Solver::ActiveSet.run(&Dense { matrix: dense(qp.as_ref()), linear, sizes }, 0.0);
+        let Answer { x, gradient, .. } = Solver::ActiveSet.run(&explicit(qp.as_ref()), 0.0);
         method.nodal(&discrete, x, gradient)
     };
     let (a, b) = (nodal(Method::Displacement), nodal(Method::Force));
@@ -84,6 +82,18 @@ pub fn dense(qp: &dyn Qp) -> DMatrix<f64> {
             DMatrix::from_fn(n, n, |i, j| other.entry(i, j))
         }
     }
+}
+
+/// A quadratic program that knows nothing but its matrix.
+///
+/// # Panics
+///
+/// If rounding has destroyed its definiteness, as it does with conditions beyond 1e16.
+#[must_use]
+pub fn explicit(qp: &dyn Qp) -> Explicit {
+    let matrix = qp.matrix();
+    let matrix = Profile::full(matrix.dimension(), |i, j| matrix.entry(i, j));
+    Explicit::new(matrix, &qp.linear()).expect("positive definite")
 }
 
 /// What the matrices cost in digits on one grid.
@@ -117,20 +127,15 @@ fn digits(intervals: usize) -> Result<Digits, SceneError> {
     let forces = |point: Option<Stationary>, of_x: bool| -> Vec<f64> {
         point.map_or_else(|| vec![f64::NAN; intervals - 1], |p| if of_x { p.x } else { p.gradient })
     };
-    let with_matrix = |method: Method| -> Dense {
-        let qp = method.qp(&discrete);
-        Dense { matrix: dense(qp.as_ref()), linear: qp.linear().into(), sizes: qp.sizes() }
-    };
-    let (stiffness, flexibility) = (with_matrix(Method::Displacement), with_matrix(Method::Force));
+    let [stiffness, flexibility] = [Method::Displacement, Method::Force].map(|method| method.qp(&discrete));
+    let largest = |qp: &dyn Qp| dense(qp).symmetric_eigenvalues().max();
     let reference = forces(Method::Force.qp(&discrete).stationary(&touches).ok(), true);
     let error = |forces: Vec<f64>| apart(&forces, &reference) / total;
-    let eigenvalues = stiffness.matrix.symmetric_eigenvalues();
-    let least = flexibility.matrix.symmetric_eigenvalues().max().recip();
     Ok(Digits {
         intervals,
-        condition: eigenvalues.max() / least,
-        with_stiffness: error(forces(stiffness.stationary(&lifted).ok(), false)),
-        with_flexibility: error(forces(flexibility.stationary(&touches).ok(), true)),
+        condition: largest(stiffness.as_ref()) * largest(flexibility.as_ref()),
+        with_stiffness: error(forces(explicit(stiffness.as_ref()).stationary(&lifted).ok(), false)),
+        with_flexibility: error(forces(explicit(flexibility.as_ref()).stationary(&touches).ok(), true)),
         // Scene and contact set are symmetric, the elimination runs from left to right: what differs is its rounding.
         without_matrix: error(reference.iter().rev().copied().collect()),
     })

@@ -2,8 +2,9 @@
 //! foundation; further study is needed where the rigid motion of the body is not known beforehand."
 
 use nalgebra::{DMatrix, DVector};
+use palkki::body::{Body, Kind};
 use palkki::methods::{Method, flexibility};
-use palkki::qp::{Dense, Sizes, residual};
+use palkki::qp::{Profile, Qp as _, residual};
 use palkki::scene::{Foundation, SceneError};
 use palkki::solvers::Solver;
 use palkki::{Settings, solve_raw};
@@ -29,19 +30,14 @@ pub(super) fn any_elastic_body() -> Claim {
     let (length, tension, load, depth) = (10.0, 10.0, 1.0, 1.0_f64);
     let n = INTERVALS - 1;
     let spacing = length / INTERVALS as f64;
-    let stiffness = DMatrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
-        0 => 2.0 * tension / spacing,
-        1 => -tension / spacing,
-        _ => 0.0,
-    });
-    let depths = DVector::from_element(n, depth);
-    let loads = DVector::from_element(n, load * spacing);
-    let linear = &stiffness * &depths - &loads;
-    let qp = Dense { matrix: stiffness, linear, sizes: Sizes { x: depth, gradient: load * length } };
-    let answer = Solver::ActiveSet.run(&qp, 0.0);
+    let entries = (0..n).flat_map(|i| (i.saturating_sub(1)..=i).map(move |j| (i, j, if i == j { 2.0 } else { -1.0 })));
+    let stiffness = Profile::of_entries(n, entries.map(|(i, j, share)| (i, j, share * tension / spacing)));
+    let body = Body::new(Kind::Stiffness, stiffness, None, vec![depth; n], vec![load * spacing; n])
+        .expect("a taut string is positive definite");
+    let answer = body.run(Solver::ActiveSet, 0.0);
     let first = depth - answer.x[0];
     let reaction = tension * first / spacing + 0.5 * load * spacing;
-    let residual = residual(qp.sizes, &answer.x, &answer.gradient);
+    let residual = residual(body.program().sizes(), &answer.x, &answer.gradient);
     let end_reaction = reaction / (2.0 * tension * load * depth).sqrt() - 1.0;
     let verdict = Verdict::of(residual < ROUNDING && end_reaction.abs() < SECOND_ORDER);
     let numbers = json!({ "residual": residual.max(f64::EPSILON), "end_reaction": end_reaction });
@@ -65,12 +61,11 @@ pub(super) fn elastic_foundation() -> Result<Claim, SceneError> {
     let (l, ei) = (beam.length(), beam.bending_stiffness());
     let n = SPRING_INTERVALS - 1;
     let spacing = l / SPRING_INTERVALS as f64;
-    let c = DMatrix::from_fn(n, n, |i, j| flexibility(l, ei, n, i + 1, j + 1));
-    let loads = DVector::from_element(n, spacing);
-    let linear = &c * &loads;
-    let matrix = &c + DMatrix::identity(n, n) / (MODULUS * spacing);
-    let qp = Dense { matrix, linear, sizes: Sizes { x: l, gradient: 1.0 / MODULUS } };
-    let answer = Solver::ActiveSet.run(&qp, 0.0);
+    let c = Profile::full(n, |i, j| flexibility(l, ei, n, i + 1, j + 1));
+    let springs = Profile::of_entries(n, (0..n).map(|i| (i, i, 1.0 / (MODULUS * spacing))));
+    let body = Body::new(Kind::Flexibility, c, Some(&springs), vec![0.0; n], vec![spacing; n])
+        .expect("a beam on springs is positive definite");
+    let answer = body.run(Solver::ActiveSet, 0.0);
     let deflection = answer.x[n / 2] / (MODULUS * spacing);
 
     let term = |m: usize| {
@@ -80,7 +75,7 @@ pub(super) fn elastic_foundation() -> Result<Claim, SceneError> {
         4.0 / wave * sign / (ei * ratio * ratio * ratio * ratio + MODULUS)
     };
     let series: f64 = (0..500).rev().map(|k| term(2 * k + 1)).sum();
-    let residual = residual(qp.sizes, &answer.x, &answer.gradient);
+    let residual = residual(body.program().sizes(), &answer.x, &answer.gradient);
     let off = deflection / series - 1.0;
     let lifted = answer.x.iter().filter(|force| **force <= 0.0).count();
     assert_eq!(lifted, 0, "where no spring lifts off, nothing is known of contact");
