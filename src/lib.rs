@@ -39,6 +39,7 @@
 //! | solve exactly; by a method and a solver on a grid | [`solve_exactly`], [`solve()`] |
 //! | ask for an accuracy, and have the grid chosen | [`adaptive::adapt`] |
 //! | bound the error of contact forces from elsewhere | [`certificate::certify`], [`verdict::Verdict::of_forces`] |
+//! | solve any elastic body, and bound the error of any answer for it | [`body::Body`], [`body::proof::prove`] |
 //! | draw | `plot::curves`, with the feature `plot` |
 //!
 //! # Notation
@@ -67,8 +68,8 @@
 //!   └──────────────────────────► theory ───────────────────────────┴─► witness ──┘
 //! ```
 //!
-//! [`solve()`] is the upper way, [`theory::solve`] the lower one. Beside them are drawings
-//! ([`plot`]). Claims and figures of the paper, faults and scenes with known answers are no part of the library: they are the
+//! [`solve()`] is the upper way, [`theory::solve`] the lower one. Any elastic [`body`] goes from its matrix through [`qp`] and
+//! [`solvers`] to a proof of its own, and to the verdict. Beside them are drawings ([`plot`]). Claims and figures of the paper, faults and scenes with known answers are no part of the library: they are the
 //! evidence for it, the package `palkki-evidence`.
 
 #![warn(clippy::disallowed_methods)]
