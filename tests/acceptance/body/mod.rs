@@ -3,3 +3,4 @@
 mod known;
 mod messages;
 mod random;
+mod slab;

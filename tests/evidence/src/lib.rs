@@ -26,5 +26,6 @@ pub mod libraries;
 pub mod numdiff;
 pub mod paper;
 pub mod random;
+pub mod slab;
 pub mod sweeps;
 pub mod texts;
