@@ -1,8 +1,7 @@
 //! Symmetric matrices in Matrix Market files, line by line: nothing but the numbers is kept.
 //!
 //! `coordinate` or `array`, `real` (or `integer`, `double`), `symmetric` or `general`. A general matrix has to be symmetric up to rounding;
-//! it stands for the mean of its two triangles. See Boisvert, Pozo and Remington, "The Matrix Market exchange formats", NISTIR 5935
-//! (1996).
+//! it stands for the mean of its two triangles (Boisvert, Pozo and Remington 1996).
 
 use std::ops::Range;
 use std::str::FromStr;
