@@ -151,6 +151,7 @@ impl Exact {
     /// What beam theory says of its answer.
     fn message(&self) -> String {
         let lists = match self.lists {
+            solves if self.state.pressure.is_some() => format!("{solves} linear problems solved"),
             1 => "1 list of contacts tried".to_owned(),
             lists => format!("{lists} lists of contacts tried"),
         };

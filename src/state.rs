@@ -112,6 +112,16 @@ impl Contact {
     }
 }
 
+/// The largest pressure of ground that gives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Pressure {
+    /// How large \[force / length\].
+    pub max: f64,
+    /// Where it is \[length\].
+    pub at: f64,
+}
+
 /// The greatest and the least value of a quantity along the beam, and where they are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
@@ -255,6 +265,8 @@ pub struct ContactState {
     pub moment: Extremes,
     /// `J(v) = ½∫EI v''² dx − ∫q v dx`, (17) \[force · length\]. A discretised method has its nodal loads for `q`.
     pub energy: f64,
+    /// The largest pressure, on ground that gives.
+    pub pressure: Option<Pressure>,
     /// Values at the nodes, for a discretised method.
     pub nodes: Option<Nodes>,
 }
@@ -333,6 +345,7 @@ impl ContactState {
             deflection: extremes(self.deflection, depth),
             moment: extremes(self.moment, scale.moment()),
             energy: self.energy * scale.energy(),
+            pressure: self.pressure.map(|p| Pressure { max: p.max * (force / length), at: p.at * length }),
             nodes: self.nodes.map(|nodes| Nodes {
                 discretisation: nodes.discretisation,
                 x: times(nodes.x, length),

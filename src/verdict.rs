@@ -43,7 +43,7 @@
 
 use std::fmt;
 
-use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, certify};
+use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, Proof, certify};
 use crate::route::RawSolution;
 use crate::scene::Scene;
 use crate::state::ContactState;
@@ -253,7 +253,11 @@ impl Verdict {
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
         let contacts = &exact.state.contacts;
-        let certificate = certify(scene, Judged::Witness, contacts).ok();
+        let certificate = match exact.stretches() {
+            Some(stretches) => Proof::of_stretches(scene, &stretches).map(|proof| proof.judge(Judged::Witness)),
+            None => certify(scene, Judged::Witness, contacts),
+        }
+        .ok();
         let own = if exact.solved {
             certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state))
         } else {

@@ -47,6 +47,7 @@ impl Kkt {
     /// all supports among them: all nodes but the ends of the beam that have a support.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
+        scene.on_rigid_ground("a residual").ok()?;
         let said = Said::by(scene, state)?;
         let Said { nodes, ref grid, first, ref supports, ref summed, .. } = said;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;

@@ -43,6 +43,7 @@ mod kkt;
 mod largest;
 mod lumped;
 mod quantities;
+mod stretches;
 mod summed;
 mod violations;
 mod witness;
@@ -53,6 +54,7 @@ pub use kernel::interval::Interval;
 pub use kkt::{CERTIFIED_RESIDUAL, Kkt};
 pub use lumped::{Lumped, NotLumped};
 pub use quantities::stiffness;
+pub use stretches::Stretch;
 pub use violations::{Violation, ViolationKind, violations, violations_at_nodes};
 
 use self::kernel::contact_node::{EnclosedScene, EnclosedSupport};
@@ -93,12 +95,32 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
+        scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
         let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
             let pair = pair(enclosed, witness, &scaled.scale);
             let unknown = Certificate::unknown(enclosed.supports.len());
             let known = pair.as_ref().map_or(unknown, |pair| Certificate::of_any(enclosed, &scaled, pair));
             (pair, known)
+        });
+        Ok(Self { scaled, pair, known })
+    }
+
+    /// The same on ground that gives, from stretches: where it presses, and how the beam is sunk into it. Those of a wrong answer
+    /// make the bounds wide, and never wrong.
+    ///
+    /// # Errors
+    ///
+    /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
+    pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
+        let scaled = scene.scaled()?;
+        let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
+            let proven = scaled.scene.ground_stiffness().and_then(|ground| {
+                kernel::springs::pair(enclosed, ground, &stretches::cut(enclosed, ground, witness, &scaled.scale))
+            });
+            let unknown = Certificate::unknown(enclosed.supports.len());
+            let known = proven.as_ref().map_or(unknown, |pair| Certificate::of_any(enclosed, &scaled, pair));
+            (proven, known)
         });
         Ok(Self { scaled, pair, known })
     }
@@ -157,6 +179,7 @@ fn of_witness(pair: &Pair, beam: &Beam) -> Option<(Error, f64)> {
 
 /// What `act` says of a scene that is made dimensionless and enclosed in intervals.
 fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
+    scene.on_rigid_ground("a check of contact forces")?;
     let scaled = scene.scaled()?;
     Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
 }
@@ -287,7 +310,7 @@ impl Certificate {
     /// What was proven of any deflection. All factors are powers of two: only exponents change.
     fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
-        let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness);
+        let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness) + pair.ground;
         let gap = pair.gap;
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
         let stiffness =

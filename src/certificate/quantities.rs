@@ -171,6 +171,7 @@ mod tests {
             holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
             turns_about: None,
             lifted: 0.0,
+            ground: Interval::ZERO,
         };
         let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
         let load = Load::uniform_on(&beam, 1.0).expect("finite");

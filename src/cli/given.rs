@@ -19,6 +19,8 @@ pub(super) fn given(scene: &Scene, labels: &Labels) -> Vec<(&'static str, String
         lines.push(("own shape", profile(shape, "w", labels)));
     }
     let ground = scene.foundation().map_or_else(|| "none".to_owned(), |foundation| profile(foundation, "u", labels));
+    let gives = |k: f64| format!("{ground}, stiffness {}", labels.number(k));
+    let ground = scene.ground_stiffness().map_or(ground.clone(), gives);
     lines.extend([("load", load(scene, labels)), ("foundation", ground)]);
     lines
 }

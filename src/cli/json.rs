@@ -6,7 +6,7 @@
 use palkki::adaptive::{End, Trial};
 use palkki::certificate::{Certificate, Violation};
 use palkki::route::Status;
-use palkki::state::{Contact, Extremes, Nodes, Regime, Standing, SupportForce};
+use palkki::state::{Contact, Extremes, Nodes, Pressure, Regime, Standing, SupportForce};
 use palkki::sweep::{Envelope, Event};
 use serde::Serialize;
 
@@ -154,6 +154,9 @@ struct RouteObject<'a> {
     deflection: DeflectionObject,
     moment: Extremes,
     energy: f64,
+    /// Only of ground that gives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pressure: Option<Pressure>,
     certificate: Option<CertificateObject>,
     /// What it took to find the grid; there if a tolerance was given and no grid.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -183,6 +186,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             deflection: (&state.deflection).into(),
             moment: state.moment,
             energy: state.energy,
+            pressure: state.pressure,
             certificate: verdict.certificate.as_ref().map(CertificateObject::from),
             refinement: answer.grids.as_ref().map(|grids| GridsObject {
                 tolerance: grids.demanded,

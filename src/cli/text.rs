@@ -2,7 +2,7 @@
 
 use palkki::certificate::Certificate;
 use palkki::route::Status;
-use palkki::state::{Contact, Extremes, Motion, Nodes, Standing};
+use palkki::state::{Contact, Extremes, Motion, Nodes, Pressure, Standing};
 use palkki::text::{magnitude, magnitude_at_most};
 
 use super::answer::{Answer, Grids};
@@ -233,6 +233,9 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
     let mut rows = Vec::new();
     rows.extend(lines(&labels.length.name("deflection"), &state.deflection));
     rows.extend(lines(&labels.moment.name("moment"), &state.moment));
+    let pressure =
+        |p: Pressure| vec![labels.density.name("largest pressure"), labels.number(p.max), labels.number(p.at)];
+    rows.extend(state.pressure.map(pressure));
     rows.push(vec![labels.moment.name("energy J"), labels.number(state.energy), String::new()]);
     table("Extremes", &["", "value", &labels.length.name("at")], &rows)
 }

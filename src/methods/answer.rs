@@ -149,6 +149,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         deflection,
         moment,
         energy,
+        pressure: None,
         nodes: Some(Nodes {
             discretisation: nodal.discretisation,
             x,

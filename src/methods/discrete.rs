@@ -70,6 +70,7 @@ impl Discrete {
     }
 
     fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
+        scene.on_rigid_ground("a discretised method")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         Ok(Self {

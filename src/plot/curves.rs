@@ -279,6 +279,7 @@ mod tests {
             deflection: Extremes::default(),
             moment: Extremes::default(),
             energy: 0.0,
+            pressure: None,
             nodes: None,
         };
         let places: Vec<f64> = std::iter::once(0.0).chain(x).chain([f64::from(u32::MAX)]).collect();

@@ -158,6 +158,7 @@ mod tests {
             deflection: Extremes { max: 0.75, max_at: x[0], min: 0.0, min_at: 0.0 },
             moment: Extremes { max: 0.875, max_at: x[1], min: 0.0, min_at: 0.0 },
             energy: -1.0,
+            pressure: None,
             nodes: Some(Nodes {
                 discretisation: crate::state::Discretisation::BeamElements,
                 deflection: x.iter().map(|x| 0.1 * x * (LENGTH - x)).collect(),

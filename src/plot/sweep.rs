@@ -125,7 +125,7 @@ fn name(quantity: Quantity, scene: &Scene) -> (&'static str, Option<String>) {
         Quantity::SupportLevel(_) => ("level of the support", length),
         Quantity::SupportSlope(_) => ("slope at the support", None),
         Quantity::Profile(_, ProfileKey::Depth) => ("depth of the ground", length),
-        Quantity::Profile(..) | Quantity::Supports | Quantity::TotalLoad => ("", None),
+        Quantity::Profile(..) | Quantity::Supports | Quantity::TotalLoad | Quantity::GroundStiffness => ("", None),
     }
 }
 

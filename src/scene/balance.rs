@@ -78,6 +78,19 @@ pub enum Unheld {
         /// Its magnitude \[force · length\].
         moment: f64,
     },
+    /// The resultant is above the one place about which the beam can turn, on ground that gives.
+    #[error(
+        "the loads have their resultant {} at x = {}, above the one place that could carry them alone: on ground that gives no \
+         position is known to be one of rest",
+        rounded(*force),
+        shown(*at)
+    )]
+    OnBorder {
+        /// The resultant, positive downwards \[force\].
+        force: f64,
+        /// Its place \[length\].
+        at: f64,
+    },
     /// There is no load, or the loads balance each other.
     #[error("no load presses on the beam: any position is one of rest")]
     NothingPresses,
@@ -113,7 +126,7 @@ impl Balance {
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
         let (load, length) = (scene.load(), scene.beam().length());
-        let grounded = scene.foundation().is_some();
+        let (grounded, gives) = (scene.foundation().is_some(), scene.ground_stiffness().is_some());
         let force = || Sum::of_forces(load, length);
         let turn = |about: f64| Sum::of_moments(load, length, about);
         let resultant = || {
@@ -134,11 +147,13 @@ impl Balance {
                         Err(Unheld::Couple { moment: left.value().abs() })
                     }
                     (Ordering::Less, _) | (_, Ordering::Less) => Err(Unheld::Overturns { force: weight, at, length }),
+                    (Ordering::Equal, _) | (_, Ordering::Equal) if gives => Err(Unheld::OnBorder { force: weight, at }),
                     (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: 0.0 }),
                     (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: length }),
                     (Ordering::Greater, Ordering::Greater) => {
-                        let (resultant, about) =
-                            (resultant(), corner(scene, at, |x| turn(x).sign() == Ordering::Equal));
+                        // Ground that gives carries nothing at a single place.
+                        let there = |x: f64| !gives && turn(x).sign() == Ordering::Equal;
+                        let (resultant, about) = (resultant(), corner(scene, at, there));
                         Ok(about.map_or(Self::Stands(resultant), |about| Self::Neutral { resultant, about }))
                     }
                 }
@@ -146,6 +161,7 @@ impl Balance {
             [support] if support.slope.is_none() => {
                 let turn = turn(support.at);
                 match turn.sign() {
+                    Ordering::Equal if gives => Err(Unheld::OnBorder { force: force().value(), at: support.at }),
                     Ordering::Equal => Ok(Self::Neutral { resultant: resultant(), about: support.at }),
                     Ordering::Greater if grounded && support.at < length => Ok(Self::Stands(resultant())),
                     Ordering::Less if grounded && 0.0 < support.at => Ok(Self::Stands(resultant())),
@@ -186,6 +202,7 @@ impl Unheld {
             Self::Overturns { force, at, length } => {
                 Self::Overturns { force: force * scale.force, at: at * scale.length, length: length * scale.length }
             }
+            Self::OnBorder { force, at } => Self::OnBorder { force: force * scale.force, at: at * scale.length },
             Self::PulledUp { force } => Self::PulledUp { force: force * scale.force },
             Self::Couple { moment } => Self::Couple { moment: moment * scale.moment() },
             Self::Turns { grounded, at, moment } => {

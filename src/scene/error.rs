@@ -1,5 +1,6 @@
 //! What can be wrong with a scene: the quantity, its value and what is required of it.
 
+use super::Scene;
 use super::balance::Unheld;
 use super::grid::MOST_FITTING;
 use super::quantity::{Profile, ProfileKey, Quantity};
@@ -177,6 +178,12 @@ pub enum SceneError {
     /// What the supports leave free is not held by the loads and the ground either.
     #[error(transparent)]
     Unheld(#[from] Unheld),
+    /// What is not there yet for ground that gives.
+    #[error("{what} needs rigid ground, but `{}` is given", Quantity::GroundStiffness)]
+    NeedsRigidGround {
+        /// What was asked for.
+        what: &'static str,
+    },
     /// Numbers that are finite by themselves and not together.
     #[error("`{quantity}` leads to numbers beyond the range of 64-bit floating point ({what} is {})", shown(*value))]
     Overflow {
@@ -246,9 +253,21 @@ impl SceneError {
                 Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
             }
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
+            Self::NeedsRigidGround { .. } => Some(Quantity::GroundStiffness),
             Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
         }
+    }
+}
+
+impl Scene {
+    /// Whether the ground of a scene is rigid, or there is none.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NeedsRigidGround`] if not, naming what asked for it.
+    pub fn on_rigid_ground(&self, what: &'static str) -> Result<(), SceneError> {
+        self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
     }
 }
 

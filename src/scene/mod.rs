@@ -39,6 +39,8 @@ pub struct Scene {
     load: Load,
     /// Shared by all that is made of the scene: a survey may have millions of points.
     foundation: Option<Arc<Foundation>>,
+    /// `k` of ground that gives \[force / length²\]; rigid without.
+    stiffness: Option<f64>,
     units: Units,
 }
 
@@ -60,7 +62,23 @@ impl Scene {
     pub fn new(beam: Beam, load: Load, foundation: Option<Foundation>) -> Result<Self, SceneError> {
         let load = Load::new(&beam, load.uniform(), load.linear().to_vec(), load.point().to_vec())?;
         let foundation = foundation.map(|f| f.checked(&beam)).transpose()?.map(Arc::new);
-        Ok(Self { title: String::new(), beam, load, foundation, units: Units::default() })
+        Ok(Self { title: String::new(), beam, load, foundation, stiffness: None, units: Units::default() })
+    }
+
+    /// The same scene on ground that gives: under a penetration `v − g` it presses with `k (v − g)` and cannot pull, a unilateral
+    /// Winkler foundation.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NotPositive`] unless `k` is positive and finite.
+    pub fn on_springs(&self, stiffness: f64) -> Result<Self, SceneError> {
+        Ok(Self { stiffness: Some(error::positive(Quantity::GroundStiffness, stiffness)?), ..self.clone() })
+    }
+
+    /// `k` of ground that gives \[force / length²\]; none where it is rigid, or where there is no foundation.
+    #[must_use]
+    pub fn ground_stiffness(&self) -> Option<f64> {
+        self.stiffness.filter(|_| self.foundation.is_some())
     }
 
     /// The same scene with a title and with labels for its units.
@@ -143,6 +161,11 @@ impl Scene {
         let beam = self.beam.scaled(scale, stiffness)?;
         let load = self.load.scaled(scale.length, scale.force);
         let foundation = self.foundation.as_ref().map(|f| f.scaled(scale.length, scale.depth));
-        Self::new(beam, load, foundation)
+        let scene = Self::new(beam, load, foundation)?;
+        // `F/L U = E/L⁴` is its unit, divided in an order that keeps every step in range.
+        let Some(k) = self.stiffness else { return Ok(scene) };
+        let value = k * scale.length * scale.length / stiffness * scale.length * scale.length;
+        let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground in these units");
+        if value.is_normal() { scene.on_springs(value) } else { Err(SceneError::Overflow { quantity, what, value }) }
     }
 }

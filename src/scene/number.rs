@@ -84,14 +84,15 @@ impl Scene {
                 *number = value;
             }
         }
-        let Numbers { stiffness, supports, shape, uniform, linear, point, foundation } = numbers;
+        let Numbers { stiffness, supports, shape, uniform, linear, point, foundation, springs } = numbers;
         let beam = Beam::new(self.beam.length(), stiffness)?.with_supports(supports)?;
         let beam = match shape {
             Some(shape) => beam.with_shape(shape)?,
             None => beam,
         };
         let load = Load::new(&beam, uniform, linear, point)?;
-        Ok(Self::new(beam, load, foundation)?.labelled(self.title.clone(), self.units.clone()))
+        let scene = Self::new(beam, load, foundation)?.labelled(self.title.clone(), self.units.clone());
+        springs.map_or(Ok(scene.clone()), |k| scene.on_springs(k))
     }
 
     /// The same scene with all of its ground moved downwards \[length\].
@@ -109,7 +110,7 @@ impl Scene {
             Some(Foundation::Polyline { points }) => points.iter_mut().for_each(|point| point[1] += down),
         }
         let moved = Self::new(self.beam.clone(), self.load.clone(), foundation)?;
-        Ok(moved.labelled(self.title.clone(), self.units.clone()))
+        Ok(Self { stiffness: self.stiffness, ..moved.labelled(self.title.clone(), self.units.clone()) })
     }
 
     /// The numbers that can be varied.
@@ -131,6 +132,7 @@ impl Scene {
         let point = self.load.point().len();
         groups.extend([Quantity::PointAt, Quantity::PointForce].map(|of| Group::each(of, point)));
         groups.extend(self.foundation.iter().flat_map(|foundation| groups_of(Profile::Foundation, foundation)));
+        groups.extend(self.ground_stiffness().map(|_| Group::one(Quantity::GroundStiffness)));
         groups
     }
 }
@@ -240,6 +242,7 @@ struct Numbers {
     linear: Vec<LinearLoad>,
     point: Vec<PointLoad>,
     foundation: Option<Foundation>,
+    springs: Option<f64>,
 }
 
 impl Numbers {
@@ -253,6 +256,7 @@ impl Numbers {
             linear: load.linear().to_vec(),
             point: load.point().to_vec(),
             foundation: scene.foundation().cloned(),
+            springs: scene.stiffness,
         }
     }
 
@@ -260,6 +264,7 @@ impl Numbers {
         match quantity {
             Quantity::Length | Quantity::Supports | Quantity::TotalLoad => None,
             Quantity::BendingStiffness => Some(&mut self.stiffness),
+            Quantity::GroundStiffness => self.springs.as_mut(),
             Quantity::Uniform => Some(&mut self.uniform),
             Quantity::LinearFrom(i) => self.linear.get_mut(i).map(|load| &mut load.from),
             Quantity::LinearTo(i) => self.linear.get_mut(i).map(|load| &mut load.to),

@@ -22,6 +22,7 @@ pub enum Quantity {
     Supports,
     /// A number of a profile.
     Profile(Profile, ProfileKey),
+    GroundStiffness,
     /// All loads together.
     TotalLoad,
 }
@@ -143,6 +144,7 @@ impl fmt::Display for Quantity {
                     ProfileKey::Whole => Ok(()),
                 }
             }
+            Self::GroundStiffness => write!(f, "foundation.stiffness"),
             Self::TotalLoad => write!(f, "load"),
         }
     }

@@ -70,6 +70,9 @@ pub enum SweepError {
         /// One that moves with it.
         other: Quantity,
     },
+    /// A scene that no sweep is built for.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
     /// Too few or too many values.
     #[error("the number of steps must be between 2 and {MOST_STEPS}, but is {0}")]
     Steps(usize),
@@ -130,6 +133,7 @@ impl<'a> Sweep<'a> {
     ///
     /// [`SweepError`], but for values without an answer, which are found on the way.
     pub fn new(scene: &'a Scene, path: &str, range: [f64; 2], steps: usize) -> Result<Self, SweepError> {
+        scene.on_rigid_ground("a sweep")?;
         let mut paths = path.split(',').map(|path| scene.quantity(path.trim()));
         let quantity = paths.next().unwrap_or_else(|| scene.quantity(path))?;
         let number = |quantity| scene.number(quantity).unwrap_or_default();

@@ -104,6 +104,7 @@ impl Exact {
 
     /// The same, and whether Newton's method converged.
     fn tried(&self, scene: &Scene) -> Option<(PiecewiseScene, List, bool)> {
+        scene.on_rigid_ground("a list of contacts").ok()?;
         let scaled = scene.scaled().ok()?;
         let given = PiecewiseScene::new(&scaled.scene);
         let mut list = self.list_in(&given, &scaled.scale)?;
@@ -114,7 +115,8 @@ impl Exact {
     /// The list of this solution in a scene beside it, to start from; [`None`] if its nodes are not there.
     pub(super) fn list_in(&self, to: &PiecewiseScene, scale: &Scale) -> Option<List> {
         let from = &self.given;
-        if from.shapes.len() != to.shapes.len()
+        if self.springs.is_some()
+            || from.shapes.len() != to.shapes.len()
             || from.supports.len() != to.supports.len()
             || from.free_ends != to.free_ends
         {

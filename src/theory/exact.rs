@@ -6,8 +6,10 @@ use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use super::span::Span;
+use super::springs::Springs;
 use super::summary;
 use super::violation::Violation;
+use crate::certificate::Stretch;
 use crate::scene::{Balance, Foundation, Scale, Scene};
 use crate::state::{ContactState, Extremes, Motion, Standing};
 
@@ -41,7 +43,9 @@ pub struct Exact {
     pub(super) spans: Vec<(usize, Span)>,
     /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
-    pieces: Vec<Piece>,
+    pub(super) pieces: Vec<Piece>,
+    /// On ground that gives, where there is neither a list nor pieces of it.
+    pub(super) springs: Option<Springs>,
     pub(super) scale: Scale,
     pub(super) stiffness: f64,
 }
@@ -75,6 +79,7 @@ impl Exact {
             violations,
             support_couples,
             pieces: checked.pieces,
+            springs: None,
             spans: checked.spans,
             forces: checked.forces,
             list,
@@ -137,6 +142,10 @@ impl Exact {
             return f64::INFINITY;
         }
         let [left, right] = [false, true].map(|right| {
+            if let Some(springs) = &self.springs {
+                let x = x / self.scale.length;
+                return -springs.part(x, right).sunk(x)[0];
+            }
             let (piece, place) = self.piece(x, right);
             // At a break the cell on the same side as the piece.
             let cell = if right { self.given.cell_from(place) } else { self.given.cell_to(place) };
@@ -156,6 +165,15 @@ impl Exact {
             return Extremes::default();
         }
         let Scale { length, depth, .. } = self.scale;
+        let in_units = |Extremes { max, max_at, min, min_at }: Extremes| Extremes {
+            max: max * depth,
+            max_at: max_at * length,
+            min: min * depth,
+            min_at: min_at * length,
+        };
+        if let Some(springs) = &self.springs {
+            return in_units(springs.clearance_extremes([from / length, to / length]));
+        }
         let inside = |piece: &Piece| {
             let middle = 0.5 * (piece.lo + piece.hi) * length;
             from <= middle && middle <= to
@@ -168,13 +186,15 @@ impl Exact {
                 parts[start..].reverse();
             }
         }
-        let Extremes { max, max_at, min, min_at } = summary::clearance_extremes(&self.given, parts.iter());
-        Extremes { max: max * depth, max_at: max_at * length, min: min * depth, min_at: min_at * length }
+        in_units(summary::clearance_extremes(&self.given, parts.iter()))
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
+        if let Some(springs) = &self.springs {
+            return springs.pressure(x / self.scale.length) * self.stiffness * self.scale.force / self.scale.length;
+        }
         let (piece, at) = self.piece(x, true);
         if piece.state.is_some() || !self.given.founded {
             return 0.0;
@@ -184,11 +204,20 @@ impl Exact {
 
     /// Concentrated contact forces inside zones, at point loads: `(place, force)`, upwards \[length, force\].
     pub fn forces_inside_zones(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let inside = |x: f64| self.state.contacts.iter().any(|c| c.from < x && x < c.to);
+        let rigid = self.springs.is_none();
+        let inside = move |x: f64| rigid && self.state.contacts.iter().any(|c| c.from < x && x < c.to);
         self.given
             .forces()
             .map(|j| (j.x * self.scale.length, j.force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))
+    }
+
+    /// Of ground that gives, the stretches of the beam: the witness of a certificate.
+    #[must_use]
+    pub fn stretches(&self) -> Option<Vec<Stretch>> {
+        let Scale { length, depth, .. } = self.scale;
+        let stretches = self.springs.as_ref()?.stretches();
+        Some(stretches.map(|stretch| stretch.in_units(length, depth)).collect())
     }
 
     /// `∫ f(v, v', v'', v''') dx`, dimensionless.
@@ -212,6 +241,9 @@ impl Exact {
 
     /// `v, v', v'', v'''` at `x`, dimensionless.
     fn beam(&self, x: f64, right: bool) -> [f64; 4] {
+        if let Some(springs) = &self.springs {
+            return springs.part(x / self.scale.length, right).beam(x / self.scale.length);
+        }
         let (piece, place) = self.piece(x, right);
         let mut taylor = vec![0.0; self.given.terms];
         piece.deflection(&self.given, &mut taylor);

@@ -15,6 +15,8 @@
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
 //! 8. `sensitivity`, `derivatives`, `changes`, `spread`: how the answer changes with the numbers of the scene, and where its kind does.
 //!
+//! 9. `springs`: ground that gives, which needs no list.
+//!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
@@ -49,6 +51,7 @@ mod shape;
 mod solve;
 mod span;
 mod spread;
+mod springs;
 mod summary;
 mod tension;
 mod violation;

@@ -64,6 +64,11 @@ impl Piece {
         self.hi - self.lo
     }
 
+    /// A part of the beam in one cell, of which the polynomial is known elsewhere.
+    pub(super) fn of_part([lo, hi]: [f64; 2], anchor: f64, cell: usize) -> Self {
+        Self { lo, hi, anchor, cell, far: cell, state: None }
+    }
+
     /// Turns coefficients in powers of `x − anchor` into powers of the distance from the anchor.
     pub(super) fn outwards(&self, taylor: &mut [f64]) {
         if !self.is_from_the_left() {

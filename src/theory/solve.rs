@@ -8,6 +8,7 @@ use super::normal;
 use super::piecewise::PiecewiseScene;
 use super::room::{self, MEMORY};
 use super::search::{Found, search};
+use super::springs;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
 /// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
@@ -97,6 +98,9 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
     }
     let stiffness = scaled.scene.beam().bending_stiffness();
     let given = PiecewiseScene::new(&scaled.scene);
+    if let Some(ground) = scaled.scene.ground_stiffness() {
+        return Ok(springs::exact(&scaled, given, ground)?);
+    }
     let neutral = match scaled.balance {
         Balance::Neutral { about, .. } => neutral::balanced(&given, about),
         _ => None,

@@ -20,6 +20,9 @@ impl Exact {
     /// magnitudes of all derivatives. Under a zone the ground moves as a whole.
     #[must_use]
     pub fn spread(&self, tolerance: f64) -> Option<Spread> {
+        if self.springs.is_some() {
+            return None;
+        }
         let nodes = &self.list.nodes;
         let none =
             Spread { supports: vec![0.0; self.state.supports.len()], contacts: vec![0.0; self.state.contacts.len()] };

@@ -45,6 +45,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
             min_at: curvature.max_at * scale.length,
         },
         energy: energy(given, pieces) * stiffness * scale.energy(),
+        pressure: None,
         nodes: None,
     }
 }
@@ -174,7 +175,7 @@ pub(super) fn clearance_extremes<'a>(
 
 /// The values of `Σ c_j s^j` at both ends of a piece, and where its derivative vanishes if it may leave `[least, most]`
 /// there; in order from left to right, with their places.
-fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut Vec<(f64, f64)>) {
+pub(super) fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut Vec<(f64, f64)>) {
     let width = piece.width();
     let start = values.len();
     values.push((piece.place(0.0), super::bernstein::value(c, 0.0)));
@@ -189,7 +190,7 @@ fn add_extremes(piece: &Piece, c: &[f64], [least, most]: [f64; 2], values: &mut 
 }
 
 /// Coefficients of the derivative, in the place of `c`.
-fn differentiated(c: &mut [f64]) -> &mut [f64] {
+pub(super) fn differentiated(c: &mut [f64]) -> &mut [f64] {
     #[expect(clippy::cast_precision_loss, reason = "a degree is a small number")]
     c.iter_mut().enumerate().for_each(|(j, c)| *c *= j as f64);
     c.get_mut(1..).unwrap_or_default()

@@ -111,7 +111,7 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
 }
 
 /// Of places that press the two that hold the beam best: strongly, and far apart.
-fn widest(carriers: &mut [Place]) -> Option<Hold> {
+pub(super) fn widest(carriers: &mut [Place]) -> Option<Hold> {
     /// Of the strongest places.
     const MOST: usize = 64;
     carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));

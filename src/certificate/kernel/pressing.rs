@@ -7,7 +7,7 @@ use super::polynomial::{Polynomial, number};
 use super::proof::Piece;
 
 /// Parts into which a cell is cut before what it seems to pull with is taken for true.
-const MOST_PARTS: usize = 400;
+pub(super) const MOST_PARTS: usize = 400;
 
 /// What was cut off of the contact load: forces and couples on parts of the beam, all as magnitudes.
 #[derive(Debug, Clone, Default)]
@@ -73,27 +73,32 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut T
         });
         let seen = [p, mirrored.mirrored()].map(|p| (p.range(width).lo(), p));
         let (_, p) = if seen[0].0 < seen[1].0 { &seen[1] } else { &seen[0] };
-        pulls(p, cell, width, &mut MOST_PARTS.clone(), cut_off);
+        pulls(p, cell, width, cut_off);
         Piece { from, to, v: enclosed.gap.about(from, cell), follows: true }
     };
     Some(enclosed.cells(from, to, Vec::new()).into_iter().map(piece).collect())
 }
 
 /// Cuts off what a pressure on a cell may pull with for `0 ≤ s ≤ w`.
-fn pulls(pressure: &Polynomial, cell: [f64; 2], width: Interval, parts: &mut usize, cut_off: &mut TensionCutOff) {
-    let range = pressure.range(width);
+pub(super) fn pulls(pressure: &Polynomial, cell: [f64; 2], width: Interval, cut_off: &mut TensionCutOff) {
+    let mut pull = |most: f64, width: Interval| cut_off.pulls.push((cell, (Interval::exact(most) * width).hi(), 0.0));
+    negative(pressure, width, &mut MOST_PARTS.clone(), &mut pull);
+}
+
+/// Parts of `0 ≤ s ≤ w` on which a polynomial may be negative, each with the most by which, and its width.
+pub(super) fn negative(of: &Polynomial, width: Interval, parts: &mut usize, found: &mut impl FnMut(f64, Interval)) {
+    let range = of.range(width);
     if 0.0 <= range.lo() {
         return;
     }
     *parts = parts.saturating_sub(1);
-    if *parts == 0 || range.hi() <= 0.0 || -range.lo() <= 4.0 * pressure.uncertainty(width.hi()) {
-        cut_off.pulls.push((cell, (Interval::exact(-range.lo()) * width).hi(), 0.0));
-        return;
+    if *parts == 0 || range.hi() <= 0.0 || -range.lo() <= 4.0 * of.uncertainty(width.hi()) {
+        return found(-range.lo(), width);
     }
     // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
     let half = Interval::exact(0.5 * width.hi());
-    pulls(pressure, cell, half, parts, cut_off);
-    pulls(&pressure.shifted(half), cell, half, parts, cut_off);
+    negative(of, half, parts, found);
+    negative(&of.shifted(half), half, parts, found);
 }
 
 #[cfg(test)]

@@ -60,6 +60,8 @@ pub(crate) struct Pair {
     pub(crate) turns_about: Option<f64>,
     /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
     pub(crate) lifted: f64,
+    /// `½∫ k (v̂ − g)₊²` of ground that gives.
+    pub(crate) ground: Interval,
 }
 
 /// The pair of some nodes, if there is one.
@@ -131,7 +133,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let corrected = Interval::around_zero(share.hi());
     let supports = nodes.iter().zip(forces).filter(|(node, _)| enclosed.support(node.x).is_some());
     let reactions = supports.map(|(_, force)| force + corrected).collect();
-    Some(Pair { pieces, gap, reactions, holds, turns_about, lifted })
+    Some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground: Interval::ZERO })
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

@@ -13,6 +13,8 @@ pub(super) struct Contents {
     pub(super) beam: BeamKeys,
     pub(super) load: LoadKeys,
     pub(super) foundation: Option<Given>,
+    /// Of ground that gives.
+    pub(super) stiffness: Option<f64>,
 }
 
 pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
@@ -24,7 +26,8 @@ pub(super) fn read(document: &DeTable<'_>) -> Result<Contents, Error> {
         units,
         beam,
         load: load(&file)?,
-        foundation: profile(&file, "foundation", Profile::Foundation)?,
+        foundation: profile(&file, "foundation", Profile::Foundation, GROUND)?,
+        stiffness: file.table("foundation", GROUND)?.map_or(Ok(None), |ground| ground.number("stiffness"))?,
     })
 }
 
@@ -49,7 +52,7 @@ fn beam(file: &Keys<'_>) -> Result<BeamKeys, Error> {
     Ok(BeamKeys {
         length: beam.required_number("length")?,
         bending_stiffness: beam.required_number("bending_stiffness")?,
-        shape: profile(&beam, "shape", Profile::Shape)?,
+        shape: profile(&beam, "shape", Profile::Shape, KINDS)?,
         supports: beam.get("supports").map(|value| supports(&value)).transpose()?,
     })
 }
@@ -105,6 +108,9 @@ fn load(file: &Keys<'_>) -> Result<LoadKeys, Error> {
 /// The five ways, as the keys of the table.
 pub(super) const KINDS: &[&str] = &["depth", "polynomial", "cosine", "points", "survey"];
 
+/// The keys of `[foundation]`: the same, and how stiff it is.
+const GROUND: &[&str] = &["depth", "polynomial", "cosine", "points", "survey", "stiffness"];
+
 /// What the table says.
 #[derive(Debug)]
 pub(super) enum Given {
@@ -115,8 +121,8 @@ pub(super) enum Given {
 }
 
 /// The profile in the table `key` of `parent`, if it is there: exactly one of five ways to give a depth `u(x)`, or `w0(x)`.
-fn profile(parent: &Keys<'_>, key: &str, of: Profile) -> Result<Option<Given>, Error> {
-    let Some(table) = parent.table(key, KINDS)? else {
+fn profile(parent: &Keys<'_>, key: &str, of: Profile, keys: &'static [&'static str]) -> Result<Option<Given>, Error> {
+    let Some(table) = parent.table(key, keys)? else {
         return Ok(None);
     };
     let mut given: Vec<(&'static str, Value<'_>)> =

@@ -83,7 +83,8 @@ fn parse_beam(
     let (shape, own) = profile(contents.beam.shape.take())?;
     let surveys = [(Profile::Foundation, below), (Profile::Shape, own)];
     let located = Located { source: &source, document: document.get_ref(), surveys: &surveys };
-    let scene = assemble(contents.beam, shape, contents.load, foundation).map_err(|e| located.error(e))?;
+    let scene =
+        assemble(contents.beam, shape, contents.load, foundation, contents.stiffness).map_err(|e| located.error(e))?;
     Ok(scene.labelled(contents.title, contents.units))
 }
 
@@ -123,6 +124,7 @@ fn assemble(
     shape: Option<Foundation>,
     load: LoadKeys,
     foundation: Option<Foundation>,
+    stiffness: Option<f64>,
 ) -> Result<Scene, SceneError> {
     let mut beam = Beam::new(keys.length, keys.bending_stiffness)?;
     if let Some(supports) = keys.supports {
@@ -133,6 +135,7 @@ fn assemble(
     }
     let load = Load::new(&beam, load.uniform, load.linear, load.point)?;
     let scene = Scene::new(beam, load, foundation)?;
+    let scene = stiffness.map_or(Ok(scene.clone()), |k| scene.on_springs(k))?;
     scene.scaled()?;
     Ok(scene)
 }

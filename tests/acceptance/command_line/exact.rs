@@ -59,3 +59,32 @@ fn csv_is_in_equilibrium() {
     // The point load stands in the zone: the ground takes it where it stands, and the shear force does not notice.
     assert!((jumps - forces).abs() < DIGITS * 10.0, "jumps {jumps}, forces {forces}");
 }
+
+/// Ground that gives: contacts without forces at their ends, the largest pressure, bounds; and what needs rigid ground says so, with
+/// exit code 2 and nothing on standard output.
+#[test]
+fn ground_that_gives_is_solved_and_otherwise_refused() {
+    let folder = Folder::new("exact_springs");
+    folder.write("soft.toml", super::EXAMPLE.to_owned() + "stiffness = 100\n");
+    folder.write("forces.csv", "x,force\n5,1\n");
+    let (code, _, json) = folder.json("solve soft.toml");
+    assert_eq!(code, Some(0));
+    assert_eq!(json["status"], "certified");
+    let contact = &json["contacts"][0];
+    assert!(contact["force_from"].is_null() && contact["force_to"].is_null(), "{contact}");
+    assert!(0.0 < number(&json["pressure"]["max"]) && number(&contact["from"]) < number(&json["pressure"]["at"]));
+    for command in [
+        "solve soft.toml --method force",
+        "solve soft.toml --method force --tolerance 1e-2",
+        "solve soft.toml --derivatives",
+        "solve soft.toml --depth-tolerance 0.01",
+        "solve soft.toml --plot figure.svg",
+        "compare soft.toml",
+        "certify soft.toml forces.csv",
+        "sweep soft.toml --vary foundation.stiffness --from 1 --to 2 --steps 3",
+    ] {
+        let run = folder.run(command);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{command}: {}", run.err);
+        assert!(run.err.contains("needs rigid ground, but `foundation.stiffness` is given"), "{command}: {}", run.err);
+    }
+}

@@ -46,6 +46,12 @@ const CHANGED: &[(&str, &str)] = &[
     ("uniform = 1.0", "uniform = 1e308"),
     ("depth = 1.0", "polynomial = [1, 1e308, 1e308]"),
     ("bending_stiffness = 1.3", "bending_stiffness = 1e-307"),
+    ("depth = 1.0", "depth = 1.0\nstiffness = 0"),
+    ("depth = 1.0", "depth = 1.0\nstiffness = -2.5"),
+    ("depth = 1.0", "depth = 1.0\nstiffness = 'soft'"),
+    ("depth = 1.0", "depth = 1.0\nstiffness = inf"),
+    ("depth = 1.0", "stiffness = 100.0"),
+    ("depth = 1.0", "depth = 1.0\nstiffness = 1e306"),
 ];
 
 /// One line more, or two, in `[beam]`.

@@ -12,6 +12,7 @@ mod level;
 mod long;
 mod near;
 mod random;
+mod springs;
 mod supports;
 mod surveys;
 

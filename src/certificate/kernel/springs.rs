@@ -1,0 +1,237 @@
+//! Ground that gives, `p = k (v − g)₊`: a proven pair from parts on which the beam is pressed, each with a polynomial from anybody.
+//!
+//! For any `v̂` that its supports hold and any `p ≥ 0` in balance with the loads and a moment field `M`, with `w = v̂ − g`
+//!
+//! ```text
+//! J(v̂) − D(p, R) ≤ ½∫ (EI v̂'' + M)²/EI + ½∫ (k w − p)²/k over pressed parts + ½∫ k w₊² over the others = gap
+//! ½∫ EI (v̂'' − v*'')² + ½∫ k (w₊ − w*₊)² ≤ gap
+//! ```
+//!
+//! Between pressed parts the beam hangs as on rigid ground. On one, with the polynomial `t` that is given, and cubics `δ` and `r` by
+//! which `v̂` and `M` are what they are at its two ends,
+//!
+//! ```text
+//! v̂ = g + t + δ,    M = ∬(k t − q) + r,    p = M'' + q = k t + r'':    k w − p = k δ − r''
+//! ```
+//!
+//! Neither that `w ≥ 0` here nor that `w ≤ 0` elsewhere has to be proven. What pulls is cut off: from a beam that its supports do
+//! not hold a share `t` of the pressure on two parts, which costs `t √(∫p²/k)`. Of such a part `I` on which `w > e = √(2 gap/k|I|)` a
+//! place has `|v̂ − v*| ≤ e`.
+
+use super::contact_node::EnclosedScene;
+use super::held::widest;
+use super::hold::{Hold, Place, in_order};
+use super::interval::Interval;
+use super::polynomial::{Polynomial, TERMS, number};
+use super::pressing::{MOST_PARTS, TensionCutOff, negative, pulls};
+use super::proof::{Pair, Piece};
+use super::span::Span;
+
+/// A part of the beam, from anybody.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stretch {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Coefficients of `t(from + s)` where the ground presses; none where the beam hangs.
+    pub sunk: Vec<f64>,
+    /// At its two ends the penetration where the ground presses, the deflection where the beam hangs, with its slope; moment and shear.
+    pub ends: [[f64; 4]; 2],
+}
+
+/// Coefficients of `t`: so that what it causes has no more than a polynomial.
+pub(crate) const MOST_TERMS: usize = TERMS - 2;
+
+/// A scene on ground that gives, with stretches from end to end.
+struct OnSprings<'a> {
+    enclosed: &'a EnclosedScene<'a>,
+    stretches: &'a [Stretch],
+}
+
+/// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial.
+fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval) -> Polynomial {
+    let off = |k: usize, s: Interval| [ends[k][0] - less.at(s), ends[k][1] - less.derivative().at(s)];
+    let ([y0, d0], [y1, d1]) = (off(0, Interval::ZERO), off(1, w));
+    let a = (y1 - y0) / w;
+    Polynomial::new(&[y0, d0, (number(3) * a - number(2) * d0 - d1) / w, (d0 + d1 - number(2) * a) / (w * w)])
+}
+
+fn plus(a: &Polynomial, b: &Polynomial) -> Polynomial {
+    a.minus(&Polynomial::ZERO.minus(b))
+}
+
+/// `∫₀^s`; the last coefficient must be free.
+fn integrated(of: &Polynomial) -> Polynomial {
+    let terms = of.coefficients().iter().enumerate().map(|(j, c)| *c / number(j + 1));
+    Polynomial::new(&std::iter::once(Interval::ZERO).chain(terms).collect::<Vec<_>>())
+}
+
+impl OnSprings<'_> {
+    fn x(&self, node: usize) -> f64 {
+        self.stretches.get(node).map_or(self.enclosed.length, |stretch| stretch.from)
+    }
+
+    fn beside(&self, node: usize, left: bool) -> Option<&Stretch> {
+        self.stretches.get(if left { node.checked_sub(1)? } else { node })
+    }
+
+    fn is_pressed(&self, node: usize, left: bool) -> bool {
+        self.beside(node, left).is_some_and(|stretch| !stretch.sunk.is_empty())
+    }
+
+    fn gap(&self, node: usize, left: bool) -> [Interval; 4] {
+        self.enclosed.gap.jet(self.x(node), left)
+    }
+
+    /// `w` and `w'` at a node on one of its sides: as is said on its right side, or on its left one if ground presses only there, or as
+    /// the support holds it. [`None`] where no ground presses beside it.
+    fn sunk(&self, node: usize, left: bool) -> Option<[Interval; 2]> {
+        let (x, gap) = (self.x(node), &self.enclosed.gap);
+        let own = [false, true].into_iter().find(|side| self.is_pressed(node, *side))?;
+        let jump = match gap.kink(x) {
+            _ if own == left || gap.is_smooth_at(x) => [Interval::ZERO; 2],
+            Some(kink) => [Interval::ZERO, if left { kink } else { -kink }],
+            None => [0, 1].map(|j| self.gap(node, own)[j] - self.gap(node, left)[j]),
+        };
+        let free = [self.said(node, own, 0)? + jump[0], self.said(node, own, 1)? + jump[1]];
+        let Some(support) = self.enclosed.support(x) else { return Some(free) };
+        let [gap, rise, ..] = self.gap(node, left);
+        Some([support.deflection - gap, support.slope.map_or(free[1], |slope| slope - rise)])
+    }
+
+    /// `v̂` and its slope at a node; [`None`] at a free end that hangs.
+    fn end(&self, node: usize) -> Option<[Interval; 2]> {
+        let left = !self.is_pressed(node, false);
+        let own = self.sunk(node, left).map(|w| [0, 1].map(|j| self.gap(node, left)[j] + w[j]));
+        let Some(support) = self.enclosed.support(self.x(node)) else { return own };
+        let slope = support.slope.or(own.map(|own| own[1])).or(self.said(node, false, 1)).or(self.said(node, true, 1));
+        Some([support.deflection, slope?])
+    }
+
+    /// What is said on one side of a node.
+    fn said(&self, node: usize, left: bool, which: usize) -> Option<Interval> {
+        Some(Interval::exact(self.beside(node, left)?.ends[usize::from(left)][which]))
+    }
+}
+
+/// The pair of some stretches on ground of a stiffness, if there is one.
+pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stretch]) -> Option<Pair> {
+    let (on, n) = (OnSprings { enclosed, stretches }, stretches.len());
+    let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
+    let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
+    let rests = |i: usize| on.is_pressed(i, true) || on.is_pressed(i, false) || enclosed.support(on.x(i)).is_some();
+    let whole = stretches.first()?.from.abs() <= 0.0 && (stretches.last()?.to - enclosed.length).abs() <= 0.0;
+    let profiles = [enclosed.gap.ground, enclosed.gap.shape];
+    let one_gap = |s: &Stretch| profiles.iter().all(|of| of.is_smooth_between(s.from, s.to));
+    let one_load = |s: &Stretch| enclosed.load.breaks(s.from, s.to).is_empty() && s.sunk.len() <= MOST_TERMS;
+    let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
+    let nodes = enclosed.supports.iter().map(|s| (0..=n).find(|node| (on.x(*node) - s.x).abs() <= 0.0));
+    let nodes: Vec<usize> = nodes.collect::<Option<_>>()?;
+    (chained && whole && (1..n).all(rests) && stretches.iter().all(is_one)).then_some(())?;
+    let hang = |i: usize| Span::new(enclosed, [on.x(i), on.x(i + 1)], [on.end(i), on.end(i + 1)], None);
+    let spans: Vec<Option<Span>> = (0..n).map(|i| (!on.is_pressed(i, false)).then(|| hang(i))).collect();
+    // M beside each node, on its left and on its right: as is said, but of an overhang as statics say.
+    let overhanging = |node: usize, left: bool| {
+        let (i, tip) = if left { (node.checked_sub(1)?, 0) } else { (node, n) };
+        let span = spans.get(i)?.as_ref().filter(|_| node.abs_diff(tip) == 1 && on.end(tip).is_none())?;
+        Some(-(stiffness * if left { span.end } else { span.start }[2]))
+    };
+    let moments_at = |node: usize| {
+        let own = |left: bool| overhanging(node, left).or(on.said(node, left, 2)).unwrap_or(Interval::ZERO);
+        let known = overhanging(node, true).or(overhanging(node, false));
+        match enclosed.support(on.x(node)).and_then(|s| s.slope) {
+            Some(_) => [true, false].map(own),
+            None if 0 < node && node < n => [known.unwrap_or_else(|| own(!on.is_pressed(node, false))); 2],
+            None => [Interval::ZERO; 2],
+        }
+    };
+    let moments: Vec<[Interval; 2]> = (0..=n).map(moments_at).collect();
+    // V in the same way: of what hangs by statics.
+    let hanging = |i: usize| {
+        let (span, width) = (spans.get(i)?.as_ref()?, Interval::length(on.x(i), on.x(i + 1)));
+        let shear = (moments[i + 1][0] - moments[i][1]) / width;
+        Some([shear + span.loaded[0], shear - span.loaded[1]])
+    };
+    let shears_at = |node: usize| {
+        let load = enclosed.load.point(on.x(node));
+        let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
+        let [left, right] = [true, false].map(|left| on.said(node, left, 3).unwrap_or(Interval::ZERO));
+        if enclosed.support(on.x(node)).is_some() {
+            return [before.unwrap_or(left), behind.unwrap_or(right)];
+        }
+        let left = before.or(behind.map(|v| v + load)).unwrap_or(if 0 < node { right + load } else { Interval::ZERO });
+        [left, left - load]
+    };
+    let shears: Vec<[Interval; 2]> = (0..=n).map(shears_at).collect();
+    let (mut cut_off, mut pieces, mut carriers) = (TensionCutOff::default(), Vec::new(), Vec::new());
+    let (mut square, mut energy, mut worst) = (Interval::ZERO, Interval::ZERO, 0.0_f64);
+    for (i, stretch) in stretches.iter().enumerate() {
+        let (ends, width) = ([stretch.from, stretch.to], Interval::length(stretch.from, stretch.to));
+        if let Some(span) = &spans[i] {
+            let r = [(span.start, moments[i][1]), (span.end, moments[i + 1][0])].map(|(v, m)| stiffness * v[2] + m);
+            square =
+                square + width * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(6) * stiffness);
+            for (cell, [v, end]) in span.curves(enclosed, enclosed.gap.breaks(ends[0], ends[1])) {
+                let half = Interval::exact(0.5 * Interval::length(cell[0], cell[1]).hi());
+                let clearance = |side: usize, v: &Polynomial| enclosed.gap.about(cell[side], cell).minus(v);
+                for (side, h) in [clearance(0, &v), clearance(1, &end).mirrored()].into_iter().enumerate() {
+                    // Beside a pressed part it is no difference of two depths.
+                    let near = on.sunk(i + side, side == 1).filter(|_| (cell[side] - on.x(i + side)).abs() <= 0.0);
+                    let h = near.map_or(h, |[w, w1]| h.known(&[-w, if side == 1 { w1 } else { -w1 }]));
+                    negative(&h, half, &mut MOST_PARTS.clone(), &mut |w, width| {
+                        let below = k * Interval::exact(w).square() * width;
+                        (square, energy) = (square + below, energy + below.hull(Interval::ZERO));
+                    });
+                }
+                pieces.push(Piece { from: cell[0], to: cell[1], v, follows: false });
+            }
+            continue;
+        }
+        let t = Polynomial::new(&stretch.sunk.iter().map(|&c| Interval::exact(c)).collect::<Vec<_>>());
+        let (gap, load) = (enclosed.gap.about(ends[0], ends), Polynomial::new(&enclosed.load.line(ends[0], ends)));
+        let delta = cubic([on.sunk(i, false)?, on.sunk(i + 1, true)?], &t, width);
+        // ∬(k t − q), and r.
+        let caused = integrated(&integrated(&t.times(k).minus(&load)));
+        let held = [[moments[i][1], shears[i][1]], [moments[i + 1][0], shears[i + 1][0]]];
+        let r = cubic(held, &caused, width);
+        let (w, turn) = (plus(&t, &delta), r.derivative().derivative());
+        let (v, p, off) = (plus(&gap, &w), plus(&t.times(k), &turn), delta.times(k).minus(&turn));
+        let bending = plus(&plus(&v.derivative().derivative().times(stiffness), &caused), &r);
+        let of = |p: &Polynomial| p.integral_of_product(p, width).not_negative();
+        square = square + of(&bending) / stiffness + of(&off) / k;
+        let (pressure, sunk) = (p.range(width), w.range(width));
+        pulls(&p, ends, width, &mut cut_off);
+        worst = worst.max(-pressure.lo());
+        let above = Interval::exact(sunk.lo().min(0.0)).square() * width;
+        energy = energy + k * (of(&w) - above.hull(Interval::ZERO));
+        let presses = Interval::exact(pressure.lo()) * width;
+        // A share of what presses costs that share of √(∫p²/k).
+        let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
+        carriers.push((Place { presses: presses.lo(), off: 0.0, from: ends[0], to: ends[1] }, sunk.lo(), cost));
+        pieces.push(Piece { from: ends[0], to: ends[1], v, follows: false });
+    }
+    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
+    let one = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| Hold(Place::at(s.x), Place::at(s.x)));
+    let held: Vec<Hold> = in_order(two.chain(one).collect());
+    let pressing = carriers.iter().map(|c: &(Place, f64, Interval)| c.0).filter(|place| 0.0 < place.presses);
+    let mut places: Vec<Place> = pressing.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
+    let holds = if held.is_empty() { widest(&mut places).into_iter().collect() } else { held };
+    let [moment, share] = cut_off.carried(&holds, enclosed.stiffness);
+    let carrier = |place: &Place| carriers.iter().find(|c| place.presses.is_finite() && c.0.from >= place.from);
+    let taken = |sum: Interval, place: &Place| carrier(place).map_or(sum, |(_, _, cost)| sum + share * *cost);
+    let changed = holds.iter().fold(Interval::ZERO, |sum, hold| taken(taken(sum, &hold.0), &hold.1));
+    let cut = cut_off.pulls.iter().fold(Interval::ZERO, |sum, p| sum + Interval::exact(p.1)) * Interval::exact(worst);
+    let gap = ((square.sqrt() + moment + (cut / k).sqrt() + changed).square() / number(2)).hi();
+    let known = |place: &Place| {
+        let Some((_, sunk, _)) = carrier(place) else { return Some(*place) };
+        let off = (number(2) * Interval::exact(gap) / (k * Interval::length(place.from, place.to))).sqrt().hi();
+        (off < *sunk && share.hi() < place.presses).then_some(Place { off, ..*place })
+    };
+    let holds =
+        holds.iter().map(|Hold(left, right)| Some(Hold(known(left)?, known(right)?))).collect::<Option<Vec<_>>>()?;
+    let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
+    let reactions = nodes.iter().map(|node| force(node) + Interval::around_zero(share.hi())).collect();
+    let (turns_about, lifted, ground) = (None, 0.0, energy / number(2));
+    (!holds.is_empty()).then_some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground })
+}

@@ -1,0 +1,201 @@
+//! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
+
+use super::cells::Part;
+use super::{Found, deepest, search};
+use crate::certificate::Stretch;
+use crate::scene::{Quantity, Scaled, SceneError};
+use crate::state::{Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce};
+use crate::theory::exact::Exact;
+use crate::theory::gauss::Gauss;
+use crate::theory::list::List;
+use crate::theory::piece::Piece;
+use crate::theory::piecewise::{AtSupport, Breakpoint, PiecewiseScene};
+use crate::theory::summary::{add_extremes, differentiated};
+use crate::theory::violation::Violation;
+
+/// A penetration on the wrong side, as a share of the largest one, that is the rounding of where a zone ends.
+const MOST_VIOLATED: f64 = 1e-9;
+
+/// The functions of `x` of a solution, dimensionless.
+#[derive(Debug, Clone)]
+pub(in crate::theory) struct Springs {
+    parts: Vec<Part>,
+    /// `k` over `EI`.
+    stiffness: f64,
+}
+
+impl Springs {
+    /// The part at `x`, of two the left or the right one.
+    pub(in crate::theory) fn part(&self, x: f64, right: bool) -> &Part {
+        let i = self.parts.partition_point(|part| if right { part.piece.hi <= x } else { part.piece.hi < x });
+        &self.parts[i.min(self.parts.len() - 1)]
+    }
+
+    /// The pressure over `EI`.
+    pub(in crate::theory) fn pressure(&self, x: f64) -> f64 {
+        let part = self.part(x, true);
+        if part.pressed { self.stiffness * part.sunk(x)[0] } else { 0.0 }
+    }
+
+    /// The parts as a witness.
+    pub(in crate::theory) fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
+        self.parts.iter().map(|part| {
+            let Piece { lo, hi, .. } = part.piece;
+            let sunk = if part.pressed { part.penetration.clone() } else { Vec::new() };
+            let ends = [lo, hi].map(|x| if part.pressed { part.sunk(x) } else { part.beam(x) });
+            Stretch { from: lo, to: hi, sunk, ends }
+        })
+    }
+
+    /// Extremes of the clearance on the parts whose middle lies between two places.
+    pub(in crate::theory) fn clearance_extremes(&self, [from, to]: [f64; 2]) -> Extremes {
+        let inside = |part: &&Part| {
+            let middle = 0.5 * (part.piece.lo + part.piece.hi);
+            from <= middle && middle <= to
+        };
+        let clearance = |part: &Part| part.penetration.iter().map(|c| -c).collect();
+        extremes(self.parts.iter().filter(inside), clearance)
+    }
+}
+
+/// Extremes of a function that has Taylor coefficients on each part.
+fn extremes<'a>(parts: impl Iterator<Item = &'a Part>, of: impl Fn(&Part) -> Vec<f64>) -> Extremes {
+    let mut values = Vec::new();
+    for part in parts {
+        let mut taylor = of(part);
+        part.piece.outwards(&mut taylor);
+        add_extremes(&part.piece, &taylor, [f64::INFINITY, f64::NEG_INFINITY], &mut values);
+    }
+    Extremes::of(values.iter().copied())
+}
+
+fn second(taylor: &[f64]) -> Vec<f64> {
+    let mut taylor = taylor.to_vec();
+    differentiated(differentiated(&mut taylor)).to_vec()
+}
+
+/// The exact solution of a dimensionless scene on ground of a stiffness.
+///
+/// # Errors
+///
+/// [`SceneError::Overflow`] for a stiffness beyond the range in which the beam on it can be computed.
+pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness: f64) -> Result<Exact, SceneError> {
+    let springs = stiffness / scaled.scene.beam().bending_stiffness();
+    let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
+    let found = search(&given, springs).ok_or(SceneError::Overflow { quantity, what, value: springs })?;
+    let Found { parts, stretches, solves, settled } = found;
+    let (violated, depth) = (parts.iter().map(violation).fold(0.0, f64::max), deepest(&parts));
+    let residual = if 0.0 < depth { violated / depth } else { violated };
+    let mut state = state(scaled, &given, &parts, &stretches, springs);
+    let resultant = scaled.balance.in_units_of(&scaled.scale).resultant();
+    state.standing = resultant.map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, None));
+    let solved = settled && residual <= MOST_VIOLATED && state.is_finite();
+    let functions = Springs { parts, stiffness: springs };
+    let stiffness = scaled.scene.beam().bending_stiffness();
+    Ok(Exact {
+        unknowns: 2 * stretches.len(),
+        solved,
+        converged: settled,
+        iterations: solves,
+        lists: solves,
+        residual,
+        violations: if state.is_finite() { Vec::new() } else { vec![Violation::Overflow] },
+        support_couples: [0.0; 2],
+        state,
+        springs: Some(functions),
+        list: List { nodes: Vec::new() },
+        spans: Vec::new(),
+        forces: Vec::new(),
+        pieces: Vec::new(),
+        given,
+        scale: scaled.scale,
+        stiffness,
+    })
+}
+
+/// By how much a part violates its side of the surface: where springs press `w` is not negative, elsewhere not positive.
+fn violation(part: &Part) -> f64 {
+    let Extremes { max, min, .. } = extremes(std::iter::once(part), |part| part.penetration.clone());
+    if part.pressed { -min } else { max }
+}
+
+fn state(
+    scaled: &Scaled,
+    given: &PiecewiseScene,
+    parts: &[Part],
+    stretches: &[[f64; 2]],
+    springs: f64,
+) -> ContactState {
+    let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
+    let supports: Vec<SupportForce> = (0..given.supports.len()).map(|i| support(scaled, given, parts, i)).collect();
+    let at_end = |x: f64| supports.iter().find(|s| s.at <= x && x <= s.at).map_or(0.0, |s| s.force);
+    let force = |f: f64| f * stiffness * scale.force;
+    let contact = |&[from, to]: &[f64; 2]| {
+        let inside = parts.iter().filter(|part| part.pressed && from <= part.piece.lo && part.piece.hi <= to);
+        let sunk: f64 = inside.map(|part| integral(&part.penetration, part.piece.width())).sum();
+        let [from, to] = [from, to].map(|x| x * scale.length);
+        Contact { from, to, force: force(springs * sunk), end_forces: None }
+    };
+    let contacts: Vec<Contact> = stretches.iter().map(contact).collect();
+    let of = |extremes: Extremes, unit: f64| Extremes {
+        max: extremes.max * unit,
+        max_at: extremes.max_at * scale.length,
+        min: extremes.min * unit,
+        min_at: extremes.min_at * scale.length,
+    };
+    let bent = extremes(parts.iter(), |part| second(&part.deflection).iter().map(|c| -c).collect());
+    let sunk = extremes(parts.iter().filter(|part| part.pressed), |part| part.penetration.clone());
+    let unit = springs * stiffness * scale.force / scale.length;
+    ContactState {
+        regime: Regime::of(&contacts),
+        reactions: Reactions { left: at_end(0.0), right: at_end(given.length * scale.length) },
+        supports,
+        standing: None,
+        contacts,
+        deflection: of(extremes(parts.iter(), |part| part.deflection.clone()), scale.depth),
+        moment: of(bent, stiffness * scale.moment()),
+        energy: energy(given, parts, springs) * stiffness * scale.energy(),
+        pressure: Some(Pressure { max: sunk.max.max(0.0) * unit, at: sunk.max_at * scale.length }),
+        nodes: None,
+    }
+}
+
+/// What a support carries: `EI (v'''(x+) − v'''(x−)) = P − R`.
+fn support(scaled: &Scaled, given: &PiecewiseScene, parts: &[Part], i: usize) -> SupportForce {
+    let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
+    let AtSupport { breakpoint, built_in, .. } = given.supports[i];
+    let Breakpoint { x, force, .. } = given.breakpoints[breakpoint];
+    let left = parts.iter().rfind(|part| part.piece.hi <= x).map_or([0.0; 4], |part| part.beam(x));
+    let right = parts.iter().find(|part| x <= part.piece.lo).map_or([0.0; 4], |part| part.beam(x));
+    let moment = if left[2].abs() < right[2].abs() { -right[2] } else { -left[2] };
+    SupportForce {
+        at: x * scale.length,
+        force: (force - (right[3] - left[3])) * stiffness * scale.force,
+        moment: built_in.then_some(moment * stiffness * scale.moment()),
+        couple: if built_in { (left[2] - right[2]) * stiffness * scale.moment() } else { 0.0 },
+    }
+}
+
+/// `∫₀^w` of a polynomial.
+#[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
+fn integral(taylor: &[f64], width: f64) -> f64 {
+    taylor.iter().enumerate().rev().fold(0.0, |sum, (j, c)| sum * width + c / (j + 1) as f64) * width
+}
+
+/// `J / EI = ∫ ½ v''² + ½ K (v − g)₊² − q v dx − Σ P v`.
+fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
+    /// Over a length of `1/λ` squares of what decays and turns over it are exact to rounding.
+    const PRESSED_DEGREE: usize = 29;
+    let rule = Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE));
+    let mut sum = 0.0;
+    for part in parts {
+        let Piece { lo, hi, cell, .. } = part.piece;
+        sum += rule.integral(lo, hi, |x| {
+            let [v, _, v2, _] = part.beam(x);
+            let w = if part.pressed { part.sunk(x)[0] } else { 0.0 };
+            0.5 * (v2 * v2 + springs * w * w) - given.load(cell, x) * v
+        });
+    }
+    let at = |x: f64| parts.iter().find(|part| x <= part.piece.hi).map_or(0.0, |part| part.beam(x)[0]);
+    given.forces().fold(sum, |sum, breakpoint| sum - breakpoint.force * at(breakpoint.x))
+}

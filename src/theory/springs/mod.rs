@@ -1,0 +1,140 @@
+//! Ground that gives: unilateral springs, `p = k (v − g)` where the beam is pressed into the ground and nothing elsewhere.
+//!
+//! There is no list of contacts. `J` is convex with a continuous derivative, and its minimum is found by Newton's method in the space
+//! of deflections, each step of which is a linear problem (`cells`, `band`):
+//!
+//! ```text
+//! S ← whole beam;    v ← the beam on springs that press on S,  S ← { v > g },    until S stays
+//! ```
+//!
+//! first for soft ground, then for ever stiffer one up to the given. `answer` is what is read off the polynomials.
+
+mod answer;
+mod band;
+mod cells;
+
+pub(super) use self::answer::{Springs, exact};
+use self::cells::{Part, solve};
+use super::bernstein::sign_changes;
+use super::piecewise::PiecewiseScene;
+
+/// What the set is found by.
+#[derive(Debug)]
+struct Found {
+    parts: Vec<Part>,
+    /// From left to right.
+    stretches: Vec<[f64; 2]>,
+    solves: usize,
+    /// Whether the set stays.
+    settled: bool,
+}
+
+/// How much stiffer the ground is from one set to the next: first boldly, then with care.
+const FACTORS: [f64; 2] = [16.0, 2.0];
+
+/// Solves for one set, at most, before the next stiffness; a handful are the rule.
+const MOST: usize = 60;
+
+/// The stretches on which springs of a stiffness over `EI` press, and the beam on them. Where the set does not settle, the whole
+/// beam is pressed; [`None`] if numbers leave the range of `f64`.
+fn search(given: &PiecewiseScene, springs: f64) -> Option<Found> {
+    let mut solves = 0;
+    let mut found = FACTORS.iter().filter_map(|factor| stiffening(given, springs, *factor, &mut solves));
+    if let Some(settled) = found.find(|found| found.settled) {
+        return Some(settled);
+    }
+    let stretches = vec![[0.0, given.length]];
+    Some(Found { parts: solve(given, springs, &stretches)?, stretches, solves, settled: false })
+}
+
+fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, solves: &mut usize) -> Option<Found> {
+    /// Shares of the length: a set of softer ground is a start, that of the given one has all its digits, or as many as there are.
+    const START: f64 = 1e-6;
+    const DIGITS: f64 = 4.0 * f64::EPSILON;
+    const FEW: f64 = 1e-12;
+    let mut stretches = vec![[0.0, given.length]];
+    let square = given.length * given.length;
+    let mut k = (1.0 / (square * square)).min(springs);
+    loop {
+        let is_last = springs <= k;
+        let (mut before, mut settled) = (f64::INFINITY, false);
+        for _ in 0..MOST {
+            *solves += 1;
+            let parts = solve(given, k, &stretches)?;
+            let next = pressed(given, &parts);
+            let apart = distance(&stretches, &next) / given.length;
+            stretches = next;
+            settled = if is_last { apart <= DIGITS || apart <= FEW && 0.5 * before <= apart } else { apart <= START };
+            if settled {
+                break;
+            }
+            before = apart;
+        }
+        if is_last {
+            *solves += 1;
+            let parts = solve(given, springs, &stretches)?;
+            return Some(Found { parts, stretches, solves: *solves, settled });
+        }
+        k = (k * factor).min(springs);
+    }
+}
+
+/// How far the ends of two sets are apart at most.
+fn distance(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    if a.len() != b.len() {
+        return f64::INFINITY;
+    }
+    a.iter().flatten().zip(b.iter().flatten()).fold(0.0, |most, (a, b)| (a - b).abs().max(most))
+}
+
+/// A penetration below this share of the largest one has no sign of its own: what is so near stays on the side on which it is.
+const ROUNDING: f64 = 1e-13;
+
+/// The largest penetration of a beam.
+fn deepest(parts: &[Part]) -> f64 {
+    let inside = |part: &Part| {
+        let (lo, hi) = (part.piece.lo, part.piece.hi);
+        [lo, 0.5 * (lo + hi), hi].map(|x| part.sunk(x)[0].abs()).into_iter().fold(0.0, f64::max)
+    };
+    parts.iter().filter(|part| part.pressed).map(inside).fold(0.0, f64::max)
+}
+
+/// The stretches on which a beam is below the surface of the ground, from left to right.
+fn pressed(given: &PiecewiseScene, parts: &[Part]) -> Vec<[f64; 2]> {
+    /// Places that are one, and stretches that are none, as shares of the length.
+    const SAME: f64 = 4e-16;
+    const NOTHING: f64 = 1e-15;
+    const BESIDE: f64 = 1e-12;
+    let rounding = ROUNDING * deepest(parts);
+    let mut stretches: Vec<[f64; 2]> = Vec::new();
+    for part in parts {
+        let mut outwards = part.penetration.clone();
+        part.piece.outwards(&mut outwards);
+        let mut ends = vec![part.piece.lo, part.piece.hi];
+        ends.extend(sign_changes(&outwards, part.piece.width()).into_iter().map(|s| part.piece.place(s)));
+        ends.sort_by(f64::total_cmp);
+        for end in ends.windows(2).filter(|w| w[0] < w[1]) {
+            let at = |share: f64| part.sunk(end[0] + share * (end[1] - end[0]))[0];
+            let mut is_pressed = 0.0 < at(0.5);
+            if is_pressed != part.pressed && [0.25, 0.5, 0.75].into_iter().all(|share| at(share).abs() <= rounding) {
+                is_pressed = part.pressed;
+            }
+            if !is_pressed {
+                continue;
+            }
+            match stretches.last_mut() {
+                Some(last) if end[0] - last[1] <= SAME * given.length => last[1] = end[1],
+                _ => stretches.push([end[0], end[1]]),
+            }
+        }
+    }
+    // An end beside a break is there.
+    for end in stretches.iter_mut().flatten() {
+        let next = given.breakpoints.partition_point(|breakpoint| breakpoint.x < *end);
+        let beside =
+            [next.checked_sub(1), Some(next)].map(|i| given.breakpoints.get(i?).map(|breakpoint| breakpoint.x));
+        *end = beside.into_iter().flatten().find(|x| (x - *end).abs() <= BESIDE * given.length).unwrap_or(*end);
+    }
+    stretches.retain(|[from, to]| NOTHING * given.length < to - from);
+    stretches
+}
