@@ -229,6 +229,7 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
     let common = Common { scene: scene.clone(), format: Format::Text, digits: *digits };
     let what = format!("explaining {}", input::called(scene));
     let on_beam = |input: &Input| {
+        input.scene.on_rigid_ground("explain").map_err(|error| input.error(error))?;
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })

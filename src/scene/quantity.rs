@@ -88,6 +88,8 @@ pub enum Kind {
     Angle,
     /// A force times the square of a length.
     BendingStiffness,
+    /// A force per length for each length of penetration.
+    GroundStiffness,
     /// A length over so many lengths.
     Coefficient(usize),
 }
@@ -98,6 +100,7 @@ impl Quantity {
     pub fn kind(self) -> Option<Kind> {
         Some(match self {
             Self::BendingStiffness => Kind::BendingStiffness,
+            Self::GroundStiffness => Kind::GroundStiffness,
             Self::Uniform | Self::LinearStart(_) | Self::LinearEnd(_) => Kind::Intensity,
             Self::PointForce(_) => Kind::Force,
             Self::SupportSlope(_) | Self::Profile(_, ProfileKey::Phase) => Kind::Angle,

@@ -98,6 +98,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         converged: settled,
         iterations: solves,
         lists: solves,
+        samples: 0,
         residual,
         violations: if state.is_finite() { Vec::new() } else { vec![Violation::Overflow] },
         support_couples: [0.0; 2],

@@ -116,6 +116,13 @@ const PROFILE: &[Key] = &[
         "points = [[0, 1.0], [4, 0.5], [10, 1.0]]",
     ],
     ["survey", "a file name", "–", "the same from a CSV file", "survey = \"levels.csv\""],
+    [
+        "stiffness",
+        "force / length²",
+        "rigid",
+        "of ground only: how stiff its springs are, which cannot pull; beside one of the others",
+        "stiffness = 100.0",
+    ],
 ];
 const COSINE: &[Key] = &[
     [
@@ -223,6 +230,7 @@ pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
             let text = rest.collect::<Vec<_>>().join("\n").replace("{}", example);
             // A body has a matrix, and a stiffness has no ground with a flexibility.
             let matrix = match key {
+                "stiffness" if text.contains("[foundation]") => "depth = 1.0\n",
                 "gap" | "load" if text.starts_with("[body]") => "stiffness = \"K.mtx\"\n",
                 "foundation" if text.starts_with("[body]") => "flexibility = \"C.mtx\"\n",
                 _ => "",
