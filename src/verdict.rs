@@ -10,13 +10,15 @@
 //! | the certificate | there is one: all bounds are finite, `energy_lower ≤ energy_upper`, `0 ≤ gap` | the same |
 //! | its own numbers | the deflection that is judged is that of its nodes | its largest deflection differs from the one that is judged by no more than `deflection_error`, and by no more than half of it; its energy is between the bounds |
 //! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
+//! | each [`Number`] of its summary | no value of its bracket is farther from it than share × the largest of its kind, and what rounding makes of such a sum | the same with [`EXACT`] |
 //!
 //! A beam that is proven to be at rest, with an answer that says so, has the error zero: there is no deflection to have a share of.
 //! The deflection of a beam that may turn freely about a place is judged after the best such turn, and the verdict says so.
 //!
 //! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
 //! ([`crate::adaptive`]), it counts in what the solver left undone, and the residual may be as large as a tenth of it.
-//! Contact forces from elsewhere have no problem of their own: of them the certificate and the error count ([`Verdict::of_forces`]).
+//! Contact forces from elsewhere have no problem and no summary of their own: of them the certificate and the error count
+//! ([`Verdict::of_forces`]). A single contact force, its place and a moment of a grid have no bracket, and nothing is said of them.
 //!
 //! [`RawSolution::solved`] is the first row alone, and [`Exact::solved`] that of beam theory: what they solved is their own problem.
 //!
@@ -41,6 +43,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod summary;
+
 use std::fmt;
 
 use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, Proof, certify};
@@ -51,18 +55,15 @@ use crate::text::{Results, share_at_most};
 use crate::theory::Exact;
 use crate::witness::Witness;
 
+use self::summary::{ENERGY, apart, deflection_rounding, energy_size, shares};
+
+pub use self::summary::Number;
+
 /// Share of its largest value to which a deflection has to be certain: a tenth, what the paper calls usable.
 pub const USABLE: f64 = 0.1;
 
 /// The same of beam theory, which has no grid to blame.
 pub const EXACT: f64 = 1e-6;
-
-/// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
-/// guaranteed error.
-const ROUNDING: f64 = 1e-12;
-
-/// The same for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
-const ENERGY: f64 = 1e-9;
 
 /// Our own verdict on an answer. A solver's own word is never it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -215,6 +216,16 @@ pub enum Refusal {
         /// What is allowed.
         most: f64,
     },
+    /// The deflection is certain enough, and a number of the summary is not.
+    #[error("{of} may be off by {} of {}, more than {}", any_share(*share), of.kind(), share_at_most(*most))]
+    Number {
+        /// Which.
+        of: Number,
+        /// Guaranteed error over the largest of its kind.
+        share: f64,
+        /// What is allowed.
+        most: f64,
+    },
 }
 
 /// A share that may be without bound, as it is of a deflection that is zero.
@@ -231,6 +242,9 @@ pub struct Verdict {
     pub certificate: Option<Certificate>,
     /// Guaranteed error of the deflection over the largest deflection of the answer; infinite where nothing could be shown.
     pub error: f64,
+    /// The number of its summary that is known worst, with its guaranteed error over the largest of its kind; none of contact forces
+    /// from elsewhere.
+    pub worst: Option<(Number, f64)>,
     /// Why it is not certified; none if it is.
     pub refusal: Option<Refusal>,
 }
@@ -245,8 +259,8 @@ impl Verdict {
             residual => Some(Refusal::Residual { residual, most: demand.residual }),
         };
         let certificate = certificate(&raw.state, witness);
-        let size = raw.state.deflection.magnitude();
-        Self::new(certificate, size, own, demand.error, raw.solver_reports_success)
+        let scene = witness.scene();
+        Self::new(certificate, Some((scene, &raw.state)), own, demand.error, raw.solver_reports_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.
@@ -272,38 +286,54 @@ impl Verdict {
             let off = if 0.0 < off { off + (c.deflection - c.deflection_at_least) } else { 0.0 };
             Certificate { deflection_error: c.deflection_error + off, ..c }
         });
-        Self::new(certificate, size, own, most, exact.converged)
+        Self::new(certificate, Some((scene, &exact.state)), own, most, exact.converged)
     }
 
     /// On contact forces from somebody who says nothing of a grid: what counts is the deflection that they cause.
     #[must_use]
     pub fn of_forces(certificate: Certificate) -> Self {
-        let size = certificate.deflection;
-        Self::new(Some(certificate), size, None, USABLE, true)
+        Self::new(Some(certificate), None, None, USABLE, true)
     }
 
-    /// From the certificate, the largest deflection, what is wrong with how it solves its own problem, and the largest error.
+    /// From the certificate, the answer if it has a summary, what is wrong with how it solves its own problem, and the largest error.
     fn new(
         certificate: Option<Certificate>,
-        size: f64,
+        answer: Option<(&Scene, &ContactState)>,
         own: Option<Refusal>,
         most: f64,
         reports_success: bool,
     ) -> Self {
         // A beam that is known not to move is certain, and no share of its deflection can be told.
-        let error =
-            certificate.as_ref().map_or(f64::INFINITY, |c| if c.at_rest { 0.0 } else { c.deflection_error / size });
+        let error = certificate.as_ref().map_or(f64::INFINITY, |c| {
+            let size = answer.map_or(c.deflection, |(_, state)| state.deflection.magnitude());
+            if c.at_rest { 0.0 } else { c.deflection_error / size }
+        });
+        let known = certificate.as_ref().zip(answer);
+        let worst = known.and_then(|(c, (scene, state))| {
+            // Not a number counts as the worst of all.
+            shares(c, scene, state).max_by(|a, b| a.1.total_cmp(&b.1))
+        });
         let refusal = own
             .or_else(|| certificate.as_ref().map_or(Some(Refusal::NoNumbers), flaw))
-            .or_else(|| (!within(error, most)).then_some(Refusal::Error { share: error, most }));
+            .or_else(|| (!within(error, most)).then_some(Refusal::Error { share: error, most }))
+            .or_else(|| {
+                let (of, share) = worst.filter(|(_, share)| !within(*share, most))?;
+                Some(Refusal::Number { of, share, most })
+            });
         let status = Status::of(refusal.is_none(), reports_success);
-        Self { status, certificate, error, refusal }
+        Self { status, certificate, error, worst, refusal }
+    }
+
+    /// The larger one of the guaranteed errors of the deflection and of the numbers of the summary.
+    #[must_use]
+    pub fn largest_error(&self) -> f64 {
+        self.worst.map_or(self.error, |(_, share)| if share <= self.error { self.error } else { share })
     }
 
     /// Whether it solves its own problem, however far that is from the beam.
     #[must_use]
     pub fn solves_its_problem(&self) -> bool {
-        matches!(self.refusal, None | Some(Refusal::Error { .. } | Refusal::Unbounded))
+        matches!(self.refusal, None | Some(Refusal::Error { .. } | Refusal::Number { .. } | Refusal::Unbounded))
     }
 }
 
@@ -313,6 +343,9 @@ impl fmt::Display for Verdict {
             None if self.error == 0.0 => f.write_str("the deflection is certain")?,
             None => write!(f, "the deflection is certain to {} of its largest value", share_at_most(self.error))?,
             Some(refusal) => write!(f, "{refusal}")?,
+        }
+        if let (None, Some((_, share))) = (self.refusal, self.worst.filter(|(_, share)| 0.0 < *share)) {
+            write!(f, ", each number of the summary to {} of the largest of its kind", share_at_most(share))?;
         }
         let told = matches!(self.refusal, None | Some(Refusal::Error { .. }));
         if let Some(about) = self.certificate.as_ref().and_then(|c| c.up_to_a_turn).filter(|_| told) {
@@ -356,11 +389,8 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
     let Certificate { deflection: judged, deflection_error: error, .. } = *certificate;
     let Certificate { energy_lower: lower, energy_upper: upper, .. } = *certificate;
     let own = state.deflection.magnitude();
-    // A bound of more than half the deflection recognises nothing. A beam at rest moves by the rounding of what its loads would
-    // do to it, `P l³ / 48 EI`, and of zero outwards.
-    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
-    let free = scene.load().magnitude(length) / stiffness * length * length * length / 48.0;
-    let most = error.min(0.5 * judged) + ROUNDING * own + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE;
+    // A bound of more than half the deflection recognises nothing.
+    let most = error.min(0.5 * judged) + deflection_rounding(scene, state);
     // Also true where nothing is finite, which is another refusal's business.
     if most < apart(certificate, own) {
         return Some(Refusal::Deflection { own, judged, error });
@@ -368,21 +398,6 @@ fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -
     let rounding = ENERGY * energy_size(scene, state);
     let outside = state.energy + rounding < lower || upper < state.energy - rounding;
     outside.then_some(Refusal::Energy { own: state.energy, lower, upper })
-}
-
-/// How far the largest deflection of an exact answer is off the one that its contacts make, which is the one that is judged. Of a
-/// beam that may turn another position is as good.
-fn apart(certificate: &Certificate, own: f64) -> f64 {
-    let Certificate { deflection: judged, deflection_at_least: least, up_to_a_turn, .. } = *certificate;
-    let known = up_to_a_turn.is_none() && judged.is_finite();
-    if known { (least - own).max(own - judged).max(0.0) } else { 0.0 }
-}
-
-/// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.
-fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
-    let depth = |x: f64| scene.gap(x).abs();
-    let held: f64 = state.contacts.iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
-    scene.load().magnitude(scene.beam().length()) * state.deflection.magnitude() + held
 }
 
 /// Not true of NaN.

@@ -1,7 +1,7 @@
 //! Adaptive grids: how accurate an answer has to be chooses the grid, not the other way round.
 //!
 //! ```text
-//! deflection_error ≤ EPS · max |v|      guaranteed, for the continuous beam, with the least work
+//! error ≤ EPS · largest of its kind      guaranteed, for the continuous beam, with the least work
 //! ```
 //!
 //! Grids are refined until the certificate of the answer is good enough. Which grid that will be is predicted from the
@@ -24,9 +24,9 @@
 //!
 //! let beam = Beam::new(10.0, 500.0 / 384.0)?;
 //! let scene = Scene::new(beam.clone(), Load::uniform_on(&beam, 1.0)?, Some(Foundation::Flat { depth: 1.0 }))?;
-//! // The deflection, certain to a thousandth of its largest value.
+//! // The deflection and each number of the summary, certain to a thousandth of the largest of its kind.
 //! let adapted = adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-3))?;
-//! assert!(adapted.solution.verdict.error <= 1e-3, "{}", adapted.end);
+//! assert!(adapted.solution.verdict.largest_error() <= 1e-3, "{}", adapted.end);
 //! // The grids that it took.
 //! let grids: Vec<usize> = adapted.trials.iter().map(|trial| trial.intervals).collect();
 //! assert_eq!(grids.last(), Some(&adapted.settings.intervals));
@@ -58,7 +58,7 @@ pub struct Request {
     pub method: Method,
     /// Which solver solves it.
     pub solver: Solver,
-    /// `EPS`: the guaranteed error of the deflection, as a share of the largest deflection. An answer is certified only if it
+    /// `EPS`: the guaranteed error of the deflection and of each number of the summary, as a share of the largest of its kind. An answer is certified only if it
     /// is usable, so that nothing is won by asking for more than [`USABLE`](crate::verdict::USABLE).
     pub error: f64,
     /// The finest grid to be tried.
@@ -131,7 +131,7 @@ pub struct Trial {
     pub work: usize,
     /// KKT residual of the discrete problem.
     pub residual: f64,
-    /// Guaranteed error of the deflection, over the largest deflection.
+    /// Guaranteed error of the deflection or of a number of the summary, over the largest of its kind: the worst of them.
     pub error: f64,
     /// Whether the contacts of the beam were proven.
     #[cfg_attr(feature = "cli", serde(skip))]
@@ -258,7 +258,7 @@ impl<'a> Search<'a> {
             iterations: solution.iterations,
             work,
             residual: solution.residual,
-            error: verdict.error,
+            error: verdict.largest_error(),
             contacts_proven: verdict.certificate.as_ref().is_some_and(|c| c.contacts_proven),
             reports_success,
             refusal: verdict.refusal,
@@ -280,8 +280,9 @@ impl<'a> Search<'a> {
 fn rank(verdict: &Verdict) -> (u8, f64) {
     let class = match verdict.refusal {
         None => 0,
-        Some(Refusal::Error { .. }) => 1,
+        Some(Refusal::Error { .. } | Refusal::Number { .. }) => 1,
         Some(_) => 2,
     };
-    (class, if verdict.error.is_nan() { f64::INFINITY } else { verdict.error })
+    let error = verdict.largest_error();
+    (class, if error.is_nan() { f64::INFINITY } else { error })
 }

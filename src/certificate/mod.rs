@@ -42,9 +42,11 @@ mod kernel;
 mod kkt;
 mod largest;
 mod lumped;
+mod moments;
 mod quantities;
 mod stretches;
 mod summed;
+mod support_forces;
 mod violations;
 mod witness;
 
@@ -64,8 +66,8 @@ use self::kernel::gap::EnclosedGap;
 use self::kernel::held::hold_by_zones;
 use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
-use self::largest::largest;
-use self::quantities::{energy, reactions};
+use self::largest::{extremes, largest};
+use self::quantities::energy;
 use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError};
 use crate::state::{Contact, Nodes};
 
@@ -82,7 +84,8 @@ pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result
 #[derive(Debug)]
 pub struct Proof {
     scaled: Scaled,
-    pair: Option<Pair>,
+    /// With what the greatest and the least deflection that it has lie between.
+    pair: Option<(Pair, [Interval; 2])>,
     /// What is known whatever deflection is judged.
     known: Certificate,
 }
@@ -98,10 +101,7 @@ impl Proof {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
         let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
-            let pair = pair(enclosed, witness, &scaled.scale);
-            let unknown = Certificate::unknown(enclosed.supports.len());
-            let known = pair.as_ref().map_or(unknown, |pair| Certificate::of_any(enclosed, &scaled, pair));
-            (pair, known)
+            of_pair(enclosed, &scaled, pair(enclosed, witness, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })
     }
@@ -118,9 +118,7 @@ impl Proof {
             let proven = scaled.scene.ground_stiffness().and_then(|ground| {
                 kernel::springs::pair(enclosed, ground, &stretches::cut(enclosed, ground, witness, &scaled.scale))
             });
-            let unknown = Certificate::unknown(enclosed.supports.len());
-            let known = proven.as_ref().map_or(unknown, |pair| Certificate::of_any(enclosed, &scaled, pair));
-            (proven, known)
+            of_pair(enclosed, &scaled, proven)
         });
         Ok(Self { scaled, pair, known })
     }
@@ -129,12 +127,12 @@ impl Proof {
     #[must_use]
     pub fn judge(&self, judged: Judged<'_>) -> Certificate {
         let Scaled { scene, scale, balance } = &self.scaled;
-        let known = self.pair.as_ref().and_then(|pair| match judged {
+        let known = self.pair.as_ref().and_then(|(pair, ends)| match judged {
             Judged::Nodes(nodes) => in_intervals(scene, *balance, |enclosed| of_nodes(enclosed, scale, pair, nodes)),
             Judged::Forces(forces) => {
                 in_intervals(scene, *balance, |enclosed| of_forces(enclosed, pair, &forces.scaled(scale)))
             }
-            Judged::Witness => of_witness(pair, scene.beam()),
+            Judged::Witness => of_witness(pair, *ends, scene.beam()),
         });
         let certificate = self.known.clone();
         let Some((error, least)) = known else { return certificate };
@@ -148,6 +146,18 @@ impl Proof {
             ..certificate
         }
     }
+}
+
+/// A pair with what the greatest and the least deflection that it has lie between, and what is known by it.
+fn of_pair(
+    enclosed: &EnclosedScene<'_>,
+    scaled: &Scaled,
+    pair: Option<Pair>,
+) -> (Option<(Pair, [Interval; 2])>, Certificate) {
+    let Some(pair) = pair else { return (None, Certificate::unknown(enclosed.supports.len())) };
+    let ends = extremes(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
+    let known = Certificate::of_any(enclosed, scaled, &pair, ends);
+    (Some((pair, ends)), known)
 }
 
 /// How far the deflection of nodes is from the true one, and how large it is at least; [`None`] if nothing is known.
@@ -168,13 +178,13 @@ fn of_forces(enclosed: &EnclosedScene<'_>, pair: &Pair, forces: &ContactLoad) ->
 }
 
 /// The same of the deflection that the places of the witness make.
-fn of_witness(pair: &Pair, beam: &Beam) -> Option<(Error, f64)> {
+fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Option<(Error, f64)> {
     let length = beam.length();
     let most = Some(distance::of_witness(pair, beam.bending_stiffness(), length)).filter(|most| most.is_finite())?;
-    let size = largest(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
+    let reached = greatest.lo().max(-least.hi());
     // What was lifted is not the deflection that the places make.
-    let least = (Interval::exact(size.lo()) - Interval::exact(pair.lifted)).lo().max(0.0);
-    Some((Error { most, at: 0.5 * length, size: size.hi() }, least))
+    let at_least = (Interval::exact(reached) - Interval::exact(pair.lifted)).lo().max(0.0);
+    Some((Error { most, at: 0.5 * length, size: greatest.hi().max(-least.lo()) }, at_least))
 }
 
 /// What `act` says of a scene that is made dimensionless and enclosed in intervals.
@@ -279,6 +289,12 @@ pub struct Certificate {
     pub up_to_a_turn: Option<f64>,
     /// What the forces of the supports lie between, from left to right; [`None`] where nothing could be shown.
     pub reactions: Vec<Option<[f64; 2]>>,
+    /// What all contacts together exert upwards lies between; [`None`] where that of a support is not known.
+    pub contact_force: Option<[f64; 2]>,
+    /// What the greatest deflection of the beam lies between; [`None`] where nothing could be shown, and of one that may turn.
+    pub deflection_max: Option<[f64; 2]>,
+    /// What the greatest moment of the beam lies between, and the least one; [`None`] where nothing could be shown.
+    pub moments: [Option<[f64; 2]>; 2],
     /// What the structural stiffness `D` lies between; see [`stiffness`]. [`None`] if the sign of `J*` is open, and for any beam
     /// but the paper's: what a settlement takes up is not done by the load.
     pub stiffness: Option<[f64; 2]>,
@@ -302,27 +318,36 @@ impl Certificate {
             at_rest: false,
             up_to_a_turn: None,
             reactions: vec![None; supports],
+            contact_force: None,
+            deflection_max: None,
+            moments: [None; 2],
             stiffness: None,
             contacts_proven: false,
         }
     }
 
     /// What was proven of any deflection. All factors are powers of two: only exponents change.
-    fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair) -> Self {
+    fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, [greatest, _]: [Interval; 2]) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
         let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness) + pair.ground;
         let gap = pair.gap;
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
         let stiffness =
             if scene.beam().is_simple() { stiffness(energies, scene.load(), enclosed.length) } else { None };
-        let force = |r: Interval| [r.lo() * scale.force, r.hi() * scale.force];
+        let in_units = |unit: f64| move |of: Interval| [of.lo() * unit, of.hi() * unit];
+        let (reactions, contact_force) = support_forces::forces(scene, enclosed, pair);
+        let error = distance::anywhere(pair, enclosed.stiffness, enclosed.length);
+        let deflection = Some(greatest + Interval::around_zero(error)).filter(|_| pair.turns_about.is_none());
         Self {
             energy_lower: energies[0] * scale.energy(),
             energy_upper: energies[1] * scale.energy(),
             gap: gap * scale.energy(),
-            best_deflection_error: distance::anywhere(pair, enclosed.stiffness, enclosed.length) * scale.depth,
+            best_deflection_error: error * scale.depth,
             up_to_a_turn: pair.turns_about.map(|x| x * scale.length),
-            reactions: reactions(enclosed, pair).into_iter().map(|bracket| bracket.map(force)).collect(),
+            contact_force: contact_force.map(in_units(scale.force)),
+            reactions: reactions.into_iter().map(|bracket| bracket.map(in_units(scale.force))).collect(),
+            deflection_max: deflection.filter(|bracket| bracket.is_finite()).map(in_units(scale.depth)),
+            moments: moments::moments(enclosed, pair).map(|bracket| bracket.map(in_units(scale.moment()))),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
             contacts_proven: is_sharp(enclosed, pair),
             ..Self::unknown(enclosed.supports.len())

@@ -135,9 +135,13 @@ impl Answer {
     pub(super) fn reason(&self) -> String {
         let verdict = &self.solution.verdict;
         match (verdict.refusal, self.intervals, &self.grids) {
-            (Some(Refusal::Error { .. }), None, _) => format!("it meets all conditions of beam theory, and {verdict}"),
-            (Some(Refusal::Error { .. }), Some(_), Some(_)) => format!("it solves its grid, and {verdict}"),
-            (Some(Refusal::Error { .. }), Some(_), None) => {
+            (Some(Refusal::Error { .. } | Refusal::Number { .. }), None, _) => {
+                format!("it meets all conditions of beam theory, and {verdict}")
+            }
+            (Some(Refusal::Error { .. } | Refusal::Number { .. }), Some(_), Some(_)) => {
+                format!("it solves its grid, and {verdict}")
+            }
+            (Some(Refusal::Error { .. } | Refusal::Number { .. }), Some(_), None) => {
                 format!("it solves its grid, and {verdict}: refine (--intervals), or ask for an error (--tolerance)")
             }
             _ => verdict.to_string(),

@@ -94,10 +94,10 @@ pub(super) enum Command {
     /// Without --method the answer is the exact solution of beam theory: the places where the beam lifts off are unknowns,
     /// and there is no grid. The three methods of the paper divide the beam into equal intervals and give a quadratic program
     /// to a solver. Every answer is checked in the same way, from the scene and the answer alone. It is certified if it solves
-    /// its discrete problem and its deflection is certain to a tenth of its largest value, or to the tolerance if that is
-    /// smaller; beam theory to 1e-6. The status says how far the beam may be off. What the solver says of itself is printed too and does not count.
+    /// its discrete problem and its deflection, support forces, contact force and energy are each certain to a tenth of the largest
+    /// of its kind, or to the tolerance if that is smaller; beam theory to 1e-6. The status says how far the beam may be off. What the solver says of itself is printed too and does not count.
     ///
-    /// With --tolerance and without --intervals the grid is refined until the guaranteed error is small enough.
+    /// With --tolerance and without --intervals the grid is refined until these errors are small enough.
     #[command(after_help = SOLVE_EXAMPLES)]
     Solve(Solve),
     /// Solve a scene by every method with every solver, and print the answers side by side.
@@ -210,7 +210,7 @@ fn intervals_help() -> String {
 
 fn tolerance_help() -> String {
     format!(
-        "Guaranteed error of the deflection, as a share of the largest deflection\n\n\
+        "Guaranteed error of deflection, support forces, contact force and energy, as a share of the largest of its kind\n\n\
          A discretised method refines its grid until the certified error is at most EPS, with as little work as it can, and \
          says which grids it tried; if that cannot be reached, the best answer is printed and the exit code is 1. With beam \
          theory the certified error has to be at most EPS, and at most 1e-6 in any case; on a grid at most a tenth.\n\n\

@@ -174,7 +174,8 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
     text.push_str(&not_tried(comparison));
     text += &format!(
         "\nCertified error: at most this far is the deflection from that of the beam, relative to its largest value.\n\
-         Certified: it solves its problem, and that error is at most {}; of beam theory, at most {}.\n\
+         Certified: it solves its problem, and that error and those of support forces, contact force and energy are at most {};\n\
+         of beam theory, at most {}.\n\
          Solver error: against the active-set answer on the same grid; model error: against beam theory.\n\
          These two are the worst relative difference among end reactions, energy and largest deflection.\n",
         share_at_most(USABLE),

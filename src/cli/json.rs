@@ -69,7 +69,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         intervals: Option<usize>,
         status: Status,
         reason: String,
-        certificate: CertificateObject,
+        certificate: CertificateObject<'a>,
         violations: &'a [Violation],
     }
     // Of forces that somebody else computed, the own deflection may be far from the best one.
@@ -79,7 +79,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         intervals: finding.intervals,
         status: finding.verdict.status,
         reason: finding.verdict.to_string(),
-        certificate: CertificateObject { best_deflection_error, ..(&finding.certificate).into() },
+        certificate: CertificateObject { best_deflection_error, ..CertificateObject::of(&finding.certificate, false) },
         violations: &finding.violations,
     })
 }
@@ -157,7 +157,7 @@ struct RouteObject<'a> {
     /// Only of ground that gives.
     #[serde(skip_serializing_if = "Option::is_none")]
     pressure: Option<Pressure>,
-    certificate: Option<CertificateObject>,
+    certificate: Option<CertificateObject<'a>>,
     /// What it took to find the grid; there if a tolerance was given and no grid.
     #[serde(skip_serializing_if = "Option::is_none")]
     refinement: Option<GridsObject<'a>>,
@@ -187,12 +187,12 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             moment: state.moment,
             energy: state.energy,
             pressure: state.pressure,
-            certificate: verdict.certificate.as_ref().map(CertificateObject::from),
+            certificate: verdict.certificate.as_ref().map(|c| CertificateObject::of(c, answer.intervals.is_none())),
             refinement: answer.grids.as_ref().map(|grids| GridsObject {
                 tolerance: grids.demanded,
                 reached: grids.end == End::Reached,
                 end: grids.end.to_string(),
-                error: verdict.error,
+                error: verdict.largest_error(),
                 seconds: grids.seconds,
                 grids: grids.trials.iter().map(|(trial, seconds)| GridObject { trial, seconds: *seconds }).collect(),
             }),
@@ -266,7 +266,7 @@ struct GridsObject<'a> {
     grids: Vec<GridObject<'a>>,
 }
 
-/// A grid that was tried; `error` is the guaranteed one, over the largest deflection, and `null` if there is none.
+/// A grid that was tried; `error` is the worst guaranteed one, over the largest of its kind, and `null` if there is none.
 #[derive(Debug, Serialize)]
 struct GridObject<'a> {
     #[serde(flatten)]
@@ -276,7 +276,7 @@ struct GridObject<'a> {
 
 /// Two-sided bounds; `null` where there is none.
 #[derive(Debug, Serialize)]
-struct CertificateObject {
+struct CertificateObject<'a> {
     energy_lower: f64,
     energy_upper: f64,
     gap: f64,
@@ -284,7 +284,13 @@ struct CertificateObject {
     deflection_error_at: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     best_deflection_error: Option<f64>,
-    reactions: BracketsObject,
+    /// What the forces of the supports lie between, from left to right.
+    supports: &'a [Option<[f64; 2]>],
+    contact_force: Option<[f64; 2]>,
+    deflection_max: Option<[f64; 2]>,
+    /// Of beam theory.
+    #[serde(flatten)]
+    moments: Option<MomentsObject>,
     /// There only where the deflection is known up to a turn: the place about which.
     #[serde(skip_serializing_if = "Option::is_none")]
     up_to_a_turn: Option<f64>,
@@ -294,26 +300,16 @@ struct CertificateObject {
     coarse: Option<bool>,
 }
 
-/// What the forces of the supports lie between: of two supports, which by default stand at the ends, by their names; of any other
-/// number as a list from left to right.
 #[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum BracketsObject {
-    Two { left: Option<[f64; 2]>, right: Option<[f64; 2]> },
-    All(Vec<Option<[f64; 2]>>),
+struct MomentsObject {
+    moment_max: Option<[f64; 2]>,
+    moment_min: Option<[f64; 2]>,
 }
 
-impl From<&[Option<[f64; 2]>]> for BracketsObject {
-    fn from(brackets: &[Option<[f64; 2]>]) -> Self {
-        match *brackets {
-            [left, right] => Self::Two { left, right },
-            _ => Self::All(brackets.to_vec()),
-        }
-    }
-}
-
-impl From<&Certificate> for CertificateObject {
-    fn from(certificate: &Certificate) -> Self {
+impl<'a> CertificateObject<'a> {
+    /// With the brackets of moments where the answer is exact.
+    fn of(certificate: &'a Certificate, is_exact: bool) -> Self {
+        let [moment_max, moment_min] = certificate.moments;
         Self {
             energy_lower: certificate.energy_lower,
             energy_upper: certificate.energy_upper,
@@ -321,7 +317,10 @@ impl From<&Certificate> for CertificateObject {
             deflection_error: certificate.deflection_error,
             deflection_error_at: certificate.deflection_error_at,
             best_deflection_error: None,
-            reactions: BracketsObject::from(certificate.reactions.as_slice()),
+            supports: &certificate.reactions,
+            contact_force: certificate.contact_force,
+            deflection_max: certificate.deflection_max,
+            moments: is_exact.then_some(MomentsObject { moment_max, moment_min }),
             up_to_a_turn: certificate.up_to_a_turn,
             stiffness: certificate.stiffness,
             coarse: (!certificate.contacts_proven).then_some(true),

@@ -8,7 +8,7 @@ use palkki::text::{magnitude, magnitude_at_most};
 use super::answer::{Answer, Grids};
 use super::given::given;
 use super::input::Input;
-use super::table::{Labels, MOST_ROWS, Row, first, list, table};
+use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 
 /// What the answer is worth, in the first line, and the title of the scene, underlined.
 pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> String {
@@ -19,25 +19,47 @@ pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> Stri
 /// Where the witness of a certificate is not the list of contacts of the beam.
 const COARSE: &str = "These bounds hold and are coarse: no list of contacts was proven to be that of the beam.\n";
 
-/// What is guaranteed, rounded so that it stays so.
+/// A bracket, rounded so that it stays one; without one, words that say so.
+fn bracket(of: Option<[f64; 2]>, labels: &Labels) -> [String; 2] {
+    let words = || ["none", ""].map(str::to_owned);
+    of.map_or_else(words, |[least, most]| [labels.results.at_least(least), labels.results.at_most(most)])
+}
+
+const BRACKET: [&str; 2] = ["at least", "at most"];
+
+/// All that is guaranteed, of forces from elsewhere, which have no numbers of their own to stand beside.
 pub(super) fn bounds(certificate: &Certificate, labels: &Labels) -> String {
-    let bracket = |name: String, [least, most]: [f64; 2]| {
-        vec![name, labels.results.at_least(least), labels.results.at_most(most)]
+    let mut rows: Vec<Row> = Vec::new();
+    let mut add = |name: String, of: Option<[f64; 2]>| {
+        rows.push(std::iter::once(name).chain(bracket(of, labels)).collect());
     };
-    let mut rows = vec![bracket(labels.moment.name("energy J*"), [certificate.energy_lower, certificate.energy_upper])];
+    add(labels.moment.name("energy J*"), Some([certificate.energy_lower, certificate.energy_upper]));
+    let count = certificate.reactions.len();
     for (k, reaction) in certificate.reactions.iter().enumerate().take(MOST_ROWS) {
-        let name = match (certificate.reactions.len(), k) {
-            (2, 0) => "left reaction".to_owned(),
-            (2, _) => "right reaction".to_owned(),
-            _ => format!("force of support {}", k + 1),
+        let name = match (count, k) {
+            (2, 0) => "left support".to_owned(),
+            (2, _) => "right support".to_owned(),
+            _ => format!("support {}", k + 1),
         };
-        rows.extend(reaction.map(|reaction| bracket(labels.force.name(&name), reaction)));
+        add(labels.force.name(&name), *reaction);
     }
-    rows.extend(certificate.stiffness.map(|stiffness| bracket(labels.density.name("stiffness D"), stiffness)));
+    add(labels.force.name("contact force"), certificate.contact_force);
+    add(labels.length.name("largest deflection"), certificate.deflection_max);
+    text_of(certificate, rows, &first("supports", count, count.min(MOST_ROWS)), labels)
+}
+
+/// What is guaranteed besides the brackets that stand beside their numbers.
+fn others(certificate: &Certificate, labels: &Labels) -> String {
+    text_of(certificate, Vec::new(), "", labels)
+}
+
+fn text_of(certificate: &Certificate, mut rows: Vec<Row>, left_out: &str, labels: &Labels) -> String {
+    rows.extend(certificate.stiffness.map(|stiffness| {
+        std::iter::once(labels.density.name("stiffness D")).chain(bracket(Some(stiffness), labels)).collect()
+    }));
     let error = magnitude_at_most(certificate.deflection_error);
     rows.push(vec![labels.length.name("error of the deflection"), String::new(), error]);
-    let mut table = table("Guaranteed for the continuous beam", &["", "at least", "at most"], &rows);
-    table += &first("supports", certificate.reactions.len(), certificate.reactions.len().min(MOST_ROWS));
+    let mut table = table("Guaranteed for the continuous beam", &["", BRACKET[0], BRACKET[1]], &rows) + left_out;
     if let Some(about) = certificate.up_to_a_turn {
         table += &format!(
             "The deflection is guaranteed up to a turn about x = {}: nothing says how the beam stands.\n",
@@ -64,7 +86,7 @@ pub(super) fn solve(input: &Input, answer: &Answer, nodes: bool) -> String {
     text += &contacts(&answer.solution.state.contacts, &labels);
     text += &extremes(answer, &labels);
     if let Some(certificate) = &answer.solution.verdict.certificate {
-        text += &bounds(certificate, &labels);
+        text += &others(certificate, &labels);
     }
     if nodes && let Some(nodes) = answer.nodes() {
         text += &table_of_nodes(nodes, &labels);
@@ -114,36 +136,38 @@ fn grids(answer: &Answer, found: &Grids) -> String {
         })
         .collect();
     let header = ["intervals", "solver asked for", "iterations", "residual", "error, relative", "seconds"];
-    let end = match answer.solution.verdict.error {
+    let end = match answer.solution.verdict.largest_error() {
         error if error.is_finite() => {
             format!("{}, with {} on {} intervals", found.end, magnitude_at_most(error), answer.intervals.unwrap_or(0))
         }
         _ => format!("{}, with no bound on the error", found.end),
     };
-    let demanded = format!("an error of the deflection of at most {} of its largest value", magnitude(found.demanded));
+    let demanded = format!("errors of at most {} of the largest of each kind", magnitude(found.demanded));
     let seconds = format!("{} in all, bounds included", magnitude(found.seconds));
     table("Grids tried", &header, &rows) + "\n" + &list(&[("demanded", demanded), ("end", end), ("seconds", seconds)])
 }
 
 fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let (state, beam) = (&answer.solution.state, input.scene.beam());
+    let certificate = answer.solution.verdict.certificate.as_ref();
     let load = input.scene.load().resultant(beam.length());
     let contact = state.contact_force();
     let remains = state.supports.iter().fold(load, |rest, support| rest - support.force) - contact;
-    let mut rows = vec![("loads".to_owned(), load, "down")];
-    rows.extend(
-        state
-            .supports
-            .iter()
-            .take(MOST_ROWS)
-            .map(|support| (support_at(support.at, beam.length(), labels), support.force, "up")),
-    );
-    rows.extend([("contact".to_owned(), contact, "up"), ("what remains".to_owned(), remains, "")]);
-    let rows: Vec<Row> = rows
-        .into_iter()
-        .map(|(name, value, way)| vec![name.clone(), shown(&name, value, labels), way.to_owned()])
-        .collect();
-    let mut text = table("Equilibrium", &["", &labels.force.name("force"), ""], &rows);
+    let row = |name: String, force: String, way: &str, guaranteed: [String; 2]| -> Row {
+        [name, force, way.to_owned()].into_iter().chain(guaranteed).collect()
+    };
+    let none = || [String::new(), String::new()];
+    let mut rows = vec![row("loads".to_owned(), labels.number(load), "down", none())];
+    rows.extend(state.supports.iter().enumerate().take(MOST_ROWS).map(|(k, support)| {
+        let known = certificate.and_then(|c| c.reactions.get(k).copied().flatten());
+        let name = support_at(support.at, beam.length(), labels);
+        row(name, labels.number(support.force), "up", bracket(known, labels))
+    }));
+    let known = bracket(certificate.and_then(|c| c.contact_force), labels);
+    rows.push(row("contact".to_owned(), labels.number(contact), "up", known));
+    // That is rounding, of which only the size is of interest.
+    rows.push(row("what remains".to_owned(), magnitude(remains), "", none()));
+    let mut text = table("Equilibrium", &["", &labels.force.name("force"), "", BRACKET[0], BRACKET[1]], &rows);
     text += &first("supports", state.supports.len(), state.supports.len().min(MOST_ROWS));
     let moments: Vec<Row> = state
         .supports
@@ -186,11 +210,6 @@ fn stands(standing: &Standing, labels: &Labels) -> String {
     table("How it stands", &["", ""], &rows)
 }
 
-/// A force of the balance; what remains of it is rounding, of which only the size is of interest.
-fn shown(name: &str, value: f64, labels: &Labels) -> String {
-    if name == "what remains" { magnitude(value) } else { labels.number(value) }
-}
-
 fn contacts(contacts: &[Contact], labels: &Labels) -> String {
     if contacts.is_empty() {
         return "\nContacts: none\n".to_owned();
@@ -226,18 +245,29 @@ fn contacts(contacts: &[Contact], labels: &Labels) -> String {
 
 fn extremes(answer: &Answer, labels: &Labels) -> String {
     let state = &answer.solution.state;
-    let lines = |name: &str, extremes: &Extremes| {
-        [("largest", extremes.max, extremes.max_at), ("least", extremes.min, extremes.min_at)]
-            .map(|(which, value, at)| vec![format!("{which} {name}"), labels.number(value), labels.number(at)])
+    let certificate = answer.solution.verdict.certificate.as_ref();
+    let row = |name: String, value: f64, at: Option<f64>, guaranteed: [String; 2]| -> Row {
+        let at = at.map_or_else(String::new, |at| labels.number(at));
+        [name, labels.number(value)].into_iter().chain(guaranteed).chain([at]).collect()
     };
-    let mut rows = Vec::new();
-    rows.extend(lines(&labels.length.name("deflection"), &state.deflection));
-    rows.extend(lines(&labels.moment.name("moment"), &state.moment));
+    // Of the moments of a grid nothing is guaranteed, and nothing of the least deflection.
+    let is_exact = answer.intervals.is_none();
+    let moments = certificate.filter(|_| is_exact).map_or([None; 2], |c| c.moments);
+    let named = |name: &str, label: &Label| label.name(name);
+    let Extremes { max, max_at, min, min_at } = state.deflection;
+    let (v, m) = (&labels.length, &labels.moment);
+    let largest = bracket(certificate.and_then(|c| c.deflection_max), labels);
+    let mut rows = vec![row(named("largest deflection", v), max, Some(max_at), largest)];
+    rows.push(row(named("least deflection", v), min, Some(min_at), bracket(None, labels)));
+    let Extremes { max, max_at, min, min_at } = state.moment;
+    rows.push(row(named("largest moment", m), max, Some(max_at), bracket(moments[0], labels)));
+    rows.push(row(named("least moment", m), min, Some(min_at), bracket(moments[1], labels)));
+    let energy = certificate.map(|c| [c.energy_lower, c.energy_upper]);
+    rows.push(row(named("energy J", m), state.energy, None, bracket(energy, labels)));
     let pressure =
-        |p: Pressure| vec![labels.density.name("largest pressure"), labels.number(p.max), labels.number(p.at)];
+        |p: Pressure| row(named("largest pressure", &labels.density), p.max, Some(p.at), bracket(None, labels));
     rows.extend(state.pressure.map(pressure));
-    rows.push(vec![labels.moment.name("energy J"), labels.number(state.energy), String::new()]);
-    table("Extremes", &["", "value", &labels.length.name("at")], &rows)
+    table("Extremes", &["", "value", BRACKET[0], BRACKET[1], &labels.length.name("at")], &rows)
 }
 
 fn table_of_nodes(nodes: &Nodes, labels: &Labels) -> String {

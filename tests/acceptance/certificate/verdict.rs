@@ -3,7 +3,7 @@
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, Scene};
 use palkki::text::share_at_most;
-use palkki::verdict::{Demand, Refusal, USABLE, Verdict};
+use palkki::verdict::{Demand, Number, Refusal, USABLE, Verdict};
 use palkki::{Settings, Witness, solve_raw, theory};
 use palkki_evidence::paper::example;
 use palkki_evidence::random;
@@ -27,11 +27,16 @@ fn certified_is_what_is_certain_to_a_tenth_or_to_what_is_demanded() {
         for demanded in [f64::INFINITY, 0.5, USABLE, 1e-2, 2e-3] {
             let verdict = of_raw(&answer, &Demand::of_error(demanded));
             let most = demanded.min(0.1);
-            if verdict.error <= most {
+            if verdict.largest_error() <= most {
                 assert_eq!((verdict.status, verdict.refusal), (Status::Certified, None), "{intervals}: {verdict}");
                 certified += 1;
             } else {
-                let refusal = Some(Refusal::Error { share: verdict.error, most });
+                let of_number = |(of, share): (Number, f64)| Refusal::Number { of, share, most };
+                let refusal = if verdict.error <= most {
+                    verdict.worst.map(of_number)
+                } else {
+                    Some(Refusal::Error { share: verdict.error, most })
+                };
                 assert_eq!(
                     (verdict.status, verdict.refusal),
                     (Status::NotCertified, refusal),
@@ -54,8 +59,11 @@ fn certified_is_what_is_certain_to_a_tenth_or_to_what_is_demanded() {
 #[test]
 fn the_words_say_how_far() {
     let verdict = of_raw(&raw(30), &Demand::default());
-    let share = share_at_most(verdict.error);
-    assert_eq!(verdict.to_string(), format!("the deflection is certain to {share} of its largest value"));
+    let [share, worst] = [verdict.error, verdict.worst.expect("a summary").1].map(share_at_most);
+    let words = format!(
+        "the deflection is certain to {share} of its largest value, each number of the summary to {worst} of the largest of its kind"
+    );
+    assert_eq!(verdict.to_string(), words);
 
     let mut coarse = verdict.clone();
     coarse.certificate.as_mut().expect("numbers").contacts_proven = false;

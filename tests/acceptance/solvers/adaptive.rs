@@ -83,7 +83,7 @@ fn what_cannot_be_reached_is_not_certified() {
     assert_eq!(adapted.end, End::Limit { intervals: 100 });
     assert_eq!(adapted.solution.verdict.status, Status::NotCertified);
     let least = adapted.trials.iter().map(|t| t.error).fold(f64::INFINITY, f64::min);
-    assert_eq!(adapted.solution.verdict.error.to_bits(), least.to_bits(), "the best answer comes back");
+    assert_eq!(adapted.solution.verdict.largest_error().to_bits(), least.to_bits(), "the best answer comes back");
 
     let request = Request::new(Method::Force, Solver::FourStep, 1e-6);
     let adapted = adapt(&scene, &request).expect("the scene can be scaled");

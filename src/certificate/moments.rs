@@ -1,0 +1,110 @@
+//! What the greatest and the least bending moment of the beam lie between, from the gap alone: no further solve.
+//!
+//! The moments `M = −EI v̂''` of the pair and `M*` of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Between supports
+//! `M*'' = p* − q` with `p* ≥ 0`, wherever and however concentrated contact is: `M*` is convex but for the load. Of two such functions
+//! that are close in the mean none has a narrow peak, so that they are close everywhere. For a function `φ` that begins at `x` with
+//! `φ = 0`, `φ' = −1` and ends with `φ = φ' = 0` before the next support, by parts
+//!
+//! ```text
+//! M*(x) = ∫ M* φ'' dx − ∫ φ dp* + ∫ q φ dx
+//! φ'' = 3/2w for 0 < s < w,  −1/2w for w < s < 2w:     −w/3 ≤ φ ≤ 0,   ∫ φ dx = −w²/3,   ∫ EI φ''² dx = 5 EI/2w
+//! M*(x) ≥ ∫ M φ'' dx − |q| w²/3 − P w/3 − √(5 gap EI/w)
+//! ```
+//!
+//! with all point loads `P`, to that side of `x` on which the next support is farther than `2w`. From above, at the distance `w` from
+//! supports, and with zero for `M` beyond a free end,
+//!
+//! ```text
+//! φ = (w − |s|)²/4w:     M*(x) ≤ ∫ M dx/2w + |q| w²/6 + P w/4 + √(gap EI/w)
+//! ```
+//!
+//! At a support the first one is an equation where the beam is clear of the ground beside it, and nearer than `w` the moment is at
+//! most the larger one at both ends of that strip, and `|q| w²/8 + P w/4`. At a simple support inside one clear side is enough, since
+//! a couple by the ground on the other side bends the beam upwards; at the ends of the beam `M* ≤ 0` unless it is built in. Where the
+//! beam lies on the ground from a support on (`support_forces`), its moment there is that of the pair.
+//!
+//! Over `2w` the moments of the pair change by no more than `V` times their length, and their jumps `J` at nodes. So both extremes are
+//! known to
+//!
+//! ```text
+//! (V + P) w + |q| w²/2 + 3J/2 + √(5 gap EI/w)     least for w³ = 5 gap EI / 4 (V + P)²
+//! ```
+//!
+//! Two solves of a beam with a kink at `x` bound `M*(x)` as well, since the energy is convex in the angle and its derivative is
+//! `−M*(x)`; but at one place each time, and to the root of what is rounded of an energy. A gap is of the size of the square of
+//! that, and this its third root.
+
+use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
+use super::kernel::hold::OUTWARDS;
+use super::kernel::interval::Interval;
+use super::kernel::polynomial::Polynomial;
+use super::kernel::proof::Pair;
+use super::largest::extremes;
+use super::support_forces::{clear_from, lies_beside};
+
+/// Bounds of the greatest and of the least moment; the former is [`None`] where nothing could be shown beside a support.
+pub(super) fn moments(enclosed: &EnclosedScene<'_>, pair: &Pair) -> [Option<Interval>; 2] {
+    let EnclosedScene { stiffness, length, .. } = *enclosed;
+    let moment = |v: &Polynomial| v.derivative().derivative().times(Interval::exact(-stiffness));
+    let pieces: Vec<([f64; 2], Polynomial)> = pair.pieces.iter().map(|p| ([p.from, p.to], moment(&p.v))).collect();
+    let [greatest, least] = extremes(pieces.iter().copied());
+    // Where the beam is not built in at an end, there is a moment of zero; couples by the ground beside it leave others near by.
+    let is_hinge = |x: f64| enclosed.support(x).is_none_or(|support| support.slope.is_none());
+    let zero = if is_hinge(0.0) || is_hinge(length) { 0.0 } else { f64::NEG_INFINITY };
+    let Some((error, is_known)) = error(enclosed, pair, &pieces) else { return [None; 2] };
+    let around = Interval::around_zero(error);
+    let [greatest, least] = [greatest + around, least + around];
+    let finite = |bound: Interval| Some(bound).filter(|bound| bound.is_finite());
+    [
+        finite(Interval::between(greatest.lo(), greatest.hi().max(zero))).filter(|_| is_known),
+        finite(Interval::between(least.lo().min(-zero), least.hi())),
+    ]
+}
+
+/// How far both extremes may be off, and whether that is so for the greatest moment as well.
+fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynomial)]) -> Option<(f64, bool)> {
+    /// Shares of what lies between two supports and of what is clear that windows of `4w` and `2w` take: no more than a whole.
+    const WITHIN: [f64; 2] = [0.249, 0.499];
+    let EnclosedScene { stiffness, length, supports, load, .. } = *enclosed;
+    let width = |ends: &[f64; 2]| Interval::length(ends[0], ends[1]);
+    let jumps = pieces.windows(2).filter(|w| enclosed.support(w[1].0[0]).is_none());
+    let jump: f64 = jumps.map(|w| (w[1].1.at(Interval::ZERO) - w[0].1.at(width(&w[0].0))).magnitude()).sum();
+    if pair.gap <= 0.0 {
+        return Some((1.5 * jump * OUTWARDS, true));
+    }
+    let slope = pieces.iter().map(|(ends, m)| m.derivative().range(width(ends)).magnitude()).fold(0.0, f64::max);
+    let distributed = pieces.iter().flat_map(|(ends, _)| ends.map(|x| load.line(x, *ends)[0].magnitude()));
+    let (distributed, points) = (distributed.fold(0.0, f64::max), load.points.iter().map(|p| p.1.magnitude()));
+    let changes = slope + points.sum::<f64>();
+    let mut places: Vec<f64> = supports.iter().map(|s| s.x).chain([length]).collect();
+    places.dedup();
+    let mut before = 0.0;
+    let bays = places.iter().map(|x| x - std::mem::replace(&mut before, *x)).filter(|bay| 0.0 < *bay);
+    let bay = WITHIN[0] * bays.fold(length, f64::min);
+    let beside = (0..supports.len()).map(|k| known_beside(enclosed, pair, k)).fold(f64::INFINITY, f64::min);
+    let most = if 0.0 < beside { bay.min(WITHIN[1] * beside) } else { bay };
+    let energy = 5.0 * pair.gap * stiffness;
+    let best = libm::cbrt(energy / (4.0 * changes * changes));
+    let w = if best < most { best } else { most };
+    let error = changes * w + 0.5 * distributed * w * w + 1.5 * jump + (energy / w).sqrt();
+    (error.is_finite() && 0.0 < w).then_some((error * OUTWARDS, 0.0 < beside))
+}
+
+/// How far beside a support the moment there is known from above: zero where it is not.
+fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
+    let EnclosedSupport { x, slope, .. } = enclosed.supports[k];
+    let ends = [0.0, enclosed.length];
+    let known = |side: usize| {
+        if lies_beside(enclosed, pair, k, side) {
+            return f64::INFINITY;
+        }
+        (clear_from(enclosed, pair, k, ends[side]) - x).abs()
+    };
+    match (slope, ends.map(|end| (end - x).abs() <= 0.0)) {
+        (None, [true, _] | [_, true]) => f64::INFINITY,
+        (None, _) => known(0).max(known(1)),
+        (Some(_), [true, _]) => known(1),
+        (Some(_), [_, true]) => known(0),
+        (Some(_), _) => known(0).min(known(1)),
+    }
+}

@@ -1,0 +1,307 @@
+//! What the forces of the supports and of all contacts together lie between.
+//!
+//! The moment fields of the pair and of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Where the clearance of `v̂` is larger than
+//! the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up to the distance `c` from a support, both moment
+//! fields have `M'' = −q` there, so that they differ by a line, and
+//!
+//! ```text
+//! ½ ∫₀^c (m + κ x)²/EI dx ≤ gap:     |M'(x) − M*'(x)| = |κ| ≤ √( 24 EI gap / c³ ),     √( 6 EI gap / c³ ) for m = 0
+//! ```
+//!
+//! If it is so all the way to a free end, nothing differs on that side, and beside a simple support `m = 0` on the other one.
+//!
+//! Where the ground begins at the level of a support, the clearance and its bound both vanish there, and their quotients by the
+//! distance are compared. What ground and support exert at one place cannot be told apart: a force there is that of both.
+//!
+//! Where the pair lies on the ground from a support on, the beam does so, too, and its shear is that of the ground, if the pressure
+//! `P = q − EI g''''` is not negative in a part of the width `w` beside the support, and
+//!
+//! ```text
+//! ∫ P φ dx > √( 2 gap ∫ EI φ''² dx ),     φ = s² (w − s)²:     ∫ φ dp* > 0, the beam touches in that part, at β say
+//! ```
+//!
+//! The clearance `h = g − v*` has `h = h' = 0` at `β`, `h = 0` at the support, and there `h' = 0` where the ground or the support
+//! leaves no other slope, or `h'' = g'' ≥ 0` at a simple support at the end of the beam. Where `h > 0`, `EI h'''' = −P ≤ 0`; but a
+//! beam that is built in or simply supported at the ends of such a place bends to the side to which its load acts everywhere, and so
+//! it does by such an end couple (their influence lines have one sign): there is no such place.
+
+use super::kernel::contact_node::EnclosedScene;
+use super::kernel::distance::{factor, on_part};
+use super::kernel::hold::{OUTWARDS, Place, near};
+use super::kernel::interval::Interval;
+use super::kernel::polynomial::{Polynomial, number};
+use super::kernel::proof::{Pair, Piece};
+use super::largest::least_magnitude;
+use super::quantities::resultant;
+use crate::scene::Scene;
+
+/// The forces of the supports from left to right, and that of all contacts: what the supports leave of the load, and never less than
+/// nothing. [`None`] where nothing could be shown.
+pub(super) fn forces(
+    scene: &Scene,
+    enclosed: &EnclosedScene<'_>,
+    pair: &Pair,
+) -> (Vec<Option<Interval>>, Option<Interval>) {
+    let load = resultant(scene.load(), enclosed.length);
+    let mut supports = supports(enclosed, pair, load);
+    if let Some(ground) = scene.ground_stiffness() {
+        let width = |of: &Interval| of.hi() - of.lo();
+        for (bracket, sprung) in supports.iter_mut().zip(on_springs(enclosed, ground, pair)) {
+            *bracket = bracket.filter(|known| width(known) <= width(&sprung)).or(Some(sprung));
+        }
+    }
+    if scene.foundation().is_none() {
+        return (supports, Some(Interval::ZERO));
+    }
+    let contact = supports.iter().try_fold(load, |left, force| Some(left - (*force)?));
+    let contact = contact.map(Interval::not_negative).filter(|force| force.is_finite());
+    (supports, contact)
+}
+
+/// The same on ground that gives. With `φ = 1` at a support, zero at the others, and no slope where a support holds it,
+///
+/// ```text
+/// R = ∫ q φ dx − ∫ p φ dx + ∫ M φ'' dx,    ½∫ (M − M*)²/EI + ½∫ (p − p*)²/k ≤ gap
+/// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
+/// ```
+///
+/// for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`.
+fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Interval> {
+    let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
+    let widest = (36.0 * 35.0 / 13.0 * enclosed.stiffness / ground).sqrt().sqrt();
+    let side = |width: f64| {
+        let w = Interval::exact(width);
+        number(12) * stiffness / (w * w * w) + number(13) * k * w / number(35)
+    };
+    let bracket = |(i, force): (usize, &Interval)| {
+        let x = enclosed.supports[i].x;
+        let before = i.checked_sub(1).map_or(x, |i| Interval::length(enclosed.supports[i].x, x).lo());
+        let end = Interval::length(x, enclosed.length).lo();
+        let after = enclosed.supports.get(i + 1).map_or(end, |next| Interval::length(x, next.x).lo());
+        // At an end of the beam there is one side.
+        let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
+        let size = sides.fold(Interval::ZERO, |sum, side| sum + side);
+        *force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
+    };
+    pair.reactions.iter().enumerate().map(bracket).collect()
+}
+
+fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Option<Interval>> {
+    // Of a pair without a gap the moments are the true ones.
+    if pair.gap <= 0.0 {
+        return pair.reactions.iter().copied().map(Some).collect();
+    }
+    if pair.turns_about.is_some() {
+        let alone = |x: f64| (enclosed.supports.len() == 1 && carries_all(enclosed, pair, x)).then_some(load);
+        return enclosed.supports.iter().map(|support| alone(support.x)).collect();
+    }
+    let supports = enclosed.supports;
+    let bracket = |(k, force): (usize, &Interval)| {
+        let x = supports[k].x;
+        let before = k.checked_sub(1).map(|k| supports[k].x);
+        let after = supports.get(k + 1).map(|support| support.x);
+        let ends = [before.unwrap_or(0.0), after.unwrap_or(enclosed.length)];
+        let reached = ends.map(|end| clear_from(enclosed, pair, k, end));
+        let clear = reached.map(|reached| Interval::exact(reached) - Interval::exact(x));
+        let given =
+            [(before, 0), (after, 1)].map(|(next, side)| next.is_none() && (ends[side] - reached[side]).abs() <= 0.0);
+        let mut turns = Interval::ZERO;
+        for side in [0, 1] {
+            let share = if given[1 - side] && supports[k].slope.is_none() { 6 } else { 24 };
+            let c = Interval::exact(least_magnitude(clear[side]));
+            let turn = number(share) * Interval::exact(enclosed.stiffness) * Interval::exact(pair.gap) / (c * c * c);
+            match (given[side] || lies_beside(enclosed, pair, k, side), c.lo() <= 0.0) {
+                (true, _) => {}
+                (false, true) => return None,
+                (false, false) => turns = turns + turn.sqrt(),
+            }
+        }
+        Some(*force + Interval::around_zero(turns.hi()))
+    };
+    pair.reactions.iter().enumerate().map(bracket).collect()
+}
+
+/// A part of the beam beside a support, seen from there: the clearance of `v̂` from its nearer end on.
+struct Part<'a> {
+    piece: &'a Piece,
+    ends: [f64; 2],
+    clearance: Polynomial,
+    width: Interval,
+}
+
+/// The parts of the beam from a support to another place, the nearest first.
+fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f64) -> impl Iterator<Item = Part<'a>> {
+    /// Parts of a piece; only how far a proof reaches depends on it.
+    const PARTS: u32 = 16;
+    let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
+    // Looked at only as far as somebody asks.
+    let mut left = pair.pieces.iter().filter(move |piece| from <= piece.from && piece.to <= to);
+    let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
+    let parts = pieces.flat_map(move |piece| {
+        let mut ends: Vec<f64> =
+            (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
+        ends.extend(gap.breaks(piece.from, piece.to));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        if end < support {
+            ends.reverse();
+        }
+        (1..ends.len()).map(move |k| (piece, [ends[k - 1].min(ends[k]), ends[k - 1].max(ends[k])]))
+    });
+    parts.map(move |(piece, ends)| {
+        let near = ends[usize::from(end < support)];
+        let v = piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from));
+        let clearance = gap.about(near, ends).minus(&v);
+        let clearance = if end < support { clearance.mirrored() } else { clearance };
+        Part { piece, ends, clearance, width: Interval::exact(ends[1]) - Interval::exact(ends[0]) }
+    })
+}
+
+/// How far from a support towards another place the beam is proven to be clear of the ground.
+pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, end: f64) -> f64 {
+    let (support, factor) = (&enclosed.supports[k], factor(pair.gap, enclosed.stiffness));
+    let towards = usize::from(support.x < end);
+    let is_clear = |part: &Part<'_>| {
+        let beside = part.ends[1 - towards].total_cmp(&support.x).is_eq() && support.meets[towards];
+        let by = if beside {
+            // A deflection that is known at the support is off by no more than this, over the distance from there.
+            let is_here = |at: &Place| at.from.max(at.to) <= support.x && support.x <= at.from;
+            let known = near(&pair.holds, part.ends)
+                .iter()
+                .filter(|hold| hold.0.off.max(hold.1.off) <= 0.0 && [hold.0, hold.1].iter().any(is_here));
+            let off = known.map(|hold| {
+                let reach = hold.1.to.max(part.ends[1]) - hold.0.from.min(part.ends[0]);
+                factor * reach.sqrt() * OUTWARDS
+            });
+            off.fold(f64::INFINITY, f64::min) < part.clearance.divided(1).range(part.width).lo()
+        } else {
+            on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo()
+        };
+        !part.piece.follows && by
+    };
+    let clear = parts(enclosed, pair, support.x, end).take_while(is_clear).last();
+    clear.map_or(support.x, |part| part.ends[towards])
+}
+
+/// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does.
+pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, side: usize) -> bool {
+    /// Halvings of the part in which the pressure is asked not to be negative.
+    const HALVINGS: usize = 8;
+    let (support, stiffness) = (&enclosed.supports[k], Interval::exact(enclosed.stiffness));
+    let (x, to_the_left) = (support.x, side == 0);
+    let is_beside = |piece: &&Piece| (if to_the_left { piece.to } else { piece.from }).total_cmp(&x).is_eq();
+    let Some(piece) = pair.pieces.iter().find(is_beside).filter(|piece| piece.follows) else { return false };
+    let at_end = x <= 0.0 || enclosed.length <= x;
+    let fixed = support.is_fixed && (support.slope.is_none() || support.grounded[side]);
+    let hinged = at_end && support.slope.is_none() && 0.0 <= enclosed.gap.jet(x, to_the_left)[2].lo();
+    if !(support.meets[side] && (fixed || hinged)) {
+        return false;
+    }
+    let cell = [piece.from, piece.to];
+    let fourth = enclosed.gap.about(x, cell).derivative().derivative().derivative().derivative();
+    let pressure = Polynomial::new(&enclosed.load.line(x, cell)).minus(&fourth.times(stiffness));
+    let pressure = if to_the_left { pressure.mirrored() } else { pressure };
+    let mut width = piece.to - piece.from;
+    for _ in 0..HALVINGS {
+        let w = Interval::exact(width);
+        let shape = Polynomial::new(&[Interval::ZERO, Interval::ZERO, w * w, -(number(2) * w), number(1)]);
+        // ∫ φ''² = 4 w⁵/5.
+        let square = number(4) * w.square() * w.square() * w / number(5);
+        let least = (number(2) * Interval::exact(pair.gap) * stiffness * square).sqrt().hi();
+        if 0.0 <= pressure.range(w).lo() && least < pressure.integral_of_product(&shape, w).lo() {
+            return true;
+        }
+        width *= 0.5;
+    }
+    false
+}
+
+/// Whether the only support carries all of a load that is in balance above it, though the beam may turn about it. Contact on one
+/// side would need contact on the other. With a turn by `θ` the clearance at the distance `a` from the support is off by `± θ a` and
+/// by no more than `√(2 gap/3 EI) a^(3/2)`: not on both sides can it vanish, if both quotients by the distance are larger in sum.
+fn carries_all(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64) -> bool {
+    let most = Interval::exact(factor(pair.gap, enclosed.stiffness)) * Interval::exact(enclosed.length).sqrt();
+    let least = |end: f64| {
+        let quotient = |part: Part<'_>| {
+            let far = part.ends.map(|x| (x - support).abs()).into_iter().fold(0.0, f64::max);
+            let least = part.clearance.range(part.width).lo();
+            let all = Interval::exact(least) / Interval::exact(far);
+            if 0.0 <= least { all.lo() } else { f64::NEG_INFINITY }
+        };
+        parts(enclosed, pair, support, end).map(quotient).fold(f64::INFINITY, f64::min)
+    };
+    let [left, right] = [0.0, enclosed.length].map(least);
+    (number(2) * most).hi() < (Interval::exact(left) + Interval::exact(right)).lo()
+        || left == f64::INFINITY
+        || right == f64::INFINITY
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::in_intervals;
+    use crate::certificate::kernel::hold::{Hold, Place};
+    use crate::scene::{Balance, Beam, Foundation, Load};
+
+    const LENGTH: f64 = 20.0;
+    const STIFFNESS: f64 = 70.0;
+    /// A few dozen roundings.
+    const ROUNDING: f64 = 1e-13;
+
+    #[track_caller]
+    fn sharp(bound: f64, value: f64) {
+        assert!((value * (1.0 - ROUNDING)..=value * (1.0 + ROUNDING)).contains(&bound), "{bound}, not {value}");
+    }
+
+    fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
+        let coefficients: Vec<Interval> = coefficients.iter().map(|c| Interval::exact(*c)).collect();
+        Piece { from, to, v: Polynomial::new(&coefficients), follows: false }
+    }
+
+    /// Moments `κ x` up to the distance `c` from a support, and not beyond, store `κ² c³/6 EI`.
+    #[test]
+    fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
+        /// Chosen so that the proof ends within the beam: `√(2 gap/3 EI l)`.
+        const SHARE: f64 = 0.0041;
+        let gap = 1.5 * SHARE * SHARE * STIFFNESS * LENGTH;
+        let sag = 0.07;
+        /// Parts that are clear: until `0.4 − v` is less than the bound.
+        const CLEAR: [f64; 2] = [13.0 * 7.0 / 16.0, 8.0 * 13.0 / 16.0];
+        let slopes = [piece([0.0, 7.0], &[0.0, sag / 7.0]), piece([7.0, LENGTH], &[sag, -sag / 13.0])];
+        let pair = Pair {
+            pieces: slopes.to_vec(),
+            gap,
+            reactions: [3.0, 4.0].map(Interval::exact).to_vec(),
+            holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
+            turns_about: None,
+            lifted: 0.0,
+            ground: Interval::ZERO,
+        };
+        let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+        let load = Load::uniform_on(&beam, 1.0).expect("finite");
+        let over = |pair: &Pair, depth: f64| {
+            let flat = Some(Foundation::Flat { depth });
+            let scene = Scene::new(beam.clone(), load.clone(), flat.filter(|_| depth.is_finite())).expect("well posed");
+            in_intervals(&scene, Balance::Held, |enclosed| forces(&scene, enclosed, pair).0)
+        };
+        let check = |pair: &Pair, depth: f64, clear: [f64; 2]| {
+            for ((bracket, middle), c) in over(pair, depth).iter().zip([3.0, 4.0]).zip(clear) {
+                let turn = (6.0 * STIFFNESS * gap / (c * c * c)).sqrt();
+                let bracket = bracket.expect("the beam is clear of the ground beside both supports");
+                sharp(bracket.hi(), middle + turn);
+                sharp(middle - bracket.lo(), turn);
+            }
+        };
+        check(&pair, f64::INFINITY, [LENGTH, LENGTH]);
+        // Sixteen parts a piece; in each the least clearance has to be more than SHARE times the largest `x (l − x)`.
+        check(&pair, 0.4, CLEAR);
+
+        let mut lying = pair;
+        lying.pieces[0].follows = true;
+        let [left, right] = over(&lying, 0.4)[..] else { panic!("two supports") };
+        assert!(
+            left.is_none() && right.is_some(),
+            "where the beam lies on the ground beside a support, nothing is known"
+        );
+    }
+}

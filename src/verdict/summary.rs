@@ -1,0 +1,115 @@
+//! The numbers of the summary of an answer, and how far each may be off, by the bracket that the certificate has for it.
+
+use std::fmt;
+
+use crate::certificate::Certificate;
+use crate::scene::Scene;
+use crate::state::ContactState;
+
+/// Rounding of the numbers of an answer, as a share of the largest of them: what its own last digits may be off besides the
+/// guaranteed error.
+const ROUNDING: f64 = 1e-12;
+
+/// The same for its energy: twelve digits of places and forces leave nine of a sum that may cancel.
+pub(super) const ENERGY: f64 = 1e-9;
+
+/// A number of the summary of an answer, which has a bracket.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Number {
+    /// The force of a support, counted from the left, from 0.
+    Support(usize),
+    /// The contact force in total.
+    ContactForce,
+    /// The greatest deflection.
+    Deflection,
+    /// The energy.
+    Energy,
+    /// The greatest or the least moment of beam theory, which has to be in its bracket, however wide that is.
+    Moment,
+}
+
+impl Number {
+    /// What its error is a share of. The contact force is what the supports leave of the load, and no better known than they are.
+    pub(super) fn kind(self) -> &'static str {
+        match self {
+            Self::Support(_) => "the largest support force",
+            Self::ContactForce => "the largest force",
+            Self::Deflection => "the largest deflection",
+            Self::Energy => "its value",
+            Self::Moment => "the largest moment",
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Support(k) => write!(f, "the force of support {}", k + 1),
+            Self::ContactForce => f.write_str("the contact force"),
+            Self::Deflection => f.write_str("the greatest deflection"),
+            Self::Energy => f.write_str("the energy"),
+            Self::Moment => f.write_str("a moment"),
+        }
+    }
+}
+
+/// Rounding of the largest deflection. A beam at rest moves by the rounding of what its loads would do to it, `P l³ / 48 EI`, and of
+/// zero outwards.
+pub(super) fn deflection_rounding(scene: &Scene, state: &ContactState) -> f64 {
+    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
+    let free = scene.load().magnitude(length) / stiffness * length * length * length / 48.0;
+    ROUNDING * state.deflection.magnitude() + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE
+}
+
+/// The guaranteed error of each number of the summary, over the largest of its kind.
+pub(super) fn shares<'a>(
+    certificate: &'a Certificate,
+    scene: &Scene,
+    state: &'a ContactState,
+) -> impl Iterator<Item = (Number, f64)> + 'a {
+    let share = |own: f64, bracket: Option<[f64; 2]>, rounding: f64, largest: f64| {
+        let Some([least, most]) = bracket else { return f64::INFINITY };
+        let off = (most - own).max(own - least);
+        if off <= rounding { 0.0 } else { off / largest }
+    };
+    let (forces, contact) = (state.supports.iter().map(|s| s.force.abs()), state.contact_force());
+    let sum = scene.load().magnitude(scene.beam().length()) + forces.clone().sum::<f64>() + contact;
+    let (largest, rounding) = (forces.fold(0.0, f64::max), ROUNDING * sum);
+    let brackets = state.supports.iter().zip(&certificate.reactions).enumerate();
+    let supports = brackets
+        .map(move |(k, (support, bracket))| (Number::Support(k), share(support.force, *bracket, rounding, largest)));
+    let Certificate { energy_lower, energy_upper, contact_force, deflection_max, .. } = *certificate;
+    let energy =
+        share(state.energy, Some([energy_lower, energy_upper]), ENERGY * energy_size(scene, state), state.energy.abs());
+    let v = &state.deflection;
+    let deflection = share(v.max, deflection_max, deflection_rounding(scene, state), v.magnitude());
+    let (m, rounding) = (&state.moment, ENERGY * state.moment.magnitude());
+    let outside = |own: f64, bracket: Option<[f64; 2]>| {
+        let off = bracket.filter(|_| state.nodes.is_none()).map_or(0.0, |[least, most]| (least - own).max(own - most));
+        if off <= rounding { 0.0 } else { off / m.magnitude() }
+    };
+    let others = [
+        (Number::ContactForce, share(contact, contact_force, rounding, largest.max(contact))),
+        (Number::Energy, energy),
+        (Number::Moment, outside(m.max, certificate.moments[0])),
+        (Number::Moment, outside(m.min, certificate.moments[1])),
+        // Of a beam that may turn no position is the one.
+        (Number::Deflection, if certificate.up_to_a_turn.is_some() { 0.0 } else { deflection }),
+    ];
+    supports.chain(others)
+}
+
+/// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.
+pub(super) fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
+    let depth = |x: f64| scene.gap(x).abs();
+    let held: f64 = state.contacts.iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
+    scene.load().magnitude(scene.beam().length()) * state.deflection.magnitude() + held
+}
+
+/// How far the largest deflection of an exact answer is off the one that its contacts make, which is the one that is judged. Of a
+/// beam that may turn another position is as good.
+pub(super) fn apart(certificate: &Certificate, own: f64) -> f64 {
+    let Certificate { deflection: judged, deflection_at_least: least, up_to_a_turn, .. } = *certificate;
+    let known = up_to_a_turn.is_none() && judged.is_finite();
+    if known { (least - own).max(own - judged).max(0.0) } else { 0.0 }
+}

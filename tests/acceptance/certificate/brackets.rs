@@ -1,0 +1,169 @@
+//! The brackets of single numbers: they hold what closed forms, fractions and beam theory say, they are narrow, and without them
+//! nothing is certified.
+
+use palkki::certificate::Certificate;
+use palkki::route::{Method, RawSolution, Solver, Status};
+use palkki::scene::{Foundation, Scene, Support};
+use palkki::theory::{self, Exact};
+use palkki::verdict::{Demand, Number, Refusal, Verdict};
+use palkki::{Settings, Witness, solve_raw};
+use palkki_evidence::draft::Draft;
+use palkki_evidence::random;
+
+/// What is promised of the exact solution.
+const SHARE: f64 = 1e-6;
+/// Digits that beam theory has lost where a scene is ill-conditioned (those of `certificate::truth`), and a closed form of a few terms.
+const THEORY: f64 = 1e-9;
+const ROUNDING: f64 = 1e-14;
+
+fn exact(scene: &Scene) -> (Exact, Verdict) {
+    let exact = theory::solve(scene).expect("an answer");
+    let verdict = Verdict::of_exact(scene, &exact, &Demand::default());
+    (exact, verdict)
+}
+
+#[track_caller]
+fn holds(what: &str, bracket: Option<[f64; 2]>, value: f64, slack: f64, width: f64) {
+    let [least, most] = bracket.unwrap_or_else(|| panic!("{what}: there is a bracket"));
+    assert!(least <= value + slack && value - slack <= most, "{what}: {value:?} is not in [{least:?}, {most:?}]");
+    assert!(most - least <= width, "{what}: [{least:?}, {most:?}] is wider than {width:e}");
+}
+
+/// Greatest and least moment by closed form: on two supports, built in, overhanging, lifted by a support, on flat ground with
+/// `q a²/8` where it hangs free (in fractions, `a = 2`), and lying on a parabola with `−EI u''`.
+#[test]
+fn moments_by_closed_form() {
+    let [q, ei, l] = [3.0, 4.0, 10.0];
+    let draft = || Draft { length: l, stiffness: ei, uniform: q, ..Draft::default() };
+    let on = |supports: Vec<Support>| Draft { supports: Some(supports), ..draft() };
+    let built_in = |at: f64| Support { slope: Some(0.0), ..Support::simple(at) };
+    let ground = |ground: Foundation| Draft { ground: Some(ground), ..draft() };
+    let parabola = Foundation::Polynomial { coefficients: vec![0.0, 0.0, 0.01] };
+    let lying = Draft { supports: Some(Vec::new()), ..ground(parabola) };
+    for (what, draft, [most, least]) in [
+        ("on two supports", draft(), [q * l * l / 8.0, 0.0]),
+        ("cantilever", on(vec![built_in(0.0)]), [0.0, -q * l * l / 2.0]),
+        ("built in", on(vec![built_in(0.0), built_in(l)]), [q * l * l / 24.0, -q * l * l / 12.0]),
+        ("propped", on(vec![built_in(0.0), Support::simple(l)]), [9.0 * q * l * l / 128.0, -q * l * l / 8.0]),
+        ("overhanging", on(vec![Support::simple(2.0), Support::simple(8.0)]), [q * 36.0 / 8.0 - 6.0, -6.0]),
+        ("two spans", on([0.0, 5.0, l].map(Support::simple).to_vec()), [9.0 * q * 25.0 / 128.0, -q * 25.0 / 8.0]),
+        ("on flat ground", ground(Foundation::Flat { depth: 0.5 }), [q * 4.0 / 8.0, 0.0]),
+    ] {
+        let scene = draft.scene().expect("well posed");
+        let (_, verdict) = exact(&scene);
+        let size = most.max(-least);
+        let certificate = verdict.certificate.expect("bounds");
+        for (bracket, value) in certificate.moments.into_iter().zip([most, least]) {
+            holds(what, bracket, value, ROUNDING * size, SHARE * size);
+        }
+    }
+    // With a free end there is a moment of zero as well.
+    let (found, verdict) = exact(&lying.scene().expect("well posed"));
+    let [_, least] = verdict.certificate.expect("bounds").moments;
+    holds("on a parabola", least, found.state.moment.min, THEORY, SHARE * found.state.moment.magnitude());
+}
+
+fn check(what: &str, certificate: &Certificate, scene: &Scene, exact: &Exact, narrow: &mut [usize; 2]) {
+    let (state, size) = (&exact.state, exact.state.moment.magnitude());
+    let load = scene.load().magnitude(scene.beam().length());
+    let inside = |what: &str, bracket: Option<[f64; 2]>, value: f64, slack: f64| {
+        let Some([least, most]) = bracket else { return false };
+        assert!(least <= value + slack && value - slack <= most, "{what}: {value:?} is not in {bracket:?}");
+        most - least <= SHARE * (value.abs() + slack / THEORY)
+    };
+    for (support, bracket) in state.supports.iter().zip(&certificate.reactions) {
+        inside(what, *bracket, support.force, THEORY * load.max(support.force.abs()));
+    }
+    let contact = state.contact_force();
+    let forces = state.supports.iter().fold(load + contact, |sum, support| sum + support.force.abs());
+    inside(what, certificate.contact_force, contact, THEORY * forces);
+    inside(what, certificate.deflection_max, state.deflection.max, THEORY * state.deflection.magnitude());
+    for (value, bracket) in [state.moment.max, state.moment.min].into_iter().zip(certificate.moments) {
+        let is_narrow = inside(what, bracket, value, THEORY * size);
+        narrow[usize::from(is_narrow)] += 1;
+    }
+}
+
+/// Random scenes, held in every way: whatever witness they are proven from, brackets hold what beam theory says, and those of moments
+/// are mostly as narrow as is promised.
+#[test]
+fn brackets_hold_on_random_scenes() {
+    let (mut narrow, mut wrong) = ([0; 2], [0; 2]);
+    for i in 0..80 {
+        for (kind, scene) in [random::scene(i), random::on_lattice(i), random::held(i)].into_iter().enumerate() {
+            let Ok(exact) = theory::solve(&scene) else { continue };
+            if !exact.solved {
+                continue;
+            }
+            let certificate = palkki::verdict::certificate(&exact.state, &Witness::of(&scene)).expect("numbers");
+            if certificate.contacts_proven {
+                check(&format!("{kind}, {i}"), &certificate, &scene, &exact, &mut narrow);
+            }
+            // A witness that is wrong makes them wide, and not untrue.
+            let mut moved = exact.state.clone();
+            for contact in moved.contacts.iter_mut().filter(|contact| contact.from < contact.to) {
+                contact.from += 1e-3 * (contact.to - contact.from);
+            }
+            let certificate = palkki::verdict::certificate(&moved, &Witness::of(&scene)).expect("numbers");
+            check(&format!("{kind}, {i}, moved"), &certificate, &scene, &exact, &mut wrong);
+        }
+    }
+    assert!(19 * narrow[0] < narrow[1], "{narrow:?} brackets of moments are wide and narrow");
+    assert!(20 < wrong[0], "{wrong:?}: a wrong witness has wide ones");
+}
+
+/// The refusal of an exact answer after a change; there is none before.
+#[track_caller]
+fn refused(scene: &Scene, exact: &Exact, change: impl FnOnce(&mut Exact)) -> Option<Refusal> {
+    let mut changed = exact.clone();
+    change(&mut changed);
+    let verdict = Verdict::of_exact(scene, &changed, &Demand::default());
+    assert_eq!(verdict.status, Status::NotCertified, "{verdict}");
+    verdict.refusal
+}
+
+/// Each number of a summary alone, changed by ten times what is allowed: nothing is certified, and the number is named.
+#[test]
+fn each_number_is_asked_for() {
+    let of = |refusal: Option<Refusal>| match refusal {
+        Some(Refusal::Number { of, share, most }) if most < share => Some(of),
+        _ => None,
+    };
+    let mut tried = 0;
+    for i in 0..40 {
+        let scene = random::scene(i);
+        let (exact, verdict) = exact(&scene);
+        let [support, moment] =
+            [exact.state.supports.iter().map(|s| s.force.abs()).fold(0.0, f64::max), exact.state.moment.magnitude()];
+        if verdict.status != Status::Certified || exact.state.contacts.is_empty() || support <= 0.0 {
+            continue;
+        }
+        tried += 1;
+        for k in 0..exact.state.supports.len() {
+            let change = |exact: &mut Exact| exact.state.supports[k].force += 1e-5 * support;
+            assert_eq!(of(refused(&scene, &exact, change)), Some(Number::Support(k)), "{i}");
+        }
+        let largest = support.max(exact.state.contact_force());
+        let change = |exact: &mut Exact| exact.state.contacts[0].force += 1e-5 * largest;
+        assert_eq!(of(refused(&scene, &exact, change)), Some(Number::ContactForce), "{i}");
+        for sign in [-1.0, 1.0] {
+            let change = |exact: &mut Exact| exact.state.moment.max += sign * 1e-2 * moment;
+            assert_eq!(of(refused(&scene, &exact, change)), Some(Number::Moment), "{i}");
+        }
+        // On a grid, by what is asked there.
+        let Ok(raw) = solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 200)) else { continue };
+        let witness = Witness::of(&scene);
+        if Verdict::of_raw(&raw, &witness, &Demand::default()).status != Status::Certified {
+            continue;
+        }
+        let changed = |change: &dyn Fn(&mut RawSolution)| {
+            let mut changed = raw.clone();
+            change(&mut changed);
+            of(Verdict::of_raw(&changed, &witness, &Demand::default()).refusal)
+        };
+        assert_eq!(changed(&|raw| raw.state.energy *= 2.0), Some(Number::Energy), "{i}");
+        let size = raw.state.deflection.magnitude();
+        assert_eq!(changed(&|raw| raw.state.deflection.max += 2.0 * size), Some(Number::Deflection), "{i}");
+    }
+    assert!(10 < tried, "{tried} scenes");
+}
