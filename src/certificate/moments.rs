@@ -93,7 +93,9 @@ fn error(enclosed: &EnclosedScene<'_>, pair: &Pair, pieces: &[([f64; 2], Polynom
 /// How far beside a support the moment there is known from above: zero where it is not.
 fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
     let EnclosedSupport { x, slope, .. } = enclosed.supports[k];
-    let ends = [0.0, enclosed.length];
+    let supports = enclosed.supports;
+    let before = k.checked_sub(1).map_or(0.0, |k| supports[k].x);
+    let ends = [before, supports.get(k + 1).map_or(enclosed.length, |support| support.x)];
     let known = |side: usize| {
         if lies_beside(enclosed, pair, k, side) {
             return f64::INFINITY;
