@@ -55,7 +55,7 @@ use crate::text::{Results, share_at_most};
 use crate::theory::Exact;
 use crate::witness::Witness;
 
-use self::summary::{ENERGY, apart, deflection_rounding, energy_size, shares};
+use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, shares};
 
 pub use self::summary::Number;
 
@@ -370,16 +370,6 @@ pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certif
         return None;
     }
     witness.judge(Judged::Nodes(nodes), &state.contacts).ok()
-}
-
-/// What is wrong with a certificate itself.
-fn flaw(certificate: &Certificate) -> Option<Refusal> {
-    let Certificate { energy_lower: lower, energy_upper: upper, gap, deflection_error, .. } = *certificate;
-    if ![lower, upper, gap, deflection_error].iter().all(|bound| bound.is_finite()) {
-        return Some(Refusal::Unbounded);
-    }
-    let holds = lower <= upper && 0.0 <= gap && 0.0 <= deflection_error;
-    (!holds).then_some(Refusal::Contradiction { lower, upper, gap })
 }
 
 /// An exact answer is judged by the places of its contacts: its own deflection has to be the one that they make.

