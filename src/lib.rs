@@ -42,6 +42,17 @@
 //! | solve any elastic body, and bound the error of any answer for it | [`body::Body`], [`body::proof::prove`] |
 //! | draw | `plot::curves`, with the feature `plot` |
 //!
+//! # Features
+//!
+//! | feature | what it adds |
+//! |---|---|
+//! | none of them | the exact solution, the three methods, the solvers by hand, the certificate, scene files: pure Rust |
+//! | `clarabel` | the interior-point solver |
+//! | `osqp` | the operator-splitting solver, a library in C whose build asks for cmake |
+//! | `plot` | figures as SVG |
+//! | `serde` | `Serialize` for answers |
+//! | `cli` | the program |
+//!
 //! # Notation
 //!
 //! | paper | name here | unit | sign and meaning | equation |

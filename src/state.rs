@@ -6,7 +6,7 @@ use crate::scene::{Resultant, Scale};
 
 /// The force with which a support holds the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SupportForce {
     /// Where the support is \[length\].
     pub at: f64,
@@ -16,13 +16,13 @@ pub struct SupportForce {
     /// two sides differ, the one that is larger in magnitude. [`None`] for a simple support \[force · length\].
     pub moment: Option<f64>,
     /// The couple that a built-in support exerts: the moment to its right less that to its left \[force · length\].
-    #[cfg_attr(feature = "cli", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub couple: f64,
 }
 
 /// How a beam stands on the ground that its supports do not hold against turning or moving.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Standing {
     /// The resultant of its loads.
     pub resultant: Resultant,
@@ -31,14 +31,14 @@ pub struct Standing {
     /// if there is none, or if a support holds the beam down and the resultant lies beyond both.
     pub margin: f64,
     /// The positions that are left, if there is more than one.
-    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion>,
 }
 
 /// Positions of rest that differ by a rotation of the whole beam. Forces, moments and energy are the same in all of them; a state
 /// has the deflection whose slope at the place of rotation is nearest to zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Motion {
     /// The place about which the beam turns \[length\].
     pub about: f64,
@@ -49,7 +49,7 @@ pub struct Motion {
 /// Upward forces of the supports at the two ends of the beam \[force\]. Zero where an end has none: [`ContactState::supports`] says
 /// which supports there are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reactions {
     /// At `x = 0`.
     pub left: f64,
@@ -59,7 +59,7 @@ pub struct Reactions {
 
 /// How much of the foundation the beam touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Regime {
     /// Nowhere.
     None,
@@ -114,7 +114,7 @@ impl Contact {
 
 /// The largest pressure of ground that gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pressure {
     /// How large \[force / length\].
     pub max: f64,
@@ -124,7 +124,7 @@ pub struct Pressure {
 
 /// The greatest and the least value of a quantity along the beam, and where they are.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extremes {
     /// Greatest value.
     pub max: f64,
@@ -229,10 +229,10 @@ pub enum Discretisation {
 /// deflection is that of the support. Of a beam with supports at both ends these are the interior nodes `x_1 … x_n`. A support
 /// inside the beam is a node with its clearance and no contact force; what it carries is in [`ContactState::supports`].
 #[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Nodes {
     /// How the beam bends between them.
-    #[cfg_attr(feature = "cli", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub discretisation: Discretisation,
     /// Places \[length\].
     pub x: Vec<f64>,

@@ -33,7 +33,7 @@ pub struct DepthTolerance {
 
 /// Whether a beam touches the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Touches {
     /// Whatever the depths are.
     Certainly,

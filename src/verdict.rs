@@ -67,7 +67,7 @@ pub const EXACT: f64 = 1e-6;
 
 /// Our own verdict on an answer. A solver's own word is never it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Status {
     /// The answer passes our own check, and its deflection is certain enough.
     Certified,

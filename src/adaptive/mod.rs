@@ -115,32 +115,32 @@ pub fn most_intervals(solver: Solver) -> usize {
 
 /// One grid that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Trial {
     /// `N`, the number of equal intervals.
     pub intervals: usize,
     /// What an iterative solver was asked for.
-    #[cfg_attr(feature = "cli", serde(rename = "solver_tolerance"))]
+    #[cfg_attr(feature = "serde", serde(rename = "solver_tolerance"))]
     pub tolerance: f64,
     /// Unknowns of the quadratic program.
     pub unknowns: usize,
     /// Iterations in the solver's own count.
     pub iterations: usize,
     /// Unknowns that these went through.
-    #[cfg_attr(feature = "cli", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub work: usize,
     /// KKT residual of the discrete problem.
     pub residual: f64,
     /// Guaranteed error of the deflection or of a number of the summary, over the largest of its kind: the worst of them.
     pub error: f64,
     /// Whether the contacts of the beam were proven.
-    #[cfg_attr(feature = "cli", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub contacts_proven: bool,
     /// Whether the solver says that it succeeded.
-    #[cfg_attr(feature = "cli", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub reports_success: bool,
     /// Why it is not enough; none if it is.
-    #[cfg_attr(feature = "cli", serde(skip))]
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub refusal: Option<Refusal>,
 }
 

@@ -10,7 +10,7 @@ use crate::scene::{Resultant, Scaled, Scene, SceneError};
 
 /// A condition of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum ViolationKind {
     /// `p ≥ 0`: a force pulls.
     Tension,
@@ -37,10 +37,10 @@ impl ViolationKind {
 
 /// The worst violation of one condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Violation {
     /// Which condition.
-    #[cfg_attr(feature = "cli", serde(rename = "condition"))]
+    #[cfg_attr(feature = "serde", serde(rename = "condition"))]
     pub kind: ViolationKind,
     /// Where \[length\].
     pub at: f64,

@@ -21,7 +21,7 @@ use crate::double::Double;
 
 /// The resultant of all loads.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Resultant {
     /// `W`, positive downwards \[force\].
     pub force: f64,

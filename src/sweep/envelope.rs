@@ -13,7 +13,7 @@ const LEFT: f64 = 1e-9;
 /// Extremes over the values of a sweep. Moments are positive where the underside is in tension; the shear force is that of
 /// [`Exact::shear`].
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Envelope {
     /// Places along the beam \[length\].
     pub x: Vec<f64>,
@@ -33,7 +33,7 @@ pub struct Envelope {
 
 /// The extremes of one support's force, upwards on the beam \[force\], with the values of the number varied at which they occur.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
 pub struct SupportEnvelope {
     pub at: f64,
@@ -45,7 +45,7 @@ pub struct SupportEnvelope {
 
 /// The largest and the least moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
 pub struct Governing {
     pub moment_max: Moment,
@@ -54,7 +54,7 @@ pub struct Governing {
 
 /// A moment, its place, and the value of the number varied.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[expect(missing_docs, reason = "as said above")]
 pub struct Moment {
     pub moment: f64,

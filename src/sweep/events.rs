@@ -12,7 +12,7 @@ use crate::theory::{Exact, Pattern};
 
 /// A value at which the answer changes its kind.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Event {
     /// The value of the number that is varied.
     pub value: f64,
@@ -20,11 +20,11 @@ pub struct Event {
     pub what: String,
     /// By how much the value may be off where the answers before and after it both meet their conditions to 12 digits for a while, or
     /// where none is found between them; 0 where neither is so, and the value is known to a thousand-millionth of the range.
-    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "is_zero"))]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_zero"))]
     pub uncertainty: f64,
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "serde")]
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "what serde asks for")]
 fn is_zero(value: &f64) -> bool {
     *value <= 0.0

@@ -7,7 +7,7 @@ use super::sensitivity::Change;
 
 /// How far forces may be off, by estimate: magnitudes \[force\].
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Spread {
     /// Of the supports, from left to right.
     pub supports: Vec<f64>,

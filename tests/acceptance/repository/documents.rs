@@ -94,3 +94,11 @@ fn what_is_not_printed_is_found() {
     assert_eq!(not_printed("b 1.02", printed), ["b 1.02"], "another number");
     assert_eq!(not_printed("c\na", printed), ["a"], "another order");
 }
+
+/// Who cites a version cites the one of the package.
+#[test]
+fn the_citation_names_the_version_of_the_package() {
+    let citation = document("CITATION.cff");
+    let version = citation.lines().find_map(|line| line.strip_prefix("version: "));
+    assert_eq!(version, Some(env!("CARGO_PKG_VERSION")));
+}

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod dependencies;
 mod documents;
+mod examples;
 mod layers;
 mod snapshots;
 mod text;

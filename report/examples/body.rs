@@ -1,0 +1,21 @@
+//! Any elastic body in the place of the beam: solve it, and prove how far the answer is off.
+use palkki::body::{Body, Kind, proof::prove};
+use palkki::qp::Profile;
+use palkki::solvers::Solver;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // Five masses in a row, held to their neighbours and to two walls by springs of stiffness 1; the ground is flat.
+    let n = 5;
+    let stiffness = Profile::of_entries(
+        n,
+        (0..n).flat_map(move |i| [(i, i, 2.0)].into_iter().chain((0 < i).then(|| (i, i - 1, -1.0)))),
+    );
+    let body = Body::new(Kind::Stiffness, stiffness, None, vec![1.0; n], vec![0.5; n])?;
+
+    let state = body.state(&body.run(Solver::ActiveSet, 1e-9));
+    let proof = prove(&body, state.clearance.iter().map(|clearance| 0.0 < *clearance))?;
+    println!("clearances {:.4?}, contact forces {:.4?}", state.clearance, state.contact_force);
+    println!("off by at most {:.1e}", proof.off(&state.clearance).most);
+    println!("an answer that says it touches nowhere: off by at least {:.3}", proof.off(&[0.5; 5]).least);
+    Ok(())
+}
