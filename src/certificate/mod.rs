@@ -329,7 +329,7 @@ impl Certificate {
     /// What was proven of any deflection. All factors are powers of two: only exponents change.
     fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, [greatest, _]: [Interval; 2]) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
-        let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness) + pair.ground;
+        let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness) + pair.ground.unwrap_or(Interval::ZERO);
         let gap = pair.gap;
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
         let stiffness =

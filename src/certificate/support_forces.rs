@@ -1,8 +1,8 @@
 //! What the forces of the supports and of all contacts together lie between.
 //!
 //! The moment fields of the pair and of the beam differ by `m` with `½ ∫ m²/EI dx ≤ gap`. Where the clearance of `v̂` is larger than
-//! the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up to the distance `c` from a support, both moment
-//! fields have `M'' = −q` there, so that they differ by a line, and
+//! the bound on `|v̂ − v*|` the true beam does not touch either. If that is so up to the distance `c` from a support, and the contact
+//! load of the pair is zero there as well, both moment fields have `M'' = −q`, so that they differ by a line, and
 //!
 //! ```text
 //! ½ ∫₀^c (m + κ x)²/EI dx ≤ gap:     |M'(x) − M*'(x)| = |κ| ≤ √( 24 EI gap / c³ ),     √( 6 EI gap / c³ ) for m = 0
@@ -65,7 +65,8 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`.
+/// for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. `R` is one of its reactions, which enclose what is cut off: each
+/// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Interval> {
     let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
     let widest = (36.0 * 35.0 / 13.0 * enclosed.stiffness / ground).sqrt().sqrt();
@@ -157,7 +158,8 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
     })
 }
 
-/// How far from a support towards another place the beam is proven to be clear of the ground.
+/// How far from a support towards another place the beam is proven to be clear of the ground, and the pair has no contact load: a
+/// wrong witness may press where `v̂` is clear of ground that gives.
 pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, end: f64) -> f64 {
     let (support, factor) = (&enclosed.supports[k], factor(pair.gap, enclosed.stiffness));
     let towards = usize::from(support.x < end);
@@ -177,7 +179,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, en
         } else {
             on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo()
         };
-        !part.piece.follows && by
+        !part.piece.pressed && by
     };
     let clear = parts(enclosed, pair, support.x, end).take_while(is_clear).last();
     clear.map_or(support.x, |part| part.ends[towards])
@@ -190,7 +192,9 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, s
     let (support, stiffness) = (&enclosed.supports[k], Interval::exact(enclosed.stiffness));
     let (x, to_the_left) = (support.x, side == 0);
     let is_beside = |piece: &&Piece| (if to_the_left { piece.to } else { piece.from }).total_cmp(&x).is_eq();
-    let Some(piece) = pair.pieces.iter().find(is_beside).filter(|piece| piece.follows) else { return false };
+    let Some(piece) = pair.pieces.iter().find(is_beside).filter(|piece| piece.pressed && pair.ground.is_none()) else {
+        return false;
+    };
     let at_end = x <= 0.0 || enclosed.length <= x;
     let fixed = support.is_fixed && (support.slope.is_none() || support.grounded[side]);
     let hinged = at_end && support.slope.is_none() && 0.0 <= enclosed.gap.jet(x, to_the_left)[2].lo();
@@ -241,6 +245,7 @@ mod tests {
     use super::*;
     use crate::certificate::in_intervals;
     use crate::certificate::kernel::hold::{Hold, Place};
+    use crate::certificate::kernel::springs::{self, Stretch};
     use crate::scene::{Balance, Beam, Foundation, Load};
 
     const LENGTH: f64 = 20.0;
@@ -255,7 +260,7 @@ mod tests {
 
     fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
         let coefficients: Vec<Interval> = coefficients.iter().map(|c| Interval::exact(*c)).collect();
-        Piece { from, to, v: Polynomial::new(&coefficients), follows: false }
+        Piece { from, to, v: Polynomial::new(&coefficients), pressed: false }
     }
 
     /// Moments `κ x` up to the distance `c` from a support, and not beyond, store `κ² c³/6 EI`.
@@ -275,7 +280,7 @@ mod tests {
             holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
             turns_about: None,
             lifted: 0.0,
-            ground: Interval::ZERO,
+            ground: None,
         };
         let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
         let load = Load::uniform_on(&beam, 1.0).expect("finite");
@@ -297,11 +302,36 @@ mod tests {
         check(&pair, 0.4, CLEAR);
 
         let mut lying = pair;
-        lying.pieces[0].follows = true;
+        lying.pieces[0].pressed = true;
         let [left, right] = over(&lying, 0.4)[..] else { panic!("two supports") };
         assert!(
             left.is_none() && right.is_some(),
             "where the beam lies on the ground beside a support, nothing is known"
         );
+    }
+
+    /// Of a witness that presses on soft ground where `v̂` is clear of it the moments of the pair say nothing beside a support.
+    #[test]
+    fn a_pair_that_presses_beside_a_support_is_not_clear_there() {
+        const SOFT: f64 = 1e-6;
+        let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+        let load = Load::uniform_on(&beam, 1e-9).expect("finite");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.4 })).expect("well posed");
+        let scene = scene.on_springs(SOFT).expect("positive");
+        let stretch = |sunk: &[f64], depth: f64| Stretch {
+            from: 0.0,
+            to: LENGTH,
+            sunk: sunk.to_vec(),
+            ends: [[depth, 0.0, 0.0, 0.0]; 2],
+        };
+        in_intervals(&scene, Balance::Held, |enclosed| {
+            let clear = |stretch: Stretch| {
+                let pair = springs::pair(enclosed, SOFT, &[stretch]).expect("supports hold it");
+                assert!(pair.pieces.iter().all(|piece| piece.v.range(Interval::exact(LENGTH)).hi() < 0.4));
+                clear_from(enclosed, &pair, 0, LENGTH)
+            };
+            sharp(clear(stretch(&[], 0.0)), LENGTH);
+            assert!(clear(stretch(&[0.1], 0.1)) <= 0.0);
+        });
     }
 }

@@ -133,10 +133,10 @@ fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> 
     const NEAR: f64 = 1.0 / 274_877_906_944.0;
     let EnclosedScene { gap, length, .. } = *enclosed;
     let mut found = Vec::new();
-    for Piece { from, to, v, follows } in pieces {
+    for Piece { from, to, v, pressed } in pieces {
         found.extend(gap.breaks(*from, *to).into_iter().chain([*from, *to]).map(|y| {
             let clear = gap.depth(y) - v.at(Interval::length(*from, y));
-            Place { off: if *follows { 0.0 } else { clear.hi().max(0.0) }, ..Place::at(y) }
+            Place { off: if *pressed { 0.0 } else { clear.hi().max(0.0) }, ..Place::at(y) }
         }));
     }
     // On smooth ground a beam that touches it inside is tangent to it, as far as the ground is smooth.
@@ -147,7 +147,7 @@ fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> 
         let smooth = rough.fold(near, |[a, b], y| if y < x { [a.max(y), b] } else { [a, b.min(y)] });
         for y in smooth {
             let mut bend = 0.0_f64;
-            for piece in pieces.iter().filter(|piece| y.min(x) < piece.to && piece.from < y.max(x) && !piece.follows) {
+            for piece in pieces.iter().filter(|piece| y.min(x) < piece.to && piece.from < y.max(x) && !piece.pressed) {
                 let [from, to] = [piece.from.max(y.min(x)), piece.to.min(y.max(x))];
                 for [a, b] in cells(from, to, gap.breaks(from, to)) {
                     let clear = gap.about(a, [a, b]).minus(&piece.v.shifted(Interval::length(piece.from, a)));

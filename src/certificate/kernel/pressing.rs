@@ -74,7 +74,7 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut T
         let seen = [p, mirrored.mirrored()].map(|p| (p.range(width).lo(), p));
         let (_, p) = if seen[0].0 < seen[1].0 { &seen[1] } else { &seen[0] };
         pulls(p, cell, width, cut_off);
-        Piece { from, to, v: enclosed.gap.about(from, cell), follows: true }
+        Piece { from, to, v: enclosed.gap.about(from, cell), pressed: true }
     };
     Some(enclosed.cells(from, to, Vec::new()).into_iter().map(piece).collect())
 }

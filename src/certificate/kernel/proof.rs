@@ -40,8 +40,8 @@ pub(crate) struct Piece {
     pub(crate) to: f64,
     /// `v(from + s)`.
     pub(crate) v: Polynomial,
-    /// True where it is the foundation itself, exactly.
-    pub(crate) follows: bool,
+    /// True where the contact load of `M` may press; on rigid ground it is the foundation itself there, exactly.
+    pub(crate) pressed: bool,
 }
 
 /// A proven pair.
@@ -60,8 +60,8 @@ pub(crate) struct Pair {
     pub(crate) turns_about: Option<f64>,
     /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
     pub(crate) lifted: f64,
-    /// `½∫ k (v̂ − g)₊²` of ground that gives.
-    pub(crate) ground: Interval,
+    /// `½∫ k (v̂ − g)₊²` of ground that gives; [`None`] on rigid ground.
+    pub(crate) ground: Option<Interval>,
 }
 
 /// The pair of some nodes, if there is one.
@@ -101,7 +101,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         lifted = lifted.max(lift.range(length).magnitude());
         pieces.extend(parts.into_iter().map(|([from, to], [v, _])| {
             let v = v.minus(&lift.shifted(Interval::length(span.from, from)));
-            Piece { from, to, v, follows: false }
+            Piece { from, to, v, pressed: false }
         }));
     }
     // The place above which the loads are in balance, if that is all that carries the beam.
@@ -133,7 +133,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let corrected = Interval::around_zero(share.hi());
     let supports = nodes.iter().zip(forces).filter(|(node, _)| enclosed.support(node.x).is_some());
     let reactions = supports.map(|(_, force)| force + corrected).collect();
-    Some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground: Interval::ZERO })
+    Some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground: None })
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

@@ -184,7 +184,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
                         (square, energy) = (square + below, energy + below.hull(Interval::ZERO));
                     });
                 }
-                pieces.push(Piece { from: cell[0], to: cell[1], v, follows: false });
+                pieces.push(Piece { from: cell[0], to: cell[1], v, pressed: false });
             }
             continue;
         }
@@ -209,7 +209,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
         // A share of what presses costs that share of √(∫p²/k).
         let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
         carriers.push((Place { presses: presses.lo(), off: 0.0, from: ends[0], to: ends[1] }, sunk.lo(), cost));
-        pieces.push(Piece { from: ends[0], to: ends[1], v, follows: false });
+        pieces.push(Piece { from: ends[0], to: ends[1], v, pressed: true });
     }
     let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
     let one = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| Hold(Place::at(s.x), Place::at(s.x)));
@@ -232,6 +232,6 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
         holds.iter().map(|Hold(left, right)| Some(Hold(known(left)?, known(right)?))).collect::<Option<Vec<_>>>()?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let reactions = nodes.iter().map(|node| force(node) + Interval::around_zero(share.hi())).collect();
-    let (turns_about, lifted, ground) = (None, 0.0, energy / number(2));
+    let (turns_about, lifted, ground) = (None, 0.0, Some(energy / number(2)));
     (!holds.is_empty()).then_some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground })
 }

@@ -281,6 +281,12 @@ fn a_wrong_witness_proves_nothing_untrue() {
             // What is judged is the deflection of the witness, but for what hangs between its ends.
             let most = bounds.deflection_error * (1.0 + 1e-9) + 1e-6 * state.deflection.magnitude();
             assert!(off <= most, "{factor}: {off:e} for {most:e}");
+            let loads = 1e-9 * scene.load().magnitude(scene.beam().length());
+            for (support, bracket) in state.supports.iter().zip(&bounds.reactions) {
+                let Some([least, most]) = *bracket else { continue };
+                let known = least - loads <= support.force && support.force <= most + loads;
+                assert!(known, "{factor}: {support:?} outside {least:e} to {most:e}");
+            }
             sharp += usize::from(bounds.deflection_error <= state.deflection.magnitude());
         }
     }

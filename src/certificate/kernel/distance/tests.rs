@@ -17,12 +17,12 @@ fn at_least(bound: f64, value: f64) {
 
 fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
     let coefficients: Vec<Interval> = coefficients.iter().map(|c| Interval::exact(*c)).collect();
-    Piece { from, to, v: Polynomial::new(&coefficients), follows: false }
+    Piece { from, to, v: Polynomial::new(&coefficients), pressed: false }
 }
 
 fn pair(pieces: Vec<Piece>) -> Pair {
     let holds = vec![Hold(Place::at(0.0), Place::at(LENGTH))];
-    Pair { pieces, gap: 0.0, reactions: Vec::new(), holds, turns_about: None, lifted: 0.0, ground: Interval::ZERO }
+    Pair { pieces, gap: 0.0, reactions: Vec::new(), holds, turns_about: None, lifted: 0.0, ground: None }
 }
 
 /// A pair with the gap that makes a factor.
@@ -106,7 +106,7 @@ fn both_terms_of_the_bound_are_there() {
             [([ends[0], ends[1]], *v), ([ends[1], ends[2]], v.shifted(Interval::exact(ends[1])))]
         };
         let pieces = split(&falling, [0.0, 0.6 * LENGTH, LENGTH])
-            .map(|([from, to], v)| Piece { from, to, v, follows: false })
+            .map(|([from, to], v)| Piece { from, to, v, pressed: false })
             .to_vec();
         let judged = split(&rising, [0.0, at, LENGTH]);
         let error = of_cells(&pair(pieces), judged);

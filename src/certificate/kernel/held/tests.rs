@@ -99,7 +99,7 @@ fn parts_of_zones_hold_with_what_is_apart() {
         holds: none.2,
         turns_about: None,
         lifted: 0.0,
-        ground: Interval::ZERO,
+        ground: None,
     };
     in_intervals(&scene, Balance::Held, |enclosed| hold_by_zones(enclosed, &nodes, &mut pair));
     assert!(100 < pair.holds.len(), "{}", pair.holds.len());
