@@ -151,9 +151,9 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     let deflections = |slope: f64| {
         let turned = discrete.turned_about(node, slope);
         let mut deflection = held_beam::on_supports(&turned, discretisation).ok()?.deflection();
-        // An end of the beam that is held is none of its nodes.
+        // A free end that carries the beam alone is held here and none of the nodes; the other end is free too, and node 0 the first.
         if deflection.len() < nodes.len() {
-            deflection.insert(node - nodes.start, discrete.level(node));
+            deflection.insert(node, discrete.level(node));
         }
         Some(deflection)
     };
