@@ -170,7 +170,7 @@ impl Swept {
             labels.moment.name("moment"),
             labels.moment.name("least moment"),
         ]);
-        let step = self.rows.len().div_ceil(SHOWN).max(1);
+        let step = self.rows.len().div_ceil(SHOWN);
         let last = self.rows.len() - 1;
         let shown = self.rows.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
         let rows: Vec<Row> = shown.map(|(_, (value, answer))| row(*value, answer, &outermost, &labels)).collect();
