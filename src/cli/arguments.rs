@@ -153,17 +153,24 @@ pub(super) enum Command {
     },
 }
 
+/// The scene, and how numbers of its answer are written.
 #[derive(Debug, Args)]
-pub(super) struct Common {
+pub(super) struct SceneArgument {
     /// Scene file: beam, supports, loads and foundation, or any elastic body, in TOML; `-` is standard input
     #[arg(value_name = "SCENE")]
-    pub(super) scene: PathBuf,
-    /// A table to read, or JSON to read on
-    #[arg(short, long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    pub(super) path: PathBuf,
     // JSON has every digit.
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = digits, default_value_t = DIGITS, help = digits_help())]
     pub(super) digits: usize,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct Common {
+    /// A table to read, or JSON to read on
+    #[arg(short, long, value_name = "FORMAT", value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) scene: SceneArgument,
 }
 
 #[derive(Debug, Args)]
@@ -219,7 +226,7 @@ fn tolerance_help() -> String {
     )
 }
 
-pub(super) fn digits_help() -> String {
+fn digits_help() -> String {
     format!("Significant digits of results in text, at most {MOST_DIGITS}; JSON and CSV have all")
 }
 
@@ -321,7 +328,7 @@ fn intervals(text: &str) -> Result<usize, String> {
 }
 
 /// `--digits`.
-pub(super) fn digits(text: &str) -> Result<usize, String> {
+fn digits(text: &str) -> Result<usize, String> {
     match text.parse::<usize>() {
         Ok(number @ 1..=MOST_DIGITS) => Ok(number),
         _ => Err(format!("the number of digits must be a whole number from 1 to {MOST_DIGITS}, but is {text}")),

@@ -1,13 +1,11 @@
 //! `explain`: the equations of the exact answer, with their numbers, as text or as Markdown with formulas.
 
-use std::path::PathBuf;
-
 use clap::{Args, ValueEnum};
 use palkki::explain::{Equation, Explanation, Node, Span, What};
-use palkki::text::{DIGITS, magnitude};
+use palkki::text::magnitude;
 
 use super::answer::Answer;
-use super::arguments::{digits, digits_help};
+use super::arguments::SceneArgument;
 use super::given::given;
 use super::input::Input;
 use super::table::{list, table};
@@ -20,14 +18,11 @@ Examples:
 
 #[derive(Debug, Args)]
 pub(super) struct Explain {
-    /// Scene file: beam, supports, loads and foundation, in TOML; `-` is standard input
-    #[arg(value_name = "SCENE")]
-    pub(super) scene: PathBuf,
     /// Text to read, or Markdown with formulas
     #[arg(short, long, value_name = "FORMAT", value_enum, default_value_t = Explained::Text)]
     pub(super) format: Explained,
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = digits, default_value_t = DIGITS, help = digits_help())]
-    pub(super) digits: usize,
+    #[command(flatten)]
+    pub(super) scene: SceneArgument,
 }
 
 /// `--format` of `explain`.

@@ -41,7 +41,7 @@ use palkki::text::Results;
 use palkki::verdict::Demand;
 
 use self::answer::{Answer, Route};
-use self::arguments::{Arguments, Command, Common, Format, Solve};
+use self::arguments::{Arguments, Command, Common, Format, SceneArgument, Solve};
 use self::files::Files;
 use self::input::{Input, Read};
 use self::local::Local;
@@ -106,13 +106,14 @@ struct Outcome<'a> {
 /// Reads the scene, does the work, writes the files that go to `places` and prints the answer; the code is that of the answer.
 /// `what` is said if the work takes long.
 fn run_on_scene<'a>(
-    common: &Common,
+    scene: &SceneArgument,
+    format: Format,
     what: String,
     places: &[&Option<PathBuf>],
     on_beam: impl FnOnce(&Input) -> Result<Outcome<'a>, Failure>,
     on_body: impl FnOnce(&Input<Body>) -> Result<Outcome<'a>, Failure>,
 ) -> Result<u8, Failure> {
-    let read = Read::scene(&common.scene, Results::with_digits(common.digits))?;
+    let read = Read::scene(&scene.path, Results::with_digits(scene.digits))?;
     let mut files = Files::default();
     // Before the work, so that a bad name is not found out about after it.
     for path in places.iter().copied().flatten() {
@@ -127,7 +128,7 @@ fn run_on_scene<'a>(
     }
     let stream = files.stream_of_answer();
     files.publish()?;
-    match common.format {
+    match format {
         Format::Text => output::print_coloured(stream, &outcome.text)?,
         Format::Json => output::print(stream, &outcome.text)?,
     }
@@ -146,7 +147,7 @@ impl Common {
 
 fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
-    let what = format!("solving {}", input::called(&common.scene));
+    let what = format!("solving {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let of_rigid_ground = [
             ("--derivatives", arguments.derivatives),
@@ -166,7 +167,7 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
         );
         Ok(Outcome { text, files: vec![csv, plot], is_certified: answer.is_certified() })
     };
-    run_on_scene(common, what, &[csv, plot], on_beam, |input| body::solve(input, arguments))
+    run_on_scene(&common.scene, common.format, what, &[csv, plot], on_beam, |input| body::solve(input, arguments))
 }
 
 /// The figure of `--plot`.
@@ -184,18 +185,18 @@ fn figure(input: &Input, answer: &Answer) -> Result<String, Failure> {
 
 fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
     let arguments::Compare { common, intervals } = arguments;
-    let what = format!("comparing all routes for {} on {intervals} intervals", input::called(&common.scene));
+    let what = format!("comparing all routes for {} on {intervals} intervals", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let found = compare::Comparison::of(input, *intervals)?;
         let text = common.shown(|| compare::text(input, &found), || json::compare(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.is_certified() })
     };
-    run_on_scene(common, what, &[], on_beam, |input| Ok(body::compare(input, common)))
+    run_on_scene(&common.scene, common.format, what, &[], on_beam, |input| Ok(body::compare(input, common)))
 }
 
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let common = &arguments.common;
-    if [&common.scene, &arguments.forces].into_iter().all(|path| input::is_standard(path)) {
+    if [&common.scene.path, &arguments.forces].into_iter().all(|path| input::is_standard(path)) {
         let message = "the scene and the contact forces cannot both be read from standard input".to_owned();
         return Err(Failure::Usage { command: "certify", kind: ErrorKind::ArgumentConflict, message });
     }
@@ -205,12 +206,12 @@ fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
         let text = common.shown(|| certify::text(input, &found), || json::certify(input, &found));
         Ok(Outcome { text, files: Vec::new(), is_certified: found.verdict.status == Status::Certified })
     };
-    run_on_scene(common, what, &[], on_beam, |input| body::certify(input, arguments))
+    run_on_scene(&common.scene, common.format, what, &[], on_beam, |input| body::certify(input, arguments))
 }
 
 fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
     let arguments::Sweep { common, vary, from, to, steps, envelope, csv, plot } = arguments;
-    let what = format!("sweeping {vary} for {}", input::called(&common.scene));
+    let what = format!("sweeping {vary} for {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
         let sweep = Sweep::new(&input.scene, vary, [*from, *to], *steps)?;
         let swept = sweep::Swept::of(&sweep, input.scene.beam().length(), *envelope)?;
@@ -219,22 +220,23 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
         let text = common.shown(|| swept.text(input), || swept.json(input));
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
     };
-    run_on_scene(common, what, &[csv, plot], on_beam, |_| {
+    run_on_scene(&common.scene, common.format, what, &[csv, plot], on_beam, |_| {
         Err(body::refused("sweep", "a [body] has no number that could be varied"))
     })
 }
 
 fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
-    let explain::Explain { scene, format, digits } = arguments;
-    let common = Common { scene: scene.clone(), format: Format::Text, digits: *digits };
-    let what = format!("explaining {}", input::called(scene));
+    let explain::Explain { scene, format } = arguments;
+    let what = format!("explaining {}", input::called(&scene.path));
     let on_beam = |input: &Input| {
         input.scene.on_rigid_ground("explain").map_err(|error| input.error(error))?;
         let answer = Answer::of(input, Route::Exact(Demand::default()))?;
         let text = explain::text(input, &answer, *format);
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })
     };
-    run_on_scene(&common, what, &[], on_beam, |_| Err(body::refused("explain", "the equations are those of a beam")))
+    run_on_scene(scene, Format::Text, what, &[], on_beam, |_| {
+        Err(body::refused("explain", "the equations are those of a beam"))
+    })
 }
 
 fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
@@ -242,11 +244,11 @@ fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
     let is_new = !arguments.to.exists();
     std::fs::create_dir_all(&arguments.to).map_err(failed)?;
     let (places, common) = (arguments.places(), &arguments.common);
-    let what = format!("exporting {}", input::called(&common.scene));
+    let what = format!("exporting {}", input::called(&common.scene.path));
     let places_of_files: Vec<_> = places.iter().collect();
     let on_beam = |input: &Input| export::export(input, arguments, &places);
     let on_body = |_: &Input<Body>| Err(body::refused("export", "a scene with a [body] is one of matrices already"));
-    let done = run_on_scene(common, what, &places_of_files, on_beam, on_body);
+    let done = run_on_scene(&common.scene, common.format, what, &places_of_files, on_beam, on_body);
     if is_new && done.is_err() {
         // Nothing is in it; where it stays it harms nobody.
         let _ = std::fs::remove_dir(&arguments.to);
