@@ -232,21 +232,7 @@ pub struct Walk<'a> {
     work: u64,
 }
 
-impl Step {
-    /// The value.
-    #[must_use]
-    pub fn value(&self) -> f64 {
-        self.value
-    }
-
-    /// Its answer.
-    #[must_use]
-    pub fn exact(&self) -> &Exact {
-        &self.exact
-    }
-}
-
-/// A value, with its scene and its answer.
+/// A value, with its scene and its answer: what an envelope gathers, and a row is made of.
 #[derive(Debug)]
 pub struct Step {
     value: f64,
