@@ -17,6 +17,7 @@
 
 use crate::scene::{Foundation, Scene};
 use crate::theory::Exact;
+use crate::theory::gauss::Gauss;
 
 /// What stands at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -206,9 +207,9 @@ fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
 
 /// `S_l` and `S_r` of the load between two places, and the sum of both without signs.
 fn load_terms(scene: &Scene, from: f64, to: f64) -> ([f64; 2], f64) {
-    /// Gauss's rule of three places is exact to the fifth degree, and a linear load makes these integrals of the fourth.
-    const RULE: [(f64, f64); 3] =
-        [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+    /// Of these integrals under a linear load.
+    const DEGREE: usize = 4;
+    let rule = Gauss::exact_to(DEGREE);
     let (load, length) = (scene.load(), to - from);
     let of_force = |at: f64, force: f64| {
         let xi = at - from;
@@ -225,13 +226,8 @@ fn load_terms(scene: &Scene, from: f64, to: f64) -> ([f64; 2], f64) {
     let whole = crate::scene::LinearLoad { from, to, start: load.uniform(), end: load.uniform() };
     for part in load.linear().iter().chain(std::iter::once(&whole)) {
         let [start, end] = [part.from.max(from), part.to.min(to)];
-        let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-        if half <= 0.0 {
-            continue;
-        }
-        for (place, weight) in RULE {
-            let x = middle + half * place;
-            add(of_force(x, part.intensity(x) * half * weight));
+        if start < end {
+            rule.points(start, end).for_each(|(x, weight)| add(of_force(x, part.intensity(x) * weight)));
         }
     }
     (sum, size)

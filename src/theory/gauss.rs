@@ -2,13 +2,13 @@
 
 /// Nodes and weights on `[0, 1]`.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Gauss {
+pub(crate) struct Gauss {
     rule: Vec<(f64, f64)>,
 }
 
 impl Gauss {
     /// The rule that is exact up to `degree`.
-    pub(super) fn exact_to(degree: usize) -> Self {
+    pub(crate) fn exact_to(degree: usize) -> Self {
         let n = degree / 2 + 1;
         Self { rule: (0..n).map(|i| node(n, i)).collect() }
     }
@@ -20,7 +20,7 @@ impl Gauss {
     }
 
     /// The points and weights for an integral from `lo` to `hi`.
-    pub(super) fn points(&self, lo: f64, hi: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub(crate) fn points(&self, lo: f64, hi: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
         let width = hi - lo;
         self.rule.iter().map(move |&(t, w)| (lo + t * width, w * width))
     }

@@ -32,7 +32,7 @@ mod cosine;
 mod derivatives;
 mod exact;
 mod forces;
-mod gauss;
+pub(crate) mod gauss;
 mod guess;
 mod list;
 mod margin;
