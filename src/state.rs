@@ -57,6 +57,14 @@ pub struct Reactions {
     pub right: f64,
 }
 
+impl Reactions {
+    /// Of those supports of a beam that stand at its ends.
+    pub(crate) fn of(supports: &[SupportForce], length: f64) -> Self {
+        let at = |x: f64| supports.iter().find(|s| s.at <= x && x <= s.at).map_or(0.0, |s| s.force);
+        Self { left: at(0.0), right: at(length) }
+    }
+}
+
 /// How much of the foundation the beam touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
@@ -174,6 +182,12 @@ impl Extremes {
         // What is left of a value that is zero is rounding, and has no sign.
         let clean = |value: f64| if value.abs() <= 16.0 * f64::EPSILON * largest { 0.0 } else { value };
         Self { max: clean(max), max_at: place(max), min: clean(min), min_at: place(min) }
+    }
+
+    /// In units of the values and of length.
+    pub(crate) fn in_units(self, unit: f64, length: f64) -> Self {
+        let Self { max, max_at, min, min_at } = self;
+        Self { max: max * unit, max_at: max_at * length, min: min * unit, min_at: min_at * length }
     }
 
     /// With one more value, if it lies clearly beyond those seen.
@@ -315,35 +329,26 @@ impl ContactState {
             1.0 => values,
             _ => values.into_iter().map(|v| v * unit).collect(),
         };
-        let extremes = |e: Extremes, unit: f64| Extremes {
-            max: e.max * unit,
-            max_at: e.max_at * length,
-            min: e.min * unit,
-            min_at: e.min_at * length,
-        };
         let contact = |c: Contact| Contact {
             from: c.from * length,
             to: c.to * length,
             force: c.force * force,
             end_forces: c.end_forces.map(|ends| ends.map(|f| f * force)),
         };
+        let support = |s: SupportForce| SupportForce {
+            at: s.at * length,
+            force: s.force * force,
+            moment: s.moment.map(|moment| moment * scale.moment()),
+            couple: s.couple * scale.moment(),
+        };
         Self {
             regime: self.regime,
             reactions: Reactions { left: self.reactions.left * force, right: self.reactions.right * force },
-            supports: self
-                .supports
-                .into_iter()
-                .map(|s| SupportForce {
-                    at: s.at * length,
-                    force: s.force * force,
-                    moment: s.moment.map(|moment| moment * scale.moment()),
-                    couple: s.couple * scale.moment(),
-                })
-                .collect(),
+            supports: self.supports.into_iter().map(support).collect(),
             standing: self.standing.map(|standing| standing.in_units_of(scale)),
             contacts: self.contacts.into_iter().map(contact).collect(),
-            deflection: extremes(self.deflection, depth),
-            moment: extremes(self.moment, scale.moment()),
+            deflection: self.deflection.in_units(depth, length),
+            moment: self.moment.in_units(scale.moment(), length),
             energy: self.energy * scale.energy(),
             pressure: self.pressure.map(|p| Pressure { max: p.max * (force / length), at: p.at * length }),
             nodes: self.nodes.map(|nodes| Nodes {

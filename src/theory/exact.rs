@@ -165,14 +165,8 @@ impl Exact {
             return Extremes::default();
         }
         let Scale { length, depth, .. } = self.scale;
-        let in_units = |Extremes { max, max_at, min, min_at }: Extremes| Extremes {
-            max: max * depth,
-            max_at: max_at * length,
-            min: min * depth,
-            min_at: min_at * length,
-        };
         if let Some(springs) = &self.springs {
-            return in_units(springs.clearance_extremes([from / length, to / length]));
+            return springs.clearance_extremes([from / length, to / length]).in_units(depth, length);
         }
         let inside = |piece: &Piece| {
             let middle = 0.5 * (piece.lo + piece.hi) * length;
@@ -186,7 +180,7 @@ impl Exact {
                 parts[start..].reverse();
             }
         }
-        in_units(summary::clearance_extremes(&self.given, parts.iter()))
+        summary::clearance_extremes(&self.given, parts.iter()).in_units(depth, length)
     }
 
     /// Contact pressure `p = q − EI u''''` inside a zone, zero outside; without concentrated forces \[force / length\].

@@ -14,7 +14,6 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
     let force = |f: f64| f * stiffness * scale.force;
     let pieces = &found.checked.pieces;
     let supports = supports(given, found, scale, stiffness);
-    let at_end = |x: f64| supports.iter().find(|s| s.at <= x && x <= s.at).map_or(0.0, |s| s.force);
     let contacts = contacts(given, found)
         .into_iter()
         .map(|c| Contact {
@@ -28,16 +27,11 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
     let moment = |m: f64| -m * stiffness * scale.moment() + 0.0;
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions { left: at_end(0.0), right: at_end(given.length * scale.length) },
+        reactions: Reactions::of(&supports, given.length * scale.length),
         supports,
         standing: None,
         contacts,
-        deflection: Extremes {
-            max: deflection.max * scale.depth,
-            max_at: deflection.max_at * scale.length,
-            min: deflection.min * scale.depth,
-            min_at: deflection.min_at * scale.length,
-        },
+        deflection: deflection.in_units(scale.depth, scale.length),
         moment: Extremes {
             max: moment(curvature.min),
             max_at: curvature.min_at * scale.length,

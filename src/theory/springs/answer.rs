@@ -129,7 +129,6 @@ fn state(
 ) -> ContactState {
     let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
     let supports: Vec<SupportForce> = (0..given.supports.len()).map(|i| support(scaled, given, parts, i)).collect();
-    let at_end = |x: f64| supports.iter().find(|s| s.at <= x && x <= s.at).map_or(0.0, |s| s.force);
     let force = |f: f64| f * stiffness * scale.force;
     let contact = |&[from, to]: &[f64; 2]| {
         let inside = parts.iter().filter(|part| part.pressed && from <= part.piece.lo && part.piece.hi <= to);
@@ -138,23 +137,17 @@ fn state(
         Contact { from, to, force: force(springs * sunk), end_forces: None }
     };
     let contacts: Vec<Contact> = stretches.iter().map(contact).collect();
-    let of = |extremes: Extremes, unit: f64| Extremes {
-        max: extremes.max * unit,
-        max_at: extremes.max_at * scale.length,
-        min: extremes.min * unit,
-        min_at: extremes.min_at * scale.length,
-    };
     let bent = extremes(parts.iter(), |part| second(&part.deflection).iter().map(|c| -c).collect());
     let sunk = extremes(parts.iter().filter(|part| part.pressed), |part| part.penetration.clone());
     let unit = springs * stiffness * scale.force / scale.length;
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions { left: at_end(0.0), right: at_end(given.length * scale.length) },
+        reactions: Reactions::of(&supports, given.length * scale.length),
         supports,
         standing: None,
         contacts,
-        deflection: of(extremes(parts.iter(), |part| part.deflection.clone()), scale.depth),
-        moment: of(bent, stiffness * scale.moment()),
+        deflection: extremes(parts.iter(), |part| part.deflection.clone()).in_units(scale.depth, scale.length),
+        moment: bent.in_units(stiffness * scale.moment(), scale.length),
         energy: energy(given, parts, springs) * stiffness * scale.energy(),
         pressure: Some(Pressure { max: sunk.max.max(0.0) * unit, at: sunk.max_at * scale.length }),
         nodes: None,
