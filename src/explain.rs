@@ -129,6 +129,14 @@ impl Explanation {
         equation.terms.iter().map(moment).sum::<f64>() - (equation.settlement - equation.load)
     }
 
+    /// The largest moment, and what a load of one span alone would bend it by, `S/L` \[force · length\].
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        let moments = self.nodes.iter().flat_map(|node| node.moments).map(f64::abs);
+        let bent = self.spans.iter().map(|span| span.load[0].abs().max(span.load[1].abs()) / span.length);
+        moments.chain(bent).fold(0.0, f64::max)
+    }
+
     /// The largest part of an equation: what its residual is compared with \[force · length²\].
     #[must_use]
     pub fn size(&self, equation: &Equation) -> f64 {

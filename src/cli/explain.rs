@@ -8,7 +8,7 @@ use super::answer::Answer;
 use super::arguments::SceneArgument;
 use super::given::given;
 use super::input::Input;
-use super::table::{list, table};
+use super::table::{Labels, Row, list, table};
 use super::text::heading;
 
 pub(super) const EXAMPLE: &str = "\
@@ -56,94 +56,128 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
     let (labels, verdict) = (input.labels(), &answer.solution.verdict);
     let Some(exact) = &answer.solution.exact else { return heading(verdict.status, &answer.reason(), input) };
     let found = Explanation::of(&input.scene, exact);
-    let is_text = form == Explained::Text;
-    let mut text = match form {
-        Explained::Text => heading(verdict.status, &answer.reason(), input) + &list(&given(&input.scene, &labels)),
+    let lines = given(&input.scene, &labels);
+    let head = match form {
+        Explained::Text => heading(verdict.status, &answer.reason(), input) + &list(&lines),
         Explained::Markdown => {
-            let title = input.title();
-            let lines = given(&input.scene, &labels);
-            let lines = lines.iter().map(|(name, value)| format!("- {}: {value}\n", AsRef::<str>::as_ref(name)));
-            format!("# {title}\n\nStatus: {}.\n\n{}", verdict.status, lines.collect::<String>())
+            let lines = lines.iter().map(|(name, value)| format!("- {name}: {value}\n"));
+            format!("# {}\n\nStatus: {}.\n\n{}", input.title(), verdict.status, lines.collect::<String>())
         }
     };
-    let table = |title: &str, header: &[&str], rows: Vec<Vec<String>>| {
-        if is_text { table(title, header, &rows) } else { markdown(title, header, &rows) }
-    };
-    let number = |value: f64| labels.number(value);
-    // What is left of rounding is nothing.
-    let beside = |value: f64, size: f64| number(if value.abs() <= ROUNDING * size { 0.0 } else { value });
-    // A load of one span alone would bend it by `S/L`.
-    let bent = found.spans.iter().map(|span| span.load[0].abs().max(span.load[1].abs()) / span.length);
-    let moments = found.nodes.iter().flat_map(|node| node.moments).map(f64::abs);
-    let moment = moments.chain(bent).fold(0.0, f64::max);
-    let node = |(i, node): (usize, &Node)| {
-        let Node { what, x, deflection, slope, moments: [left, right], force } = *node;
-        let slope = slope.map_or_else(|| "found".to_owned(), number);
-        vec![
-            (i + 1).to_string(),
-            what.name().to_owned(),
-            number(x),
-            number(deflection),
-            slope,
-            beside(left, moment),
-            beside(right, moment),
-            number(force),
-        ]
-    };
-    let header = ["node", "what it is", "x", "deflection v", "slope v'", "M left", "M right", "force upwards"];
-    text += &table("Nodes", &header, found.nodes.iter().enumerate().map(node).collect());
-    let span = |(i, span): (usize, &Span)| {
-        let Span { left, length, load: [a, b], .. } = *span;
-        vec![letter(i), (left + 1).to_string(), (left + 2).to_string(), number(length), number(a), number(b)]
-    };
-    if found.spans.is_empty() {
-        text += "\nNo part of the beam is between two nodes and off the ground: there is no equation.\n";
-        return text;
+    let page = Page { moment: found.moment(), found, labels, form };
+    head + &page.nodes() + &page.spans() + &page.equations()
+}
+
+/// An explanation that is written.
+struct Page {
+    found: Explanation,
+    labels: Labels,
+    form: Explained,
+    /// What moments are rounded beside.
+    moment: f64,
+}
+
+impl Page {
+    fn table(&self, title: &str, header: &[&str], rows: &[Row]) -> String {
+        match self.form {
+            Explained::Text => table(title, header, rows),
+            Explained::Markdown => markdown(title, header, rows),
+        }
     }
-    let header = ["span", "from node", "to node", "length L", "S at its left end", "S at its right end"];
-    text += &table("Spans", &header, found.spans.iter().enumerate().map(span).collect());
-    text += "\nS is the load term of a span, q L^3 / 4 under a uniform load q; M(i-) and M(i+) are the moments just left and just right of node i.\n";
-    text += if is_text { "\nEquations\n" } else { "\n## Equations\n" };
-    text += &format!("\n6 EI = {}\n", number(found.stiffness));
-    for equation in &found.equations {
-        let which = match equation.spans {
+
+    fn number(&self, value: f64) -> String {
+        self.labels.number(value)
+    }
+
+    /// A number beside another one: what is left of rounding is nothing.
+    fn beside(&self, value: f64, size: f64) -> String {
+        self.number(if value.abs() <= ROUNDING * size { 0.0 } else { value })
+    }
+
+    fn nodes(&self) -> String {
+        let row = |(i, node): (usize, &Node)| {
+            let Node { what, x, deflection, slope, moments: [left, right], force } = *node;
+            vec![
+                (i + 1).to_string(),
+                what.name().to_owned(),
+                self.number(x),
+                self.number(deflection),
+                slope.map_or_else(|| "found".to_owned(), |slope| self.number(slope)),
+                self.beside(left, self.moment),
+                self.beside(right, self.moment),
+                self.number(force),
+            ]
+        };
+        let header = ["node", "what it is", "x", "deflection v", "slope v'", "M left", "M right", "force upwards"];
+        self.table("Nodes", &header, &self.found.nodes.iter().enumerate().map(row).collect::<Vec<_>>())
+    }
+
+    fn spans(&self) -> String {
+        if self.found.spans.is_empty() {
+            return "\nNo part of the beam is between two nodes and off the ground: there is no equation.\n".to_owned();
+        }
+        let row = |(i, span): (usize, &Span)| {
+            let Span { left, length, load: [a, b], .. } = *span;
+            let [length, a, b] = [length, a, b].map(|value| self.number(value));
+            vec![letter(i), (left + 1).to_string(), (left + 2).to_string(), length, a, b]
+        };
+        let header = ["span", "from node", "to node", "length L", "S at its left end", "S at its right end"];
+        self.table("Spans", &header, &self.found.spans.iter().enumerate().map(row).collect::<Vec<_>>())
+            + "\nS is the load term of a span, q L^3 / 4 under a uniform load q; M(i-) and M(i+) are the moments just left and just right of node i.\n"
+    }
+
+    fn equations(&self) -> String {
+        let found = &self.found;
+        if found.spans.is_empty() {
+            return String::new();
+        }
+        let title = match self.form {
+            Explained::Text => "Equations",
+            Explained::Markdown => "## Equations",
+        };
+        let mut text = format!("\n{title}\n\n6 EI = {}\n", self.number(found.stiffness));
+        text.extend(found.equations.iter().map(|equation| self.equation(equation)));
+        if found.nodes.iter().any(|node| matches!(node.what, What::Point | What::ZoneEnd)) {
+            text += "\nWhere the beam follows the ground its slope is given and its place is not: there the equations of both sides also give the place x. \
+                     At the end of a zone the moment is that of the ground, -EI (u - w0)''.\n";
+        }
+        text + "\nThe force of a node is the jump of the shear force there: V = (M(right) - M(left))/L and the reactions of each span to its own load.\n"
+    }
+
+    /// An equation with its formula, its numbers, and what the two sides differ by.
+    fn equation(&self, equation: &Equation) -> String {
+        let [plain, formula] = FORMULAS[match equation.spans {
             [Some(_), Some(_)] => 0,
             [Some(_), None] => 1,
             _ => 2,
-        };
-        let [plain, formula] = FORMULAS[which];
+        }];
         let spans: Vec<String> = equation.spans.into_iter().flatten().map(letter).collect();
         let spans = format!("{} {}", if spans.len() == 1 { "span" } else { "spans" }, spans.join(" and "));
-        let terms: Vec<String> = terms(equation, &found.nodes, moment)
-            .iter()
-            .map(|(name, factor)| format!("{} {name}", number(*factor)))
-            .collect();
-        let size = found.size(equation);
-        let [settlement, load, sum] = [equation.settlement, equation.load.abs(), equation.settlement - equation.load]
-            .map(|part| beside(part, size));
-        let sign = if equation.load < 0.0 { '+' } else { '-' };
-        let sum = format!("{} = {settlement} {sign} {load} = {sum}", terms.join(" + "));
-        let off = found.residual(equation).abs() / size.max(f64::MIN_POSITIVE);
+        let (node, sum) = (equation.node + 1, self.sum(equation));
+        let off = self.found.residual(equation).abs() / self.found.size(equation).max(f64::MIN_POSITIVE);
         let holds = match off {
             ..=ROUNDING => "The moments above fulfil it to twelve digits.".to_owned(),
             _ => format!("With the moments above the two sides differ by {} of the largest part.", magnitude(off)),
         };
-        text += &match form {
-            Explained::Text => {
-                format!("\n  Node {}, {spans}\n    {plain}\n    {sum}\n    {holds}\n", equation.node + 1)
+        match self.form {
+            Explained::Text => format!("\n  Node {node}, {spans}\n    {plain}\n    {sum}\n    {holds}\n"),
+            Explained::Markdown => {
+                format!("\nNode {node}, {spans}:\n\n```math\n{formula}\n```\n\n```text\n{sum}\n```\n\n{holds}\n")
             }
-            Explained::Markdown => format!(
-                "\nNode {}, {spans}:\n\n```math\n{formula}\n```\n\n```text\n{sum}\n```\n\n{holds}\n",
-                equation.node + 1
-            ),
-        };
+        }
     }
-    if found.nodes.iter().any(|node| matches!(node.what, What::Point | What::ZoneEnd)) {
-        text += "\nWhere the beam follows the ground its slope is given and its place is not: there the equations of both sides also give the place x. \
-                 At the end of a zone the moment is that of the ground, -EI (u - w0)''.\n";
+
+    /// Moments with their factors, what deflections and load contribute, and their sum.
+    fn sum(&self, equation: &Equation) -> String {
+        let terms = terms(equation, &self.found.nodes, self.moment);
+        let terms: Vec<String> =
+            terms.iter().map(|(name, factor)| format!("{} {name}", self.number(*factor))).collect();
+        let (load, size) = (equation.load, self.found.size(equation));
+        let [settlement, part, sum] =
+            [equation.settlement, load.abs(), equation.settlement - load].map(|part| self.beside(part, size));
+        let sign = if load < 0.0 { '+' } else { '-' };
+        format!("{} = {settlement} {sign} {part} = {sum}", terms.join(" + "))
     }
-    text += "\nThe force of a node is the jump of the shear force there: V = (M(right) - M(left))/L and the reactions of each span to its own load.\n";
-    text
 }
 
 /// The moments of an equation with their factors; `size` is what moments are rounded beside.
@@ -169,7 +203,7 @@ fn letter(i: usize) -> String {
 }
 
 /// A table as Markdown.
-fn markdown(title: &str, header: &[&str], rows: &[Vec<String>]) -> String {
+fn markdown(title: &str, header: &[&str], rows: &[Row]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let names: Vec<String> = header.iter().map(|name| (*name).to_owned()).collect();
     let dashes = vec!["---".to_owned(); header.len()];
