@@ -31,15 +31,9 @@ pub(super) fn hold(
     cut_off: &TensionCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
 ) -> Option<(f64, Interval, Vec<Hold>)> {
-    // Whatever the beam touches: neighbouring two of its supports, and one at which it cannot turn, or about which the loads are in
-    // balance.
-    let twice = |x: f64| Hold(Place::at(x), Place::at(x));
-    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
-    let one = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    let held: Vec<Hold> = two.chain(one.chain(turns_about).map(twice)).collect();
-    let holds = if held.is_empty() { widest(&mut carriers).into_iter().collect() } else { held };
+    let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
+    let holds = holds(enclosed, fixed.chain(turns_about), &mut carriers);
     if !holds.is_empty() {
-        let holds = in_order(holds);
         let carried = cut_off.carried(&holds, enclosed.stiffness);
         let gap = gap_of(carried, 0.0);
         let both = |Hold(left, right)| Some(Hold(known(left, gap, carried[1])?, known(right, gap, carried[1])?));
@@ -110,8 +104,16 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
     pair.holds = in_order(all.collect());
 }
 
+/// Whatever the beam touches: neighbouring two of its supports, and one place `at` which it cannot turn, or about which the
+/// loads are in balance; without them the best two of the places that carry it.
+pub(super) fn holds(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>, carriers: &mut [Place]) -> Vec<Hold> {
+    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
+    let held: Vec<Hold> = two.chain(at.map(|x| Hold(Place::at(x), Place::at(x)))).collect();
+    in_order(if held.is_empty() { widest(carriers).into_iter().collect() } else { held })
+}
+
 /// Of places that press the two that hold the beam best: strongly, and far apart.
-pub(super) fn widest(carriers: &mut [Place]) -> Option<Hold> {
+fn widest(carriers: &mut [Place]) -> Option<Hold> {
     /// Of the strongest places.
     const MOST: usize = 64;
     carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));

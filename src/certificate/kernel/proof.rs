@@ -90,9 +90,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let beside = |i: usize, side: usize| moments.get(i).map_or(Interval::ZERO, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1), beside(i, 0)];
         let r = [stiffness * span.start[2] + moments[0], stiffness * span.end[2] + moments[1]];
-        // Not from the third derivative, of which rounding is larger by the square of a short span.
-        let shear = (moments[1] - moments[0]) / length;
-        shears[i] = [shear + span.loaded[0], shear - span.loaded[1]];
+        shears[i] = span.shears(moments);
         gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
         let parts = span.curves(enclosed, Vec::new());
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;

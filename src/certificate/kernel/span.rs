@@ -116,6 +116,13 @@ impl Span {
         Self { from, to, start, end, loaded }
     }
 
+    /// `V` at its two ends from the moments there: not from the third derivative, of which rounding is larger by the square of a
+    /// short span.
+    pub(crate) fn shears(&self, moments: [Interval; 2]) -> [Interval; 2] {
+        let shear = (moments[1] - moments[0]) / Interval::length(self.from, self.to);
+        [shear + self.loaded[0], shear - self.loaded[1]]
+    }
+
     /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`;
     /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
     pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {

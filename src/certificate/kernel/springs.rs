@@ -19,8 +19,8 @@
 //! place has `|v̂ − v*| ≤ e`.
 
 use super::contact_node::EnclosedScene;
-use super::held::widest;
-use super::hold::{Hold, Place, in_order};
+use super::held::holds;
+use super::hold::{Hold, Place};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::pressing::{MOST_PARTS, TensionCutOff, negative, pulls};
@@ -113,57 +113,60 @@ impl OnSprings<'_> {
     fn said(&self, node: usize, left: bool, which: usize) -> Option<Interval> {
         Some(Interval::exact(self.beside(node, left)?.ends[usize::from(left)][which]))
     }
+    /// Whether stretches go from end to end, each with one formula where ground presses, and rest on something where they meet.
+    fn is_complete(&self) -> bool {
+        let Self { enclosed, stretches } = self;
+        let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
+        let supported = |i: usize| enclosed.support(self.x(i)).is_some();
+        let rests = |i: usize| self.is_pressed(i, true) || self.is_pressed(i, false) || supported(i);
+        let last = stretches.last().is_some_and(|last| (last.to - enclosed.length).abs() <= 0.0);
+        let profiles = [enclosed.gap.ground, enclosed.gap.shape];
+        let one_gap = |s: &Stretch| profiles.iter().all(|of| of.is_smooth_between(s.from, s.to));
+        let one_load = |s: &Stretch| enclosed.load.breaks(s.from, s.to).is_empty() && s.sunk.len() <= MOST_TERMS;
+        let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
+        chained && self.x(0).abs() <= 0.0 && last && (1..stretches.len()).all(rests) && stretches.iter().all(is_one)
+    }
+
+    /// `M` at the inner end of an overhang, by statics.
+    fn overhanging(&self, spans: &[Option<Span>], node: usize, left: bool) -> Option<Interval> {
+        let (i, tip) = if left { (node.checked_sub(1)?, 0) } else { (node, spans.len()) };
+        let span = spans.get(i)?.as_ref().filter(|_| node.abs_diff(tip) == 1 && self.end(tip).is_none())?;
+        Some(-(Interval::exact(self.enclosed.stiffness) * if left { span.end } else { span.start }[2]))
+    }
+
+    /// `M` beside a node, on its left and on its right: as is said, but of an overhang by statics.
+    fn moments(&self, spans: &[Option<Span>], node: usize) -> [Interval; 2] {
+        let by_statics = |left: bool| self.overhanging(spans, node, left);
+        let own = |left: bool| by_statics(left).or(self.said(node, left, 2)).unwrap_or(Interval::ZERO);
+        match self.enclosed.support(self.x(node)).and_then(|s| s.slope) {
+            Some(_) => [true, false].map(own),
+            None if node == 0 || node == spans.len() => [Interval::ZERO; 2],
+            None => [by_statics(true).or(by_statics(false)).unwrap_or_else(|| own(!self.is_pressed(node, false))); 2],
+        }
+    }
+
+    /// `V` in the same way: of what hangs by statics.
+    fn shears(&self, spans: &[Option<Span>], moments: &[[Interval; 2]], node: usize) -> [Interval; 2] {
+        let hanging = |i: usize| spans.get(i)?.as_ref().map(|span| span.shears([moments[i][1], moments[i + 1][0]]));
+        let (load, is_free) = (self.enclosed.load.point(self.x(node)), self.enclosed.support(self.x(node)).is_none());
+        let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
+        let [left, right] = [true, false].map(|left| self.said(node, left, 3).unwrap_or(Interval::ZERO));
+        let in_balance = behind.map(|v| v + load).unwrap_or(if 0 < node { right + load } else { Interval::ZERO });
+        let left = before.unwrap_or(if is_free { in_balance } else { left });
+        [left, if is_free { left - load } else { behind.unwrap_or(right) }]
+    }
 }
 
 /// The pair of some stretches on ground of a stiffness, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stretch]) -> Option<Pair> {
     let (on, n) = (OnSprings { enclosed, stretches }, stretches.len());
     let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
-    let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
-    let rests = |i: usize| on.is_pressed(i, true) || on.is_pressed(i, false) || enclosed.support(on.x(i)).is_some();
-    let whole = stretches.first()?.from.abs() <= 0.0 && (stretches.last()?.to - enclosed.length).abs() <= 0.0;
-    let profiles = [enclosed.gap.ground, enclosed.gap.shape];
-    let one_gap = |s: &Stretch| profiles.iter().all(|of| of.is_smooth_between(s.from, s.to));
-    let one_load = |s: &Stretch| enclosed.load.breaks(s.from, s.to).is_empty() && s.sunk.len() <= MOST_TERMS;
-    let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
     let nodes = enclosed.supports.iter().map(|s| (0..=n).find(|node| (on.x(*node) - s.x).abs() <= 0.0));
-    let nodes: Vec<usize> = nodes.collect::<Option<_>>()?;
-    (chained && whole && (1..n).all(rests) && stretches.iter().all(is_one)).then_some(())?;
+    let nodes: Vec<usize> = nodes.collect::<Option<_>>().filter(|_| on.is_complete())?;
     let hang = |i: usize| Span::new(enclosed, [on.x(i), on.x(i + 1)], [on.end(i), on.end(i + 1)], None);
     let spans: Vec<Option<Span>> = (0..n).map(|i| (!on.is_pressed(i, false)).then(|| hang(i))).collect();
-    // M beside each node, on its left and on its right: as is said, but of an overhang as statics say.
-    let overhanging = |node: usize, left: bool| {
-        let (i, tip) = if left { (node.checked_sub(1)?, 0) } else { (node, n) };
-        let span = spans.get(i)?.as_ref().filter(|_| node.abs_diff(tip) == 1 && on.end(tip).is_none())?;
-        Some(-(stiffness * if left { span.end } else { span.start }[2]))
-    };
-    let moments_at = |node: usize| {
-        let own = |left: bool| overhanging(node, left).or(on.said(node, left, 2)).unwrap_or(Interval::ZERO);
-        let known = overhanging(node, true).or(overhanging(node, false));
-        match enclosed.support(on.x(node)).and_then(|s| s.slope) {
-            Some(_) => [true, false].map(own),
-            None if 0 < node && node < n => [known.unwrap_or_else(|| own(!on.is_pressed(node, false))); 2],
-            None => [Interval::ZERO; 2],
-        }
-    };
-    let moments: Vec<[Interval; 2]> = (0..=n).map(moments_at).collect();
-    // V in the same way: of what hangs by statics.
-    let hanging = |i: usize| {
-        let (span, width) = (spans.get(i)?.as_ref()?, Interval::length(on.x(i), on.x(i + 1)));
-        let shear = (moments[i + 1][0] - moments[i][1]) / width;
-        Some([shear + span.loaded[0], shear - span.loaded[1]])
-    };
-    let shears_at = |node: usize| {
-        let load = enclosed.load.point(on.x(node));
-        let [before, behind] = [node.checked_sub(1).and_then(hanging).map(|v| v[1]), hanging(node).map(|v| v[0])];
-        let [left, right] = [true, false].map(|left| on.said(node, left, 3).unwrap_or(Interval::ZERO));
-        if enclosed.support(on.x(node)).is_some() {
-            return [before.unwrap_or(left), behind.unwrap_or(right)];
-        }
-        let left = before.or(behind.map(|v| v + load)).unwrap_or(if 0 < node { right + load } else { Interval::ZERO });
-        [left, left - load]
-    };
-    let shears: Vec<[Interval; 2]> = (0..=n).map(shears_at).collect();
+    let moments: Vec<_> = (0..=n).map(|node| on.moments(&spans, node)).collect();
+    let shears: Vec<_> = (0..=n).map(|node| on.shears(&spans, &moments, node)).collect();
     let (mut cut_off, mut pieces, mut carriers) = (TensionCutOff::default(), Vec::new(), Vec::new());
     let (mut square, mut energy, mut worst) = (Interval::ZERO, Interval::ZERO, 0.0_f64);
     for (i, stretch) in stretches.iter().enumerate() {
@@ -211,12 +214,10 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
         carriers.push((Place { presses: presses.lo(), off: 0.0, from: ends[0], to: ends[1] }, sunk.lo(), cost));
         pieces.push(Piece { from: ends[0], to: ends[1], v, pressed: true });
     }
-    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
-    let one = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| Hold(Place::at(s.x), Place::at(s.x)));
-    let held: Vec<Hold> = in_order(two.chain(one).collect());
     let pressing = carriers.iter().map(|c: &(Place, f64, Interval)| c.0).filter(|place| 0.0 < place.presses);
     let mut places: Vec<Place> = pressing.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
-    let holds = if held.is_empty() { widest(&mut places).into_iter().collect() } else { held };
+    let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
+    let holds = holds(enclosed, fixed, &mut places);
     let [moment, share] = cut_off.carried(&holds, enclosed.stiffness);
     let carrier = |place: &Place| carriers.iter().find(|c| place.presses.is_finite() && c.0.from >= place.from);
     let taken = |sum: Interval, place: &Place| carrier(place).map_or(sum, |(_, _, cost)| sum + share * *cost);
