@@ -92,31 +92,51 @@ struct Row {
     dp: f64,
 }
 
+impl Row {
+    /// Goes a part of its step, and says whether it touches.
+    fn advance(&mut self, step: f64, touches: &mut bool) {
+        self.m += step * self.step[1];
+        if self.held {
+            return;
+        }
+        let (s, p) = (self.s + step * self.step[0], self.p + step * self.dp);
+        // Of the two that vanish together, the one that vanishes faster (Tapia's indicators).
+        *touches = s * self.p < p * self.s;
+        (self.s, self.p) = (s, p);
+    }
+}
+
+/// Mehrotra's predictor and corrector: the step of each row, and how much of it leads to the border.
+fn direction(rows: &mut [Row], mu: f64, count: f64) -> f64 {
+    factor(rows, |row| row.p / row.s);
+    solve(rows, |row| row.rest[1] - row.p);
+    let mut longest = 1.0_f64;
+    for row in rows.iter_mut().filter(|row| !row.held) {
+        row.dp = -row.p - row.p / row.s * row.step[0];
+        longest = limited(longest, row);
+    }
+    let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
+    let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
+    // From here on `dp` holds what the contact condition asks for, over `s`.
+    for row in rows.iter_mut().filter(|row| !row.held) {
+        row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
+    }
+    solve(rows, |row| row.rest[1] + row.dp);
+    longest = 1.0;
+    for row in rows.iter_mut().filter(|row| !row.held) {
+        row.dp -= row.p / row.s * row.step[0];
+        longest = limited(longest, row);
+    }
+    longest
+}
+
 impl Chain<'_> {
     /// Solves the chain.
     pub(super) fn solve(&self) -> Guess {
         let n = self.samples.len();
         let mut rows = self.rows();
         let count = as_float(rows.iter().filter(|row| !row.held).count());
-        let length = self.samples[n - 1].x - self.samples[0].x;
-        // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
-        // that nothing holds, elimination would lose how they bend.
-        let springs = if self.is_held_at_both_ends() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
-        factor(&mut rows, |_| springs);
-        residuals(&mut rows);
-        solve(&mut rows, |row| row.rest[1]);
-        // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
-        let reach = rows.iter().filter(|row| !row.held).fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
-        let deepest = rows.iter().filter(|row| !row.held).fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
-        let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
-        let total: f64 = rows.iter().filter(|row| !row.held).map(|row| row.load.abs()).sum();
-        let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
-        for row in &mut rows {
-            row.m = row.step[1];
-            if !row.held {
-                (row.s, row.p) = (row.step[0].max(0.1 * unit_clearance), unit_force);
-            }
-        }
+        let [unit_clearance, unit_force] = self.start(&mut rows, count);
         // Clearances beside a contact fall with the square of the distance of samples.
         let enough = 1e-16 / (count * count) * unit_clearance * unit_force;
         let mut touches = vec![false; n];
@@ -130,43 +150,40 @@ impl Chain<'_> {
             if mu <= enough && off <= 1e-6 * unit_force {
                 break;
             }
-            factor(&mut rows, |row| row.p / row.s);
-            solve(&mut rows, |row| row.rest[1] - row.p);
-            let mut longest = 1.0_f64;
-            for row in rows.iter_mut().filter(|row| !row.held) {
-                row.dp = -row.p - row.p / row.s * row.step[0];
-                longest = limited(longest, row);
-            }
-            let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
-            let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
-            // From here on `dp` holds what the contact condition asks for, over `s`.
-            for row in rows.iter_mut().filter(|row| !row.held) {
-                row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
-            }
-            solve(&mut rows, |row| row.rest[1] + row.dp);
-            longest = 1.0;
-            for row in rows.iter_mut().filter(|row| !row.held) {
-                row.dp -= row.p / row.s * row.step[0];
-                longest = limited(longest, row);
-            }
             // Short of the border, where the next system would be singular.
-            let step = 0.995 * longest;
+            let step = 0.995 * direction(&mut rows, mu, count);
             let moved: f64 = rows.iter().map(|r| r.step[0] + r.step[1] + r.dp).sum();
             if !(step * moved).is_finite() {
                 break;
             }
-            for (row, touches) in rows.iter_mut().zip(&mut touches) {
-                row.m += step * row.step[1];
-                if row.held {
-                    continue;
-                }
-                let (s, p) = (row.s + step * row.step[0], row.p + step * row.dp);
-                // Of the two that vanish together, the one that vanishes faster (Tapia's indicators).
-                *touches = s * row.p < p * row.s;
-                (row.s, row.p) = (s, p);
-            }
+            rows.iter_mut().zip(&mut touches).for_each(|(row, touches)| row.advance(step, touches));
         }
         Guess { touches, force: rows.iter().map(|r| r.p).collect() }
+    }
+
+    /// Puts moments, clearances and forces where the steps begin: the sizes of the latter two.
+    fn start(&self, rows: &mut [Row], count: f64) -> [f64; 2] {
+        let n = self.samples.len();
+        let length = self.samples[n - 1].x - self.samples[0].x;
+        // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
+        // that nothing holds, elimination would lose how they bend.
+        let springs = if self.is_held_at_both_ends() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
+        factor(rows, |_| springs);
+        residuals(rows);
+        solve(rows, |row| row.rest[1]);
+        // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
+        let reach = rows.iter().filter(|row| !row.held).fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
+        let deepest = rows.iter().filter(|row| !row.held).fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
+        let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
+        let total: f64 = rows.iter().filter(|row| !row.held).map(|row| row.load.abs()).sum();
+        let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
+        for row in rows {
+            row.m = row.step[1];
+            if !row.held {
+                (row.s, row.p) = (row.step[0].max(0.1 * unit_clearance), unit_force);
+            }
+        }
+        [unit_clearance, unit_force]
     }
 
     /// True if a support holds each end.
