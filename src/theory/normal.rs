@@ -47,25 +47,7 @@ impl Normal<'_> {
         let on_one_slope = node.can_move() && self.nodes.last().is_some_and(Node::can_move);
         let begins = self.nodes.is_empty() && given.free_ends[0];
         let gap = begins || (if on_one_slope { self.closed } else { self.least }) < node.x - before;
-        // Two contacts on one smooth piece are one zone if it would press everywhere between them.
-        if !self.inside
-            && node.can_move()
-            && node.kind != Kind::ZoneEnd
-            && let Some(last) = self.nodes.last_mut()
-            && last.can_move()
-            && given.cells[last.cell].shape == given.cells[node.cell].shape
-            && given.tension_between(last.x, node.x).next().is_none()
-        {
-            if last.kind == Kind::ZoneEnd {
-                self.nodes.pop();
-            } else {
-                last.kind = Kind::ZoneStart;
-            }
-            self.inside = true;
-            if node.kind == Kind::Smooth && before < node.x {
-                self.inside = false;
-                self.nodes.push(Node { kind: Kind::ZoneEnd, ..node });
-            }
+        if self.joins_zone(&node) {
             return;
         }
         match node.kind {
@@ -104,6 +86,30 @@ impl Normal<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Two contacts on one smooth piece are one zone if it would press everywhere between them.
+    fn joins_zone(&mut self, node: &Node) -> bool {
+        let given = self.given;
+        if !self.inside
+            && node.can_move()
+            && node.kind != Kind::ZoneEnd
+            && let Some(last) = self.nodes.last_mut()
+            && last.can_move()
+            && given.cells[last.cell].shape == given.cells[node.cell].shape
+            && given.tension_between(last.x, node.x).next().is_none()
+        {
+            let ends = node.kind == Kind::Smooth && last.x < node.x;
+            if last.kind == Kind::ZoneEnd {
+                self.nodes.pop();
+            } else {
+                last.kind = Kind::ZoneStart;
+            }
+            self.inside = !ends;
+            self.nodes.extend(ends.then_some(Node { kind: Kind::ZoneEnd, ..*node }));
+            return true;
+        }
+        false
     }
 
     fn add_support(&mut self, index: usize, [left, right]: [Beside; 2], node: Node) {
