@@ -84,7 +84,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let mut loads = std::mem::take(&mut discrete.loads);
     let mut energy = take_contact_forces(&mut loads[nodes.clone()], &nodal);
     let discrete = discrete.basic(loads);
-    let &Discrete { grid, intervals, spacing, stiffness, .. } = &discrete;
+    let &Discrete { grid, intervals, stiffness, .. } = &discrete;
     let carried = held_beam::on_supports(&discrete, nodal.discretisation);
     let (held, mut moments) = carried.map_or_else(
         |_| (HeldNode::unknown(&discrete), vec![f64::NAN; intervals + 1]),
@@ -113,27 +113,8 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         Some(support) => support.held.deflection,
         None => nodal.deflection[node - nodes.start],
     };
-    // Inside a built-in support moments jump: extremes are looked for on each side.
-    let mut found: Option<[Extremes; 2]> = None;
-    let mut from = (0, moments[0]);
-    let jumps = held.iter().filter(|held| 0 < held.node && held.node < intervals);
-    for (to, [before, behind]) in
-        jumps.map(|held| (held.node, held.moments)).chain([(intervals, [moments[intervals]; 2])])
-    {
-        let inner = from.0 + 1..to;
-        let v = Values {
-            inner: &nodal.deflection[inner.start - nodes.start..inner.end - nodes.start],
-            ends: [from.0, to].map(deflection_at),
-        };
-        let m = Values { inner: &moments[inner], ends: [from.1, before] };
-        let part = extremes(nodal.discretisation, v, m, spacing, stiffness).map(|part| shifted(part, from.0));
-        found = Some(found.map_or(part, |found| {
-            let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);
-            [both(found[0], part[0]), both(found[1], part[1])]
-        }));
-        from = (to, behind);
-    }
-    let [deflection, moment] = found.unwrap_or_default().map(|extremes| placed(extremes, &grid));
+    let [deflection, moment] = extremes_by_parts(&discrete, (&nodal, nodes.start), deflection_at, &held, &moments)
+        .map(|extremes| placed(extremes, &grid));
     moments.truncate(nodes.end);
     moments.drain(..nodes.start);
     // The loads are not needed any more.
@@ -159,6 +140,38 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
             moment: moments,
         }),
     }
+}
+
+/// Extremes of deflection and moment, in intervals from the left end. Inside a built-in support moments jump: extremes are looked for
+/// on each side. The nodal values begin with the `first` node of the grid, wherever those of the beam on its supports do.
+fn extremes_by_parts(
+    discrete: &Discrete,
+    (nodal, first): (&Nodal, usize),
+    deflection_at: impl Fn(usize) -> f64,
+    held: &[HeldNode],
+    moments: &[f64],
+) -> [Extremes; 2] {
+    let &Discrete { intervals, spacing, stiffness, .. } = discrete;
+    let mut found: Option<[Extremes; 2]> = None;
+    let mut from = (0, moments[0]);
+    let jumps = held.iter().filter(|held| 0 < held.node && held.node < intervals);
+    for (to, [before, behind]) in
+        jumps.map(|held| (held.node, held.moments)).chain([(intervals, [moments[intervals]; 2])])
+    {
+        let inner = from.0 + 1..to;
+        let v = Values {
+            inner: &nodal.deflection[inner.start - first..inner.end - first],
+            ends: [from.0, to].map(&deflection_at),
+        };
+        let m = Values { inner: &moments[inner], ends: [from.1, before] };
+        let part = extremes(nodal.discretisation, v, m, spacing, stiffness).map(|part| shifted(part, from.0));
+        found = Some(found.map_or(part, |found| {
+            let both = |a: Extremes, b: Extremes| a.beyond(b.max_at, b.max).beyond(b.min_at, b.min);
+            [both(found[0], part[0]), both(found[1], part[1])]
+        }));
+        from = (to, behind);
+    }
+    found.unwrap_or_default()
 }
 
 /// Sizes of clearance and force by which contact is told. Where the ground is so close that the beam moves less than its forces are
