@@ -22,6 +22,9 @@ const MOST_NAMED: usize = 40;
 /// Contacts of neighbouring rows that are nearer to each other than this share of the beam are one that moves.
 const NEAR: f64 = 0.02;
 
+/// Forces of so many supports are drawn: more lines cannot be told apart (*tuned* by eye).
+const MOST_SUPPORTS: usize = 4;
+
 /// Room above the data of a panel \[drawing units\].
 const HEADROOM: f64 = 30.0;
 
@@ -43,37 +46,19 @@ pub fn sweep(
     title: &str,
 ) -> Result<String, PlotError> {
     let UnitLabels { length, force, moment, .. } = UnitLabels::of(scene.units());
-    let series =
-        |of: &dyn Fn(&ContactState) -> f64| rows.iter().map(|(x, state)| [*x, of(state)]).collect::<Vec<Place>>();
     let panel = |label: &str, unit: &Option<String>| {
         Panel::new(value_axis(), Axis::new(label).unit(unit.clone())).tall(360.0).room(HEADROOM, 0.0)
     };
 
-    let mut forces = panel("forces, upwards on the beam", &force).tall(480.0);
-    let supports = rows.first().map_or(0, |(_, state)| state.supports.len());
-    for i in 0..supports.min(4) {
-        let place = scene.beam().supports_as_given().get(i).map(|support| support.at);
-        let of = |state: &ContactState| state.supports.get(i).map_or(0.0, |support| support.force);
-        // Vermillion, the second colour, is that of contact.
-        let style = line(if i == 0 { 0 } else { i + 1 });
-        let name = format!("support {}", i + 1);
-        let name = place.map_or(name, |x| format!("support at {}", significant(x, FEW_DIGITS)));
-        forces = forces.with(Layer::named(series(&of), style, name));
-    }
-    if rows.iter().any(|(_, state)| !state.contacts.is_empty()) {
-        let style = Style::solid(Color::VERMILLION);
-        forces = forces.with(Layer::named(series(&ContactState::contact_force), style, "contact"));
-    }
+    let forces = forces(scene, rows, panel("forces, upwards on the beam", &force).tall(480.0));
     let mut deflection = panel("largest deflection, downwards", &length);
     deflection.y = deflection.y.down();
-    let deflection = deflection.with(Layer::line(series(&|state| state.deflection.max), line(0)));
+    let deflection = deflection.with(Layer::line(series(rows, |state| state.deflection.max), line(0)));
     let mut moments = panel("largest and least bending moment, on the side in tension", &moment).tall(400.0);
     moments.y = moments.y.down();
-    let moments = moments.with(Layer::named(series(&|state| state.moment.max), line(0), "largest")).with(Layer::named(
-        series(&|state| state.moment.min),
-        line(2),
-        "least",
-    ));
+    let moments = moments
+        .with(Layer::named(series(rows, |state| state.moment.max), line(0), "largest"))
+        .with(Layer::named(series(rows, |state| state.moment.min), line(2), "least"));
 
     let mut divisions = Divisions { lines: numbered(events), between: regimes(rows, events) };
     let map = map(scene, quantity, rows, events, panel("where the beam touches: x along the beam", &length));
@@ -99,6 +84,30 @@ pub fn sweep(
         (title, _) => title.to_owned(),
     };
     Figure::new(title, description(quantity, rows, events), panels).notes(notes.collect()).svg()
+}
+
+/// A number of each answer over the value.
+fn series(rows: &[Row<'_>], of: impl Fn(&ContactState) -> f64) -> Vec<Place> {
+    rows.iter().map(|(x, state)| [*x, of(state)]).collect()
+}
+
+/// The forces of the first supports, and that of contact.
+fn forces(scene: &Scene, rows: &[Row<'_>], mut panel: Panel) -> Panel {
+    let supports = rows.first().map_or(0, |(_, state)| state.supports.len());
+    for i in 0..supports.min(MOST_SUPPORTS) {
+        let place = scene.beam().supports_as_given().get(i).map(|support| support.at);
+        let of = |state: &ContactState| state.supports.get(i).map_or(0.0, |support| support.force);
+        // Vermillion, the second colour, is that of contact.
+        let style = line(if i == 0 { 0 } else { i + 1 });
+        let name = format!("support {}", i + 1);
+        let name = place.map_or(name, |x| format!("support at {}", significant(x, FEW_DIGITS)));
+        panel = panel.with(Layer::named(series(rows, of), style, name));
+    }
+    if rows.iter().any(|(_, state)| !state.contacts.is_empty()) {
+        let style = Style::solid(Color::VERMILLION);
+        panel = panel.with(Layer::named(series(rows, ContactState::contact_force), style, "contact"));
+    }
+    panel
 }
 
 fn value_axis() -> Axis {
