@@ -1,6 +1,6 @@
 //! The envelope of a sweep: the largest and the least moment, shear force and support force over its values.
 
-use super::{Step, Sweep};
+use super::{GOLDEN, Step, Sweep};
 use crate::theory::Exact;
 
 /// Equal parts of the beam at whose ends moment and shear force are compared.
@@ -176,8 +176,6 @@ impl<'a> Gathered<'a> {
 
 /// The extreme between the values beside the one where it is largest, by golden section: it is taken for one hill there.
 fn refined(sweep: &Sweep<'_>, found: Found) -> Found {
-    /// `(√5 − 1)/2`.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let mut best = found;
     let mut near: Option<Exact> = None;
     let mut size_at = |value: f64| {

@@ -8,6 +8,7 @@
 
 use std::collections::HashMap;
 
+use super::GOLDEN;
 use super::events::{At, BESIDE, PAST, Root, Search};
 use crate::theory::{Exact, Margin};
 
@@ -83,7 +84,6 @@ impl Search<'_> {
         const STEP: f64 = 1e-3;
         /// Evaluations on the way to the least value.
         const SECTIONS: u32 = 40;
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let width = right.value - left.value;
         let margins = |value: f64| left.exact.margins(&self.sweep.scene(value).ok()?);
         let places = [left.value, left.value + STEP * width, right.value - STEP * width, right.value];

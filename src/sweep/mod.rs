@@ -50,6 +50,9 @@ pub const MOST_STEPS: usize = 20_001;
 /// seconds each on a slow machine, and more for scenes of a few pieces than 20,001 rows need.
 pub const MOST_WORK: u64 = 50_000_000;
 
+/// The golden section, `(√5 − 1)/2`.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// What a row takes beside its answer is so many times the work of its lists: its bounds, and the judgement of them.
 const JUDGED: u64 = 7;
 
