@@ -232,7 +232,7 @@ fn largest_each<const COLUMNS: usize>(
     let mut unknown = [false; COLUMNS];
     for row in rows {
         for ((most, unknown), value) in most.iter_mut().zip(&mut unknown).zip(row) {
-            // Not `max`: a comparison is all that a number needs.
+            // Not `f64::max`, which also looks for NaN and is slower: `unknown` does that.
             *most = if *most < value { value } else { *most };
             *unknown |= value.is_nan();
         }

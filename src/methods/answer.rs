@@ -102,11 +102,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
         }
     }
-    let reaction = |node: usize| {
-        supports.iter().find(|support| support.node == node).and_then(|_| held_at(node)).map_or(0.0, |held| held.force)
-    };
-    let reactions = Reactions { left: reaction(0), right: reaction(intervals) };
-
+    let reactions = Reactions::of(&forces, grid.place(intervals));
     let contacts =
         contacts(&nodal, &sizes_of_contact(sizes, stiffness, grid.place(intervals)), |i| grid.place(i + nodes.start));
     let deflection_at = |node: usize| match supports.iter().find(|support| support.node == node) {

@@ -78,7 +78,7 @@ fn range(values: &[f64]) -> [f64; 2] {
     lanes.chain(rest.iter().map(|value| [*value; 2])).reduce(wider).unwrap_or_default()
 }
 
-/// Not `max` and `min`: a comparison is all that a number needs.
+/// Not by `f64::max` and `f64::min`, which also look for NaN and are slower.
 fn wider([max, min]: [f64; 2], [above, below]: [f64; 2]) -> [f64; 2] {
     [if max < above { above } else { max }, if below < min { below } else { min }]
 }

@@ -77,7 +77,7 @@ fn polygon(f: &[f64], tail: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
 fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: &mut [f64]) {
     // A whole block has a power of two for its length, and loses nothing by a product instead of a quotient.
     let share = 1.0 / length;
-    // What waits for the node before comes first, alone; the chord is the same for all and waits for nothing.
+    // A loop of its own for what depends on the node before; the next one, in which no node depends on another, vectorises.
     let mut height = 0.0;
     for (f, y) in f.iter().zip(y.iter_mut()) {
         height += slope;
@@ -89,8 +89,7 @@ fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: 
     }
 }
 
-/// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length. Each of the lanes waits for itself
-/// only.
+/// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length, in lanes that do not depend on each other.
 #[inline]
 fn lever(f: &[f64], length: f64) -> [f64; 2] {
     const LANES: usize = 4;

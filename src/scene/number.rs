@@ -92,7 +92,10 @@ impl Scene {
         };
         let load = Load::new(&beam, uniform, linear, point)?;
         let scene = Self::new(beam, load, foundation)?.labelled(self.title.clone(), self.units.clone());
-        springs.map_or(Ok(scene.clone()), |k| scene.on_springs(k))
+        match springs {
+            Some(k) => scene.on_springs(k),
+            None => Ok(scene),
+        }
     }
 
     /// The same scene with all of its ground moved downwards \[length\].

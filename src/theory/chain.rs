@@ -14,7 +14,7 @@
 //! (`Δ/3` and `Δ/6`, `ρ` the end rotations under its load), which is exact however long it is.
 //!
 //! At a support the clearance is given instead of the force, and at an end of the beam that is not built in the moment is zero. Both
-//! are written as an equation with a coefficient that swallows all others: at a support `s p⁻¹ = 0`, at such an end `W = ∞`.
+//! are written as an equation with a penalty that fixes the variable: at a support `s p⁻¹ = 0`, at such an end `W = ∞`.
 //!
 //! Mehrotra's predictor–corrector method (1992) solves this in 15 to 40 block-tridiagonal systems and never cycles. Moments
 //! beside clearances keep the digits that a stiffness matrix of order `1/Δ³` would lose, and clearances have the digits of
@@ -46,8 +46,8 @@ pub(super) struct ChainSample {
     pub(super) beam: bool,
 }
 
-/// What swallows every other coefficient: a power of two, so that nothing else is rounded.
-const SWALLOWS: f64 = f64::from_bits(0x52b0_0000_0000_0000);
+/// Large enough to fix the variable of its row to all digits: a power of two, so that nothing else is rounded.
+const PENALTY: f64 = f64::from_bits(0x52b0_0000_0000_0000);
 
 /// Contact forces of the chain, and which samples touch.
 #[derive(Debug)]
@@ -196,11 +196,11 @@ impl Chain<'_> {
         let link = |i: usize| (self.samples[i + 1].x - self.samples[i].x, self.samples[i].beam);
         let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
         let row = |i: usize| {
-            let left = if 0 < i { share(link(i - 1)) } else { SWALLOWS * f64::from(!self.built_in[0]) };
+            let left = if 0 < i { share(link(i - 1)) } else { PENALTY * f64::from(!self.built_in[0]) };
             let ChainSample { bend, load, held, .. } = self.samples[i];
             let row = Row { bend, load, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
-                return Row { w: left + SWALLOWS * f64::from(!self.built_in[1]), ..row };
+                return Row { w: left + PENALTY * f64::from(!self.built_in[1]), ..row };
             }
             let right = link(i);
             let off = if right.1 { right.0 / 6.0 } else { 0.0 };
@@ -239,7 +239,7 @@ fn residuals(rows: &mut [Row]) -> f64 {
 fn factor(rows: &mut [Row], ratio: impl Fn(&Row) -> f64) {
     let (mut a, mut e, mut g) = (0.0, 0.0, 0.0);
     for row in rows {
-        row.a = a + if row.held { SWALLOWS } else { ratio(row) };
+        row.a = a + if row.held { PENALTY } else { ratio(row) };
         row.h = row.c + e;
         row.g = g + row.w;
         row.inverse = 1.0 / (row.a * row.g + row.h * row.h);

@@ -172,7 +172,7 @@ fn newton_step(mut rows: Vec<Row>) -> Option<Vec<Row>> {
     // Rows and columns of moving nodes carry units of h''; elimination with a check of the pivots is enough, since the
     // slope-deflection equations are diagonally dominant.
     for row in rows.iter_mut().filter(|row| row.unknown == Some(Unknown::Place)) {
-        // The wrong sign leads to a root that pulls or penetrates: uphill from there. Without load there is no slope.
+        // A derivative of the other sign leads to a root that pulls or penetrates: the step goes away from it. Without load it is zero.
         let slope = row.derivative[1].abs();
         row.derivative[1] = if slope == 0.0 { -1.0 } else { -slope };
     }

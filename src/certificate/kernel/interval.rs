@@ -55,7 +55,7 @@ impl Interval {
         if corners.iter().any(|c| c.is_nan()) {
             return Self::WHOLE;
         }
-        // Not `min` and `max`: a comparison is all that numbers need.
+        // Not `f64::min` and `f64::max`, which also look for NaN and are slower: it is excluded here.
         let least = |a: f64, b: f64| if b < a { b } else { a };
         let most = |a: f64, b: f64| if a < b { b } else { a };
         let [a, b, c, d] = corners;
