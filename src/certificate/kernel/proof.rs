@@ -66,9 +66,7 @@ pub(crate) struct Pair {
 
 /// The pair of some nodes, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Option<Pair> {
-    if !is_complete(enclosed, nodes) {
-        return None;
-    }
+    is_complete(enclosed, nodes).then_some(())?;
     let stiffness = Interval::exact(enclosed.stiffness);
     // Part i is that to the left of node i.
     let ends = |i: usize| [i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i)];
@@ -89,9 +87,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
         let length = Interval::length(span.from, span.to);
         let beside = |i: usize, side: usize| moments.get(i).map_or(Interval::ZERO, |node| node.0[side]);
         let moments = [beside(i.wrapping_sub(1), 1), beside(i, 0)];
-        let r = [stiffness * span.start[2] + moments[0], stiffness * span.end[2] + moments[1]];
         shears[i] = span.shears(moments);
-        gap = gap + length * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(12) * stiffness);
+        gap = gap + span.misfit(stiffness, moments) / (number(12) * stiffness);
         let parts = span.curves(enclosed, Vec::new());
         let lift = clearance::lift(enclosed, span, &parts, ends(i))?;
         let bent = lift.derivative().derivative();
@@ -118,20 +115,24 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
             cut_off.couple(node.x, jump, [true, false].map(made));
         }
     }
-    let gap_of = |[moment, share]: [Interval; 2], off: f64| {
-        let correction = lifts.sqrt() + moment;
-        let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + correction;
-        // Without correction the square would only add rounding.
-        let corrected = if correction.is_zero() { gap } else { root.square() / number(2) };
-        // What presses beside the ground has the clearance there for its gap.
-        (corrected + share * Interval::exact(off)).hi()
-    };
+    let gap_of = |carried, off| corrected(gap, lifts, carried, off);
     let carriers = carriers(enclosed, nodes, &forces);
     let (gap, share, holds) = hold(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
     let supports = nodes.iter().zip(forces).filter(|(node, _)| enclosed.support(node.x).is_some());
     let reactions = supports.map(|(_, force)| force + corrected).collect();
     Some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground: None })
+}
+
+/// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
+/// are `off` the ground by so much.
+fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64) -> f64 {
+    let correction = lifts.sqrt() + moment;
+    let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + correction;
+    // Without correction the square would only add rounding.
+    let corrected = if correction.is_zero() { gap } else { root.square() / number(2) };
+    // What presses beside the ground has the clearance there for its gap.
+    (corrected + share * Interval::exact(off)).hi()
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

@@ -123,6 +123,12 @@ impl Span {
         [shear + self.loaded[0], shear - self.loaded[1]]
     }
 
+    /// `6 ∫ (EI v'' + M)² dx` from the moments at its two ends: `EI v'' + M` is linear.
+    pub(crate) fn misfit(&self, stiffness: Interval, moments: [Interval; 2]) -> Interval {
+        let r = [stiffness * self.start[2] + moments[0], stiffness * self.end[2] + moments[1]];
+        Interval::length(self.from, self.to) * (r[0].square() + r[1].square() + (r[0] + r[1]).square())
+    }
+
     /// Its deflection by parts without a break of the load, each known from both of its ends: `v(from + s)` and `v(to + s)`;
     /// `breaks` besides those of the load. Without those of the foundation rounding does not grow there.
     pub(crate) fn curves(&self, enclosed: &EnclosedScene<'_>, mut breaks: Vec<f64>) -> Vec<Curve> {

@@ -117,14 +117,13 @@ impl OnSprings<'_> {
     fn is_complete(&self) -> bool {
         let Self { enclosed, stretches } = self;
         let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
-        let supported = |i: usize| enclosed.support(self.x(i)).is_some();
-        let rests = |i: usize| self.is_pressed(i, true) || self.is_pressed(i, false) || supported(i);
         let last = stretches.last().is_some_and(|last| (last.to - enclosed.length).abs() <= 0.0);
         let profiles = [enclosed.gap.ground, enclosed.gap.shape];
         let one_gap = |s: &Stretch| profiles.iter().all(|of| of.is_smooth_between(s.from, s.to));
         let one_load = |s: &Stretch| enclosed.load.breaks(s.from, s.to).is_empty() && s.sunk.len() <= MOST_TERMS;
         let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
-        chained && self.x(0).abs() <= 0.0 && last && (1..stretches.len()).all(rests) && stretches.iter().all(is_one)
+        let whole = chained && self.x(0).abs() <= 0.0 && last && stretches.iter().all(is_one);
+        whole && (1..stretches.len()).all(|i| self.end(i).is_some())
     }
 
     /// `M` at the inner end of an overhang, by statics.
@@ -172,9 +171,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     for (i, stretch) in stretches.iter().enumerate() {
         let (ends, width) = ([stretch.from, stretch.to], Interval::length(stretch.from, stretch.to));
         if let Some(span) = &spans[i] {
-            let r = [(span.start, moments[i][1]), (span.end, moments[i + 1][0])].map(|(v, m)| stiffness * v[2] + m);
-            square =
-                square + width * (r[0].square() + r[1].square() + (r[0] + r[1]).square()) / (number(6) * stiffness);
+            square = square + span.misfit(stiffness, [moments[i][1], moments[i + 1][0]]) / (number(6) * stiffness);
             for (cell, [v, end]) in span.curves(enclosed, enclosed.gap.breaks(ends[0], ends[1])) {
                 let half = Interval::exact(0.5 * Interval::length(cell[0], cell[1]).hi());
                 let clearance = |side: usize, v: &Polynomial| enclosed.gap.about(cell[side], cell).minus(v);
