@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use clap::error::ErrorKind;
 use palkki::DEFAULT_TOLERANCE;
 use palkki::body::proof::{Brought, Proof, Unproven, prove};
 use palkki::body::{Body, State, Verdict};
@@ -61,11 +60,6 @@ impl Certificate {
     }
 }
 
-/// A refusal of an option that has no meaning for a body.
-pub(super) fn refused(command: &'static str, message: &str) -> Failure {
-    Failure::Usage { command, kind: ErrorKind::ArgumentConflict, message: message.to_owned() }
-}
-
 type Proven = Result<Proof, Unproven>;
 
 /// A point that is proven to be the optimum nearly, with the free variables of an answer of the active set as witness.
@@ -119,11 +113,11 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
         ("plot", plot.is_some()),
     ];
     if let Some((option, _)) = of_beams.iter().find(|(_, asked)| *asked) {
-        return Err(refused("solve", &format!("--{option} belongs to a beam; a [body] has no use for it")));
+        return Err(Failure::refused("solve", format!("--{option} belongs to a beam; a [body] has no use for it")));
     }
     let method = input.scene.method();
     if arguments.method.discretised().is_some_and(|asked| asked.name() != method) {
-        return Err(refused("solve", &format!("the matrix of this [body] is that of --method {method}")));
+        return Err(Failure::refused("solve", format!("the matrix of this [body] is that of --method {method}")));
     }
     let solver = solver.map_or(DEFAULT_SOLVER, |solver| solver.0);
     let timed_answer = timed(&input.scene, solver);
@@ -235,7 +229,7 @@ struct Violation {
 /// `certify`: how far what a program brought is off.
 pub(super) fn certify<'a>(input: &Input<Body>, arguments: &Certify) -> Result<Outcome<'a>, Failure> {
     if arguments.load == LoadArgument::Nodal {
-        return Err(refused("certify", "--load belongs to a beam; a [body] has no use for it"));
+        return Err(Failure::refused("certify", "--load belongs to a beam; a [body] has no use for it"));
     }
     let body = &input.scene;
     let brought = input.answers(&arguments.forces)?;

@@ -9,7 +9,6 @@ use palkki::route::Method;
 
 use super::Outcome;
 use super::arguments::{Export, Form};
-use super::body::refused;
 use super::input::Input;
 use super::output::Failure;
 
@@ -41,7 +40,7 @@ pub(super) fn export<'a>(
     let Export { method, intervals, form, .. } = arguments;
     let method = method.0;
     if input.scene.foundation().is_none() {
-        return Err(refused("export", "without a foundation there is no quadratic program"));
+        return Err(Failure::refused("export", "without a foundation there is no quadratic program"));
     }
     let discrete = Discrete::new(&input.scene, *intervals).map_err(|error| input.error(error))?;
     let qp = method.qp(&discrete);
@@ -54,7 +53,7 @@ pub(super) fn export<'a>(
             vec![scene, matrix, linear, csv("i,what", names)]
         }
         Form::Sparse => {
-            let Some(form) = qp.sparse() else { return Err(refused("export", "there is no sparse form")) };
+            let Some(form) = qp.sparse() else { return Err(Failure::refused("export", "there is no sparse form")) };
             let unit = form.sizes.x;
             let names = names.map(|name| format!("{name} in units of {unit:?}"));
             let names = moments(&discrete).into_iter().map(|name| format!("{name} in a unit of its own")).chain(names);
@@ -75,11 +74,11 @@ pub(super) fn export<'a>(
 fn dense(input: &Input, method: Method, discrete: &Discrete, qp: &dyn Qp) -> Result<[String; 3], Failure> {
     let n = qp.dimension();
     if let Some(why) = qp.without_matrix() {
-        return Err(refused("export", &format!("{why}; --form sparse has one")));
+        return Err(Failure::refused("export", format!("{why}; --form sparse has one")));
     }
     if LARGEST_DENSE < n {
         let message = format!("a full matrix of {n} unknowns is more than {LARGEST_DENSE}; take --form sparse");
-        return Err(refused("export", &message));
+        return Err(Failure::refused("export", message));
     }
     let (matrix, share) = (qp.matrix(), method.share(discrete));
     let entries = (0..n).flat_map(|j| (j..n).map(move |i| (i, j)));

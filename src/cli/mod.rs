@@ -30,7 +30,6 @@ mod values;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser as _};
 use palkki::adaptive::Request;
 use palkki::body::Body;
@@ -197,8 +196,8 @@ fn compare(arguments: &arguments::Compare) -> Result<u8, Failure> {
 fn certify(arguments: &arguments::Certify) -> Result<u8, Failure> {
     let common = &arguments.common;
     if [&common.scene.path, &arguments.forces].into_iter().all(|path| input::is_standard(path)) {
-        let message = "the scene and the contact forces cannot both be read from standard input".to_owned();
-        return Err(Failure::Usage { command: "certify", kind: ErrorKind::ArgumentConflict, message });
+        let message = "the scene and the contact forces cannot both be read from standard input";
+        return Err(Failure::refused("certify", message));
     }
     let what = format!("certifying {}", input::called(&arguments.forces));
     let on_beam = |input: &Input| {
@@ -221,7 +220,7 @@ fn sweep(arguments: &arguments::Sweep) -> Result<u8, Failure> {
         Ok(Outcome { text, files: vec![csv, plot], is_certified: swept.is_certified() })
     };
     run_on_scene(&common.scene, common.format, what, &[csv, plot], on_beam, |_| {
-        Err(body::refused("sweep", "a [body] has no number that could be varied"))
+        Err(Failure::refused("sweep", "a [body] has no number that could be varied"))
     })
 }
 
@@ -235,7 +234,7 @@ fn explain(arguments: &explain::Explain) -> Result<u8, Failure> {
         Ok(Outcome { text, files: Vec::new(), is_certified: answer.is_certified() })
     };
     run_on_scene(scene, Format::Text, what, &[], on_beam, |_| {
-        Err(body::refused("explain", "the equations are those of a beam"))
+        Err(Failure::refused("explain", "the equations are those of a beam"))
     })
 }
 
@@ -247,7 +246,7 @@ fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
     let what = format!("exporting {}", input::called(&common.scene.path));
     let places_of_files: Vec<_> = places.iter().collect();
     let on_beam = |input: &Input| export::export(input, arguments, &places);
-    let on_body = |_: &Input<Body>| Err(body::refused("export", "a scene with a [body] is one of matrices already"));
+    let on_body = |_: &Input<Body>| Err(Failure::refused("export", "a scene with a [body] is one of matrices already"));
     let done = run_on_scene(&common.scene, common.format, what, &places_of_files, on_beam, on_body);
     if is_new && done.is_err() {
         // Nothing is in it; where it stays it harms nobody.
@@ -259,7 +258,7 @@ fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
 impl Solve {
     /// The route that the arguments ask for; an option that would have no effect is refused.
     fn route(&self) -> Result<Route, Failure> {
-        let refused = |message| Failure::Usage { command: "solve", kind: ErrorKind::ArgumentConflict, message };
+        let refused = |message: String| Failure::refused("solve", message);
         let asked = |options: &[(&'static str, bool)]| options.iter().find(|(_, asked)| *asked).map(|(name, _)| *name);
         let Some(method) = self.method.discretised() else {
             let of_grids =

@@ -58,6 +58,13 @@ pub(super) enum Failure {
     Print(io::Error),
 }
 
+impl Failure {
+    /// Of options that a command does not take together, or not for such a scene.
+    pub(super) fn refused(command: &'static str, message: impl Into<String>) -> Self {
+        Self::Usage { command, kind: clap::error::ErrorKind::ArgumentConflict, message: message.into() }
+    }
+}
+
 /// What is wrong with a place to write to.
 #[derive(Debug, Clone, Copy, thiserror::Error)]
 pub(super) enum PlaceProblem {
