@@ -14,13 +14,12 @@
 //! ```
 //!
 //! If we knew where the beam touches, the problem would be linear. The paper finds out in three ways.
-#![allow(missing_docs, unreachable_pub, clippy::print_stdout, reason = "a program to read, whose result is a table")]
+#![allow(missing_docs, missing_debug_implementations, unreachable_pub, clippy::print_stdout, reason = "for readers")]
 use nalgebra::{DMatrix as Matrix, DVector as Vector, Matrix4};
 
 /// ## The scene
 /// The grid has `n` interior nodes at spacing `Δ = l/(n+1)`. Load and depth are known at these: `q_i` and `p_i` are nodal
 /// forces from here on, `q_i = q₀ Δ` for a uniform load (27).
-#[derive(Debug)]
 pub struct Scene {
     pub length: f64,            // l
     pub bending_stiffness: f64, // EI
@@ -81,7 +80,6 @@ fn flexibility(l: f64, ei: f64, n: usize) -> Matrix<f64> {
 /// optimum   g_i ≥ 0 where x_i = 0,  g_j = 0 where x_j > 0  (34), (35)     2       h   K         A u − q  p
 ///                                                                         3       p   C         A q − u  h
 /// ```
-#[derive(Debug)]
 pub struct Program {
     a: Matrix<f64>,
     b: Vector<f64>,

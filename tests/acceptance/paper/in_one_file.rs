@@ -73,6 +73,12 @@ fn the_paper_in_one_file_agrees_with_the_library() {
     assert!(39 <= compared, "{compared} answers were compared");
 }
 
+#[test]
+fn the_paper_in_one_file_has_200_lines_at_the_most() {
+    let lines = include_str!("../../../report/paper.rs").lines().count();
+    assert!(lines <= 200, "report/paper.rs has {lines} lines; the README promises 200");
+}
+
 /// What the page says below its table.
 #[test]
 fn with_99_nodes_the_four_steps_and_nsor_fall_short_where_the_page_says_so() {
