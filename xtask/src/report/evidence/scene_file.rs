@@ -1,263 +1,98 @@
-//! The keys of a scene file. What they mean is written here; which there are, the reader of scene files says, and the two have to
-//! agree.
+//! The page of the scene file: its template has the keys and the examples, and the reader of scene files has to agree.
 
 use std::ops::ControlFlow;
 
-use palkki::scene::file::{Beside, Model, Problem, ReadProblem, parse_model};
+use palkki::scene::file::{Beside, Problem, ReadProblem, parse_model};
 
 use super::prelude::*;
+use crate::report::files;
 
-/// A key: what it is and its unit, what it is if it is left out, what it means, an example.
-type Key = [&'static str; 5];
-
-const FILE: &[Key] = &[
-    ["title", "a line of text", "none", "what figures and tables call the scene", "title = \"A shelf\""],
-    ["beam", "a table", "needed", "the beam", ""],
-    ["load", "a table", "no load", "what the beam carries", ""],
-    ["foundation", "a table", "no ground", "what lies below", ""],
-    [
-        "units",
-        "a table",
-        "none",
-        "labels of figures and tables: `length` and `force`",
-        "units = { length = \"m\", force = \"kN\" }",
-    ],
-];
-const BEAM: &[Key] = &[
-    ["length", "length", "needed", "l, positive", "length = 10.0"],
-    [
-        "bending_stiffness",
-        "force · length²",
-        "needed",
-        "EI, positive, the same along the beam",
-        "bending_stiffness = 1.3",
-    ],
-    [
-        "shape",
-        "a table",
-        "straight",
-        "w₀(x), the line of the beam before it is loaded",
-        "shape = { points = [[0, 0], [5, 0.1], [10, 0]] }",
-    ],
-    [
-        "supports",
-        "an array of tables",
-        "one at each end",
-        "what holds the beam",
-        "supports = [{ at = 0.0 }, { at = 6.0, level = 0.1 }]",
-    ],
-];
-const SUPPORT: &[Key] = &[
-    ["at", "length", "needed", "its place x", "supports = [{ at = 0.0 }, { at = 10.0 }]"],
-    ["level", "length", "0", "how deep it stands", "supports = [{ at = 0.0 }, { at = 10.0, level = 0.1 }]"],
-    [
-        "built_in",
-        "true or false",
-        "false",
-        "whether it holds the slope too",
-        "supports = [{ at = 0.0, built_in = true }]",
-    ],
-    [
-        "slope",
-        "none",
-        "0",
-        "that slope, positive where the beam goes down to the right; only with `built_in`",
-        "supports = [{ at = 0.0, built_in = true, slope = -0.01 }]",
-    ],
-];
-const LOAD: &[Key] = &[
-    ["uniform", "force / length", "0", "along the whole beam", "uniform = 1.0"],
-    [
-        "linear",
-        "an array of tables",
-        "none",
-        "line loads between two places, straight between two intensities",
-        "linear = [{ from = 2.0, to = 5.0, start = 0.0, end = 1.0 }]",
-    ],
-    ["point", "an array of tables", "none", "forces at places", "point = [{ at = 5.0, force = 3.0 }]"],
-];
-const LINEAR: &[Key] = &[
-    ["from", "length", "needed", "where it begins", "linear = [{ from = 2.0, to = 5.0, start = 1.0, end = 1.0 }]"],
-    [
-        "to",
-        "length",
-        "needed",
-        "where it ends, to the right of `from`",
-        "linear = [{ from = 0.0, to = 10.0, start = 1.0, end = 0.0 }]",
-    ],
-    [
-        "start",
-        "force / length",
-        "needed",
-        "the intensity at `from`",
-        "linear = [{ from = 2.0, to = 5.0, start = 2.0, end = 1.0 }]",
-    ],
-    [
-        "end",
-        "force / length",
-        "needed",
-        "the intensity at `to`",
-        "linear = [{ from = 2.0, to = 5.0, start = 0.0, end = -1.0 }]",
-    ],
-];
-const POINT: &[Key] = &[
-    ["at", "length", "needed", "its place x", "point = [{ at = 2.5, force = 1.0 }]"],
-    ["force", "force", "needed", "how large it is; negative upwards", "point = [{ at = 5.0, force = -0.5 }]"],
-];
-const PROFILE: &[Key] = &[
-    ["depth", "length", "–", "level ground", "depth = 1.0"],
-    ["polynomial", "length / lengthᵏ", "–", "c₀ + c₁ x + c₂ x² + …", "polynomial = [1.5, -0.2, 0.02]"],
-    ["cosine", "a table", "–", "a wave", "cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0 }"],
-    [
-        "points",
-        "an array of [x, depth]",
-        "–",
-        "straight lines between points from one end to the other; two at one x are a step",
-        "points = [[0, 1.0], [4, 0.5], [10, 1.0]]",
-    ],
-    ["survey", "a file name", "–", "the same from a CSV file", "survey = \"levels.csv\""],
-    [
-        "stiffness",
-        "force / length²",
-        "rigid",
-        "of ground only: how stiff its springs are, which cannot pull; beside one of the others",
-        "stiffness = 100.0",
-    ],
-];
-const COSINE: &[Key] = &[
-    [
-        "mean",
-        "length",
-        "needed",
-        "the depth about which it swings",
-        "cosine = { mean = 2.0, amplitude = 0.3, wavelength = 5.0 }",
-    ],
-    [
-        "amplitude",
-        "length",
-        "needed",
-        "how far it swings",
-        "cosine = { mean = 1.0, amplitude = 0.1, wavelength = 5.0 }",
-    ],
-    [
-        "wavelength",
-        "length",
-        "needed",
-        "from crest to crest, positive",
-        "cosine = { mean = 1.0, amplitude = 0.3, wavelength = 2.5 }",
-    ],
-    [
-        "phase",
-        "radians",
-        "0",
-        "how far it is moved",
-        "cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0, phase = 1.57 }",
-    ],
+/// The tables of the page in their order: a line with a key of the table in the place of `{}`, and one with an example.
+const TABLES: [[&str; 2]; 10] = [
+    ["{}", "{}"],
+    ["units = { {} }", "{}"],
+    ["beam.{}", "beam.{}"],
+    ["beam.supports = [{ {} }]", "beam.{}"],
+    ["load.{}", "load.{}"],
+    ["load.linear = [{ {} }]", "load.{}"],
+    ["load.point = [{ {} }]", "load.{}"],
+    ["foundation.{}", "foundation.{}"],
+    ["foundation.cosine = { {} }", "foundation.{}"],
+    ["body.{}", "body.{}"],
 ];
 
-const UNITS: &[Key] = &[
-    ["length", "a line of text", "none", "the unit of lengths and depths", "units = { length = \"mm\" }"],
-    ["force", "a line of text", "none", "the unit of forces", "units = { force = \"N\" }"],
-];
-
-const BODY: &[Key] = &[
-    ["stiffness", "a file name", "needed, or `flexibility`", "K, a Matrix Market file", "stiffness = \"K.mtx\""],
-    ["flexibility", "a file name", "needed, or `stiffness`", "C, the inverse of that", "flexibility = \"C.mtx\""],
-    ["gap", "a file name", "all 0", "a CSV file `i,gap`: how far each freedom may move, i from 1", "gap = \"gap.csv\""],
-    ["load", "a file name", "all 0", "a CSV file `i,force`", "load = \"load.csv\""],
-    [
-        "foundation",
-        "a file name",
-        "rigid",
-        "the flexibility of the ground, only beside one of the body",
-        "foundation = \"G.mtx\"",
-    ],
-];
-
-/// The tables of the file: name in the template, its keys, and how a scene with something in it is written: what `{}` stands for.
-const TABLES: &[(&str, &[Key], &str)] = &[
-    ("file", FILE, "{}\n[beam]\nlength = 10\nbending_stiffness = 1\n"),
-    ("beam", BEAM, "[beam]\nlength = 10\nbending_stiffness = 1\n{}\n"),
-    ("support", SUPPORT, "[beam]\nlength = 10\nbending_stiffness = 1\nsupports = [{ {} }]\n"),
-    ("load", LOAD, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\n{}\n"),
-    ("linear", LINEAR, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\nlinear = [{ {} }]\n"),
-    ("point", POINT, "[beam]\nlength = 10\nbending_stiffness = 1\n[load]\npoint = [{ {} }]\n"),
-    ("profile", PROFILE, "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\n{}\n"),
-    ("units", UNITS, "[beam]\nlength = 10\nbending_stiffness = 1\n[units]\n{}\n"),
-    ("body", BODY, "[body]\n{}\n"),
-    ("cosine", COSINE, "[beam]\nlength = 10\nbending_stiffness = 1\n[foundation]\ncosine = { {} }\n"),
-];
-
-const SMALLEST: &str = "[beam]\nlength = 10.0\nbending_stiffness = 1.3";
-const EXAMPLE: &str = "title = \"Two spans above waves\"
-
-[beam]
-length = 10.0
-bending_stiffness = 1.3
-supports = [{ at = 0.0, built_in = true }, { at = 6.0, level = 0.1 }]
-
-[load]
-uniform = 1.0
-linear = [{ from = 2.0, to = 5.0, start = 0.0, end = 1.0 }]
-point = [{ at = 8.0, force = 3.0 }]
-
-[foundation]
-cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0 }
-
-[units]
-length = \"m\"
-force = \"kN\"";
-
-pub(super) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
-    for text in [SMALLEST, EXAMPLE] {
-        read(text)?;
+pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
+    let page = files::text(study.root, "report/templates/scene-file.md")?;
+    for block in page.split("```toml\n").skip(1) {
+        read(block.split("```").next().unwrap_or_default())?;
     }
-    let mut values = vec![("smallest", Value::from(SMALLEST)), ("example", Value::from(EXAMPLE))];
-    for (name, keys, frame) in TABLES {
-        let known = known(frame)?;
-        let told: Vec<&str> = keys.iter().map(|key| key[0]).collect();
+    let tables = tables(&page);
+    if tables.len() != TABLES.len() {
+        return Err(format!("the page of the scene file has {} tables, not {}", tables.len(), TABLES.len()).into());
+    }
+    for (rows, [key, example]) in tables.iter().zip(TABLES) {
+        let told: Vec<&str> = rows.iter().map(|row| row[0]).collect();
+        let known = known(key)?;
         if told != known {
-            return Err(format!("of `{name}` the page has the keys {told:?}, and the reader knows {known:?}").into());
+            return Err(format!("of `{key}` the page has the keys {told:?}, and the reader knows {known:?}").into());
         }
-        for [.., example] in keys.iter().filter(|key| !key[4].is_empty()) {
-            let holds = |keys: &[Key], frame: &str| is_of(example, keys) && !frame.contains("{ {} }");
-            let own = holds(keys, frame).then_some(frame);
-            let frame = own.or_else(|| TABLES.iter().find(|(_, keys, frame)| holds(keys, frame)).map(|table| &table.2));
-            let frame = frame.ok_or_else(|| format!("`{example}` begins with no key"))?;
-            // A key of the frame itself is not there twice.
-            let key = example.split_once(" =").map_or("", |(key, _)| key);
-            let rest = frame.lines().filter(|line| !line.starts_with(&format!("{key} =")));
-            let text = rest.collect::<Vec<_>>().join("\n").replace("{}", example);
-            // A body has a matrix, and a stiffness has no ground with a flexibility.
-            let matrix = match key {
-                "stiffness" if text.contains("[foundation]") => "depth = 1.0\n",
-                "gap" | "load" if text.starts_with("[body]") => "stiffness = \"K.mtx\"\n",
-                "foundation" if text.starts_with("[body]") => "flexibility = \"C.mtx\"\n",
-                _ => "",
-            };
-            read(&(text + "\n" + matrix))?;
+        for [key, line] in rows.iter().filter(|[_, line]| *line != "–") {
+            if !line.contains(key) {
+                return Err(format!("the example `{line}` is without its key `{key}`").into());
+            }
+            read(&file(&example.replace("{}", line)))?;
         }
-        let rows = keys.iter().map(|[key, kind, default, meaning, example]| {
-            let example = if example.is_empty() { "–".to_owned() } else { format!("`{example}`") };
-            row![format!("`{key}`"), kind, default, meaning, example]
-        });
-        let header = ["key", "what it is, unit", "if left out", "meaning", "example"];
-        values.push((name, Table::new(header).rows(rows).into()));
     }
-    Ok(Evidence::new(Value::from_pairs(values)))
+    Ok(Evidence::new(context! { keys => tables.iter().map(Vec::len).sum::<usize>() }))
 }
 
-/// Whether a line sets one of these keys.
-fn is_of(example: &str, keys: &[Key]) -> bool {
-    keys.iter().any(|key| example.starts_with(&format!("{} =", key[0])))
+/// Key and example, the first and the last cell, of the rows of each table.
+fn tables(page: &str) -> Vec<Vec<[&str; 2]>> {
+    let lines: Vec<&str> = page.lines().collect();
+    let blocks = lines.chunk_by(|a, b| a.starts_with('|') == b.starts_with('|'));
+    let tables = blocks.filter(|lines| lines[0].starts_with('|'));
+    tables.map(|table| table.iter().skip(2).map(|row| ends(row)).collect()).collect()
 }
 
-/// Reads a scene file. A survey beside it has two points, and every other file one number.
-fn read(text: &str) -> Result<Model, Cause> {
-    parse_model("scene.toml", text, &mut Files).map_err(|error| format!("{}\n{text}", error.render(false)).into())
+fn ends(row: &str) -> [&str; 2] {
+    let cells = row.trim_matches(['|', ' ']);
+    let [first, last] = [cells.split(" | ").next(), cells.rsplit(" | ").next()];
+    [first, last].map(|cell| cell.unwrap_or_default().trim_matches('`'))
 }
 
-/// The files that examples name.
+/// The smallest file with this line.
+fn file(line: &str) -> String {
+    const LENGTH: &str = "beam.length = 10";
+    const STIFFNESS: &str = "beam.bending_stiffness = 1";
+    let beside: &[&str] = match line.split(" = ").next().unwrap_or_default() {
+        "beam.length" => &[STIFFNESS],
+        "beam.bending_stiffness" => &[LENGTH],
+        "foundation.stiffness" => &[LENGTH, STIFFNESS, "foundation.depth = 1.0"],
+        "body.gap" | "body.load" => &["body.stiffness = \"K.mtx\""],
+        "body.foundation" => &["body.flexibility = \"C.mtx\""],
+        key if key.starts_with("body.") => &[],
+        _ => &[LENGTH, STIFFNESS],
+    };
+    format!("{line}\n{}", beside.join("\n"))
+}
+
+/// The keys that the reader knows beside one that it does not know, in this place.
+fn known(place: &str) -> Result<Vec<&'static str>, Cause> {
+    let text = file(&place.replace("{}", "unheard_of = 1"));
+    match parse_model("scene.toml", &text, &mut Files).map_err(|error| error.problem) {
+        Err(Problem::UnknownKey { known, .. }) => Ok(known.to_vec()),
+        Err(other) => Err(format!("an unknown key in\n{text}\nis refused with: {other}").into()),
+        Ok(_) => Err(format!("an unknown key is read in\n{text}").into()),
+    }
+}
+
+/// Reads a scene file.
+fn read(text: &str) -> Result<(), Cause> {
+    let model = parse_model("scene.toml", text, &mut Files);
+    model.map(drop).map_err(|error| format!("{}\n{text}", error.render(false)).into())
+}
+
+/// The files that examples name: a survey of two points, and one number in every other.
 struct Files;
 
 impl Beside for Files {
@@ -274,17 +109,5 @@ impl Beside for Files {
         // Nothing is left to read where it breaks off.
         let _ = ["%%MatrixMarket matrix array real symmetric", "1 1", "2"].into_iter().try_for_each(each);
         Ok(())
-    }
-}
-
-/// The keys that the reader knows where `frame` has a key that it does not know.
-fn known(frame: &str) -> Result<Vec<&'static str>, Cause> {
-    let text = frame.replace("{}", "unheard_of = 1");
-    match parse_model("scene.toml", &text, &mut Files) {
-        Err(error) => match error.problem {
-            Problem::UnknownKey { known, .. } => Ok(known.to_vec()),
-            other => Err(format!("an unknown key in\n{text}\nis refused with: {other}").into()),
-        },
-        Ok(_) => Err(format!("an unknown key is read in\n{text}").into()),
     }
 }
