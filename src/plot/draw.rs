@@ -301,3 +301,23 @@ fn point_loads(canvas: &mut Canvas, sketch: &LoadSketch, axes: &Axes, labels: &m
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Canvas, walls};
+
+    /// Each stroke leads away from the beam, which is at 100.
+    #[test]
+    fn where_the_beam_goes_on_there_is_a_wall_above_and_one_below() {
+        let mut svg = String::new();
+        let mut canvas = Canvas::new(&mut svg, [200, 200]).expect("a sheet");
+        walls(&mut canvas, [100.0, 100.0], [false; 2]).expect("walls");
+        canvas.present().expect("a drawing");
+        assert_eq!(svg.matches("<polyline").count(), 14, "{svg}");
+        for line in
+            ["66,88 134,88", "66,112 134,112", "66,88 50,72", "66,112 50,128", "134,88 118,72", "134,112 118,128"]
+        {
+            assert!(svg.contains(line), "{line} is missing in {svg}");
+        }
+    }
+}
