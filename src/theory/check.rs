@@ -344,3 +344,32 @@ impl Scale {
 fn sag_at_rest(given: &PiecewiseScene, length: f64) -> f64 {
     AT_REST * given.total_load * length * length * length / 384.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Foundation, Load, Scene};
+
+    /// Ground at the level of both supports, and a beam that sags as if there were none: it turns by `q l³/24 EI` into the ground at
+    /// each of them.
+    #[test]
+    fn a_beam_that_turns_into_the_ground_beside_its_supports() {
+        const LENGTH: f64 = 1.5;
+        let beam = Beam::new(LENGTH, 1.0).expect("a beam");
+        let load = Load::uniform_on(&beam, 1.0).expect("a load");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene");
+        let given = PiecewiseScene::new(&scene);
+        let Checked { faults, worst, scale, .. } = check(&given, &List::free(&given));
+        let turn = LENGTH * LENGTH * LENGTH / 24.0;
+        let expected = turn * LENGTH / scale.deflection;
+        assert!((worst / expected - 1.0).abs() < 1e-12, "{worst} instead of {expected}");
+        for end in [0.0, LENGTH] {
+            let depth = faults.iter().find_map(|(_, fault)| match fault {
+                Violation::Penetration { at, depth } if at.to_bits() == end.to_bits() => Some(*depth),
+                _ => None,
+            });
+            // No bend holds it up: as far as the middle.
+            assert!(depth.is_some_and(|depth| (depth - 0.5 * turn * LENGTH).abs() < 1e-12), "{faults:?}");
+        }
+    }
+}
