@@ -1,5 +1,6 @@
 //! Beam theory with free lift-off points beside closed forms, for the scenes that have one.
 
+use palkki::scene::PointLoad;
 use palkki::theory::Exact;
 use palkki_evidence::closed::{flat, incline, lifted, parabola};
 
@@ -46,6 +47,11 @@ pub(super) struct Closed {
 }
 
 impl Closed {
+    /// Of one zone: the forces of both supports, its ends, the forces there, all of its force, and the energy.
+    fn zone(reactions: [f64; 2], zone: [f64; 2], ends: [f64; 2], contact: f64, energy: f64) -> Self {
+        Self { reactions: Some(reactions), zones: vec![[zone, ends]], contact, energy: Some(energy) }
+    }
+
     /// How far beam theory is from it: reactions and contact force over the load, if it has reactions; and everything.
     fn differences(&self, scene: &Scene, exact: &Exact) -> (Option<f64>, f64) {
         let (state, load, length) = (&exact.state, load(scene), scene.beam().length());
@@ -62,87 +68,103 @@ impl Closed {
     }
 }
 
-/// The closed form of a scene in words, and what follows from it, if it has one that is known. Derivations:
-/// `tests/evidence/src/closed/simple.rs`.
-pub(super) fn closed(scene: &Scene) -> Option<(&'static str, Closed)> {
-    let (l, ei, q) = (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform());
-    let depth = |x: f64| scene.depth(x);
-    let zone = |reactions, zone, ends, contact, energy| Closed {
-        reactions: Some(reactions),
-        zones: vec![[zone, ends]],
-        contact,
-        energy: Some(energy),
-    };
+/// A closed form in words, and what follows from it.
+type Form = (&'static str, Closed);
+
+/// The closed form of a scene, if it has one that is known. Derivations: `tests/evidence/src/closed/simple.rs`.
+pub(super) fn closed(scene: &Scene) -> Option<Form> {
     if !scene.load().linear().is_empty() || !scene.beam().is_simple() {
         return None;
     }
-    Some(match (scene.foundation()?, scene.load().point()) {
-        (Foundation::Flat { .. }, []) => {
-            let e = flat(l, ei, depth(0.0), q);
-            match e.lift_off {
-                Some(a) if a < 0.5 * l => (
-                    "a⁴ = 24 EI u₀/q, T = q a/2, zone from a to l − a, force T at each end of it, J = −q u₀ (l − 4a/5)",
-                    zone([e.reaction; 2], [a, l - a], [e.end_force; 2], e.contact_force, e.energy),
-                ),
-                Some(_) => (
-                    "F = 5 q l/8 − 48 EI u₀/l³ at mid-span, T = (q l − F)/2, J = −q² l⁵/(240 EI) + F² l³/(96 EI)",
-                    Closed {
-                        reactions: Some([e.reaction; 2]),
-                        contact: e.contact_force,
-                        energy: Some(e.energy),
-                        zones: Vec::new(),
-                    },
-                ),
-                None => return None,
-            }
-        }
-        (Foundation::Flat { .. }, [lift]) if lift.force < 0.0 && (lift.at - 0.5 * l).abs() <= f64::EPSILON * l => {
-            let e = lifted(l, ei, depth(0.0), q, -lift.force)?;
-            let ends = [e.reaction, e.inner_force];
-            let mut values = zone([e.reaction; 2], e.zones[0], ends, 2.0 * e.zone_force, e.energy);
-            values.zones.push([e.zones[1], [ends[1], ends[0]]]);
-            let formula =
-                "a⁴ = 24 EI u₀/q, T = q a/2, gap g = 3P/(2q) below the lift P, force P/4 at each end of the gap";
-            (formula, values)
-        }
-        (Foundation::Polynomial { coefficients }, []) if coefficients.len() == 2 => {
-            let e = incline(l, ei, [depth(0.0), depth(l)], q)?;
-            let ends = [e.lift_off[0], l - e.lift_off[1]];
-            (
-                "at each end a⁴ = 24 EI u/q with the depth u below that support, T = q a/2, force T at the end of the zone",
-                zone(e.reactions, ends, e.reactions, e.contact_force, e.energy),
-            )
-        }
-        (Foundation::Polynomial { coefficients }, points) if coefficients.len() == 3 => {
-            let is_symmetric =
-                (coefficients[1] + coefficients[2] * l).abs() <= 4.0 * f64::EPSILON * coefficients[1].abs();
-            let e = parabola(l, ei, depth(0.0), depth(0.5 * l) - depth(0.0), q);
-            let a = e.lift_off.filter(|_| 0.0 < e.end_force && is_symmetric)?;
-            // A point load on the zone goes straight into the ground.
-            if !points.iter().all(|p| a < p.at && p.at < l - a) {
-                return None;
-            }
-            let contact = e.contact_force + points.iter().map(|p| p.force).sum::<f64>();
-            let energy = e.energy - points.iter().map(|p| p.force * depth(p.at)).sum::<f64>();
-            (
-                "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the \
-                 zone, and the point load goes into the ground where it stands",
-                zone([e.reaction; 2], [a, l - a], [e.end_force; 2], contact, energy),
-            )
-        }
-        (Foundation::Polyline { points }, [p]) if points.len() == 3 && points[1][0] < p.at => {
-            let a = points[1][0];
-            // The deflection of the simple beam at the kink, which is left of the point load.
-            let (b, c) = (l - a, l - p.at);
-            let by_load = q * a * (l * l * l - 2.0 * l * a * a + a * a * a) / (24.0 * ei);
-            let free = by_load + p.force * c * a * (l * l - c * c - a * a) / (6.0 * ei * l);
-            let force = (free - depth(a)) * 3.0 * ei * l / (a * a * b * b);
-            (
-                "F = (v₀ − u) 3 EI l/(a² b²) at the kink, at a and b from the supports, with the deflection v₀ of the simple \
-                 beam there",
-                Closed { contact: force, ..Closed::default() },
-            )
-        }
-        _ => return None,
+    match (scene.foundation()?, scene.load().point()) {
+        (Foundation::Flat { .. }, []) => on_level_ground(scene),
+        (Foundation::Flat { .. }, [lift]) => lifted_off_level_ground(scene, lift),
+        (Foundation::Polynomial { coefficients }, []) if coefficients.len() == 2 => on_an_incline(scene),
+        (Foundation::Polynomial { coefficients }, points) => match coefficients[..] {
+            [_, slope, bend] => on_a_parabola(scene, [slope, bend], points),
+            _ => None,
+        },
+        (Foundation::Polyline { points }, [load]) => match points[..] {
+            [_, [kink, _], _] if kink < load.at => on_a_kink(scene, kink, load),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Length and bending stiffness of the beam, and the uniform load.
+fn numbers(scene: &Scene) -> (f64, f64, f64) {
+    (scene.beam().length(), scene.beam().bending_stiffness(), scene.load().uniform())
+}
+
+fn on_level_ground(scene: &Scene) -> Option<Form> {
+    let (l, ei, q) = numbers(scene);
+    let e = flat(l, ei, scene.depth(0.0), q);
+    let a = e.lift_off?;
+    Some(if a < 0.5 * l {
+        (
+            "a⁴ = 24 EI u₀/q, T = q a/2, zone from a to l − a, force T at each end of it, J = −q u₀ (l − 4a/5)",
+            Closed::zone([e.reaction; 2], [a, l - a], [e.end_force; 2], e.contact_force, e.energy),
+        )
+    } else {
+        let (reactions, energy) = (Some([e.reaction; 2]), Some(e.energy));
+        (
+            "F = 5 q l/8 − 48 EI u₀/l³ at mid-span, T = (q l − F)/2, J = −q² l⁵/(240 EI) + F² l³/(96 EI)",
+            Closed { reactions, contact: e.contact_force, energy, zones: Vec::new() },
+        )
     })
+}
+
+fn lifted_off_level_ground(scene: &Scene, lift: &PointLoad) -> Option<Form> {
+    let (l, ei, q) = numbers(scene);
+    if 0.0 <= lift.force || f64::EPSILON * l < (lift.at - 0.5 * l).abs() {
+        return None;
+    }
+    let e = lifted(l, ei, scene.depth(0.0), q, -lift.force)?;
+    let ends = [e.reaction, e.inner_force];
+    let mut values = Closed::zone([e.reaction; 2], e.zones[0], ends, 2.0 * e.zone_force, e.energy);
+    values.zones.push([e.zones[1], [ends[1], ends[0]]]);
+    Some(("a⁴ = 24 EI u₀/q, T = q a/2, gap g = 3P/(2q) below the lift P, force P/4 at each end of the gap", values))
+}
+
+fn on_an_incline(scene: &Scene) -> Option<Form> {
+    let (l, ei, q) = numbers(scene);
+    let e = incline(l, ei, [scene.depth(0.0), scene.depth(l)], q)?;
+    let ends = [e.lift_off[0], l - e.lift_off[1]];
+    Some((
+        "at each end a⁴ = 24 EI u/q with the depth u below that support, T = q a/2, force T at the end of the zone",
+        Closed::zone(e.reactions, ends, e.reactions, e.contact_force, e.energy),
+    ))
+}
+
+fn on_a_parabola(scene: &Scene, [slope, bend]: [f64; 2], points: &[PointLoad]) -> Option<Form> {
+    let (l, ei, q) = numbers(scene);
+    let is_symmetric = (slope + bend * l).abs() <= 4.0 * f64::EPSILON * slope.abs();
+    let e = parabola(l, ei, scene.depth(0.0), scene.depth(0.5 * l) - scene.depth(0.0), q);
+    let a = e.lift_off.filter(|_| 0.0 < e.end_force && is_symmetric)?;
+    // A point load on the zone goes straight into the ground.
+    if !points.iter().all(|p| a < p.at && p.at < l - a) {
+        return None;
+    }
+    let contact = e.contact_force + points.iter().map(|p| p.force).sum::<f64>();
+    let energy = e.energy - points.iter().map(|p| p.force * scene.depth(p.at)).sum::<f64>();
+    Some((
+        "with w = u″: q a⁴/(24 EI) + w a²/6 = u(0), T = q a/2 − EI w/a, force q a/2 + EI w/a at each end of the zone, and \
+         the point load goes into the ground where it stands",
+        Closed::zone([e.reaction; 2], [a, l - a], [e.end_force; 2], contact, energy),
+    ))
+}
+
+/// `a` is the place of the kink, to the left of the point load.
+fn on_a_kink(scene: &Scene, a: f64, load: &PointLoad) -> Option<Form> {
+    let (l, ei, q) = numbers(scene);
+    let (b, c) = (l - a, l - load.at);
+    let by_load = q * a * (l * l * l - 2.0 * l * a * a + a * a * a) / (24.0 * ei);
+    let free = by_load + load.force * c * a * (l * l - c * c - a * a) / (6.0 * ei * l);
+    let contact = (free - scene.depth(a)) * 3.0 * ei * l / (a * a * b * b);
+    Some((
+        "F = (v₀ − u) 3 EI l/(a² b²) at the kink, at a and b from the supports, with the deflection v₀ of the simple \
+         beam there",
+        Closed { contact, ..Closed::default() },
+    ))
 }
