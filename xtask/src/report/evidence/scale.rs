@@ -89,10 +89,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let failed: Vec<f64> = all
         .iter()
         .filter(|survey| survey.survey.points == largest_interior)
-        .filter_map(|survey| {
-            let line = survey.lines[2].filter(|line| !line.succeeded())?;
-            Some(line.median_s? / survey.seconds(EXACT)?)
-        })
+        .filter_map(|survey| Some(survey.failed_after(INTERIOR_POINT)? / survey.seconds(EXACT)?))
         .collect();
     let beside_grid = || all.iter().filter_map(|survey| Some((survey, survey.ratio(EXACT, ACTIVE_SET)?)));
     let slowest = beside_grid().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(survey, _)| survey);
@@ -101,6 +98,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (panels, data) = panels(&all);
     let figure = study.drawn("scale-time", values.clone(), 2, panels, data)?;
     let of_surveys = || store.lines.iter().filter(|line| is_survey(&line.scene));
+    let hardest = hardest(&all);
     let refused = of_surveys().find(|line| line.method == "exact" && line.is_refused());
     let values = context! {
         made => store.provenance(),
@@ -117,6 +115,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         interior_failed_after => least_most(failed),
         grid_off => all.iter().filter_map(|survey| survey.solved(ACTIVE_SET)?.energy_total).reduce(f64::max),
         refused => refused.map(|_| TOO_MANY),
+        hardest,
         tenth => most / 10,
         single => of_surveys().filter(|line| line.runs == Some(1)).count(),
         table => table(all.iter().filter(|survey| [most, largest_interior].contains(&survey.survey.points))),
@@ -124,6 +123,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         ..values
     };
     Evidence::new(values).figures([figure])
+}
+
+/// The kind of survey with the most contacts, and how many the other kinds have at the most.
+fn hardest(all: &[Measured<'_>]) -> Option<Value> {
+    let contacts = |survey: &Measured<'_>| survey.solved(EXACT).and_then(|line| line.contacts);
+    let name = all.iter().max_by_key(|survey| contacts(survey))?.name();
+    let most = |same: bool| all.iter().filter(|survey| (survey.name() == name) == same).filter_map(contacts).max();
+    let (contacts, others) = (most(true)?, most(false)?);
+    Some(context! { name, contacts, others })
 }
 
 /// Seconds of a solve and of the whole program, and its megabytes, of every route on some surveys.
