@@ -96,113 +96,182 @@ pub(crate) fn moved_on_waves(scene: &Scene, by: f64) -> [f64; 2] {
 /// The conditions that an answer fails by more than the share `most` of the largest deflection, moment or force, with by how much.
 #[must_use]
 pub fn violated(scene: &Scene, exact: &Exact, most: f64) -> Vec<String> {
-    let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
-    let mut wrong = Vec::new();
-    let state = &exact.state;
-    let deflection = state.deflection.magnitude().max(1e-3 * size(scene));
-    let moment = state.moment.magnitude().max(1e-3 * scene.load().magnitude(length) * length);
-    let force = moment / length;
-    // A unit in the last place of a moment bends the beam by so much.
-    let deflection = deflection.max(f64::EPSILON * moment * length * length / stiffness / most);
-    let mut check = |what: String, off: f64, scale: f64| {
-        if off.is_nan() || most * scale < off {
-            wrong.push(format!("{what}: {off:e} of {scale:e}"));
-        }
-    };
-    for held in scene.held() {
-        check(format!("level at {}", held.at), (exact.deflection(held.at) - held.deflection).abs(), deflection);
-        if let Some(slope) = held.slope {
-            check(format!("slope at {}", held.at), (exact.slope(held.at) - slope).abs() * length, deflection);
-        }
-    }
-    for contact in &state.contacts {
-        let [first, last] = contact.end_forces.unwrap_or([contact.force; 2]);
-        check(format!("pull at {}", contact.from), -first.min(last), force);
-        for x in [contact.from, 0.5 * (contact.from + contact.to), contact.to] {
-            check(format!("gap in contact at {x}"), exact.clearance(x).abs(), deflection);
-            check(format!("pressure at {x}"), -exact.pressure(x), force / length);
-        }
-    }
-    // Places where something begins, and points between: so many that a wave has twenty.
+    let mut asked = Asked::of(scene, exact, most);
+    asked.supports();
+    asked.contacts();
+    let places = places(scene, exact);
+    asked.shape(&places);
+    asked.statics(&places);
+    asked.balance();
+    asked.wrong
+}
+
+/// Places where something begins, and points between: so many that a wave has twenty.
+fn places(scene: &Scene, exact: &Exact) -> Vec<f64> {
+    let length = scene.beam().length();
+    let profiles = || scene.foundation().into_iter().chain(scene.beam().shape());
     let mut parts = 200;
-    for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
+    for profile in profiles() {
         if let Foundation::Cosine { wavelength, .. } = profile {
             let enough = (parts..MOST_PARTS).find(|parts| 20.0 * length <= f64::from(*parts) * wavelength);
             parts = enough.unwrap_or(MOST_PARTS);
         }
     }
     let mut places: Vec<f64> = (0..=parts).map(|k| length * f64::from(k) / f64::from(parts)).collect();
-    places.extend(state.contacts.iter().flat_map(|c| [c.from, c.to]));
+    places.extend(exact.state.contacts.iter().flat_map(|c| [c.from, c.to]));
     places.extend(scene.load().point().iter().map(|p| p.at));
     places.extend(scene.load().linear().iter().flat_map(|q| [q.from, q.to]));
     places.extend(scene.held().iter().map(|held| held.at));
-    for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
+    for profile in profiles() {
         if let Foundation::Polyline { points } = profile {
             places.extend(points.iter().map(|p| p[0]));
         }
     }
     places.sort_by(f64::total_cmp);
     places.dedup();
-    let zoned = |x: f64| state.contacts.iter().any(|c| c.from < x && x < c.to);
-    let shear = |x: f64| {
-        let [left, right] = exact.shear(x);
-        [if x <= 0.0 { 0.0 } else { left }, if length <= x { 0.0 } else { right }]
-    };
-    let shears = places.iter().flat_map(|&x| shear(x)).fold(force, |most, v| most.max(v.abs()));
-    // A unit in the last place of a place moves the moment by so much of the shear force.
-    let place = f64::EPSILON * length;
-    for pair in places.windows(2) {
-        let (a, b) = (pair[0], pair[1]);
-        check(format!("penetration at {a}"), -exact.clearance(a), deflection);
-        // M is continuous but for the couples of built-in supports and of ground beside a support.
-        let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
-        let turned = FIVE.iter().map(|[place, weight]| {
-            let x = middle + half * place;
-            half * weight * exact.moment(x) / stiffness * (x - a)
-        });
-        let bent = exact.deflection(a) + exact.slope(b) * (b - a) + turned.sum::<f64>();
-        if !zoned(middle) {
-            let moved = place * shear(a)[1].abs().max(shear(b)[0].abs()) / stiffness * (b - a) * (b - a);
-            let size = deflection.max(moved / most);
-            check(format!("bending from {a} to {b}"), (exact.deflection(b) - bent).abs(), size);
+    places
+}
+
+/// An answer with the sizes that its violations are measured against, and what is wrong with it so far.
+struct Asked<'a> {
+    scene: &'a Scene,
+    exact: &'a Exact,
+    most: f64,
+    deflection: f64,
+    moment: f64,
+    force: f64,
+    wrong: Vec<String>,
+}
+
+impl<'a> Asked<'a> {
+    fn of(scene: &'a Scene, exact: &'a Exact, most: f64) -> Self {
+        let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
+        let deflection = exact.state.deflection.magnitude().max(1e-3 * size(scene));
+        let moment = exact.state.moment.magnitude().max(1e-3 * scene.load().magnitude(length) * length);
+        // A unit in the last place of a moment bends the beam by so much.
+        let deflection = deflection.max(f64::EPSILON * moment * length * length / stiffness / most);
+        Self { scene, exact, most, deflection, moment, force: moment / length, wrong: Vec::new() }
+    }
+
+    fn check(&mut self, what: String, off: f64, scale: f64) {
+        if off.is_nan() || self.most * scale < off {
+            self.wrong.push(format!("{what}: {off:e} of {scale:e}"));
         }
     }
-    // Every part of the beam is in equilibrium, and every place, with nothing beyond the ends. A contact that would have to move by less
-    // than `SETTLED` of the length is where it should be; on a wave, which bends the beam by its own curvature, that moves the moment
-    // by so much of its third derivative, and the shear force by so much of its fourth.
-    let [third, fourth] = moved_on_waves(scene, SETTLED * length).map(|change| change / most);
-    let moment = moment.max(place * shears / most).max(third);
-    // Places that differ by rounding are one.
-    let same = |a: &f64, b: &f64| b - a <= 4.0 * f64::EPSILON * length;
-    let places: Vec<[f64; 2]> = places.chunk_by(same).map(|group| [group[0], group[group.len() - 1]]).collect();
-    for pair in places.windows(2) {
-        let (a, b) = (pair[0][1], pair[1][0]);
-        let [turned, sheared] = [moment_before(exact, b) - exact.moment(a), shear(b)[0] - shear(a)[1]];
-        let [load, lever] = carried(scene, exact, [a, b]);
-        let size = moment.max(shears.max(fourth) * (b - a));
-        check(format!("shear from {a} to {b}"), (sheared + load).abs(), shears.max(fourth));
-        check(format!("moment from {a} to {b}"), (turned - shear(a)[1] * (b - a) + lever).abs(), size);
+
+    fn length(&self) -> f64 {
+        self.scene.beam().length()
     }
-    for &[from, to] in &places {
-        // With the load between places that differ by rounding, which is more than nothing beside a load that is hardly longer.
-        let jump = shear(to)[1] - shear(from)[0] + between(scene, exact, [from, to]);
-        let off = concentrated(scene, exact, [from, to]).map(|force| (jump - force).abs());
-        check(format!("force at {from}"), off[0].min(off[1]), shears);
-        if 0.0 < from && to < length {
-            let jump = exact.moment(to) - moment_before(exact, from);
-            let [down, up] = couples(scene, [from, to]);
-            // The spans on either side have the place each with its own last unit.
-            let size = moment.max(2.0 * place * shears / most);
-            check(format!("moment that jumps up at {from}"), if up { 0.0 } else { jump }, size);
-            check(format!("moment that jumps down at {from}"), if down { 0.0 } else { -jump }, size);
+
+    /// On both sides of a place; beyond the ends of the beam there is none.
+    fn shear(&self, x: f64) -> [f64; 2] {
+        let [left, right] = self.exact.shear(x);
+        [if x <= 0.0 { 0.0 } else { left }, if self.length() <= x { 0.0 } else { right }]
+    }
+
+    fn supports(&mut self) {
+        let (exact, length, deflection) = (self.exact, self.length(), self.deflection);
+        for held in self.scene.held() {
+            self.check(
+                format!("level at {}", held.at),
+                (exact.deflection(held.at) - held.deflection).abs(),
+                deflection,
+            );
+            if let Some(slope) = held.slope {
+                let off = (exact.slope(held.at) - slope).abs() * length;
+                self.check(format!("slope at {}", held.at), off, deflection);
+            }
         }
     }
-    check("moment at the left end".to_owned(), couple_free(scene, 0.0) * exact.moment(0.0).abs(), moment);
-    check("moment at the right end".to_owned(), couple_free(scene, length) * exact.moment(length).abs(), moment);
-    let carried: f64 = state.supports.iter().map(|s| s.force).sum::<f64>() + state.contact_force();
-    let forces: f64 = state.supports.iter().map(|s| s.force.abs()).sum();
-    check("balance".to_owned(), (scene.load().resultant(length) - carried).abs(), 100.0 * force.max(forces));
-    wrong
+
+    fn contacts(&mut self) {
+        let (exact, deflection, force) = (self.exact, self.deflection, self.force);
+        for contact in &exact.state.contacts {
+            let [first, last] = contact.end_forces.unwrap_or([contact.force; 2]);
+            self.check(format!("pull at {}", contact.from), -first.min(last), force);
+            for x in [contact.from, 0.5 * (contact.from + contact.to), contact.to] {
+                self.check(format!("gap in contact at {x}"), exact.clearance(x).abs(), deflection);
+                self.check(format!("pressure at {x}"), -exact.pressure(x), force / self.length());
+            }
+        }
+    }
+
+    /// A unit in the last place of a place.
+    fn unit(&self) -> f64 {
+        f64::EPSILON * self.length()
+    }
+
+    /// The beam is above the ground, and outside of zones bent by its moments.
+    fn shape(&mut self, places: &[f64]) {
+        let (exact, stiffness) = (self.exact, self.scene.beam().bending_stiffness());
+        let zoned = |x: f64| exact.state.contacts.iter().any(|c| c.from < x && x < c.to);
+        for pair in places.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            self.check(format!("penetration at {a}"), -exact.clearance(a), self.deflection);
+            // M is continuous but for the couples of built-in supports and of ground beside a support.
+            let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+            let turned = FIVE.iter().map(|[place, weight]| {
+                let x = middle + half * place;
+                half * weight * exact.moment(x) / stiffness * (x - a)
+            });
+            let bent = exact.deflection(a) + exact.slope(b) * (b - a) + turned.sum::<f64>();
+            if !zoned(middle) {
+                // A place that is off by a unit moves the moment by so much of the shear force.
+                let shear = self.shear(a)[1].abs().max(self.shear(b)[0].abs());
+                let moved = self.unit() * shear / stiffness * (b - a) * (b - a);
+                let size = self.deflection.max(moved / self.most);
+                self.check(format!("bending from {a} to {b}"), (exact.deflection(b) - bent).abs(), size);
+            }
+        }
+    }
+
+    /// Every part of the beam is in equilibrium, and every place, with nothing beyond the ends. A contact that would have to move by
+    /// less than `SETTLED` of the length is where it should be; on a wave, which bends the beam by its own curvature, that moves the
+    /// moment by so much of its third derivative, and the shear force by so much of its fourth.
+    fn statics(&mut self, places: &[f64]) {
+        let (scene, exact, length) = (self.scene, self.exact, self.length());
+        let shears = places.iter().flat_map(|&x| self.shear(x)).fold(self.force, |most, v| most.max(v.abs()));
+        let [third, fourth] = moved_on_waves(scene, SETTLED * length).map(|change| change / self.most);
+        let moment = self.moment.max(self.unit() * shears / self.most).max(third);
+        // Places that differ by rounding are one.
+        let same = |a: &f64, b: &f64| b - a <= 4.0 * f64::EPSILON * length;
+        let places: Vec<[f64; 2]> = places.chunk_by(same).map(|group| [group[0], group[group.len() - 1]]).collect();
+        for pair in places.windows(2) {
+            let (a, b) = (pair[0][1], pair[1][0]);
+            let (from, to) = (self.shear(a)[1], self.shear(b)[0]);
+            let [turned, sheared] = [moment_before(exact, b) - exact.moment(a), to - from];
+            let [load, lever] = carried(scene, exact, [a, b]);
+            let size = moment.max(shears.max(fourth) * (b - a));
+            self.check(format!("shear from {a} to {b}"), (sheared + load).abs(), shears.max(fourth));
+            self.check(format!("moment from {a} to {b}"), (turned - from * (b - a) + lever).abs(), size);
+        }
+        for &[from, to] in &places {
+            // With the load between places that differ by rounding, which is more than nothing beside a load that is hardly longer.
+            let jump = self.shear(to)[1] - self.shear(from)[0] + between(scene, exact, [from, to]);
+            let off = concentrated(scene, exact, [from, to]).map(|force| (jump - force).abs());
+            self.check(format!("force at {from}"), off[0].min(off[1]), shears);
+            if 0.0 < from && to < length {
+                let jump = exact.moment(to) - moment_before(exact, from);
+                let [down, up] = couples(scene, [from, to]);
+                // The spans on either side have the place each with its own last unit.
+                let size = moment.max(2.0 * self.unit() * shears / self.most);
+                self.check(format!("moment that jumps up at {from}"), if up { 0.0 } else { jump }, size);
+                self.check(format!("moment that jumps down at {from}"), if down { 0.0 } else { -jump }, size);
+            }
+        }
+        for (end, at) in [("left", 0.0), ("right", length)] {
+            let off = couple_free(scene, at) * exact.moment(at).abs();
+            self.check(format!("moment at the {end} end"), off, moment);
+        }
+    }
+
+    fn balance(&mut self) {
+        let state = &self.exact.state;
+        let carried: f64 = state.supports.iter().map(|s| s.force).sum::<f64>() + state.contact_force();
+        let forces: f64 = state.supports.iter().map(|s| s.force.abs()).sum();
+        let off = (self.scene.load().resultant(self.length()) - carried).abs();
+        self.check("balance".to_owned(), off, 100.0 * self.force.max(forces));
+    }
 }
 
 /// The size of what is given across the beam.

@@ -4,7 +4,8 @@
 use crate::definition::violated;
 use crate::draft::Draft;
 use crate::random::Random;
-use palkki::route::{Method, Solver};
+use palkki::certificate::Certificate;
+use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::file::{FileError, ReadProblem, parse};
 use palkki::scene::{Grid, Scene, SceneError};
 use palkki::theory::{self, Exact};
@@ -95,30 +96,7 @@ fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
     accepted(&mut trial, draft, &scene);
 
     let exact = theory::solve(&scene).ok();
-    let bounds = exact.as_ref().and_then(|exact| {
-        trial.exact = Some(exact.solved);
-        trial.work[0] = exact.lists;
-        let verdict = Verdict::of_exact(&scene, exact, &Demand::default());
-        trial.certified = verdict.refusal.is_none();
-        trial.bounded =
-            trial.certified || matches!(verdict.refusal, Some(Refusal::Error { .. } | Refusal::Number { .. }));
-        trial.all_but_turns = all_but_turns(&scene, exact);
-        verdict.certificate
-    });
-    if let Some(exact) = exact.as_ref().filter(|exact| exact.solved) {
-        balanced(&mut trial, "theory", &scene, &exact.state);
-        presses(&mut trial, "theory", &scene, exact);
-        turns_above_ground(&mut trial, "theory", &scene, exact);
-        if !Family::FIRST.contains(&family) && !Family::SECOND.contains(&family) && trial.certified {
-            let violated =
-                violated(&scene, exact, THEORY).into_iter().map(|what| format!("theory: certified, but {what}"));
-            trial.wrong.extend(violated);
-        }
-        if let Some(bounds) = &bounds {
-            within(&mut trial, "theory", exact, bounds, &scene);
-        }
-    }
-
+    let bounds = exact.as_ref().and_then(|exact| by_theory(&mut trial, family, &scene, exact));
     if Family::FOURTH.contains(&family) {
         at_length(&mut trial, draft, &scene, exact.as_ref(), &mut random);
         // Grids have had their turn with the other dice.
@@ -128,46 +106,79 @@ fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
     }
     let settings = on_fitting_grid(&scene, settings(&mut random));
     let reference = Settings { solver: Solver::ActiveSet, method: same_optimum(settings.method), ..settings };
-    let judged = |trial: &mut Trial, settings: &Settings| {
-        let outcome = match solve_raw(&scene, settings) {
-            Ok(outcome) => outcome,
-            Err(SceneError::SupportBetweenNodes { .. } | SceneError::Overflow { .. }) => return None,
-            Err(error) => {
-                trial.wrong.push(format!("{}: {error}", name(settings)));
-                return None;
-            }
-        };
-        if outcome.solved {
-            lies_on_ground(trial, &name(settings), draft, &scene, &outcome.state);
-        }
-        let certificate = judge(trial, &scene, settings, &outcome, exact.as_ref());
-        if Family::FOURTH.contains(&family) {
-            let witness = exact.as_ref().map_or_else(|| Witness::of(&scene), |exact| Witness::known(&scene, exact));
-            let verdict = Verdict::of_raw(&outcome, &witness, &Demand::default());
-            backed(trial, &name(settings), &scene, &outcome.state, &verdict);
-        }
+    let mut on_grid = |settings: &Settings| {
+        let (outcome, certificate) = on_grid(&mut trial, family, draft, &scene, settings, exact.as_ref())?;
         if let (Some(a), Some(b)) = (&bounds, &certificate) {
-            overlap(trial, settings, a, b);
+            overlap(&mut trial, settings, a, b);
         }
-        let reports_an_answer = outcome.solver_reports_success || outcome.solver_reports_almost;
-        trial.contradicted |= reports_an_answer && !outcome.solved;
-        trial.work[1] = trial.work[1].max(outcome.iterations);
         Some(outcome)
     };
-    let other = judged(&mut trial, &reference);
+    let other = on_grid(&reference);
+    let outcome = if settings == reference { None } else { on_grid(&settings) };
     trial.reference = other.as_ref().map(|outcome| outcome.solved);
-    if settings != reference
-        && let Some(outcome) = judged(&mut trial, &settings)
-    {
-        trial.route = Some(outcome.solved);
-        if let Some(other) = other.as_ref().filter(|_| outcome.solved) {
-            same(&mut trial, &settings, &scene, &outcome.state, other);
-        }
+    trial.route = outcome.as_ref().map(|outcome| outcome.solved);
+    if let (Some(outcome), Some(other)) = (outcome.filter(|outcome| outcome.solved), &other) {
+        same(&mut trial, &settings, &scene, &outcome.state, other);
     }
     if random.once_in(8) {
         in_other_units(&mut trial, draft, &scene, exact.as_ref(), &reference, &mut random);
     }
     trial
+}
+
+/// The laws of one answer of beam theory, and its bounds.
+fn by_theory(trial: &mut Trial, family: Family, scene: &Scene, exact: &Exact) -> Option<Certificate> {
+    trial.exact = Some(exact.solved);
+    trial.work[0] = exact.lists;
+    let verdict = Verdict::of_exact(scene, exact, &Demand::default());
+    trial.certified = verdict.refusal.is_none();
+    trial.bounded = trial.certified || matches!(verdict.refusal, Some(Refusal::Error { .. } | Refusal::Number { .. }));
+    trial.all_but_turns = all_but_turns(scene, exact);
+    if exact.solved {
+        balanced(trial, "theory", scene, &exact.state);
+        presses(trial, "theory", scene, exact);
+        turns_above_ground(trial, "theory", scene, exact);
+        if !Family::FIRST.contains(&family) && !Family::SECOND.contains(&family) && trial.certified {
+            let violated = violated(scene, exact, THEORY).into_iter();
+            trial.wrong.extend(violated.map(|what| format!("theory: certified, but {what}")));
+        }
+        if let Some(bounds) = &verdict.certificate {
+            within(trial, "theory", exact, bounds, scene);
+        }
+    }
+    verdict.certificate
+}
+
+/// The laws of one answer on a grid; none where there is no answer.
+fn on_grid(
+    trial: &mut Trial,
+    family: Family,
+    draft: &Draft,
+    scene: &Scene,
+    settings: &Settings,
+    exact: Option<&Exact>,
+) -> Option<(RawSolution, Option<Certificate>)> {
+    let outcome = match solve_raw(scene, settings) {
+        Ok(outcome) => outcome,
+        Err(SceneError::SupportBetweenNodes { .. } | SceneError::Overflow { .. }) => return None,
+        Err(error) => {
+            trial.wrong.push(format!("{}: {error}", name(settings)));
+            return None;
+        }
+    };
+    if outcome.solved {
+        lies_on_ground(trial, &name(settings), draft, scene, &outcome.state);
+    }
+    let certificate = judge(trial, scene, settings, &outcome, exact);
+    if Family::FOURTH.contains(&family) {
+        let witness = exact.map_or_else(|| Witness::of(scene), |exact| Witness::known(scene, exact));
+        let verdict = Verdict::of_raw(&outcome, &witness, &Demand::default());
+        backed(trial, &name(settings), scene, &outcome.state, &verdict);
+    }
+    let reports_an_answer = outcome.solver_reports_success || outcome.solver_reports_almost;
+    trial.contradicted |= reports_an_answer && !outcome.solved;
+    trial.work[1] = trial.work[1].max(outcome.iterations);
+    Some((outcome, certificate))
 }
 
 /// The laws of beam theory that take more solves than one: of proven energies, and one of those of scenes beside each other.
