@@ -142,27 +142,7 @@ fn touching(scene: &Scene, points: &[[f64; 2]], touched: &[usize]) -> Option<Tru
     u.push(RBig::zero());
     let last = x.len() - 1;
     let width = |i: usize| &x[i + 1] - &x[i];
-    let chord = |i: usize| (&u[i + 1] - &u[i]) / width(i);
-    let cube = |v: RBig| &v * &v * &v;
-    // Elimination of the three diagonals, then backwards.
-    let mut rows: Vec<[RBig; 3]> = Vec::new();
-    for i in 1..last {
-        let [left, right] = [width(i - 1), width(i)];
-        let bend = RBig::whole(6) * &ei * (chord(i - 1) - chord(i));
-        let load = &q * (cube(left.clone()) + cube(right.clone())) / RBig::whole(4);
-        let mut row = [RBig::whole(2) * (&left + &right), right, bend - load];
-        if let Some([diagonal, above, known]) = rows.last() {
-            let factor = &left / diagonal;
-            row[0] = &row[0] - &factor * above;
-            row[2] = &row[2] - &factor * known;
-        }
-        rows.push(row);
-    }
-    let mut moments = vec![RBig::zero(); last + 1];
-    for i in (1..last).rev() {
-        let [diagonal, above, known] = &rows[i - 1];
-        moments[i] = (known - above * &moments[i + 1]) / diagonal;
-    }
+    let moments = three_moments(&x, &u, &ei, &q);
     let half = RBig::fraction(1, 2);
     let turn = |i: usize| (&moments[i + 1] - &moments[i]) / width(i);
     let force = |i: usize| turn(i) - turn(i - 1) + &q * (width(i - 1) + width(i)) * &half;
@@ -197,6 +177,33 @@ fn touching(scene: &Scene, points: &[[f64; 2]], touched: &[usize]) -> Option<Tru
         &u[i] * &r + &u[i + 1] * &s + cubic + load
     };
     Some(Truth { deflection: Box::new(deflection), energy, reactions, contacts })
+}
+
+/// The moments over the places of contact and at both ends: elimination of the three diagonals, then backwards.
+fn three_moments(x: &[RBig], u: &[RBig], ei: &RBig, q: &RBig) -> Vec<RBig> {
+    let last = x.len() - 1;
+    let width = |i: usize| &x[i + 1] - &x[i];
+    let chord = |i: usize| (&u[i + 1] - &u[i]) / width(i);
+    let cube = |v: RBig| &v * &v * &v;
+    let mut rows: Vec<[RBig; 3]> = Vec::new();
+    for i in 1..last {
+        let [left, right] = [width(i - 1), width(i)];
+        let bend = RBig::whole(6) * ei * (chord(i - 1) - chord(i));
+        let load = q * (cube(left.clone()) + cube(right.clone())) / RBig::whole(4);
+        let mut row = [RBig::whole(2) * (&left + &right), right, bend - load];
+        if let Some([diagonal, above, known]) = rows.last() {
+            let factor = &left / diagonal;
+            row[0] = &row[0] - &factor * above;
+            row[2] = &row[2] - &factor * known;
+        }
+        rows.push(row);
+    }
+    let mut moments = vec![RBig::zero(); last + 1];
+    for i in (1..last).rev() {
+        let [diagonal, above, known] = &rows[i - 1];
+        moments[i] = (known - above * &moments[i + 1]) / diagonal;
+    }
+    moments
 }
 
 /// Whether a beam that is bent as in [`touching`] is above the polyline everywhere: on each segment the clearance is a

@@ -57,41 +57,48 @@ impl Dense {
             }
         }
         if each == 2 {
-            let (d, e) = (spacing, spacing * spacing);
-            let element = [
-                [12.0, 6.0 * d, -12.0, 6.0 * d],
-                [6.0 * d, 4.0 * e, -6.0 * d, 2.0 * e],
-                [-12.0, -6.0 * d, 12.0, -6.0 * d],
-                [6.0 * d, 2.0 * e, -6.0 * d, 4.0 * e],
-            ];
-            for i in 0..INTERVALS {
-                for (r, row) in element.iter().enumerate() {
-                    for (c, entry) in row.iter().enumerate() {
-                        dense.stiffness[(2 * i + r, 2 * i + c)] += cube * entry;
-                    }
-                }
-            }
-            return dense;
-        }
-        for node in 0..=INTERVALS {
-            let slope = held.iter().find(|(at, _)| *at == node).and_then(|(_, held)| held.slope);
-            match slope {
-                // A built-in node has half a cell on each side.
-                Some(slope) => {
-                    if 0 < node {
-                        dense.hinge(2.0 * cube, &[(node - 1, 1.0), (node, -1.0)], slope * spacing);
-                    }
-                    if node < INTERVALS {
-                        dense.hinge(2.0 * cube, &[(node, -1.0), (node + 1, 1.0)], -slope * spacing);
-                    }
-                }
-                None if 0 < node && node < INTERVALS => {
-                    dense.hinge(cube, &[(node - 1, 1.0), (node, -2.0), (node + 1, 1.0)], 0.0);
-                }
-                None => {}
-            }
+            dense.elements(cube, spacing);
+        } else {
+            let slope = |node| held.iter().find(|(at, _)| *at == node).and_then(|(_, held)| held.slope);
+            (0..=INTERVALS).for_each(|node| dense.cell(node, slope(node), cube, spacing));
         }
         dense
+    }
+
+    /// Beam elements between the nodes.
+    fn elements(&mut self, cube: f64, d: f64) {
+        let e = d * d;
+        let element = [
+            [12.0, 6.0 * d, -12.0, 6.0 * d],
+            [6.0 * d, 4.0 * e, -6.0 * d, 2.0 * e],
+            [-12.0, -6.0 * d, 12.0, -6.0 * d],
+            [6.0 * d, 2.0 * e, -6.0 * d, 4.0 * e],
+        ];
+        for i in 0..INTERVALS {
+            for (r, row) in element.iter().enumerate() {
+                for (c, entry) in row.iter().enumerate() {
+                    self.stiffness[(2 * i + r, 2 * i + c)] += cube * entry;
+                }
+            }
+        }
+    }
+
+    /// The second difference at a node, or what holds its slope: a built-in node has half a cell on each side.
+    fn cell(&mut self, node: usize, slope: Option<f64>, cube: f64, spacing: f64) {
+        match slope {
+            Some(slope) => {
+                if 0 < node {
+                    self.hinge(2.0 * cube, &[(node - 1, 1.0), (node, -1.0)], slope * spacing);
+                }
+                if node < INTERVALS {
+                    self.hinge(2.0 * cube, &[(node, -1.0), (node + 1, 1.0)], -slope * spacing);
+                }
+            }
+            None if 0 < node && node < INTERVALS => {
+                self.hinge(cube, &[(node - 1, 1.0), (node, -2.0), (node + 1, 1.0)], 0.0);
+            }
+            None => {}
+        }
     }
 
     /// Adds `½ k (Σ a_i v_i + b)²`.

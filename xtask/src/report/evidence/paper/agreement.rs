@@ -64,19 +64,11 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         data.push(row![method, solver, verdict.status, error, force, reaction, yes_no(share <= 1.0)]);
     }
 
-    let exact = theory();
-    let answers = [("finite differences", &differences), ("energy methods", &energy)].map(|(name, authority)| {
-        let values = [authority.forces[authority.first], authority.left_reaction].map(|value| fixed(value, 9));
-        let [force, reaction] = [0, 1].map(|i| format!("{} = {}…", authority.fractions[i], values[i]));
-        [name.to_owned(), force, reaction]
-    });
-    let continuous =
-        ["beam theory, no grid".to_owned(), fixed(exact.end_force, 9) + "…", fixed(exact.reaction, 9) + "…"];
     // What Figure 4 would show if its n counted the nodes.
     let one_more = run(Method::Complementarity, Solver::ActiveSet, INTERVALS + 1)?;
     Evidence::new(context! {
         intervals => INTERVALS,
-        exact => Table::new(["answer", "first contact force", "end reaction"]).rows(answers).rows([continuous]),
+        exact => exact(&energy, &differences),
         table,
         routes => runs.len(),
         certified,
@@ -92,6 +84,19 @@ pub(crate) fn evidence(_: &Study<'_>) -> Result<Evidence, Cause> {
         },
     })
     .data("agreement", data)
+}
+
+/// The exact answers of both discrete models, and of beam theory.
+fn exact(energy: &Authority, differences: &Authority) -> Table {
+    let theory = theory();
+    let answers = [("finite differences", differences), ("energy methods", energy)].map(|(name, authority)| {
+        let values = [authority.forces[authority.first], authority.left_reaction].map(|value| fixed(value, 9));
+        let [force, reaction] = [0, 1].map(|i| format!("{} = {}…", authority.fractions[i], values[i]));
+        [name.to_owned(), force, reaction]
+    });
+    let continuous =
+        ["beam theory, no grid".to_owned(), fixed(theory.end_force, 9) + "…", fixed(theory.reaction, 9) + "…"];
+    Table::new(["answer", "first contact force", "end reaction"]).rows(answers).rows([continuous])
 }
 
 /// The exact optimum. The contact set is read from a computed answer; the check in rationals does not rely on it.
