@@ -7,6 +7,7 @@ use palkki::route::{Solver, Status};
 use palkki::solvers::Answer;
 use palkki::verdict::EXACT;
 use palkki_evidence::bodies::{Known, five_diagonal};
+use palkki_evidence::compare::apart;
 use palkki_evidence::random::Random;
 
 fn solved(body: &Body) -> (Answer, Proof) {
@@ -72,7 +73,7 @@ fn wrong_answers_are_refused() {
                 _ => 0.0,
             };
         }
-        let off = wrong.iter().zip(&clearance).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let off = apart(&wrong, &clearance);
         let (_, found) = proof.judge(&body, &Brought::Clearance(wrong.clone())).expect("definite");
         assert!(
             found.least <= off && off <= found.most && found.most - found.least <= 1e-12,
@@ -90,7 +91,7 @@ fn an_answer_of_a_library_that_is_off_is_refused() {
     let Known { body, clearance, .. } = five_diagonal(5000);
     let (_, proof) = solved(&body);
     let answer = body.run(Solver::Clarabel, 1e-10);
-    let off = answer.x.iter().zip(&clearance).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let off = apart(&answer.x, &clearance);
     let found = proof.off(&answer.x);
     let residual = palkki::qp::residual(body.program().sizes(), &answer.x, &answer.gradient);
     assert!(residual < 1e-11 && 1e-3 < off, "residual {residual:.1e}, off by {off:.1e}");

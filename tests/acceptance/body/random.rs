@@ -8,6 +8,7 @@ use palkki::verdict::EXACT;
 use palkki_evidence::authority::RBig;
 use palkki_evidence::authority::number::Number as _;
 use palkki_evidence::bodies::{Known, whole};
+use palkki_evidence::compare::apart;
 use palkki_evidence::random::Random;
 
 /// How many. A thousand take some ten times as long: of 394 answers that said solved and were off by more than a thousandth none was
@@ -44,7 +45,7 @@ fn no_bound_is_untrue() {
             let state = body.state(&answer);
             let found = proof.off(&state.clearance);
             let Off { least, most, .. } = found;
-            let off = state.clearance.iter().zip(&clearance).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            let off = apart(&state.clearance, &clearance);
             assert!(least <= off && off <= most, "{solver}: {off:e} not in {least:e} … {most:e}");
             let verdict = Verdict::new(Ok(found), EXACT, answer.reports_success);
             assert!(off <= 1e-3 * proof.size || verdict.status != Status::Certified, "{solver}: {off:e} is certified");

@@ -10,6 +10,7 @@ use palkki::theory::{self, Exact};
 use palkki::{Settings, solve_raw};
 
 use super::{of_forces, places};
+use palkki_evidence::compare::largest;
 use palkki_evidence::random::{self, Random};
 
 /// Theory is certified to twelve digits of the largest numbers that the scene has.
@@ -166,7 +167,7 @@ fn a_lift_off_point_that_is_off_is_off_by_the_square() {
         let x: Vec<f64> = (1..INTERVALS).map(|k| l * f64::from(k) / f64::from(INTERVALS)).collect();
         let values = x.iter().map(|&x| if x < 0.5 * l { span(moved, x) } else { span(a, l - x) });
         let (deflection, moment): (Vec<f64>, Vec<f64>) = values.map(|[v, m]| (v, m)).unzip();
-        let off = x.iter().map(|&x| (span(a, x)[0] - span(moved, x)[0]).abs()).fold(0.0, f64::max);
+        let off = largest(x.iter().map(|&x| span(a, x)[0] - span(moved, x)[0]));
         let nodes = Nodes { x, deflection, moment, ..Nodes::default() };
         let certificate = certify(&scene, Judged::Nodes(&nodes), &exact.state.contacts);
         let bound = certificate.expect("the scene can be scaled").deflection_error;

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use palkki_evidence::compare::apart;
 use serde_json::Value;
 
 use super::Folder;
@@ -40,8 +41,8 @@ fn an_exported_beam_is_the_same_body() {
             for (quantity, size) in [("clearance", 1.0), ("contact_force", 10.0)] {
                 let (a, b) = (numbers(&beam["nodes"][quantity]), numbers(&body["nodes"][quantity]));
                 assert_eq!((a.len(), b.len()), (intervals - 1, intervals - 1), "{to}");
-                let apart = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                assert!(apart <= rounding * size, "{to}: {quantity} differs by {apart:.1e}");
+                let off = apart(&a, &b);
+                assert!(off <= rounding * size, "{to}: {quantity} differs by {off:.1e}");
             }
             // What the beam found is brought back, as clearances or as forces.
             for (quantity, of) in [("clearance", "clearance"), ("contact_force", "force")] {

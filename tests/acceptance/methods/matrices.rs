@@ -5,6 +5,7 @@ use palkki::adaptive::observed_order;
 use palkki::methods::{Discrete, Method, flexibility};
 use palkki::qp::{FreeSet, Qp};
 use palkki::scene::{Foundation, Scene};
+use palkki_evidence::compare;
 use palkki_evidence::paper::claims::energy_methods::{dense, explicit};
 use palkki_evidence::random::Random;
 
@@ -89,7 +90,7 @@ fn the_difference_operator_is_of_second_order() {
                 let v: Vec<f64> = (1..intervals).map(|i| (number * discrete.spacing * f64::from(i)).sin()).collect();
                 let a = Method::Complementarity.qp(&discrete).matrix();
                 let fourth = discrete.stiffness * number * number * number * number;
-                let error = (0..v.len()).map(|i| (a.row_times(i, &v) / fourth - v[i]).abs()).fold(0.0, f64::max);
+                let error = compare::largest((0..v.len()).map(|i| a.row_times(i, &v) / fourth - v[i]));
                 (discrete.spacing, error)
             })
             .collect();

@@ -3,16 +3,11 @@
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 
-use crate::scenes::{largest, nodes, report, run};
+use crate::scenes::{apart, largest, nodes, report, run};
 
 #[path = "../../../report/paper.rs"]
 #[expect(dead_code, reason = "the suite does not need its table")]
 mod paper;
-
-/// The largest difference between two lists.
-fn apart(a: &[f64], b: impl Iterator<Item = f64>) -> f64 {
-    a.iter().zip(b).fold(0.0, |most, (a, b)| most.max((a - b).abs()))
-}
 
 /// What the file is told of a scene: forces on the interior nodes by the law of the lever, and the depth below them. A load is
 /// integrated over each interval here, between the places where a part of it begins or ends.
@@ -62,9 +57,9 @@ fn the_paper_in_one_file_agrees_with_the_library() {
             let (force, clearance) = if method == Method::Force { (x, gradient) } else { (gradient, x) };
             let raw = run(&scene, method, Solver::ActiveSet, 30);
             let nodes = nodes(&raw);
-            let off = apart(&nodes.contact_force, force.iter().copied());
+            let off = apart(&nodes.contact_force, force.as_slice());
             assert!(off <= 1e-9 * weight, "{name}, {method}: forces differ by {off:e} of {weight:e}");
-            let off = apart(&nodes.clearance, clearance.iter().copied());
+            let off = apart(&nodes.clearance, clearance.as_slice());
             let size = largest(&nodes.deflection).max(largest(clearance.as_slice()));
             assert!(off <= 1e-9 * size, "{name}, {method}: clearances differ by {off:e} of {size:e}");
             compared += 1;

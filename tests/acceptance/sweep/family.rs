@@ -2,6 +2,7 @@
 
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 use palkki::sweep::{Event, MOST_STEPS, Sweep, SweepError};
+use palkki_evidence::compare::largest;
 use palkki_evidence::sweeps::faults;
 
 use super::regimes;
@@ -56,7 +57,7 @@ fn contacts_that_change_the_crest_are_events() {
     back.reverse();
     for other in [back, events(&scene, path, [1.0, 3.0], 60)] {
         assert_eq!(other.len(), forth.len(), "{other:#?}");
-        let off = forth.iter().zip(&other).map(|(a, b)| (a.value - b.value).abs()).fold(0.0, f64::max);
+        let off = largest(forth.iter().zip(&other).map(|(a, b)| a.value - b.value));
         assert!(off < 2e-9, "{off:e}");
     }
 }

@@ -5,6 +5,7 @@ use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 use palkki::{Solution, solve_exactly};
+use palkki_evidence::compare::largest;
 use palkki_evidence::random::{self, Random};
 
 /// What is asked for; the elimination loses a digit or two.
@@ -277,7 +278,7 @@ fn a_wrong_witness_proves_nothing_untrue() {
             assert!(state.energy - rounding <= bounds.energy_upper, "{factor}: {} in {bounds:?}", state.energy);
             let off = (0..=20).map(|k| scene.beam().length() * f64::from(k) / 20.0);
             let exact = solution.exact.as_ref().expect("functions");
-            let off = off.map(|x| (other.deflection(x) - exact.deflection(x)).abs()).fold(0.0, f64::max);
+            let off = largest(off.map(|x| other.deflection(x) - exact.deflection(x)));
             // What is judged is the deflection of the witness, but for what hangs between its ends.
             let most = bounds.deflection_error * (1.0 + 1e-9) + 1e-6 * state.deflection.magnitude();
             assert!(off <= most, "{factor}: {off:e} for {most:e}");

@@ -3,6 +3,7 @@
 use palkki::Settings;
 use palkki::route::{Method, Solver};
 use palkki::state::ContactState;
+use palkki_evidence::compare::apart;
 use palkki_evidence::draft::Units;
 use palkki_evidence::extremes::units;
 
@@ -38,7 +39,7 @@ fn units_do_not_matter() {
                 let (expected, solved) = reference.as_ref().expect("the first is in the original units");
                 let own = matches!(solver, Solver::FourStep | Solver::ActiveSet);
                 let size = expected.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
-                let error = found.iter().zip(expected).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max);
+                let error = apart(&found, expected) / size;
                 let same = found.iter().zip(expected).all(|(a, b)| a.to_bits() == b.to_bits());
                 let digits = if own { DIGITS } else { LIBRARY };
                 if raw.solved != *solved || (own && factors.exact() && !same) || (*solved && digits < error) {
