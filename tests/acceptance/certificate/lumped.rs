@@ -54,7 +54,7 @@ fn a_lumped_load_bends_the_free_beam_less_by_a_parabola() {
 }
 
 /// The nodal forces of the paper's example under the distributed load: `q Δ² l²/96 EI` into the ground at mid-span. Under the
-/// nodal loads the mid-span false_bounds on it.
+/// nodal loads the mid-span lies on it.
 #[test]
 fn under_the_distributed_load_nodal_forces_let_the_beam_into_the_ground() {
     let scene = example();

@@ -81,7 +81,7 @@ fn the_first_contact_force_by_differences_is_what_is_asked() {
 /// A few hundred units in the last place: sums over some hundred nodes, and one tridiagonal solve of condition number below ten.
 const ROUNDING: f64 = 1e-13;
 
-/// What the issue asks of each solver on the example: a tolerance, or a status that is not certified.
+/// What is asked of each solver on the example: a tolerance, or a status that is not certified.
 fn asked(solver: Solver) -> f64 {
     match solver {
         Solver::ActiveSet | Solver::FourStep => 1e-8,
