@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::Folder;
+use super::{Folder, number};
 
 /// The numbers of `nodes.contact_force` of a solved scene as a file for `certify`.
 fn forces_of(folder: &Folder, arguments: &str) -> String {
@@ -10,10 +10,6 @@ fn forces_of(folder: &Folder, arguments: &str) -> String {
     let list = |name: &str| json["nodes"][name].as_array().cloned().unwrap_or_default();
     let rows = list("x").into_iter().zip(list("contact_force")).map(|(x, force)| format!("{x},{force}\n"));
     format!("x,force\n{}", rows.collect::<String>())
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
 }
 
 #[test]

@@ -3,13 +3,8 @@
 use palkki::route::{Method, Solver};
 use serde_json::Value;
 
-use super::Folder;
 use super::json::{KEYS, check_keys};
-
-#[track_caller]
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
+use super::{Folder, number};
 
 /// A route that would cost too much on a fine grid has a row, and the reason stands below the table. On level ground at the
 /// level of the supports the routes that are tried end soon.

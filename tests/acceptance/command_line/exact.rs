@@ -1,16 +1,9 @@
 //! `--method exact`, which is what one gets without asking: beam theory on the command line.
 
-use serde_json::Value;
-
-use super::{Folder, RIDGE};
+use super::{Folder, RIDGE, number};
 
 /// What theory is asked for: the digits that the paper's reference solution is printed with here.
 const DIGITS: f64 = 1e-12;
-
-#[track_caller]
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
-}
 
 /// The samples hold together by themselves: they start and end with the reactions, shear jumps by the point contacts and
 /// falls by the load between them, and the moment is its integral.

@@ -142,6 +142,12 @@ fn no_reader() -> std::io::PipeWriter {
     std::io::pipe().expect("a pipe").1
 }
 
+/// A number of an answer in JSON.
+#[track_caller]
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
 fn scene(text: &str) -> Scene {
     parse("scene.toml", text, |_| Err(ReadProblem::Missing)).expect("a valid scene")
 }

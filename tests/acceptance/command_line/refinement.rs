@@ -3,11 +3,7 @@
 use serde_json::Value;
 
 use super::json::check_keys;
-use super::{EXAMPLE, Folder, RIDGE};
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
+use super::{EXAMPLE, Folder, RIDGE, number};
 
 #[test]
 fn the_grid_follows_from_the_error() {

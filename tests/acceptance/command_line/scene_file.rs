@@ -48,10 +48,10 @@ fn five_kinds_of_foundation() {
         foundation("polynomial = [1.5, -0.2, 0.02]"),
         Foundation::Polynomial { coefficients: vec![1.5, -0.2, 0.02] }
     );
-    assert_eq!(
-        foundation("cosine = { mean = 1.0, amplitude = 0.3, wavelength = 5.0, phase = 0.25 }"),
-        Foundation::Cosine { mean: 1.0, amplitude: 0.3, wavelength: 5.0, phase: 0.25 }
-    );
+    for (written, phase) in [("", 0.0), (", phase = 0.25", 0.25)] {
+        let expected = Foundation::Cosine { mean: 1.0, amplitude: 0.3, wavelength: 5.0, phase };
+        assert_eq!(foundation(&format!("cosine = {{ mean = 1, amplitude = 0.3, wavelength = 5{written} }}")), expected);
+    }
     let points = vec![[0.0, 1.0], [3.0, 1.0], [4.0, 0.5], [5.0, 1.0], [10.0, 1.0]];
     assert_eq!(
         foundation("points = [[0, 1.0], [3, 1.0], [4, 0.5], [5, 1.0], [10, 1.0]]"),
@@ -63,14 +63,6 @@ fn five_kinds_of_foundation() {
         Ok("x,depth\n0,1.0\n3,1.0\n4,0.5\n5,1.0\n10,1.0\n".to_owned())
     });
     assert_eq!(survey.expect("a valid survey").foundation(), Some(&Foundation::Polyline { points }));
-}
-
-#[test]
-fn a_phase_may_be_left_out() {
-    assert_eq!(
-        foundation("cosine = { mean = 1, amplitude = 0.3, wavelength = 5 }"),
-        Foundation::Cosine { mean: 1.0, amplitude: 0.3, wavelength: 5.0, phase: 0.0 }
-    );
 }
 
 #[test]
