@@ -8,9 +8,10 @@
 
 use palkki::route::Status;
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
-use palkki::theory::{Exact, solve};
 use palkki::verdict::{Demand, Verdict};
 use palkki_evidence::random::Random;
+
+use super::solved;
 
 /// A body on its crest.
 #[derive(Debug, Clone)]
@@ -103,13 +104,6 @@ impl Body {
         }
         slopes
     }
-}
-
-#[track_caller]
-fn solved(scene: &Scene) -> Exact {
-    let exact = solve(scene).expect("an answer");
-    assert!(exact.solved, "{:?}, {scene:?}", exact.violations);
-    exact
 }
 
 #[test]

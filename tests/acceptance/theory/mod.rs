@@ -7,7 +7,6 @@ mod clearance;
 mod closed;
 mod crests;
 mod explain;
-mod held;
 mod level;
 mod long;
 mod near;
@@ -15,6 +14,17 @@ mod random;
 mod springs;
 mod supports;
 mod surveys;
+
+use palkki::scene::Scene;
+use palkki::theory::{Exact, solve};
+
+/// The answer of beam theory, with all of its conditions met.
+#[track_caller]
+fn solved(scene: &Scene) -> Exact {
+    let exact = solve(scene).expect("an answer");
+    assert!(exact.solved, "{:?}, {scene:?}", exact.violations);
+    exact
+}
 
 /// What an answer may be off by the definition: ten times what the check of beam theory allows.
 const OFF: f64 = 1e-11;
