@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 
 use palkki::route::{Method, RawSolution, Solver};
 use palkki::scene::file::{ReadProblem, parse};
-use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::scene::{Beam, Foundation, Load, Scene, Support};
 use palkki::state::Nodes;
 use palkki::{Settings, solve_raw};
 pub(crate) use palkki_evidence::compare::apart;
+use palkki_evidence::draft::Draft;
 
 /// A valid scene with every key of the contract, and one of the kinds of foundation.
 pub(crate) const EVERY_KEY: &str = r#"
@@ -72,6 +73,23 @@ pub(crate) fn uniform(l: f64, ei: f64, load: f64, foundation: Foundation) -> Sce
     let beam = Beam::new(l, ei).expect("length and stiffness are positive");
     let load = Load::uniform_on(&beam, load).expect("the load is finite");
     Scene::new(beam, load, Some(foundation)).expect("the scene is well posed")
+}
+
+/// A beam of some length and stiffness on supports, under a uniform load and point loads `(place, force)`.
+#[track_caller]
+pub(crate) fn on_supports(
+    [length, stiffness]: [f64; 2],
+    supports: &[Support],
+    (uniform, points): (f64, &[(f64, f64)]),
+    ground: Option<Foundation>,
+) -> Scene {
+    let draft = Draft { length, stiffness, uniform, ground, supports: Some(supports.to_vec()), ..Draft::default() };
+    draft.with_points(points).scene().expect("the scene is well posed")
+}
+
+/// The supports of the paper.
+pub(crate) fn ends(l: f64) -> [Support; 2] {
+    [Support::simple(0.0), Support::simple(l)]
 }
 
 /// Solves by one route with the default tolerance.

@@ -3,10 +3,13 @@
 use palkki::body::proof::prove;
 use palkki::body::{Body, Kind, State, Verdict};
 use palkki::route::{Solver, Status};
-use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::scene::Foundation;
 use palkki::verdict::EXACT;
 use palkki::{Settings, route::Method, solve};
+use palkki_evidence::compare::largest;
 use palkki_evidence::slab::Slab;
+
+use crate::scenes::uniform;
 
 /// Solves and proves.
 fn solved(slab: &Slab, load: f64, gap: impl Fn(f64, f64) -> f64) -> (State, Verdict) {
@@ -28,9 +31,7 @@ fn a_long_narrow_slab_is_a_beam() {
     let depth = |x: f64| 1.0 - 0.5 * (1.0 - (x - 4.0).abs()).max(0.0);
     let points = vec![[0.0, 1.0], [3.0, 1.0], [4.0, 0.5], [5.0, 1.0], [10.0, 1.0]];
     let stiffness = 1.302_083_333_333_333_3;
-    let beam = Beam::new(10.0, stiffness).expect("a beam");
-    let load = Load::uniform_on(&beam, 1.0).expect("a load");
-    let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene");
+    let scene = uniform(10.0, stiffness, 1.0, Foundation::Polyline { points });
     let of_beam = solve(&scene, &Settings::new(Method::Displacement, Solver::ActiveSet, 40)).expect("in range");
     let nodes = of_beam.state.nodes.expect("a grid");
     let mut errors = Vec::new();
@@ -39,7 +40,7 @@ fn a_long_narrow_slab_is_a_beam() {
         let (state, verdict) = solved(&slab, 1.0 / width, |x, _| depth(x));
         assert_eq!(verdict.status, Status::Certified, "{}", verdict.reason);
         let across = state.clearance.chunks(2).zip(&nodes.clearance);
-        errors.push(across.map(|(pair, h)| (0.5 * (pair[0] + pair[1]) - h).abs()).fold(0.0, f64::max));
+        errors.push(largest(across.map(|(pair, h)| 0.5 * (pair[0] + pair[1]) - h)));
         let total: f64 = state.contact_force.iter().sum();
         let expected: f64 = nodes.contact_force.iter().sum();
         assert!((total - expected).abs() < 1e-3 * expected, "{width}: {total} and {expected}");

@@ -1,11 +1,11 @@
 //! Random lists of contacts as witnesses of random beams on any supports: what is said of one list never contradicts another.
 
 use palkki::certificate::{Judged, certify};
-use palkki::scene::{Foundation, Load, Scene, Support};
+use palkki::scene::{Beam, Foundation, Load, Scene, Support};
 use palkki::state::Contact;
 use palkki_evidence::random::Random;
 
-use super::supports::{flat, held, sampled, zone};
+use super::supports::{flat, sampled, zone};
 
 /// Random supports, shapes and grounds with random lists of contacts: any two lists say what can be true at once, of the
 /// same deflection and of the energy.
@@ -24,7 +24,8 @@ fn random_lists_do_not_contradict_each_other() {
             let slope = random.once_in(3).then(|| random.between(-0.05, 0.05));
             supports.push(Support { at, level: level(&mut random), slope });
         }
-        let mut beam = held(l, random.between(0.5, 20.0), supports);
+        let beam = Beam::new(l, random.between(0.5, 20.0)).and_then(|beam| beam.with_supports(supports));
+        let mut beam = beam.expect("supports on the beam");
         if random.once_in(2) {
             let coefficients = [0.1, 0.05, 0.02].map(|size| random.between(-size, size)).to_vec();
             beam = beam.with_shape(Foundation::Polynomial { coefficients }).expect("an axis");

@@ -1,8 +1,10 @@
 //! Surveys of very many points: proven from a witness in one pass over its contacts and the points between them.
 
 use palkki::certificate::{Judged, certify};
-use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::scene::{Foundation, Scene};
 use palkki::state::Contact;
+
+use crate::scenes::uniform;
 
 /// A survey of so many points, of which some carry the beam with forces that are chosen: the depth there is the deflection
 /// under them, by integration from point to point, and all others lie deeper. Length, stiffness and load are 1.
@@ -38,9 +40,7 @@ fn survey(points: u32, contacts: u32) -> (Scene, Vec<Contact>) {
         [place(i), v + below]
     };
     let ground = Foundation::Polyline { points: (0..).zip(&v).map(depth).collect() };
-    let beam = Beam::new(1.0, 1.0).expect("positive");
-    let load = Load::uniform_on(&beam, 1.0).expect("finite");
-    let scene = Scene::new(beam, load, Some(ground)).expect("well posed");
+    let scene = uniform(1.0, 1.0, 1.0, ground);
     (scene, (1..=contacts).map(|k| Contact::at(place(k * step), force(k))).collect())
 }
 

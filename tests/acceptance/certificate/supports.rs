@@ -5,10 +5,13 @@
 
 use super::SOME;
 use palkki::certificate::{ContactLoad, Judged, Lumped, certify, violations};
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, Scene, Support};
 use palkki::state::{Contact, Nodes};
 use palkki_evidence::closed::{self, Closed, EI, Q, between, overhang};
+use palkki_evidence::compare::largest;
 use palkki_evidence::faults::{Truth, every_contact_fault};
+
+use crate::scenes::on_supports;
 
 fn at(x: f64) -> Contact {
     Contact::at(x, 1.0)
@@ -16,10 +19,6 @@ fn at(x: f64) -> Contact {
 
 pub(super) fn zone(from: f64, to: f64) -> Contact {
     Contact { from, to, force: 1.0, end_forces: None }
-}
-
-pub(super) fn held(length: f64, stiffness: f64, supports: Vec<Support>) -> Beam {
-    Beam::new(length, stiffness).expect("positive").with_supports(supports).expect("supports on the beam")
 }
 
 pub(super) fn flat(depth: f64) -> Option<Foundation> {
@@ -60,8 +59,7 @@ fn check(known: &Closed) {
     // Nodes that are off, by any witness; by all of them where they are off by little.
     for off in [0.03, 0.0, -0.2].map(|off| off * size.max(1.0)) {
         let nodes = sampled(scene, |x| known.deflection(x) + off * (3.0 * x / length).sin());
-        let differences = nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| (v - known.deflection(*x)).abs());
-        let most = differences.fold(0.0, f64::max);
+        let most = largest(nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| v - known.deflection(*x)));
         let holds = |what: &str, witness: &[Contact]| {
             let said = truth.nodes_from(&nodes, witness).expect("in range");
             assert!(said.false_bounds.is_empty(), "{name}, {what}: {said:?}");
@@ -118,9 +116,7 @@ fn every_closed_form_is_known() {
 #[test]
 fn of_a_beam_that_may_turn_the_bending_is_known() {
     let l = 6.0;
-    let load = |beam: &Beam| Load::uniform_on(beam, Q).expect("finite");
-    let seesaw = held(l, EI, vec![Support::simple(0.5 * l)]);
-    let scene = Scene::new(seesaw.clone(), load(&seesaw), None).expect("well posed");
+    let scene = on_supports([l, EI], &[Support::simple(0.5 * l)], (Q, &[]), None);
     let said = certify(&scene, Judged::Witness, &[]).expect("in balance");
     let bent = move |x: f64| overhang(0.5 * l, (x - 0.5 * l).abs());
     assert!(said.up_to_a_turn == Some(0.5 * l) && said.deflection_error <= 1e-9 * bent(0.0), "{said:?}");
@@ -131,17 +127,13 @@ fn of_a_beam_that_may_turn_the_bending_is_known() {
         said.energy_lower <= energy * (1.0 - 1e-12) && energy * (1.0 + 1e-12) <= said.energy_upper,
         "{energy}: {said:?}"
     );
-    let on_its_end = held(l, EI, Vec::new());
-    let point = Load::new(&on_its_end, 0.0, Vec::new(), vec![PointLoad { at: 0.0, force: 5.0 }]).expect("finite");
-    let scene = Scene::new(on_its_end, point, flat(2.0)).expect("well posed");
+    let on_its_end = |ground| on_supports([l, EI], &[], (0.0, &[(0.0, 5.0)]), ground);
+    let scene = on_its_end(flat(2.0));
     let said = certify(&scene, Judged::Witness, &[at(0.0)]).expect("in balance");
     assert!(said.up_to_a_turn == Some(0.0) && said.deflection_error <= 1e-9, "{said:?}");
     assert!(said.energy_lower <= -10.0 && -10.0 <= said.energy_upper, "−P g: {said:?}");
     // On ground that rises it stands as little inclined as the ground lets it.
-    let on_its_end = held(l, EI, Vec::new());
-    let point = Load::new(&on_its_end, 0.0, Vec::new(), vec![PointLoad { at: 0.0, force: 5.0 }]).expect("finite");
-    let rising = Foundation::Polynomial { coefficients: vec![2.0, -0.125, -0.01] };
-    let scene = Scene::new(on_its_end, point, Some(rising)).expect("well posed");
+    let scene = on_its_end(Some(Foundation::Polynomial { coefficients: vec![2.0, -0.125, -0.01] }));
     let said = certify(&scene, Judged::Witness, &[at(0.0)]).expect("in balance");
     assert!(said.up_to_a_turn == Some(0.0) && said.deflection_error <= 1e-11, "{said:?}");
 }
@@ -152,9 +144,8 @@ fn of_a_beam_that_may_turn_the_bending_is_known() {
 #[test]
 fn level_ground_on_both_sides_of_a_support_holds_the_slope() {
     let (l, a, force, depth) = (8.0, 3.0, 2.0, 0.5);
-    let beam = held(l, EI, vec![Support::simple(a).at_level(depth)]);
-    let lifted = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 0.0, force: -force }]).expect("finite");
-    let scene = Scene::new(beam.clone(), lifted.clone(), flat(depth)).expect("well posed");
+    let lifted = |ground| on_supports([l, EI], &[Support::simple(a).at_level(depth)], (0.0, &[(0.0, -force)]), ground);
+    let scene = lifted(flat(depth));
     let truth = |x: f64| {
         let s = (a - x).max(0.0);
         depth - force * s * s * (3.0 * a - s) / (6.0 * EI)
@@ -166,11 +157,10 @@ fn level_ground_on_both_sides_of_a_support_holds_the_slope() {
     for off in [0.0, 0.1] {
         let nodes = sampled(&scene, |x| truth(x) + off * (x - a));
         let said = certify(&scene, Judged::Nodes(&nodes), &[]).expect("in range");
-        let most = nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| (v - truth(*x)).abs()).fold(0.0, f64::max);
+        let most = largest(nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| v - truth(*x)));
         assert!(most <= said.deflection_error && said.deflection_error.is_finite(), "{most}: {said:?}");
     }
-    let ridge = Foundation::Polyline { points: vec![[0.0, 1.0], [a, depth], [l, 1.0]] };
-    let scene = Scene::new(beam, lifted, Some(ridge)).expect("well posed");
+    let scene = lifted(Some(Foundation::Polyline { points: vec![[0.0, 1.0], [a, depth], [l, 1.0]] }));
     let said = certify(&scene, Judged::Witness, &[]).expect("in range");
     let exact = palkki::theory::solve(&scene).expect("theory has an answer").state;
     assert!(said.energy_lower <= exact.energy && exact.energy <= said.energy_upper, "{}: {said:?}", exact.energy);
@@ -179,14 +169,16 @@ fn level_ground_on_both_sides_of_a_support_holds_the_slope() {
     assert!(!said.contacts_proven, "{said:?}");
 }
 
+/// Ground that carries at 1 and at 5.5 alone.
+fn two_posts(l: f64) -> Foundation {
+    Foundation::Polyline { points: vec![[0.0, 30.0], [1.0, 1.0], [3.0, 30.0], [5.5, 1.0], [l, 30.0]] }
+}
+
 /// Forces from elsewhere: those of the supports follow, and what does not balance is told.
 #[test]
 fn forces_from_elsewhere_are_bounded_on_any_supports() {
     let l = 6.0;
-    let free = held(l, EI, Vec::new());
-    let ground = Foundation::Polyline { points: vec![[0.0, 30.0], [1.0, 1.0], [3.0, 30.0], [5.5, 1.0], [l, 30.0]] };
-    let scene =
-        Scene::new(free.clone(), Load::uniform_on(&free, Q).expect("finite"), Some(ground)).expect("well posed");
+    let scene = on_supports([l, EI], &[], (Q, &[]), Some(two_posts(l)));
     // Σp = q l, Σ p x = q l²/2.
     let right = Q * l * (0.5 * l - 1.0) / 4.5;
     let exact = [(1.0, Q * l - right), (5.5, right)];
@@ -204,9 +196,8 @@ fn forces_from_elsewhere_are_bounded_on_any_supports() {
     assert!(said.deflection_error.is_finite(), "{said:?}");
     assert!(of(&[]).0.deflection_error.is_infinite(), "nothing holds the beam");
 
-    let two = held(l, EI, vec![Support::built_in(0.0), Support::simple(3.0), Support::simple(l).at_level(0.2)]);
-    let load = Load::uniform_on(&two, Q).expect("finite");
-    let scene = Scene::new(two, load, flat(20.0)).expect("well posed");
+    let three = [Support::built_in(0.0), Support::simple(3.0), Support::simple(l).at_level(0.2)];
+    let scene = on_supports([l, EI], &three, (Q, &[]), flat(20.0));
     let none = ContactLoad::new(l, []).expect("none");
     let said = certify(&scene, Judged::Forces(&none), &[]).expect("in range");
     assert!(said.deflection_error <= 1e-9 * said.deflection, "three supports say all: {said:?}");
@@ -221,17 +212,13 @@ fn forces_from_elsewhere_are_bounded_on_any_supports() {
 #[test]
 fn lumped_forces_are_bounded_on_any_supports() {
     let l = 6.0;
-    let free = held(l, EI, Vec::new());
-    let ground = Foundation::Polyline { points: vec![[0.0, 30.0], [1.0, 1.0], [3.0, 30.0], [5.5, 1.0], [l, 30.0]] };
     let right = Q * l * (0.5 * l - 1.0) / 4.5;
     for (supports, contacts) in [
         (vec![], vec![(1.0, Q * l - right), (5.5, right)]),
         (vec![Support::simple(1.0).at_level(1.0)], vec![(5.5, right)]),
         (vec![Support::simple(1.0).at_level(1.0), Support::simple(5.5).at_level(1.0)], vec![]),
     ] {
-        let beam = free.clone().with_supports(supports).expect("on the beam");
-        let load = Load::uniform_on(&beam, Q).expect("finite");
-        let scene = Scene::new(beam, load, Some(ground.clone())).expect("well posed");
+        let scene = on_supports([l, EI], &supports, (Q, &[]), Some(two_posts(l)));
         let rows = (0..=120_u32).map(|k| (l * f64::from(k) / 120.0, 0.0)).chain(contacts.iter().copied());
         let lumped = Lumped::new(&scene, rows).expect("nodes of equal intervals");
         assert_eq!(lumped.intervals(), 120);

@@ -3,7 +3,7 @@
 
 use palkki::certificate::{Certificate, Judged, certify};
 use palkki::route::{Method, Solver};
-use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::scene::{Foundation, Scene};
 use palkki::state::{Contact, Nodes};
 use palkki_evidence::authority::RBig;
 use palkki_evidence::faults::every_contact_fault;
@@ -253,10 +253,8 @@ fn on_corners_in_fractions() {
         let length = points[points.len() - 1][0] + 1.0;
         points.push([length, 1.0]);
         let stiffness = 0.5 + eighths(random.below(64));
-        let beam = Beam::new(length, stiffness).expect("positive");
-        let load = Load::uniform_on(&beam, 1.0 + eighths(random.below(16))).expect("finite");
         let ground = Foundation::Polyline { points: points.clone() };
-        let scene = Scene::new(beam, load, Some(ground)).expect("well posed");
+        let scene = uniform(length, stiffness, 1.0 + eighths(random.below(16)), ground);
         let peaks: Vec<usize> = (0..count).map(|k| 2 + 2 * k).collect();
         let truth = (0..1_u32 << count).find_map(|mask| {
             let touched: Vec<usize> = (0..count).filter(|k| mask >> k & 1 == 1).map(|k| peaks[k]).collect();

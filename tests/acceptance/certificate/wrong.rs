@@ -2,11 +2,11 @@
 //! forces of the scene itself are in `truth`.
 
 use palkki::route::{Method, Solver};
-use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::scene::Foundation;
 use palkki_evidence::faults::Truth;
 
 use super::{of_forces, places};
-use crate::scenes::{nodes, report, run};
+use crate::scenes::{nodes, report, run, uniform};
 
 /// Forces of one scene on another of the same length, and what their places say of its own answer as a witness.
 #[test]
@@ -32,10 +32,7 @@ fn forces_of_another_scene_are_bounded() {
 /// and nothing is bounded by its distance from one.
 #[test]
 fn where_no_admissible_deflection_is_found_nothing_is_bounded() {
-    let beam = Beam::new(1.0, 1e-300).expect("positive");
-    let load = Load::uniform_on(&beam, 1e-100).expect("finite");
-    let slope = Foundation::Polynomial { coefficients: vec![1.0, 1.0] };
-    let scene = Scene::new(beam, load, Some(slope)).expect("well posed");
+    let scene = uniform(1.0, 1e-300, 1e-100, Foundation::Polynomial { coefficients: vec![1.0, 1.0] });
     let forces = [(0.3, 1e-100), (0.5, 1e-100), (0.7, 1e300)];
     let certificate = of_forces(&scene, &forces, &places(&forces));
     let bounds = [certificate.gap, certificate.deflection_error, certificate.best_deflection_error];

@@ -5,6 +5,8 @@ use palkki::theory::{self, By, Missing};
 use palkki_evidence::differences::Trial;
 use palkki_evidence::random;
 
+use crate::scenes::{ends, on_supports};
+
 /// A contact of no force, at the border of two regimes, has one derivative on either side.
 #[test]
 fn at_a_change_of_the_kind_derivatives_are_one_sided() {
@@ -22,10 +24,8 @@ fn at_a_change_of_the_kind_derivatives_are_one_sided() {
 fn at_a_change_that_is_rounded_derivatives_are_one_sided() {
     for k in 1..=60 {
         let (length, stiffness) = (1.0 + f64::from(k) / 7.0, f64::from(k) / 3.0);
-        let beam = Beam::new(length, stiffness).expect("a beam");
-        let load = Load::new(&beam, 1.0, Vec::new(), vec![PointLoad { at: length, force: -0.5 * length }]);
-        let depth = length.powi(4) / (384.0 * stiffness);
-        let scene = Scene::new(beam, load.expect("a load"), Some(Foundation::Flat { depth })).expect("a scene");
+        let ground = Some(Foundation::Flat { depth: length.powi(4) / (384.0 * stiffness) });
+        let scene = on_supports([length, stiffness], &ends(length), (1.0, &[(length, -0.5 * length)]), ground);
         let exact = theory::solve(&scene).expect("an answer");
         for derivative in exact.derivatives(&scene) {
             let bends = matches!(derivative.by, By::Depth | By::Number(Quantity::SupportLevel(_) | Quantity::Uniform));
@@ -139,11 +139,9 @@ fn a_built_in_support_of_a_curved_beam_moves() {
 #[test]
 fn by_a_support_that_leaves_unloaded_ground_there_is_no_derivative() {
     let scene = |level: f64| {
-        let supports = vec![Support { at: 0.0, level, slope: None }, Support { at: 10.0, level: -5.0, slope: None }];
-        let beam = Beam::new(10.0, 2.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-        let point = [(4.0, 3.0), (7.0, 2.0)].map(|(at, force)| PointLoad { at, force });
-        let load = Load::new(&beam, 0.0, Vec::new(), point.to_vec()).expect("a load");
-        Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene")
+        let supports = [Support::simple(0.0).at_level(level), Support::simple(10.0).at_level(-5.0)];
+        let ground = Some(Foundation::Flat { depth: 0.0 });
+        on_supports([10.0, 2.0], &supports, (0.0, &[(4.0, 3.0), (7.0, 2.0)]), ground)
     };
     let exact = theory::solve(&scene(0.0)).expect("an answer");
     for derivative in exact.derivatives(&scene(0.0)) {
@@ -169,10 +167,8 @@ fn derivatives_hold_on_the_sides_that_are_said() {
 /// `b/(a + b)` bends the left one and presses with `P b/(a (a + b))` on its support.
 #[test]
 fn a_load_on_an_edge_is_carried_there() {
-    let beam = Beam::new(10.0, 20.0).expect("a beam");
-    let load = Load::new(&beam, 1.0, Vec::new(), vec![PointLoad { at: 4.0, force: 3.0 }]).expect("a load");
     let ridge = Foundation::Polyline { points: vec![[0.0, 3.0], [4.0, 0.5], [10.0, 3.0]] };
-    let scene = Scene::new(beam, load, Some(ridge)).expect("a scene");
+    let scene = on_supports([10.0, 20.0], &ends(10.0), (1.0, &[(4.0, 3.0)]), Some(ridge));
     let derivatives = theory::solve(&scene).expect("an answer").derivatives(&scene);
     for (by, expected) in [(Quantity::PointForce(0), [0.0, 1.0, 0.0]), (Quantity::PointAt(0), [-0.45, 0.25, 0.2])] {
         let found = derivatives.iter().find(|d| d.by == By::Number(by)).expect("a derivative");
@@ -217,11 +213,10 @@ fn where_ground_parts_from_a_support_there_is_no_derivative() {
 #[test]
 fn the_margin_of_a_body_that_stands_is_a_share() {
     // On a crest at 4 with a load of one at 8 and a support at 2, which pulls with 2: min(8 − 2, 4 − 8)/2 = −2 was its margin.
-    let beam = Beam::new(10.0, 20.0).and_then(|beam| beam.with_supports(vec![Support::simple(2.0)])).expect("a beam");
-    let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 8.0, force: 1.0 }]).expect("a load");
-    let points = vec![[0.0, 3.0], [3.0, 3.0], [4.0, 0.05], [5.0, 3.0], [10.0, 3.0]];
-    let held = theory::solve(&Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene"));
-    let held = held.expect("an answer").state;
+    let crest = vec![[0.0, 3.0], [3.0, 3.0], [4.0, 0.05], [5.0, 3.0], [10.0, 3.0]];
+    let crest = Some(Foundation::Polyline { points: crest });
+    let scene = on_supports([10.0, 20.0], &[Support::simple(2.0)], (0.0, &[(8.0, 1.0)]), crest);
+    let held = theory::solve(&scene).expect("an answer").state;
     assert!((held.supports[0].force + 2.0).abs() < 1e-9 && held.standing.is_some_and(|s| s.margin.is_nan()));
     for i in 0..300 {
         let Ok(exact) = theory::solve(&random::held(i)) else { continue };

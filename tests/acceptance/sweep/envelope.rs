@@ -1,16 +1,15 @@
 //! The envelope of a sweep: what governs, of one load and of several that move together.
 
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, Scene, Support};
 use palkki::sweep::{Envelope, Sweep, SweepError};
 use palkki::theory;
 
+use crate::scenes::on_supports;
+
 /// A beam on supports, above ground or none, with axles of so much a distance behind the first.
 fn axles(length: f64, supports: &[f64], ground: Option<Foundation>, axles: &[(f64, f64)]) -> Scene {
-    let held = supports.iter().map(|&at| Support { at, level: 0.0, slope: None }).collect();
-    let beam = Beam::new(length, 5000.0).and_then(|beam| beam.with_supports(held)).expect("a beam");
-    let point = axles.iter().map(|&(at, force)| PointLoad { at, force }).collect();
-    let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
-    Scene::new(beam, load, ground).expect("a scene")
+    let supports: Vec<Support> = supports.iter().copied().map(Support::simple).collect();
+    on_supports([length, 5000.0], &supports, (0.0, axles), ground)
 }
 
 const PATHS: [&str; 2] = ["load.point[0].at", "load.point[0].at,load.point[1].at"];

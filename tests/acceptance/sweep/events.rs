@@ -1,8 +1,10 @@
 //! Events: between them nothing happens, and at them something does.
 
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, Scene, Support};
 use palkki::sweep::{Event, Sweep};
 use palkki::theory::{self, Exact};
+
+use crate::scenes::{ends, on_supports};
 
 use super::{loaded, regimes, varied};
 
@@ -57,10 +59,7 @@ fn the_borders_are_events_of_the_stiffness_too() {
 /// `d = q a⁴/(4 EI)`.
 #[test]
 fn a_support_that_settles_begins_to_pull_where_its_force_vanishes() {
-    let supports = vec![Support::simple(0.0), Support::simple(5.0), Support::simple(10.0)];
-    let beam = Beam::new(10.0, 2.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-    let load = Load::uniform_on(&beam, 1.0).expect("a load");
-    let scene = Scene::new(beam, load, None).expect("a scene");
+    let scene = on_supports([10.0, 2.0], &[0.0, 5.0, 10.0].map(Support::simple), (1.0, &[]), None);
     let border = 5.0_f64.powi(4) / (4.0 * 2.0);
     let found = events(&scene, "beam.supports[2].level", [0.0, 2.0 * border], 6);
     assert_eq!(found.len(), 1, "{found:?}");
@@ -85,10 +84,8 @@ fn a_load_history_splits_a_zone_where_the_load_begins_to_pull() {
 #[test]
 fn a_load_that_pulls_splits_the_zone_that_it_enters() {
     for (uniform, force) in [(1.0_f64, -1.0), (0.3, -0.1)] {
-        let beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
-        let point = vec![PointLoad { at: 0.0, force }];
-        let load = Load::new(&beam, uniform, Vec::new(), point).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
+        let ground = Some(Foundation::Flat { depth: 1.0 });
+        let scene = on_supports([10.0, 500.0 / 384.0], &ends(10.0), (uniform, &[(0.0, force)]), ground);
         let lift_off = (24.0 * 500.0 / 384.0 / uniform).powf(0.25);
         for steps in [2, 41, 401] {
             let found = events(&scene, "load.point[0].at", [0.0, 10.0], steps);
@@ -228,10 +225,9 @@ fn events_are_confirmed_from_both_sides() {
 /// A ridge that a load passes: the contact is there for less than a step of the sweep, and is found.
 #[test]
 fn what_comes_and_goes_between_two_rows_is_found() {
-    let beam = Beam::new(10.0, 100.0).expect("a beam");
-    let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 5.0, force: 10.0 }]).expect("a load");
     // The deflection under a load at mid-span, 10 · 10³/(48 · 100) = 2.083.
-    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 2.05 })).expect("a scene");
+    let ground = Some(Foundation::Flat { depth: 2.05 });
+    let scene = on_supports([10.0, 100.0], &ends(10.0), (0.0, &[(5.0, 10.0)]), ground);
     let found = events(&scene, "load.point[0].at", [2.0, 8.0], 2);
     assert_eq!(found.len(), 2, "{found:?}");
     assert!((found[0].value + found[1].value - 10.0).abs() < 1e-11, "{found:?}");

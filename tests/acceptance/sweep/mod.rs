@@ -6,22 +6,21 @@ mod events;
 mod family;
 mod rows;
 
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, Load, PointLoad, Scene, Support};
 use palkki_evidence::random;
+
+use crate::scenes::{on_supports, uniform};
 
 /// A beam of length 10 above level ground, with `q l⁴/(384 EI) = 20`: it lies on a zone above ground less deep than 20, on a point
 /// above less than 100, and deeper nowhere.
 fn regimes(depth: f64) -> Scene {
-    let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0).expect("a beam");
-    let load = Load::uniform_on(&beam, 1.0).expect("a load");
-    Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("a scene")
+    uniform(10.0, 10_000.0 / 384.0 / 20.0, 1.0, Foundation::Flat { depth })
 }
 
 /// The same with a point load, on supports of the given kind.
 fn loaded(supports: Vec<Support>, depth: f64) -> Scene {
-    let beam = Beam::new(10.0, 10_000.0 / 384.0 / 20.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-    let load = Load::new(&beam, 1.0, Vec::new(), vec![PointLoad { at: 5.0, force: 3.0 }]).expect("a load");
-    Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("a scene")
+    let beam = [10.0, 10_000.0 / 384.0 / 20.0];
+    on_supports(beam, &supports, (1.0, &[(5.0, 3.0)]), Some(Foundation::Flat { depth }))
 }
 
 /// A random scene with a point load, and ranges of five of its numbers, as `(path, from, to)`.

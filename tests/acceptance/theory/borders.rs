@@ -6,13 +6,13 @@ use palkki::theory::{TheoryError, solve};
 
 use palkki_evidence::random::Random;
 
+use crate::scenes::{ends, on_supports, uniform};
+
 #[test]
 fn no_foundation_is_a_simple_beam() {
     /// A few dozen roundings of numbers of the size of the answer.
     const ROUNDING: f64 = 1e-14;
-    let beam = Beam::new(4.0, 2.0).expect("a beam");
-    let load = Load::new(&beam, 3.0, Vec::new(), vec![PointLoad { at: 0.0, force: 5.0 }]).expect("a load");
-    let exact = solve(&Scene::new(beam, load, None).expect("a scene")).expect("an answer");
+    let exact = solve(&on_supports([4.0, 2.0], &ends(4.0), (3.0, &[(0.0, 5.0)]), None)).expect("an answer");
     assert_eq!((exact.solved, exact.state.regime, exact.unknowns), (true, Regime::None, 0));
     // q l/2 and the load on the support itself; 5 q l⁴/(384 EI); q l²/8.
     let found = [exact.state.reactions.left, exact.state.reactions.right, exact.deflection(2.0), exact.moment(2.0)];
@@ -26,10 +26,7 @@ fn no_foundation_is_a_simple_beam() {
 
 #[test]
 fn a_beam_that_rests_without_pressure_touches_nothing() {
-    let beam = Beam::new(4.0, 2.0).expect("a beam");
-    let load = Load::uniform_on(&beam, 0.0).expect("a load");
-    let flat = Foundation::Flat { depth: 0.0 };
-    let exact = solve(&Scene::new(beam, load, Some(flat)).expect("a scene")).expect("an answer");
+    let exact = solve(&uniform(4.0, 2.0, 0.0, Foundation::Flat { depth: 0.0 })).expect("an answer");
     assert_eq!((exact.solved, exact.state.regime), (true, Regime::None));
 }
 
@@ -38,11 +35,9 @@ fn loads_without_resultant_are_loads() {
     /// A few dozen roundings of forces of size one.
     const ROUNDING: f64 = 1e-13;
     // A couple on a beam that lies on a plane: it presses on one side and lifts on the other.
-    let beam = Beam::new(8.0, 2.0).expect("a beam");
-    let point = vec![PointLoad { at: 3.0, force: 1.0 }, PointLoad { at: 5.0, force: -1.0 }];
-    let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
-    let flat = Foundation::Flat { depth: 0.1 };
-    let exact = solve(&Scene::new(beam, load, Some(flat)).expect("a scene")).expect("an answer");
+    let flat = Some(Foundation::Flat { depth: 0.1 });
+    let couple = on_supports([8.0, 2.0], &ends(8.0), (0.0, &[(3.0, 1.0), (5.0, -1.0)]), flat);
+    let exact = solve(&couple).expect("an answer");
     assert_eq!((exact.solved, exact.state.regime), (true, Regime::Points));
     let sum = exact.state.reactions.left + exact.state.reactions.right + exact.state.contact_force();
     assert!(sum.abs() < ROUNDING, "what remains: {sum}");
@@ -50,10 +45,8 @@ fn loads_without_resultant_are_loads() {
 
 #[test]
 fn too_many_waves_are_refused() {
-    let beam = Beam::new(1.0, 1.0).expect("a beam");
-    let load = Load::uniform_on(&beam, 1.0).expect("a load");
-    let foundation = Foundation::Cosine { mean: 1.0, amplitude: 1.0, wavelength: 1e-9, phase: 0.0 };
-    let error = solve(&Scene::new(beam, load, Some(foundation)).expect("a scene")).expect_err("too short");
+    let waves = Foundation::Cosine { mean: 1.0, amplitude: 1.0, wavelength: 1e-9, phase: 0.0 };
+    let error = solve(&uniform(1.0, 1.0, 1.0, waves)).expect_err("too short");
     assert!(matches!(error, TheoryError::TooManyPieces { .. }));
     insta::assert_snapshot!(error, @"`foundation.cosine.wavelength` must be at least 0.0004 for an exact solution, but is 0.000000001");
 }

@@ -5,14 +5,14 @@ use palkki::scene::{Beam, LinearLoad, Load, Scene, Support};
 use palkki::theory;
 use palkki_evidence::hostile;
 
+use crate::scenes::on_supports;
+
 /// `2 L M(2)·2 = −q L³/2` for two equal spans, and what a middle support that settles by `d` adds, `6 EI·2 d/L`.
 #[test]
 fn two_spans_have_the_equation_of_the_textbook() {
     let (span, stiffness, q, settled) = (6.0, 40.0, 3.0, 0.01);
-    let held = [(0.0, 0.0), (span, settled), (2.0 * span, 0.0)].map(|(at, level)| Support { at, level, slope: None });
-    let beam = Beam::new(2.0 * span, stiffness).and_then(|beam| beam.with_supports(held.to_vec())).expect("a beam");
-    let load = Load::uniform_on(&beam, q).expect("a load");
-    let scene = Scene::new(beam, load, None).expect("a scene");
+    let held = [Support::simple(0.0), Support::simple(span).at_level(settled), Support::simple(2.0 * span)];
+    let scene = on_supports([2.0 * span, stiffness], &held, (q, &[]), None);
     let found = Explanation::of(&scene, &theory::solve(&scene).expect("an answer"));
     let [equation] = &found.equations[..] else { panic!("{:?}", found.equations) };
     let factors: Vec<f64> = equation.terms.iter().map(|term| term.2).collect();
