@@ -42,21 +42,22 @@ pub(super) fn foundation_line(scene: &Scene, curves: &Curves) -> Ground {
         inside.fold(limit, |most: f64, p| most.max(p[1]))
     };
     let shallowest = line.iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
+    let in_words = |depth: f64| with_unit(depth, &scene.units().length);
     let below: Vec<(Place, String)> = gaps
         .iter()
         .map(|&gap| {
             let depth = if pieces.is_empty() { shallowest } else { deepest(gap) };
             let word = if pieces.is_empty() { " or deeper" } else { "" };
-            ([0.5 * (gap[0] + gap[1]), bottom], format!("ground at {}{word} ↓", significant(depth, DIGITS)))
+            ([0.5 * (gap[0] + gap[1]), bottom], format!("ground at {}{word} ↓", in_words(depth)))
         })
         .collect();
     let remark = if pieces.is_empty() {
-        let depth = significant(shallowest, DIGITS);
+        let depth = in_words(shallowest);
         Some(format!("The foundation lies far below the beam, at {depth} or deeper, and is not drawn with it."))
     } else if below.is_empty() {
         None
     } else {
-        Some(format!("The foundation is not drawn where it lies deeper than {}.", significant(limit, DIGITS)))
+        Some(format!("The foundation is not drawn where it lies deeper than {}.", in_words(limit)))
     };
     Ground { pieces, below, remark }
 }
