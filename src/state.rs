@@ -18,6 +18,17 @@ pub struct SupportForce {
     /// The couple that a built-in support exerts: the moment to its right less that to its left \[force · length\].
     #[cfg_attr(feature = "cli", serde(skip))]
     pub couple: f64,
+    /// True if it only pushes: its force is zero where the beam has lifted off.
+    #[cfg_attr(feature = "cli", serde(skip))]
+    pub pushes_only: bool,
+}
+
+impl SupportForce {
+    /// That of a support that only pushes.
+    #[must_use]
+    pub fn pushing(at: f64, force: f64) -> Self {
+        Self { at, force, moment: None, couple: 0.0, pushes_only: true }
+    }
 }
 
 /// How a beam stands on the ground that its supports do not hold against turning or moving.
@@ -277,7 +288,8 @@ impl Standing {
     pub fn of(resultant: Resultant, supports: &[SupportForce], contacts: &[Contact], motion: Option<Motion>) -> Self {
         /// The digits that the place of a contact has.
         const ROUNDING: f64 = 1e-12;
-        let places = supports.iter().map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
+        let carries = supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);
+        let places = carries.map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
         let [left, right] = places
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
         let nearer = (resultant.at - left).min(right - resultant.at);
@@ -300,7 +312,18 @@ impl Standing {
 }
 
 impl ContactState {
-    /// Resultant of all contacts, upwards \[force\].
+    /// Where the beam rests without being held, from left to right: its contacts with the ground, and the supports that only push and
+    /// have a force.
+    #[must_use]
+    pub fn touched(&self) -> Vec<Contact> {
+        let pushing = self.supports.iter().filter(|support| support.pushes_only && 0.0 < support.force);
+        let mut all = self.contacts.clone();
+        all.extend(pushing.map(|support| Contact::at(support.at, support.force)));
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
+    }
+
+    /// Resultant of all contacts with the ground, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         self.contacts.iter().fold(0.0, |sum, c| sum + c.force)
@@ -338,6 +361,7 @@ impl ContactState {
                     force: s.force * force,
                     moment: s.moment.map(|moment| moment * scale.moment()),
                     couple: s.couple * scale.moment(),
+                    ..s
                 })
                 .collect(),
             standing: self.standing.map(|standing| standing.in_units_of(scale)),

@@ -96,7 +96,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         let Some(HeldNode { force, moments: [left, right], .. }) = held_at(support.node) else { continue };
         let moment = support.held.slope.map(|_| held_beam::larger(*left, *right));
         let couple = if moment.is_some() { right - left } else { 0.0 };
-        forces.push(SupportForce { at: support.held.at, force: *force, moment, couple });
+        forces.push(SupportForce { at: support.held.at, force: *force, moment, couple, pushes_only: false });
         energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
         if !nodes.contains(&support.node) {
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;

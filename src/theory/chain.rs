@@ -42,6 +42,8 @@ pub(super) struct ChainSample {
     pub(super) load: f64,
     /// The clearance, where a support holds it.
     pub(super) held: Option<f64>,
+    /// True where there is nothing to touch: the clearance is any number, and there is no force.
+    pub(super) open: bool,
     /// True for a link that is a beam.
     pub(super) beam: bool,
 }
@@ -57,6 +59,10 @@ pub(super) struct Guess {
     /// `p` at the samples, zero at supports.
     pub(super) force: Vec<f64>,
 }
+
+/// Where there is nothing to touch a sample lies on a spring, without which elimination would lose how the links bend; softer than
+/// the bed of a beam that nothing holds by this factor, so that it slows no step.
+const SOFT: f64 = 1e-9;
 
 /// Steps of the predictor–corrector method at most.
 const STEPS: usize = 60;
@@ -86,10 +92,19 @@ struct Row {
     inverse: f64,
     /// True at a support, where `s` is given and `p` is nobody's.
     held: bool,
+    /// True where nothing touches, and `p` stays zero.
+    open: bool,
     /// Solution of the linear system: `ds`, `dm`.
     step: [f64; 2],
     /// `dp`.
     dp: f64,
+}
+
+impl Row {
+    /// True if there is something to touch, and no support.
+    fn may_touch(&self) -> bool {
+        !self.held && !self.open
+    }
 }
 
 impl Chain<'_> {
@@ -97,30 +112,34 @@ impl Chain<'_> {
     pub(super) fn solve(&self) -> Guess {
         let n = self.samples.len();
         let mut rows = self.rows();
-        let count = as_float(rows.iter().filter(|row| !row.held).count());
+        let count = as_float(rows.iter().filter(|row| row.may_touch()).count());
         let length = self.samples[n - 1].x - self.samples[0].x;
         // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
         // that nothing holds, elimination would lose how they bend.
-        let springs = if self.is_held_at_both_ends() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
+        let bed = 48.0 / (length * length * length * as_float(n));
+        let springs = if self.is_held_at_both_ends() { 0.0 } else { bed };
         factor(&mut rows, |_| springs);
         residuals(&mut rows);
         solve(&mut rows, |row| row.rest[1]);
         // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
-        let reach = rows.iter().filter(|row| !row.held).fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
-        let deepest = rows.iter().filter(|row| !row.held).fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
+        let touching = || rows.iter().filter(|row| row.may_touch());
+        let reach = touching().fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
+        let deepest = touching().fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
         let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
         let total: f64 = rows.iter().filter(|row| !row.held).map(|row| row.load.abs()).sum();
         let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
         for row in &mut rows {
             row.m = row.step[1];
-            if !row.held {
+            if row.open {
+                row.s = row.step[0];
+            } else if !row.held {
                 (row.s, row.p) = (row.step[0].max(0.1 * unit_clearance), unit_force);
             }
         }
         // Clearances beside a contact fall with the square of the distance of samples.
         let enough = 1e-16 / (count * count) * unit_clearance * unit_force;
         let mut touches = vec![false; n];
-        if rows.iter().all(|row| row.held) {
+        if !rows.iter().any(Row::may_touch) {
             return Guess { touches, force: vec![0.0; n] };
         }
         for _ in 0..STEPS {
@@ -130,22 +149,22 @@ impl Chain<'_> {
             if mu <= enough && off <= 1e-6 * unit_force {
                 break;
             }
-            factor(&mut rows, |row| row.p / row.s);
+            factor(&mut rows, |row| if row.open { SOFT * bed } else { row.p / row.s });
             solve(&mut rows, |row| row.rest[1] - row.p);
             let mut longest = 1.0_f64;
-            for row in rows.iter_mut().filter(|row| !row.held) {
+            for row in rows.iter_mut().filter(|row| row.may_touch()) {
                 row.dp = -row.p - row.p / row.s * row.step[0];
                 longest = limited(longest, row);
             }
             let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
             let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
             // From here on `dp` holds what the contact condition asks for, over `s`.
-            for row in rows.iter_mut().filter(|row| !row.held) {
+            for row in rows.iter_mut().filter(|row| row.may_touch()) {
                 row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
             }
             solve(&mut rows, |row| row.rest[1] + row.dp);
             longest = 1.0;
-            for row in rows.iter_mut().filter(|row| !row.held) {
+            for row in rows.iter_mut().filter(|row| row.may_touch()) {
                 row.dp -= row.p / row.s * row.step[0];
                 longest = limited(longest, row);
             }
@@ -157,7 +176,10 @@ impl Chain<'_> {
             }
             for (row, touches) in rows.iter_mut().zip(&mut touches) {
                 row.m += step * row.step[1];
-                if row.held {
+                if row.open {
+                    row.s += step * row.step[0];
+                }
+                if !row.may_touch() {
                     continue;
                 }
                 let (s, p) = (row.s + step * row.step[0], row.p + step * row.dp);
@@ -180,8 +202,8 @@ impl Chain<'_> {
         let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
         let row = |i: usize| {
             let left = if 0 < i { share(link(i - 1)) } else { SWALLOWS * f64::from(!self.built_in[0]) };
-            let ChainSample { bend, load, held, .. } = self.samples[i];
-            let row = Row { bend, load, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
+            let ChainSample { bend, load, held, open, .. } = self.samples[i];
+            let row = Row { bend, load, open, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
                 return Row { w: left + SWALLOWS * f64::from(!self.built_in[1]), ..row };
             }

@@ -137,11 +137,14 @@ impl Exact {
                 Kind::Edge(breakpoint) => Touch::Edge(edge(given, breakpoint)),
                 _ => continue,
             };
+            let pushed = || {
+                let at = self.state.supports.iter().find(|support| support.pushes_only && support.at == node.x * self.scale.length);
+                at.map(|support| Contact::at(support.at, support.force))
+            };
             touches.extend(
-                contacts
-                    .next()
+                if node.is_ground(given) { contacts.next().copied() } else { pushed() }
                     .filter(|contact| self.no_force(i, rest) < contact.force)
-                    .map(|contact| (touch, *contact)),
+                    .map(|contact| (touch, contact)),
             );
         }
         touches

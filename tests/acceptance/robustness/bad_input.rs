@@ -183,7 +183,7 @@ fn supports_and_shape_are_read() {
     let text = EVERY_KEY.replacen(STIFFNESS, &format!("{STIFFNESS}\n{lines}"), 1).replacen("depth = 1", "depth = 9", 1);
     let scene = parse("scene.toml", &text, |_| Ok(String::new())).expect("a scene");
     let expected =
-        [Support { at: 0.0, level: 0.0, slope: Some(0.05) }, Support::simple(4.0).at_level(0.3), Support::simple(10.0)];
+        [Support { level: 0.0, slope: Some(0.05), ..Support::simple(0.0) }, Support::simple(4.0).at_level(0.3), Support::simple(10.0)];
     assert_eq!(scene.beam().supports(), expected);
     let held = scene.held();
     let asked: Vec<(f64, Option<f64>)> = held.iter().map(|held| (held.deflection, held.slope)).collect();
@@ -228,7 +228,7 @@ fn supports_are_a_distance_apart() {
 #[test]
 fn ground_may_fall_off_at_a_built_in_support() {
     for slope in [0.0, -0.1] {
-        let supports = vec![Support { at: 0.0, level: 1.0, slope: Some(slope) }];
+        let supports = vec![Support { level: 1.0, slope: Some(slope), ..Support::simple(0.0) }];
         let beam = Beam::new(10.0, 1.3).and_then(|beam| beam.with_supports(supports)).expect("a beam");
         assert!(Foundation::Flat { depth: 1.0 }.checked(&beam).is_ok(), "{slope}");
     }

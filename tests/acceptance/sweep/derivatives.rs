@@ -112,7 +112,7 @@ fn by_a_load_on_an_unloaded_zone_derivatives_are_one_sided() {
 /// A support that holds the slope of a beam with an own shape: `v = d − w0` and `v' = φ − w0'` change with its place.
 #[test]
 fn a_built_in_support_of_a_curved_beam_moves() {
-    let held = Support { at: 2.0, level: 0.3, slope: Some(0.1) };
+    let held = Support { level: 0.3, slope: Some(0.1), ..Support::simple(2.0) };
     let supports = vec![held, Support::simple(10.0)];
     let shapes = [
         Foundation::Polynomial { coefficients: vec![0.1, -0.2, 0.03, 0.001] },
@@ -139,7 +139,7 @@ fn a_built_in_support_of_a_curved_beam_moves() {
 #[test]
 fn by_a_support_that_leaves_unloaded_ground_there_is_no_derivative() {
     let scene = |level: f64| {
-        let supports = vec![Support { at: 0.0, level, slope: None }, Support { at: 10.0, level: -5.0, slope: None }];
+        let supports = vec![Support { level, ..Support::simple(0.0) }, Support { level: -5.0, ..Support::simple(10.0) }];
         let beam = Beam::new(10.0, 2.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
         let point = [(4.0, 3.0), (7.0, 2.0)].map(|(at, force)| PointLoad { at, force });
         let load = Load::new(&beam, 0.0, Vec::new(), point.to_vec()).expect("a load");

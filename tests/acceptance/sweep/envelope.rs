@@ -6,7 +6,7 @@ use palkki::theory;
 
 /// A beam on supports, above ground or none, with axles of so much a distance behind the first.
 fn axles(length: f64, supports: &[f64], ground: Option<Foundation>, axles: &[(f64, f64)]) -> Scene {
-    let held = supports.iter().map(|&at| Support { at, level: 0.0, slope: None }).collect();
+    let held = supports.iter().map(|&at| Support { level: 0.0, ..Support::simple(at) }).collect();
     let beam = Beam::new(length, 5000.0).and_then(|beam| beam.with_supports(held)).expect("a beam");
     let point = axles.iter().map(|&(at, force)| PointLoad { at, force }).collect();
     let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");

@@ -166,7 +166,7 @@ fn scene(i: u64) -> Option<Scene> {
         let at = random.below(INTERVALS + 1) as f64;
         if supports.iter().all(|s| (s.at - at).abs() > 0.5) {
             let slope = random.once_in(3).then(|| random.between(-0.1, 0.1));
-            supports.push(Support { at, level: random.between(-0.2, 0.2), slope });
+            supports.push(Support { level: random.between(-0.2, 0.2), slope, ..Support::simple(at) });
         }
     }
     let depth = |random: &mut Random, x: f64| {
