@@ -122,6 +122,12 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
                 let clear = enclosed.gap.about(a, [a, b]).minus(&v);
                 let slope = |s: f64| clear.at(Interval::exact(s)).middle() / (sign * (a + s - about));
                 most = least_sample(slope, b - a, most);
+                for y in [a, b] {
+                    if enclosed.pushes_at(y) && 0.0 < (y - about).abs() {
+                        let clear = enclosed.gap.depth(y) - v.at(Interval::length(a, y));
+                        most = most.min(clear.middle() / (y - about).abs());
+                    }
+                }
             }
         }
         most
@@ -293,7 +299,7 @@ impl EnclosedGap<'_> {
     }
 
     /// Whether a place can carry a concentrated force because there is a corner that points upwards: the upper edge of a step,
-    /// or a kink after which the ground falls more from the beam than before.
+    /// a kink after which the ground falls more from the beam than before, or a support that only pushes.
     pub(super) fn is_corner(&self, x: f64) -> bool {
         match self.slopes(x) {
             _ if self.is_smooth_at(x) => false,

@@ -148,7 +148,8 @@ impl Balance {
                 let Some(ends) = ends else { return Err(Unheld::NothingCarries) };
                 // Positive where the resultant is on the inner side of the left and of the right end.
                 let [left, right] = [turn(ends[0]), turn(ends[1]).negated()];
-                let overturns = |force, at| Unheld::Overturns { force, at, grounded: scene.foundation().is_some(), ends };
+                let overturns =
+                    |force, at| Unheld::Overturns { force, at, grounded: scene.foundation().is_some(), ends };
                 let (force, Resultant { force: weight, at }) = (force(), resultant());
                 match (left.sign(), right.sign()) {
                     // Of one place alone both are of one sign, or none is.

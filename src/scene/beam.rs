@@ -139,7 +139,9 @@ impl Beam {
     /// True for the paper's beam: straight, on two simple supports at its ends, both at level 0.
     #[must_use]
     pub fn is_simple(&self) -> bool {
-        self.shape.is_none() && self.bearings.is_empty() && self.supports == [Support::simple(0.0), Support::simple(self.length)]
+        self.shape.is_none()
+            && self.bearings.is_empty()
+            && self.supports == [Support::simple(0.0), Support::simple(self.length)]
     }
 
     /// The same beam in other units, all powers of two; `stiffness` is that of `EI`.
@@ -161,8 +163,11 @@ impl Beam {
 
     /// A bound on what the supports and the own shape ask of the deflection: `max |level|`, `max |w0|`, `|slope| l` \[length\].
     pub(super) fn given_deflection(&self) -> f64 {
-        let levels =
-            self.supports.iter().chain(&self.bearings).map(|s| s.level.abs().max(s.slope.map_or(0.0, |slope| slope.abs() * self.length)));
+        let levels = self
+            .supports
+            .iter()
+            .chain(&self.bearings)
+            .map(|s| s.level.abs().max(s.slope.map_or(0.0, |slope| slope.abs() * self.length)));
         levels.fold(self.shape.as_ref().map_or(0.0, |shape| shape.magnitude(self.length)), f64::max)
     }
 }

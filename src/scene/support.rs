@@ -168,7 +168,10 @@ impl Scene {
     /// Where the beam may touch supports that only push, from left to right.
     pub fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
         let own = |at: f64| self.beam().shape().map_or(0.0, |shape| shape.depth(at));
-        self.beam().bearings().iter().map(move |support| Bearing { at: support.at, gap: support.level - own(support.at) })
+        self.beam()
+            .bearings()
+            .iter()
+            .map(move |support| Bearing { at: support.at, gap: support.level - own(support.at) })
     }
 
     fn held_by(&self, &Support { at, level, slope, .. }: &Support) -> Held {

@@ -226,8 +226,15 @@ impl Samples {
     /// Sample `i` as one of the chain, before bend and load are known.
     fn chain_sample(&self, given: &PiecewiseScene, i: usize) -> ChainSample {
         let held = self.support(given, i).map(|support| given.supports[support].clearance[1]);
-        let open = !given.founded && held.is_none() && !self.breakpoint(given, i).is_some_and(|at| given.is_bearing(at));
-        ChainSample { x: self.x[i], held, open, beam: self.far.get(i).is_some_and(|&far| far), ..ChainSample::default() }
+        let open =
+            !given.founded && held.is_none() && !self.breakpoint(given, i).is_some_and(|at| given.is_bearing(at));
+        ChainSample {
+            x: self.x[i],
+            held,
+            open,
+            beam: self.far.get(i).is_some_and(|&far| far),
+            ..ChainSample::default()
+        }
     }
 
     /// The chains between the built-in supports, each for itself: nothing passes from one to the other.

@@ -4,9 +4,9 @@ use super::bernstein::{sign_changes, value};
 use super::check::Checked;
 use super::forces::{forces, moments};
 use super::list::{Beside, Kind, List, Node};
+use super::penetration::in_bearings;
 use super::piece::{derivatives, pieces_of};
 use super::piecewise::PiecewiseScene;
-use super::penetration::in_bearings;
 use super::span::Span;
 use super::violation::Violation;
 

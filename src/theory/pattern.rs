@@ -138,7 +138,11 @@ impl Exact {
                 _ => continue,
             };
             let pushed = || {
-                let at = self.state.supports.iter().find(|support| support.pushes_only && support.at == node.x * self.scale.length);
+                let at = self
+                    .state
+                    .supports
+                    .iter()
+                    .find(|support| support.pushes_only && support.at == node.x * self.scale.length);
                 at.map(|support| Contact::at(support.at, support.force))
             };
             touches.extend(

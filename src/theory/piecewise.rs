@@ -334,7 +334,9 @@ impl PiecewiseScene {
     /// True if the profile is straight beside the free end at breakpoint `i`, so that a zone may reach it.
     pub(super) fn is_flat_end(&self, i: usize) -> bool {
         let [_, cell] = self.cells_beside(i);
-        self.is_free_end(i) && !self.is_bearing(i) && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
+        self.is_free_end(i)
+            && !self.is_bearing(i)
+            && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
     /// The support at breakpoint `i`, if there is one.

@@ -4,7 +4,7 @@
 //!
 //! | node | `v` | `v'` | `M` | force |
 //! |---|---|---|---|---|
-//! | corner | `g` | free | continuous | presses |
+//! | corner, support that only pushes | `g` | free | continuous | presses |
 //! | touch | `g` | `g'` | continuous | presses |
 //! | start, end of a zone | `g` | `g'` | `−EI g''` | presses |
 //! | support | `d` | free, or `g'` as one that is level with the ground | continuous, or any jump that ground beside it makes | any |

@@ -8,8 +8,11 @@ use crate::scene::polynomial::{cuts, long_degree};
 /// The foundation of a scene or the own shape of its beam, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnclosedFoundation<'a> {
-    given: &'a Foundation,
-    length: f64,
+    pub(crate) given: &'a Foundation,
+    pub(crate) length: f64,
+    /// What stands alone above it, from left to right: places of a support that only pushes, as a point of a polyline is between two
+    /// steps. It is no part of any cell.
+    pub(crate) bearings: &'a [[[f64; 2]; 3]],
 }
 
 /// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
@@ -25,7 +28,7 @@ const EXPANDED: usize = 24;
 
 impl<'a> EnclosedFoundation<'a> {
     pub(crate) fn on(given: &'a Foundation, length: f64) -> Self {
-        Self { given, length }
+        Self { given, length, bearings: &[] }
     }
 
     /// Ends of cells strictly between two places, that of a step twice.
@@ -52,7 +55,13 @@ impl<'a> EnclosedFoundation<'a> {
     /// At most any depth between two places, found without a look at each cell; minus infinity where that cannot be.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
         let least = |points: &[[f64; 2]]| points.iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-        self.level().unwrap_or_else(|| self.points_about(from, to).map_or(f64::NEG_INFINITY, least))
+        let ground = self.level().unwrap_or_else(|| self.points_about(from, to).map_or(f64::NEG_INFINITY, least));
+        self.bearings_between(from.next_down(), to.next_up()).fold(ground, |ground, bearing| ground.min(least(bearing)))
+    }
+
+    /// What stands alone strictly between two places.
+    pub(crate) fn bearings_between(&self, from: f64, to: f64) -> impl Iterator<Item = &'a [[f64; 2]; 3]> {
+        self.bearings.iter().filter(move |bearing| from < bearing[0][0] && bearing[0][0] < to)
     }
 
     /// The points of a polyline between two places that are in order, and the far ends of the segments that these are on.
@@ -94,7 +103,7 @@ impl<'a> EnclosedFoundation<'a> {
         higher.map_or_else(|| self.jet(x, false)[0], |point| Interval::exact(point[1]))
     }
 
-    /// False at the points of a polyline.
+    /// False at the points of a polyline, and where something stands alone.
     pub(crate) fn is_smooth_at(&self, x: f64) -> bool {
         self.points_at(x).is_empty()
     }
@@ -105,7 +114,9 @@ impl<'a> EnclosedFoundation<'a> {
         // A wrong witness may ask for places that are not in order.
         let one_level = |part: &[[f64; 2]]| part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0);
         let is_smooth = |part: &[[f64; 2]]| part.len() <= 2 || one_level(part);
-        !matches!(self.given, Foundation::Polyline { .. }) || self.points_about(from, to).is_some_and(is_smooth)
+        let ground =
+            !matches!(self.given, Foundation::Polyline { .. }) || self.points_about(from, to).is_some_and(is_smooth);
+        ground && self.bearings_between(from, to).next().is_none()
     }
 
     /// False beside a place that is the foot of a step.
@@ -115,11 +126,12 @@ impl<'a> EnclosedFoundation<'a> {
         beside.is_none_or(|beside| here.iter().all(|point| beside[1] <= point[1]))
     }
 
-    /// The points of a polyline at a place: two at a step.
+    /// The points of a polyline at a place: two at a step, three where something stands alone.
     pub(crate) fn points_at(&self, x: f64) -> &'a [[f64; 2]] {
-        let Foundation::Polyline { points } = self.given else { return &[] };
+        let bearing = self.bearings_between(x.next_down(), x.next_up()).next().map(<[_; 3]>::as_slice);
+        let Foundation::Polyline { points } = self.given else { return bearing.unwrap_or_default() };
         let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
-        points.get(first..beyond).unwrap_or_default()
+        bearing.or(points.get(first..beyond)).unwrap_or_default()
     }
 }
 

@@ -16,6 +16,7 @@ impl EnclosedGap<'_> {
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let mut breaks = self.ground.breaks(from, to);
         breaks.extend(self.shape.breaks(from, to));
+        breaks.extend(self.ground.bearings_between(from, to).map(|bearing| bearing[0][0]));
         breaks
     }
 

@@ -136,7 +136,9 @@ pub enum Problem {
         path: String,
     },
     /// A support in which the beam is built in and that only pushes.
-    #[error("`{path}` must not be there: a support that only pushes lets the beam turn and lift off, and holds no slope")]
+    #[error(
+        "`{path}` must not be there: a support that only pushes lets the beam turn and lift off, and holds no slope"
+    )]
     PushesBuiltIn {
         /// Path of the key that asks for more.
         path: String,

@@ -182,8 +182,11 @@ fn supports_and_shape_are_read() {
                  shape = { polynomial = [0.0, -0.051, 0.03] }";
     let text = EVERY_KEY.replacen(STIFFNESS, &format!("{STIFFNESS}\n{lines}"), 1).replacen("depth = 1", "depth = 9", 1);
     let scene = parse("scene.toml", &text, |_| Ok(String::new())).expect("a scene");
-    let expected =
-        [Support { level: 0.0, slope: Some(0.05), ..Support::simple(0.0) }, Support::simple(4.0).at_level(0.3), Support::simple(10.0)];
+    let expected = [
+        Support { level: 0.0, slope: Some(0.05), ..Support::simple(0.0) },
+        Support::simple(4.0).at_level(0.3),
+        Support::simple(10.0),
+    ];
     assert_eq!(scene.beam().supports(), expected);
     let held = scene.held();
     let asked: Vec<(f64, Option<f64>)> = held.iter().map(|held| (held.deflection, held.slope)).collect();

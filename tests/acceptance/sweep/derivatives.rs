@@ -139,7 +139,8 @@ fn a_built_in_support_of_a_curved_beam_moves() {
 #[test]
 fn by_a_support_that_leaves_unloaded_ground_there_is_no_derivative() {
     let scene = |level: f64| {
-        let supports = vec![Support { level, ..Support::simple(0.0) }, Support { level: -5.0, ..Support::simple(10.0) }];
+        let supports =
+            vec![Support { level, ..Support::simple(0.0) }, Support { level: -5.0, ..Support::simple(10.0) }];
         let beam = Beam::new(10.0, 2.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
         let point = [(4.0, 3.0), (7.0, 2.0)].map(|(at, force)| PointLoad { at, force });
         let load = Load::new(&beam, 0.0, Vec::new(), point.to_vec()).expect("a load");

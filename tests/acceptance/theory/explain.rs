@@ -9,7 +9,8 @@ use palkki_evidence::hostile;
 #[test]
 fn two_spans_have_the_equation_of_the_textbook() {
     let (span, stiffness, q, settled) = (6.0, 40.0, 3.0, 0.01);
-    let held = [(0.0, 0.0), (span, settled), (2.0 * span, 0.0)].map(|(at, level)| Support { level, ..Support::simple(at) });
+    let held =
+        [(0.0, 0.0), (span, settled), (2.0 * span, 0.0)].map(|(at, level)| Support { level, ..Support::simple(at) });
     let beam = Beam::new(2.0 * span, stiffness).and_then(|beam| beam.with_supports(held.to_vec())).expect("a beam");
     let load = Load::uniform_on(&beam, q).expect("a load");
     let scene = Scene::new(beam, load, None).expect("a scene");

@@ -95,7 +95,7 @@ fn parts_of_zones_hold_with_what_is_apart() {
     let mut pair = Pair {
         pieces: none.0,
         gap: GAP,
-        reactions: none.1,
+        carried: none.1,
         holds: none.2,
         turns_about: None,
         lifted: 0.0,
