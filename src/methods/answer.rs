@@ -2,7 +2,9 @@
 //! energy.
 
 use super::extremes::{BLOCK, Values, extremes, shifted};
+use super::contact_set::ContactSet;
 use super::held_beam::{self, HeldNode};
+use super::supports::NodeBearing;
 use super::{Discrete, program};
 use crate::qp::Sizes;
 use crate::scene::Grid;
@@ -35,6 +37,9 @@ impl Nodal {
         /// more than statics lose on any grid on which the difference would be the better one.
         const DEEP: f64 = 1e3;
         let first = discrete.nodes().start;
+        if discrete.is_open() {
+            return Self::of_open(discrete, discretisation, &clearance, contact_force);
+        }
         for support in discrete.supports().inner() {
             clearance[support.node - first] = discrete.gap(support.node) - support.held.deflection;
         }
@@ -52,6 +57,46 @@ impl Nodal {
             }
         }
         Self { discretisation, deflection, clearance, contact_force }
+    }
+
+    /// The same above nothing but supports that only push: the beam that is held where it may touch, at the clearances there.
+    fn of_open(
+        discrete: &Discrete,
+        discretisation: Discretisation,
+        clearance: &[f64],
+        contact_force: Vec<f64>,
+    ) -> Self {
+        let first = discrete.nodes().start;
+        let mut levels = vec![0.0; clearance.len()];
+        discrete.touchable().for_each(|node| levels[node - first] = discrete.gap(node) - clearance[node - first]);
+        let held = discrete.above(levels);
+        let beam = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
+        let mut deflection = beam.map_or_else(
+            |_| vec![f64::NAN; clearance.len()],
+            |beam| held.depths.iter().zip(&beam.clearance).map(|(level, h)| level - h).collect(),
+        );
+        for support in discrete.supports().inner() {
+            deflection[support.node - first] = support.held.deflection;
+        }
+        let mut nodal = Self { discretisation, deflection, clearance: clearance.to_vec(), contact_force };
+        nodal.leave_open(discrete);
+        nodal
+    }
+
+    /// A beam that one place carries, before it is known how: at rest, and pressed by nothing.
+    #[must_use]
+    pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
+        let nothing = || vec![0.0; discrete.nodes().len()];
+        Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing() }
+    }
+
+    /// Clearances of open nodes are infinite.
+    pub(super) fn leave_open(&mut self, discrete: &Discrete) {
+        let first = discrete.nodes().start;
+        discrete.open_nodes().for_each(|node| self.clearance[node - first] = f64::INFINITY);
+        for support in discrete.supports().inner().iter().filter(|_| discrete.is_open()) {
+            self.clearance[support.node - first] = f64::INFINITY;
+        }
     }
 }
 
@@ -102,13 +147,19 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
         }
     }
-    let reaction = |node: usize| {
-        supports.iter().find(|support| support.node == node).and_then(|_| held_at(node)).map_or(0.0, |held| held.force)
+    let bearings = discrete.supports().bearings();
+    let pushed = |bearing: &NodeBearing| {
+        let force = nodal.contact_force[bearing.node - nodes.start];
+        (bearing.node, SupportForce::pushing(bearing.at, force))
     };
+    let mut all: Vec<_> = supports.iter().map(|s| s.node).zip(forces).chain(bearings.iter().map(pushed)).collect();
+    all.sort_by_key(|(node, _)| *node);
+    let reaction = |node: usize| all.iter().find(|(at, _)| *at == node).map_or(0.0, |(_, held)| held.force);
     let reactions = Reactions { left: reaction(0), right: reaction(intervals) };
 
-    let contacts =
-        contacts(&nodal, &sizes_of_contact(sizes, stiffness, grid.place(intervals)), |i| grid.place(i + nodes.start));
+    let sizes = sizes_of_contact(sizes, stiffness, grid.place(intervals));
+    let pushes = |i: usize| bearings.binary_search_by_key(&(i + nodes.start), |bearing| bearing.node).is_ok();
+    let contacts = contacts(&nodal, &sizes, pushes, |i| grid.place(i + nodes.start));
     let deflection_at = |node: usize| match supports.iter().find(|support| support.node == node) {
         Some(support) => support.held.deflection,
         None => nodal.deflection[node - nodes.start],
@@ -143,7 +194,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     ContactState {
         regime: Regime::of(&contacts),
         reactions,
-        supports: forces,
+        supports: all.into_iter().map(|(_, force)| force).collect(),
         standing: None,
         contacts,
         deflection,
@@ -199,18 +250,23 @@ fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
 
 /// Runs of neighbouring nodes in contact, each a zone, or a point if it is a single node.
 ///
-/// `place` is that of a node by its number among those of `nodal`.
+/// `place` is that of a node by its number among those of `nodal`; where a support `pushes` it is no contact with the ground.
 ///
 /// A node is in contact if its force, measured by all forces, is larger than its clearance, measured by the deflection:
 /// the natural reading of an answer in which both are small positive numbers.
-fn contacts(nodal: &Nodal, &Sizes { x: depth, gradient: force }: &Sizes, place: impl Fn(usize) -> f64) -> Vec<Contact> {
+fn contacts(
+    nodal: &Nodal,
+    &Sizes { x: depth, gradient: force }: &Sizes,
+    pushes: impl Fn(usize) -> bool,
+    place: impl Fn(usize) -> f64,
+) -> Vec<Contact> {
     let mut contacts = Vec::new();
     let contact = |first, last, force| Contact { from: place(first), to: place(last), force, end_forces: None };
     // While a run goes on: its first node, and the sum of its forces.
     let (mut first, mut sum) = (None, 0.0);
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
         // h/X ≤ p/G without a division: most nodes of a fine grid pass here. Both are zero on ground that leaves no room at all.
-        if NO_FORCE * force < p && h * force <= p * depth {
+        if NO_FORCE * force < p && h * force <= p * depth && !pushes(k) {
             first = first.or(Some(k));
             sum += p;
         } else if let Some(first) = first.take() {

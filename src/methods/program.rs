@@ -60,6 +60,8 @@ impl Qp for Program<'_> {
         // Symmetric up to rounding; whoever takes the matrix may rely on it.
         let matrix = (&matrix + matrix.transpose()) * 0.5;
         match self.method {
+            // What the open nodes between leave of the difference equations is full.
+            _ if self.discrete.is_open() => Matrix::Dense(matrix),
             Method::Complementarity => {
                 let entry = |i: usize, k: usize| if i + k < n { matrix[(i, i + k)] } else { 0.0 };
                 Matrix::Pentadiagonal((0..n).map(|i| [0, 1, 2].map(|k| entry(i, k))).collect())
@@ -81,7 +83,7 @@ impl Qp for Program<'_> {
             return discrete.without_supports(discrete.clearances(&deflection(discrete, &x, discretisation)));
         }
         let held = discrete.above(discrete.clearances(&x));
-        let forces = ContactSet::at(&held, held.nodes()).solve(&held, discretisation);
+        let forces = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
         forces.map_or_else(|_| vec![f64::NAN; self.dimension()], |forces| self.point(forces).gradient)
     }
 
