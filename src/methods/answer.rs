@@ -93,9 +93,9 @@ impl Nodal {
     /// Clearances of open nodes are infinite.
     pub(super) fn leave_open(&mut self, discrete: &Discrete) {
         let first = discrete.nodes().start;
-        discrete.open_nodes().for_each(|node| self.clearance[node - first] = f64::INFINITY);
-        for support in discrete.supports().inner().iter().filter(|_| discrete.is_open()) {
-            self.clearance[support.node - first] = f64::INFINITY;
+        let stands = |node: usize| discrete.supports().bearings().iter().any(|bearing| bearing.node == node);
+        for node in discrete.nodes().filter(|node| discrete.is_open() && !stands(*node)) {
+            self.clearance[node - first] = f64::INFINITY;
         }
     }
 }

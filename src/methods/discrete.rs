@@ -140,14 +140,14 @@ impl Discrete {
         (0..self.unknowns()).map(|unknown| self.node(unknown))
     }
 
+    /// The nodes without a support that holds the beam, ascending.
+    pub(super) fn free_nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.nodes().filter(|node| self.supports.at(*node).is_none())
+    }
+
     /// True at a node with nothing to touch, and no support.
     pub(super) fn is_open_at(&self, node: usize) -> bool {
         self.open && self.supports.below(node).is_none()
-    }
-
-    /// The nodes without a support at which there is nothing to touch, ascending.
-    pub(super) fn open_nodes(&self) -> impl Iterator<Item = usize> + '_ {
-        self.nodes().filter(|node| self.is_open_at(*node))
     }
 
     /// Number of nodes without a support at which the beam may touch.
@@ -341,7 +341,7 @@ impl Discrete {
             support.held.deflection = 0.0;
             support.held.slope = support.held.slope.map(|_| 0.0);
         }
-        self.on(Supports::of(all, self.intervals), vec![0.0; self.loads.len()])
+        self.on(self.supports.holding(all), vec![0.0; self.loads.len()])
     }
 }
 

@@ -30,7 +30,7 @@ pub use answer::{Nodal, contact_state, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
 pub use rigid::{balanced, single_contact};
-pub use sparse::free_variables;
+pub use sparse::moments;
 
 use std::f64::consts::PI;
 use std::fmt;

@@ -71,6 +71,10 @@ impl Qp for Program<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
+        // Of a few places in clearances the matrix is the better form: nothing has to be eliminated.
+        if self.discrete.is_open() && !self.method.is_free_in_contact() {
+            return Some(SparseForm::of_matrix(self));
+        }
         let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };
         Some(form(self.discrete, self.method.discretisation(), self.sizes()))
     }

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use super::answer::Nodal;
-use super::supports::{NodeSupport, Supports};
+use super::supports::NodeSupport;
 use super::{Discrete, held_beam};
 use crate::qp::FreeSet;
 use crate::scene::{Balance, Foundation, Held};
@@ -53,7 +53,7 @@ impl Discrete {
         let below = self.supports().at(node).map_or(0.0, |support| support.below);
         let (at, deflection) = (self.grid.place(node), self.level(node));
         let held = Held { at, deflection, slope: Some(slope), meets: [false; 2], grounded: [false; 2] };
-        self.on(Supports::of(vec![NodeSupport { node, held, below }], self.intervals), self.loads.clone())
+        self.on(self.supports().holding(vec![NodeSupport { node, held, below }]), self.loads.clone())
     }
 
     /// The node at the one place about which the beam is free to turn, if the loads are in balance there.

@@ -11,8 +11,7 @@
 //! ```
 //!
 //! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A built-in
-//! support has a moment on each of its sides, each with half a cell. At nodes with nothing to touch the deflection `v = −h` is free of
-//! sign, or there is equilibrium without a force.
+//! support has a moment on each of its sides, each with half a cell.
 //!
 //! Second differences appear instead of fourth ones: condition numbers are roots of those of `A`.
 //!
@@ -25,7 +24,7 @@
 //!
 //! With other choices the libraries lose their way on 30 000 intervals, or on 3000.
 
-use super::{Discrete, Method};
+use super::Discrete;
 use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Discretisation;
 
@@ -71,9 +70,9 @@ impl Hinge {
     }
 }
 
-/// What the variables of any sign of a sparse form are, in their order.
+/// What the moments of a sparse form are, in their order.
 #[must_use]
-pub fn free_variables(method: Method, discrete: &Discrete) -> Vec<String> {
+pub fn moments(discrete: &Discrete) -> Vec<String> {
     let name = |hinge: &Hinge| {
         let side = match hinge.sides {
             [true, false] => "left of",
@@ -82,12 +81,10 @@ pub fn free_variables(method: Method, discrete: &Discrete) -> Vec<String> {
         };
         format!("moment {side} x = {:?}", discrete.grid.place(hinge.node))
     };
-    let open = discrete.open_nodes().filter(|_| !method.is_free_in_contact());
-    let open = open.map(|node| format!("deflection upwards at x = {:?}", discrete.grid.place(node)));
-    Hinge::all(discrete).iter().map(name).chain(open).collect()
+    Hinge::all(discrete).iter().map(name).collect()
 }
 
-/// Methods 1 and 2: moments, deflections of open nodes, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
+/// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
 pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
@@ -98,10 +95,12 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     let coupling = stiffness_number(discrete).sqrt() * fine;
     let mut equations: Vec<_> = (0..hinges.len()).map(|j| curvature(&hinges, j, discretisation, coupling)).collect();
     let mut linear = vec![0.0; hinges.len()];
-    let open = discrete.open_nodes();
-    for node in open.chain(discrete.touchable()) {
-        // The first hinge that may be bent there.
-        let first = hinges.partition_point(|hinge| hinge.node + 1 < node);
+    // The first hinge that may be bent by an unknown.
+    let mut first = 0;
+    for node in (0..n).map(|unknown| discrete.node(unknown)) {
+        while hinges.get(first).is_some_and(|hinge| hinge.node + 1 < node) {
+            first += 1;
+        }
         let near = hinges[first..].iter().take_while(|hinge| hinge.node <= node + 1).enumerate();
         let share = |hinge: &Hinge| match hinge.three() {
             [_, own, _] if own == node => hinge.count(),
@@ -118,19 +117,18 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     };
     let right = hinges.iter().map(bend).collect();
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
-    let quadratic = quadratic(&hinges, linear.len() - hinges.len(), discretisation, 1.0);
-    SparseForm { quadratic, signed: linear.len() - n, linear, equations, right, sizes }
+    let quadratic = quadratic(&hinges, n, discretisation, 1.0);
+    SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }
 
 /// Method 3: moments, then contact forces. Levels and slopes of supports do work with the forces and couples that moments put on
-/// them. There is no equation for a node with a support, whose force is what is missing to equilibrium.
+/// them. There is no equation for a node with a support that holds it, whose force is what is missing to equilibrium; a node with
+/// nothing to touch has one, and no force.
 pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
     let Sizes { x: depth, gradient: force } = discrete.sizes();
-    // Equilibrium of the nodes of forces first, then of those without.
     let mut rows = vec![None; discrete.intervals + 1];
-    let balanced: Vec<usize> = discrete.touchable().chain(discrete.open_nodes()).collect();
-    balanced.iter().enumerate().for_each(|(row, &node)| rows[node] = Some(row));
+    discrete.free_nodes().enumerate().for_each(|(row, node)| rows[node] = Some(row));
     let mut equations = Vec::with_capacity(hinges.len() + n);
     let mut linear = Vec::with_capacity(hinges.len() + n);
     for hinge in &hinges {
@@ -145,9 +143,9 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
         let turned = if hinge.sides[0] { slope } else { -slope };
         linear.push((held.sum::<f64>() + turned * discrete.spacing) / depth);
     }
-    equations.extend((0..n).map(|j| vec![(j, -1.0)]));
+    equations.extend(discrete.touchable().filter_map(|node| rows[node]).map(|row| vec![(row, -1.0)]));
     linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
-    let right = balanced.iter().map(|&node| -discrete.loads[node] / force).collect();
+    let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
     let quadratic = quadratic(&hinges, n, discretisation, stiffness_number(discrete));
     SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }

@@ -71,6 +71,11 @@ impl Supports {
         Self { all, inner, bearings: Vec::new(), intervals }
     }
 
+    /// The same with others that hold the beam.
+    pub(super) fn holding(&self, all: Vec<NodeSupport>) -> Self {
+        Self { bearings: self.bearings.clone(), ..Self::of(all, self.intervals) }
+    }
+
     /// Those that only push, from left to right.
     pub(crate) fn bearings(&self) -> &[NodeBearing] {
         &self.bearings
@@ -151,6 +156,6 @@ impl Supports {
             (1, _) => all.insert(0, ghost(0)),
             _ => all.extend([0, self.intervals].map(ghost)),
         }
-        Self { bearings: self.bearings.clone(), ..Self::of(all, self.intervals) }
+        self.holding(all)
     }
 }
