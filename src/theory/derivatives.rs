@@ -7,11 +7,11 @@
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
 //! ```
 
-use super::changes::{AT_A_CHANGE, Weak, curvature};
+use super::changes::{AT_A_CHANGE, Ground, Weak, curvature};
 use super::exact::Exact;
-use super::list::Kind;
+use super::list::{Kind, Node};
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
-use crate::scene::{Quantity, Scene};
+use crate::scene::{Quantity, Scene, Support};
 
 /// By what an answer is differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -185,8 +185,11 @@ impl Exact {
             add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, open, one_sided, parts);
         }
         for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
-            let i = scene.beam().supports().partition_point(|s| s.at < support.at);
-            let here = &supports[i];
+            let before = |these: &[Support]| these.iter().filter(|s| s.at < support.at).count();
+            let pushes = || supports.len() + before(scene.beam().bearings());
+            let i = if support.pushes_only { pushes() } else { before(scene.beam().supports()) };
+            let alone = Ground::default();
+            let here = supports.get(i).unwrap_or(&alone);
             let open = [true, !here.meets];
             add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, open, false, here.rests);
             let unit = scale.length / scale.depth;
@@ -236,7 +239,7 @@ impl Exact {
             }
             let Some(node) = nodes.get(i) else { continue };
             match node.kind {
-                Kind::Smooth | Kind::Edge(_) => contacts.push(ContactDerivative {
+                _ if node.is_ground(&self.given) => contacts.push(ContactDerivative {
                     from: scaled.place(changes[i].place),
                     to: scaled.place(changes[i].place),
                     force: certain(i, scaled.force(self.forces[i], changes[i].force)),
@@ -244,11 +247,18 @@ impl Exact {
                 }),
                 Kind::Support(..) => {
                     let now = self.forces[i] + standing(&self.given, &self.list, i);
-                    supports.push(certain(i, scaled.force(now, changes[i].force)));
+                    supports.push((node.x, certain(i, scaled.force(now, changes[i].force))));
                 }
+                Kind::Edge(_) => supports.push((node.x, certain(i, scaled.force(self.forces[i], changes[i].force)))),
                 _ => {}
             }
         }
+        // The beam stays clear of a support that it has lifted off.
+        let lifted = self.given.bearings.iter().map(|&at| self.given.breakpoints[at].x);
+        let lifted = lifted.filter(|at| nodes.iter().all(|node| node.x.total_cmp(at).is_ne()));
+        supports.extend(lifted.map(|at| (at, 0.0)));
+        supports.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let supports = supports.into_iter().map(|(_, force)| force).collect();
         if self.lies() {
             // Whether the end of a stretch that lies on the ground touches it is not determined either.
             let least = AT_A_CHANGE * self.state.contact_force().abs();
@@ -281,8 +291,14 @@ impl Exact {
             Change::Force(at, p) => -p * deflection(at),
             Change::Move(at, p) => -p * self.slope(at * scale.length) * scale.length / scale.depth,
             Change::Level(index) | Change::Support(index, _) => {
-                let Some(i) = self.list.nodes.iter().position(|node| node.support() == Some(index)) else { return 0.0 };
-                let force = self.forces[i] + standing(given, &self.list, i);
+                let is_here = |node: &Node| match node.kind {
+                    Kind::Support(own, _) => own == index,
+                    Kind::Edge(at) => given.bearing_index(at) == Some(index),
+                    _ => false,
+                };
+                let Some(i) = self.list.nodes.iter().position(is_here) else { return 0.0 };
+                let own = self.list.nodes[i].support().map_or(0.0, |_| standing(given, &self.list, i));
+                let force = self.forces[i] + own;
                 let held = self.list.nodes[i].held_slope(given).is_some() && matches!(of, Change::Support(..));
                 let bends = self.bends(i);
                 // Where the beam is built in the ends of its two parts move and turn.

@@ -349,6 +349,11 @@ impl PiecewiseScene {
         self.bearings.binary_search(&i).is_ok()
     }
 
+    /// The index of the support that only pushes at breakpoint `i`, if there is one: they come after those that hold the beam.
+    pub(super) fn bearing_index(&self, i: usize) -> Option<usize> {
+        self.bearings.binary_search(&i).ok().map(|bearing| self.supports.len() + bearing)
+    }
+
     /// True if there is something that the beam may touch.
     pub(super) fn has_obstacle(&self) -> bool {
         self.founded || !self.bearings.is_empty()
