@@ -123,12 +123,13 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
     }
     let bracket = |(k, force): (usize, Interval)| {
         let x = all[k];
-        let clear_here = is_clear_of(enclosed, pair, factor(pair.gap, enclosed.stiffness), x);
-        if enclosed.pushes_at(x) && clear_here {
+        let factor = factor(pair.gap, enclosed.stiffness);
+        let touched = |x: &&f64| !enclosed.pushes_at(**x) || !is_clear_of(enclosed, pair, factor, **x);
+        if !touched(&&x) {
             return Some(Interval::ZERO);
         }
-        let before = k.checked_sub(1).map(|k| all[k]);
-        let after = all.get(k + 1).copied();
+        let before = all[..k].iter().rfind(touched).copied();
+        let after = all[k + 1..].iter().find(touched).copied();
         let ends = [before.unwrap_or(0.0), after.unwrap_or(enclosed.length)];
         let reached = ends.map(|end| clear_from(enclosed, pair, x, end));
         let clear = reached.map(|reached| Interval::exact(reached) - Interval::exact(x));
@@ -176,7 +177,7 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
     const PARTS: u32 = 16;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
     // Looked at only as far as somebody asks.
-    let mut left = pair.pieces.iter().filter(move |piece| from <= piece.from && piece.to <= to);
+    let mut left = pair.pieces.iter().filter(move |piece| from < piece.to && piece.from < to);
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
     let parts = pieces.flat_map(move |piece| {
         let mut ends: Vec<f64> =
@@ -189,6 +190,7 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
         }
         (1..ends.len()).map(move |k| (piece, [ends[k - 1].min(ends[k]), ends[k - 1].max(ends[k])]))
     });
+    let parts = parts.filter(move |(_, ends)| from <= ends[0] && ends[1] <= to);
     parts.map(move |(piece, ends)| {
         let near = ends[usize::from(end < support)];
         let v = piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from));
