@@ -120,7 +120,10 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
             let breaks = enclosed.gap.breaks(span.from, span.to);
             for ([a, b], [v, _]) in span.curves(enclosed, breaks) {
                 let clear = enclosed.gap.about(a, [a, b]).minus(&v);
-                let slope = |s: f64| clear.at(Interval::exact(s)).middle() / (sign * (a + s - about));
+                let slope = |s: f64| {
+                    let clear = clear.at(Interval::exact(s));
+                    if clear.is_finite() { clear.middle() / (sign * (a + s - about)) } else { f64::INFINITY }
+                };
                 most = least_sample(slope, b - a, most);
                 for y in [a, b] {
                     if enclosed.pushes_at(y) && 0.0 < (y - about).abs() {

@@ -57,7 +57,11 @@ pub(super) fn export<'a>(
             let Some(form) = qp.sparse() else { return Err(refused("export", "there is no sparse form")) };
             let unit = form.sizes.x;
             let names = names.map(|name| format!("{name} in units of {unit:?}"));
-            let names = moments(&discrete).into_iter().take(form.signed).map(|name| format!("{name} in a unit of its own")).chain(names);
+            let names = moments(&discrete)
+                .into_iter()
+                .take(form.signed)
+                .map(|name| format!("{name} in a unit of its own"))
+                .chain(names);
             let mut texts = sparse(&form);
             texts.push(csv("i,what", names.map(|name| [name])));
             texts

@@ -1,8 +1,8 @@
 //! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts by neighbourhood, extremes at and between the nodes,
 //! energy.
 
-use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::contact_set::ContactSet;
+use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
 use super::supports::NodeBearing;
 use super::{Discrete, program};

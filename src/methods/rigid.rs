@@ -173,7 +173,9 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     };
     let mut least = f64::NEG_INFINITY;
     let mut most = f64::INFINITY;
-    for (i, h) in nodes.clone().zip(clearances(&deflections(0.0)?)).filter(|(i, _)| *i != node && !discrete.is_open_at(*i)) {
+    for (i, h) in
+        nodes.clone().zip(clearances(&deflections(0.0)?)).filter(|(i, _)| *i != node && !discrete.is_open_at(*i))
+    {
         let limit = h / (discrete.spacing * i.abs_diff(node) as f64);
         if node < i {
             most = most.min(limit);
