@@ -11,6 +11,7 @@ mod held;
 mod level;
 mod long;
 mod near;
+mod pushing;
 mod random;
 mod springs;
 mod supports;
