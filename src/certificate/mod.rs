@@ -16,6 +16,9 @@
 //! |v − v*| ≤ |v − v̂| + |v̂ − v*|                                          for the deflection v that is judged
 //! ```
 //!
+//! A support that only pushes is a point of the gap: `g` is less there than beside it, and its force is a part of `p`. Nothing above
+//! needs `g` to be continuous.
+//!
 //! The flexibility `c` of other supports, and what takes their place where contact alone holds the beam, is said in `hold`.
 //!
 //! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
@@ -203,9 +206,9 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     let given = [scene.foundation(), scene.beam().shape()];
     let fewer = given.map(|profile| profile.and_then(Foundation::without_collinear_points));
     let [ground, shape] = [0, 1].map(|k| fewer[k].as_ref().or(given[k]));
-    let profile = |given| EnclosedFoundation::on(given, length);
+    let profile = |given| EnclosedFoundation { given, length, bearings: &[] };
     let alone = |bearing: &Support| [f64::INFINITY, bearing.level, f64::INFINITY].map(|depth| [bearing.at, depth]);
-    let bearings: Vec<_> = scene.beam().bearings().iter().map(alone).collect();
+    let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
     let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
     let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
     let (load, supports) = (EnclosedLoad::of(scene), EnclosedSupport::of(scene, &gap));

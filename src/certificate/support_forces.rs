@@ -30,6 +30,7 @@
 
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::distance::{factor, on_part};
+use super::kernel::foundation::inside;
 use super::kernel::hold::{OUTWARDS, Place, near};
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
@@ -98,15 +99,16 @@ fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
 impl EnclosedScene<'_> {
     /// Where all supports are, those that only push among them, from left to right.
     pub(super) fn all_supports(&self) -> Vec<f64> {
-        let bearings = self.gap.ground.bearings.iter().map(|bearing| bearing[0][0]);
-        let mut all: Vec<f64> = self.supports.iter().map(|s| s.x).chain(bearings).collect();
+        let mut all: Vec<f64> = self.supports.iter().map(|s| s.x).collect();
+        all.extend(self.gap.ground.bearings.iter().map(|p| p[0]));
         all.sort_by(f64::total_cmp);
+        all.dedup();
         all
     }
 
     /// True where a support stands that only pushes.
     pub(super) fn pushes_at(&self, x: f64) -> bool {
-        self.gap.ground.bearings_between(x.next_down(), x.next_up()).next().is_some()
+        !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty()
     }
 }
 

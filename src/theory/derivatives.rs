@@ -245,11 +245,9 @@ impl Exact {
                     force: certain(i, scaled.force(self.forces[i], changes[i].force)),
                     end_forces: None,
                 }),
-                Kind::Support(..) => {
-                    let now = self.forces[i] + standing(&self.given, &self.list, i);
-                    supports.push((node.x, certain(i, scaled.force(now, changes[i].force))));
+                Kind::Support(..) | Kind::Edge(_) => {
+                    supports.push((node.x, certain(i, scaled.force(self.exerted(i), changes[i].force))));
                 }
-                Kind::Edge(_) => supports.push((node.x, certain(i, scaled.force(self.forces[i], changes[i].force)))),
                 _ => {}
             }
         }
@@ -275,6 +273,11 @@ impl Exact {
         if parts.is_some() { there.without_numbers() } else { there }
     }
 
+    /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
+    fn exerted(&self, i: usize) -> f64 {
+        self.forces[i] + self.list.nodes[i].support().map_or(0.0, |_| standing(&self.given, &self.list, i))
+    }
+
     /// The derivative of `J / EI`, of `J` by the logarithm of `EI`.
     fn energy_by(&self, of: Change, changes: &[NodeChange]) -> f64 {
         let (given, scale) = (&self.given, &self.scale);
@@ -291,14 +294,9 @@ impl Exact {
             Change::Force(at, p) => -p * deflection(at),
             Change::Move(at, p) => -p * self.slope(at * scale.length) * scale.length / scale.depth,
             Change::Level(index) | Change::Support(index, _) => {
-                let is_here = |node: &Node| match node.kind {
-                    Kind::Support(own, _) => own == index,
-                    Kind::Edge(at) => given.bearing_index(at) == Some(index),
-                    _ => false,
-                };
+                let is_here = |node: &Node| node.any_support(given) == Some(index);
                 let Some(i) = self.list.nodes.iter().position(is_here) else { return 0.0 };
-                let own = self.list.nodes[i].support().map_or(0.0, |_| standing(given, &self.list, i));
-                let force = self.forces[i] + own;
+                let force = self.exerted(i);
                 let held = self.list.nodes[i].held_slope(given).is_some() && matches!(of, Change::Support(..));
                 let bends = self.bends(i);
                 // Where the beam is built in the ends of its two parts move and turn.
@@ -378,35 +376,4 @@ impl Scaled<'_> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::{Beam, Foundation, Load};
-    use crate::theory::solve;
-
-    /// The paper's example: T = q a/2 with a⁴ = 24 EI u₀/q, so that ∂T/∂u₀ = T/4u₀, ∂T/∂q = 3T/4q, ∂T/∂EI = T/4EI.
-    #[test]
-    fn the_example_has_those_of_its_closed_form() {
-        let stiffness = 500.0 / 384.0;
-        let beam = Beam::new(10.0, stiffness).expect("a beam");
-        let load = Load::uniform_on(&beam, 1.0).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene");
-        let exact = solve(&scene).expect("an answer");
-        let t = exact.state.reactions.left;
-        let derivatives = exact.derivatives(&scene);
-        let of = |by: &str| derivatives.iter().find(|d| d.by.to_string() == by).expect("a derivative");
-        for (by, expected) in
-            [("depth", t / 4.0), ("load.uniform", 3.0 * t / 4.0), ("beam.bending_stiffness", t / 4.0 / stiffness)]
-        {
-            let derivative = of(by);
-            assert!(!derivative.one_sided, "{by}");
-            let ends = derivative.contacts[0].end_forces.expect("a zone");
-            for found in [derivative.supports[0], derivative.supports[1], ends[0], ends[1]] {
-                assert!((found - expected).abs() <= 1e-12 * expected.abs(), "{by}: {found} for {expected}");
-            }
-        }
-        let energy = of("depth").energy;
-        assert!((energy + 10.0 - 2.0 * t).abs() <= 1e-12 * energy.abs(), "{energy}");
-        let from = of("depth").contacts[0].from;
-        assert!((from - t / 2.0).abs() <= 1e-12, "a = 2T/q");
-    }
-}
+mod tests;

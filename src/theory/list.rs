@@ -195,6 +195,14 @@ impl Node {
         matches!(self.kind, Kind::Edge(_))
     }
 
+    /// The same, or the support that only pushes, which come after those.
+    pub(super) fn any_support(&self, given: &PiecewiseScene) -> Option<usize> {
+        match self.kind {
+            Kind::Edge(breakpoint) => given.bearing_index(breakpoint),
+            _ => self.support(),
+        }
+    }
+
     /// True for a contact with the ground at a single place.
     pub(super) fn is_ground(&self, given: &PiecewiseScene) -> bool {
         match self.kind {

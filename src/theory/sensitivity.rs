@@ -202,10 +202,7 @@ impl<'a> Sensitivity<'a> {
                 Kind::Smooth => slopes[i][0] / bend(spans, i),
                 Kind::ZoneStart => end_of_zone(beside[i].bend[0], on_left.map_or(f64::NAN, |span| span.at_b[3]), 1.0),
                 Kind::ZoneEnd => end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0),
-                Kind::Support(index, _) if matches!(of, Change::Support(moved, _) if moved == index) => 1.0,
-                Kind::Edge(at) if matches!(of, Change::Support(moved, _) if given.bearing_index(at) == Some(moved)) => {
-                    1.0
-                }
+                _ if matches!(of, Change::Support(moved, _) if node.any_support(given) == Some(moved)) => 1.0,
                 _ => 0.0,
             };
             // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.

@@ -64,6 +64,13 @@ const SUPPORT: &[Key] = &[
         "that slope, positive where the beam goes down to the right; only with `built_in`",
         "supports = [{ at = 0.0, built_in = true, slope = -0.01 }]",
     ],
+    [
+        "pushes_only",
+        "true or false",
+        "false",
+        "whether it lets the beam lift off, a bearing without hold-down; above the ground; not with `built_in`",
+        "supports = [{ at = 0.0 }, { at = 6.0, level = 0.1, pushes_only = true }]",
+    ],
 ];
 const LOAD: &[Key] = &[
     ["uniform", "force / length", "0", "along the whole beam", "uniform = 1.0"],
