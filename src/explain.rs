@@ -165,8 +165,9 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         x <= 0.0 || length <= x || scene.foundation().into_iter().chain(beam.shape()).any(at_vertex)
     };
     let mut found: Vec<(f64, What, f64)> = Vec::new();
-    for (support, held) in state.supports.iter().zip(beam.supports()) {
-        let what = if held.slope.is_some() { What::BuiltIn } else { What::Support };
+    // One off which the beam has lifted is none.
+    for support in state.supports.iter().filter(|support| !support.pushes_only || 0.0 < support.force) {
+        let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
         found.push((support.at, what, support.force));
     }
     for contact in &state.contacts {

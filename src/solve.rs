@@ -210,18 +210,25 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<RawS
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
     let discretisation = method.discretisation();
-    let (mut nodal, answer, unknowns) = if scene.foundation().is_none() {
+    let (mut nodal, answer, unknowns) = if !scene.has_obstacle() {
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
+        // Without ground there are few places to touch, and nothing that coarser grids could say of them.
+        let nested = solver == Solver::ActiveSet && !discrete.is_open();
+        let alone = discrete.unknowns() < discrete.supports().lacking();
         let program = method.qp(&discrete);
         let mut answer = match (start, solver) {
             (Start::LeftOut(why), _) => Answer::refused(program.dimension(), why),
-            (Start::Near(witness), Solver::ActiveSet) => near(witness, &scaled.scene, method, &discrete)?,
-            (Start::Anywhere, Solver::ActiveSet) => multigrid::solve(&scaled.scene, method, &discrete, None)?,
+            // One place carries the beam, if it is in balance there.
+            _ if alone => Answer { x: vec![0.0], gradient: vec![0.0], ..Answer::empty("nothing to solve".to_owned()) },
+            (Start::Near(witness), Solver::ActiveSet) if nested => near(witness, &scaled.scene, method, &discrete)?,
+            (Start::Anywhere, Solver::ActiveSet) if nested => multigrid::solve(&scaled.scene, method, &discrete, None)?,
             (_, other) => other.run(program.as_ref(), tolerance),
         };
         let (x, gradient) = (take(&mut answer.x), take(&mut answer.gradient));
-        let nodal = if solver == Solver::ActiveSet {
+        let nodal = if alone {
+            Nodal::resting(&discrete, discretisation)
+        } else if nested {
             // Contact forces and clearances, by all methods.
             Nodal::new(&discrete, discretisation, gradient, x)
         } else {

@@ -1,6 +1,8 @@
 //! What every method, and theory, hand back: the beam in its final position, and the forces that hold it there.
 
-use std::ops::ControlFlow;
+mod extremes;
+
+pub use extremes::Extremes;
 
 use crate::scene::{Resultant, Scale};
 
@@ -18,6 +20,17 @@ pub struct SupportForce {
     /// The couple that a built-in support exerts: the moment to its right less that to its left \[force · length\].
     #[cfg_attr(feature = "serde", serde(skip))]
     pub couple: f64,
+    /// True if it only pushes: its force is zero where the beam has lifted off.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub pushes_only: bool,
+}
+
+impl SupportForce {
+    /// That of a support that only pushes.
+    #[must_use]
+    pub fn pushing(at: f64, force: f64) -> Self {
+        Self { at, force, moment: None, couple: 0.0, pushes_only: true }
+    }
 }
 
 /// How a beam stands on the ground that its supports do not hold against turning or moving.
@@ -130,105 +143,6 @@ pub struct Pressure {
     pub at: f64,
 }
 
-/// The greatest and the least value of a quantity along the beam, and where they are.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Extremes {
-    /// Greatest value.
-    pub max: f64,
-    /// Where it is \[length\].
-    pub max_at: f64,
-    /// Least value.
-    pub min: f64,
-    /// Where it is \[length\].
-    pub min_at: f64,
-}
-
-impl Extremes {
-    /// Values that differ by less than this share of the largest one are equal: of mirror images the left one is named, and
-    /// not the one that rounding favours.
-    const EQUAL: f64 = 1e-12;
-
-    /// The largest magnitude, `max(|max|, |min|)`.
-    #[must_use]
-    pub fn magnitude(&self) -> f64 {
-        self.max.abs().max(self.min.abs())
-    }
-
-    /// Extremes of `(place, value)` pairs from left to right; zero at 0 if there are none.
-    ///
-    /// Where the extreme value holds over a stretch, the middle of the first such stretch is named, otherwise its first place.
-    #[must_use]
-    pub fn of<I: IntoIterator<Item = (f64, f64), IntoIter: Clone>>(values: I) -> Self {
-        let values = values.into_iter();
-        let (max, min) = values
-            .clone()
-            // Not `f64::max` and `f64::min`, which also look for NaN and are slower.
-            .fold((f64::NEG_INFINITY, f64::INFINITY), |(max, min), (_, value)| {
-                (if max < value { value } else { max }, if value < min { value } else { min })
-            });
-        if max < min {
-            return Self::default();
-        }
-        Self::known(max, min, |_, _| values.clone())
-    }
-
-    /// The same for values of which the extremes are known. `near(extreme, equal)` may pass over values as long as it shows
-    /// one of each stretch that is passed over, and its two ends if it comes within `equal` of the extreme.
-    pub(crate) fn known<I: Iterator<Item = (f64, f64)>>(max: f64, min: f64, near: impl Fn(f64, f64) -> I) -> Self {
-        let largest = max.abs().max(min.abs());
-        let equal = Self::EQUAL * largest;
-        let place = |extreme: f64| place_of(near(extreme, equal), extreme, equal);
-        // What is left of a value that is zero is rounding, and has no sign.
-        let clean = |value: f64| if value.abs() <= 16.0 * f64::EPSILON * largest { 0.0 } else { value };
-        Self { max: clean(max), max_at: place(max), min: clean(min), min_at: place(min) }
-    }
-
-    /// In units of the values and of length.
-    pub(crate) fn in_units(self, unit: f64, length: f64) -> Self {
-        let Self { max, max_at, min, min_at } = self;
-        Self { max: max * unit, max_at: max_at * length, min: min * unit, min_at: min_at * length }
-    }
-
-    /// With one more value, if it lies clearly beyond those seen.
-    #[must_use]
-    pub fn beyond(self, at: f64, value: f64) -> Self {
-        let equal = Self::EQUAL * self.magnitude();
-        if self.max + equal < value {
-            Self { max: value, max_at: at, ..self }
-        } else if value < self.min - equal {
-            Self { min: value, min_at: at, ..self }
-        } else {
-            self
-        }
-    }
-}
-
-/// Where a value is reached: the middle of the first stretch of neighbours that reach it, otherwise the first place.
-fn place_of(mut values: impl Iterator<Item = (f64, f64)>, extreme: f64, equal: f64) -> f64 {
-    let mut first = f64::NAN;
-    let mut run: Option<(f64, f64)> = None;
-    // `try_for_each` and not `for`: iterators that are put together are walked part by part.
-    let _ = values.try_for_each(|(at, value)| {
-        if (value - extreme).abs() <= equal {
-            run = Some(run.map_or((at, at), |(from, _)| (from, at)));
-            if first.is_nan() {
-                first = at;
-            }
-        } else if let Some((from, to)) = run {
-            if from < to {
-                return ControlFlow::Break(());
-            }
-            run = None;
-        }
-        ControlFlow::Continue(())
-    });
-    match run {
-        Some((from, to)) if from < to => 0.5 * (from + to),
-        _ => first,
-    }
-}
-
 /// How a discretised beam bends between its nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Discretisation {
@@ -291,7 +205,8 @@ impl Standing {
     pub fn of(resultant: Resultant, supports: &[SupportForce], contacts: &[Contact], motion: Option<Motion>) -> Self {
         /// The digits that the place of a contact has.
         const ROUNDING: f64 = 1e-12;
-        let places = supports.iter().map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
+        let carries = supports.iter().filter(|s| !s.pushes_only || 0.0 < s.force);
+        let places = carries.map(|s| [s.at; 2]).chain(contacts.iter().map(|c| [c.from, c.to]));
         let [left, right] = places
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], [from, to]| [left.min(from), right.max(to)]);
         let nearer = (resultant.at - left).min(right - resultant.at);
@@ -314,7 +229,18 @@ impl Standing {
 }
 
 impl ContactState {
-    /// Resultant of all contacts, upwards \[force\].
+    /// Where the beam rests without being held, from left to right: its contacts with the ground, and the supports that only push and
+    /// have a force.
+    #[must_use]
+    pub fn touched(&self) -> Vec<Contact> {
+        let pushing = self.supports.iter().filter(|support| support.pushes_only && 0.0 < support.force);
+        let mut all = self.contacts.clone();
+        all.extend(pushing.map(|support| Contact::at(support.at, support.force)));
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        all
+    }
+
+    /// Resultant of all contacts with the ground, upwards \[force\].
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         self.contacts.iter().fold(0.0, |sum, c| sum + c.force)
@@ -340,6 +266,7 @@ impl ContactState {
             force: s.force * force,
             moment: s.moment.map(|moment| moment * scale.moment()),
             couple: s.couple * scale.moment(),
+            ..s
         };
         Self {
             regime: self.regime,

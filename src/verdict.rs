@@ -266,7 +266,7 @@ impl Verdict {
     /// On the answer of beam theory, whose contacts are its own witness.
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
-        let contacts = &exact.state.contacts;
+        let contacts = &exact.state.touched();
         let certificate = match exact.stretches() {
             Some(stretches) => Proof::of_stretches(scene, &stretches).map(|proof| proof.judge(Judged::Witness)),
             None => certify(scene, Judged::Witness, contacts),
@@ -364,12 +364,12 @@ impl fmt::Display for Verdict {
 #[must_use]
 pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certificate> {
     let Some(nodes) = &state.nodes else {
-        return certify(witness.scene(), Judged::Witness, &state.contacts).ok();
+        return certify(witness.scene(), Judged::Witness, &state.touched()).ok();
     };
     if nodes.contact_force.iter().any(|force| !force.is_finite()) {
         return None;
     }
-    witness.judge(Judged::Nodes(nodes), &state.contacts).ok()
+    witness.judge(Judged::Nodes(nodes), &state.touched()).ok()
 }
 
 /// An exact answer is judged by the places of its contacts: its own deflection has to be the one that they make.

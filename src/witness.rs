@@ -87,7 +87,7 @@ impl<'a> Witness<'a> {
 
 /// The contacts of an exact solution, if it is one.
 fn contacts(exact: &Exact) -> Option<Vec<Contact>> {
-    exact.solved.then(|| exact.state.contacts.clone())
+    exact.solved.then(|| exact.state.touched())
 }
 
 /// What beam theory has to look at.

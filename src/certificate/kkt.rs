@@ -38,7 +38,7 @@ pub struct Kkt {
     /// and the balance of forces and of moments with the reactions, over `P`.
     pub equilibrium: f64,
     /// What the state says beside deflections and forces, against what follows from them: places over `l`, clearances over
-    /// `D`, bending moments over `P l`.
+    /// `D`, bending moments over `P l`, forces of supports that only push over `P`.
     pub record: f64,
 }
 
@@ -90,15 +90,28 @@ impl Kkt {
         let turned = supports.iter().filter_map(|support| support.held.slope).zip(tangents);
         let turned = turned.map(|(held, slope)| (slope - held).abs() * length);
         let Reactions { left, right } = state.reactions;
-        let of_end = |node: usize| supports.iter().find(|s| s.node == node).map_or(0.0, |s| s.said.force);
+        // Supports that only push are nodes, and what they exert is the contact force there.
+        let pushed = |at: f64| Some((at, *p.get(grid.node_at(at)?.checked_sub(first)?)?));
+        let pushed: Vec<_> = scene.bearings().map(|bearing| pushed(bearing.at)).collect::<Option<_>>()?;
+        let of_end = |x: f64| {
+            let held = supports.iter().map(|s| (s.held.at, s.said.force));
+            held.chain(pushed.iter().copied()).find(|(at, _)| is_same_place(*at, x, length)).map_or(0.0, |s| s.1)
+        };
         let [shear, remaining] = summed.left_over;
-        let balance = [shear, remaining / length, left - of_end(0), right - of_end(grid.intervals())].map(f64::abs);
+        let balance = [shear, remaining / length, left - of_end(0.0), right - of_end(length)].map(f64::abs);
+        let said = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
+        let mistaken_forces = largest(pushed.iter().map(|&(at, p)| said(at).map_or(f64::NAN, |s| (s.force - p).abs())));
         Some(Self {
             penetration: penetration / depth,
             tension: tension / force,
             complementarity,
             equilibrium: largest([elastic.max(low).max(largest(turned)) / depth, largest(balance) / force]),
-            record: largest([bent.max(couples) / (force * length), clearances / depth, out_of_place / length]),
+            record: largest([
+                bent.max(couples) / (force * length),
+                clearances / depth,
+                out_of_place / length,
+                mistaken_forces / force,
+            ]),
         })
     }
 

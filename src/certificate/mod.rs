@@ -16,6 +16,9 @@
 //! |v − v*| ≤ |v − v̂| + |v̂ − v*|                                          for the deflection v that is judged
 //! ```
 //!
+//! A support that only pushes is a point of the gap: `g` is less there than beside it, and its force is a part of `p`. Nothing above
+//! needs `g` to be continuous.
+//!
 //! The flexibility `c` of other supports, and what takes their place where contact alone holds the beam, is said in `hold`.
 //!
 //! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
@@ -68,7 +71,7 @@ use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
-use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError};
+use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError, Support};
 use crate::state::{Contact, Nodes};
 
 /// Bounds for one deflection, proven from a witness: see [`Proof`].
@@ -154,7 +157,7 @@ fn of_pair(
     scaled: &Scaled,
     pair: Option<Pair>,
 ) -> (Option<(Pair, [Interval; 2])>, Certificate) {
-    let Some(pair) = pair else { return (None, Certificate::unknown(enclosed.supports.len())) };
+    let Some(pair) = pair else { return (None, Certificate::unknown(enclosed.all_supports().len())) };
     let ends = extremes(pair.pieces.iter().map(|p| ([p.from, p.to], p.v)));
     let known = Certificate::of_any(enclosed, scaled, &pair, ends);
     (Some((pair, ends)), known)
@@ -203,8 +206,11 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     let given = [scene.foundation(), scene.beam().shape()];
     let fewer = given.map(|profile| profile.and_then(Foundation::without_collinear_points));
     let [ground, shape] = [0, 1].map(|k| fewer[k].as_ref().or(given[k]));
-    let profile = |given| EnclosedFoundation::on(given, length);
-    let gap = EnclosedGap { ground: profile(ground.unwrap_or(&NONE)), shape: profile(shape.unwrap_or(&STRAIGHT)) };
+    let profile = |given| EnclosedFoundation { given, length, bearings: &[] };
+    let alone = |bearing: &Support| [f64::INFINITY, bearing.level, f64::INFINITY].map(|depth| [bearing.at, depth]);
+    let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
+    let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
+    let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
     let (load, supports) = (EnclosedLoad::of(scene), EnclosedSupport::of(scene, &gap));
     let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {
@@ -287,7 +293,7 @@ pub struct Certificate {
     /// The place about which the beam can turn without a force, if neither supports nor loads say how it stands: the true
     /// deflection is known up to such a turn, and the errors of deflections are those after the best turn.
     pub up_to_a_turn: Option<f64>,
-    /// What the forces of the supports lie between, from left to right; [`None`] where nothing could be shown.
+    /// What the forces of all supports lie between, from left to right; [`None`] where nothing could be shown.
     pub reactions: Vec<Option<[f64; 2]>>,
     /// What all contacts together exert upwards lies between; [`None`] where that of a support is not known.
     pub contact_force: Option<[f64; 2]>,
@@ -350,7 +356,7 @@ impl Certificate {
             moments: moments::moments(enclosed, pair).map(|bracket| bracket.map(in_units(scale.moment()))),
             stiffness: stiffness.map(|d| d.map(|d| d * (scale.force / scale.depth))),
             contacts_proven: is_sharp(enclosed, pair),
-            ..Self::unknown(enclosed.supports.len())
+            ..Self::unknown(0)
         }
     }
 }

@@ -97,10 +97,10 @@ fn known_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize) -> f64 {
     let before = k.checked_sub(1).map_or(0.0, |k| supports[k].x);
     let ends = [before, supports.get(k + 1).map_or(enclosed.length, |support| support.x)];
     let known = |side: usize| {
-        if lies_beside(enclosed, pair, k, side) {
+        if lies_beside(enclosed, pair, x, side) {
             return f64::INFINITY;
         }
-        (clear_from(enclosed, pair, k, ends[side]) - x).abs()
+        (clear_from(enclosed, pair, x, ends[side]) - x).abs()
     };
     match (slope, ends.map(|end| (end - x).abs() <= 0.0)) {
         (None, [true, _] | [_, true]) => f64::INFINITY,

@@ -13,6 +13,9 @@
 //! Where the ground begins at the level of a support, the clearance and its bound both vanish there, and their quotients by the
 //! distance are compared. What ground and support exert at one place cannot be told apart: a force there is that of both.
 //!
+//! A support that only pushes is a place of the ground with a name. Where the beam is clear of the ground beside it, its force follows
+//! in the same way; where the beam is clear of it, it is zero.
+//!
 //! Where the pair lies on the ground from a support on, the beam does so, too, and its shear is that of the ground, if the pressure
 //! `P = q − EI g''''` is not negative in a part of the width `w` beside the support, and
 //!
@@ -27,6 +30,7 @@
 
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::distance::{factor, on_part};
+use super::kernel::foundation::inside;
 use super::kernel::hold::{OUTWARDS, Place, near};
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::{Polynomial, number};
@@ -74,7 +78,7 @@ fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Int
         let w = Interval::exact(width);
         number(12) * stiffness / (w * w * w) + number(13) * k * w / number(35)
     };
-    let bracket = |(i, force): (usize, &Interval)| {
+    let bracket = |(i, force): (usize, Interval)| {
         let x = enclosed.supports[i].x;
         let before = i.checked_sub(1).map_or(x, |i| Interval::length(enclosed.supports[i].x, x).lo());
         let end = Interval::length(x, enclosed.length).lo();
@@ -82,44 +86,84 @@ fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Int
         // At an end of the beam there is one side.
         let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
         let size = sides.fold(Interval::ZERO, |sum, side| sum + side);
-        *force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
+        force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
-    pair.reactions.iter().enumerate().map(bracket).collect()
+    supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
+}
+
+/// What the pair says of the forces of all supports; those that only push and that it does not touch exert none.
+fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
+    let at = |x: f64| pair.carried.iter().find(|(place, _)| place.total_cmp(&x).is_eq());
+    enclosed.all_supports().into_iter().map(|x| at(x).map_or(Interval::ZERO, |carried| carried.1)).collect()
+}
+
+impl EnclosedScene<'_> {
+    /// Where all supports are, those that only push among them, from left to right.
+    pub(super) fn all_supports(&self) -> Vec<f64> {
+        let mut all: Vec<f64> = self.supports.iter().map(|s| s.x).collect();
+        all.extend(self.gap.ground.bearings.iter().map(|p| p[0]));
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+
+    /// True where a support stands that only pushes.
+    pub(super) fn pushes_at(&self, x: f64) -> bool {
+        !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty()
+    }
 }
 
 fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Option<Interval>> {
     // Of a pair without a gap the moments are the true ones.
     if pair.gap <= 0.0 {
-        return pair.reactions.iter().copied().map(Some).collect();
+        return supports_of(enclosed, pair).into_iter().map(Some).collect();
     }
-    if pair.turns_about.is_some() {
-        let alone = |x: f64| (enclosed.supports.len() == 1 && carries_all(enclosed, pair, x)).then_some(load);
-        return enclosed.supports.iter().map(|support| alone(support.x)).collect();
+    let all = enclosed.all_supports();
+    if let Some(about) = pair.turns_about {
+        let is_alone = carries_all(enclosed, pair, about);
+        let force = |x: f64| if x.total_cmp(&about).is_eq() { load } else { Interval::ZERO };
+        return all.into_iter().map(|x| is_alone.then(|| force(x))).collect();
     }
-    let supports = enclosed.supports;
-    let bracket = |(k, force): (usize, &Interval)| {
-        let x = supports[k].x;
-        let before = k.checked_sub(1).map(|k| supports[k].x);
-        let after = supports.get(k + 1).map(|support| support.x);
+    let bracket = |(k, force): (usize, Interval)| {
+        let x = all[k];
+        let factor = factor(pair.gap, enclosed.stiffness);
+        let touched = |x: &&f64| !enclosed.pushes_at(**x) || !is_clear_of(enclosed, pair, factor, **x);
+        if !touched(&&x) {
+            return Some(Interval::ZERO);
+        }
+        let before = all[..k].iter().rfind(touched).copied();
+        let after = all[k + 1..].iter().find(touched).copied();
         let ends = [before.unwrap_or(0.0), after.unwrap_or(enclosed.length)];
-        let reached = ends.map(|end| clear_from(enclosed, pair, k, end));
+        let reached = ends.map(|end| clear_from(enclosed, pair, x, end));
         let clear = reached.map(|reached| Interval::exact(reached) - Interval::exact(x));
         let given =
             [(before, 0), (after, 1)].map(|(next, side)| next.is_none() && (ends[side] - reached[side]).abs() <= 0.0);
         let mut turns = Interval::ZERO;
         for side in [0, 1] {
-            let share = if given[1 - side] && supports[k].slope.is_none() { 6 } else { 24 };
+            let share = if given[1 - side] && enclosed.support(x).is_none_or(|s| s.slope.is_none()) { 6 } else { 24 };
             let c = Interval::exact(least_magnitude(clear[side]));
             let turn = number(share) * Interval::exact(enclosed.stiffness) * Interval::exact(pair.gap) / (c * c * c);
-            match (given[side] || lies_beside(enclosed, pair, k, side), c.lo() <= 0.0) {
+            match (given[side] || lies_beside(enclosed, pair, x, side), c.lo() <= 0.0) {
                 (true, _) => {}
                 (false, true) => return None,
                 (false, false) => turns = turns + turn.sqrt(),
             }
         }
-        Some(*force + Interval::around_zero(turns.hi()))
+        let force = force + Interval::around_zero(turns.hi());
+        Some(if enclosed.pushes_at(x) { force.not_negative() } else { force })
     };
-    pair.reactions.iter().enumerate().map(bracket).collect()
+    supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
+}
+
+/// Whether the beam is proven to be clear of the support that only pushes at a place.
+fn is_clear_of(enclosed: &EnclosedScene<'_>, pair: &Pair, factor: f64, x: f64) -> bool {
+    let piece = &pair.pieces[pair.pieces.partition_point(|piece| piece.to < x).min(pair.pieces.len() - 1)];
+    on_part(pair, factor, [x, x]) < clear_of(enclosed, piece, x).lo()
+}
+
+/// How far a piece is clear of what is below it at a place.
+fn clear_of(enclosed: &EnclosedScene<'_>, piece: &Piece, x: f64) -> Interval {
+    enclosed.gap.depth(x) - piece.v.at(Interval::length(piece.from, x))
 }
 
 /// A part of the beam beside a support, seen from there: the clearance of `v̂` from its nearer end on.
@@ -136,7 +180,7 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
     const PARTS: u32 = 16;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
     // Looked at only as far as somebody asks.
-    let mut left = pair.pieces.iter().filter(move |piece| from <= piece.from && piece.to <= to);
+    let mut left = pair.pieces.iter().filter(move |piece| from < piece.to && piece.from < to);
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
     let parts = pieces.flat_map(move |piece| {
         let mut ends: Vec<f64> =
@@ -149,6 +193,7 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
         }
         (1..ends.len()).map(move |k| (piece, [ends[k - 1].min(ends[k]), ends[k - 1].max(ends[k])]))
     });
+    let parts = parts.filter(move |(_, ends)| from <= ends[0] && ends[1] <= to);
     parts.map(move |(piece, ends)| {
         let near = ends[usize::from(end < support)];
         let v = piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from));
@@ -158,16 +203,18 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
     })
 }
 
-/// How far from a support towards another place the beam is proven to be clear of the ground, and the pair has no contact load: a
-/// wrong witness may press where `v̂` is clear of ground that gives.
-pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, end: f64) -> f64 {
-    let (support, factor) = (&enclosed.supports[k], factor(pair.gap, enclosed.stiffness));
-    let towards = usize::from(support.x < end);
+/// How far from a place towards another one the beam is proven to be clear of the ground, and the pair has no contact load: a wrong
+/// witness may press where `v̂` is clear of ground that gives.
+pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end: f64) -> f64 {
+    let (meets, factor) = (enclosed.support(x).map_or([false; 2], |s| s.meets), factor(pair.gap, enclosed.stiffness));
+    let towards = usize::from(x < end);
+    // Of the supports that only push those strictly between.
+    let stands = |y: &f64| x.min(end) < *y && *y < x.max(end) && enclosed.pushes_at(*y);
     let is_clear = |part: &Part<'_>| {
-        let beside = part.ends[1 - towards].total_cmp(&support.x).is_eq() && support.meets[towards];
+        let beside = part.ends[1 - towards].total_cmp(&x).is_eq() && meets[towards];
         let by = if beside {
             // A deflection that is known at the support is off by no more than this, over the distance from there.
-            let is_here = |at: &Place| at.from.max(at.to) <= support.x && support.x <= at.from;
+            let is_here = |at: &Place| at.from.max(at.to) <= x && x <= at.from;
             let known = near(&pair.holds, part.ends)
                 .iter()
                 .filter(|hold| hold.0.off.max(hold.1.off) <= 0.0 && [hold.0, hold.1].iter().any(is_here));
@@ -179,18 +226,19 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, en
         } else {
             on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo()
         };
-        !part.piece.pressed && by
+        let of_bearings = || part.ends.iter().filter(|y| stands(y)).all(|&y| is_clear_of(enclosed, pair, factor, y));
+        !part.piece.pressed && by && of_bearings()
     };
-    let clear = parts(enclosed, pair, support.x, end).take_while(is_clear).last();
-    clear.map_or(support.x, |part| part.ends[towards])
+    let clear = parts(enclosed, pair, x, end).take_while(is_clear).last();
+    clear.map_or(x, |part| part.ends[towards])
 }
 
 /// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does.
-pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, side: usize) -> bool {
+pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, side: usize) -> bool {
     /// Halvings of the part in which the pressure is asked not to be negative.
     const HALVINGS: usize = 8;
-    let (support, stiffness) = (&enclosed.supports[k], Interval::exact(enclosed.stiffness));
-    let (x, to_the_left) = (support.x, side == 0);
+    let Some(support) = enclosed.support(x) else { return false };
+    let (stiffness, to_the_left) = (Interval::exact(enclosed.stiffness), side == 0);
     let is_beside = |piece: &&Piece| (if to_the_left { piece.to } else { piece.from }).total_cmp(&x).is_eq();
     let Some(piece) = pair.pieces.iter().find(is_beside).filter(|piece| piece.pressed && pair.ground.is_none()) else {
         return false;
@@ -220,7 +268,7 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, k: usize, s
     false
 }
 
-/// Whether the only support carries all of a load that is in balance above it, though the beam may turn about it. Contact on one
+/// Whether one place carries all of a load that is in balance above it, though the beam may turn about it. Contact on one
 /// side would need contact on the other. With a turn by `θ` the clearance at the distance `a` from the support is off by `± θ a` and
 /// by no more than `√(2 gap/3 EI) a^(3/2)`: not on both sides can it vanish, if both quotients by the distance are larger in sum.
 fn carries_all(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64) -> bool {
@@ -229,6 +277,8 @@ fn carries_all(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64) -> bool 
         let quotient = |part: Part<'_>| {
             let far = part.ends.map(|x| (x - support).abs()).into_iter().fold(0.0, f64::max);
             let least = part.clearance.range(part.width).lo();
+            let stands = part.ends.iter().filter(|y| enclosed.pushes_at(**y) && 0.0 < (**y - support).abs());
+            let least = stands.fold(least, |least, &y| least.min(clear_of(enclosed, part.piece, y).lo()));
             let all = Interval::exact(least) / Interval::exact(far);
             if 0.0 <= least { all.lo() } else { f64::NEG_INFINITY }
         };
@@ -276,7 +326,7 @@ mod tests {
         let pair = Pair {
             pieces: slopes.to_vec(),
             gap,
-            reactions: [3.0, 4.0].map(Interval::exact).to_vec(),
+            carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
             holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
             turns_about: None,
             lifted: 0.0,
@@ -328,7 +378,7 @@ mod tests {
             let clear = |stretch: Stretch| {
                 let pair = springs::pair(enclosed, SOFT, &[stretch]).expect("supports hold it");
                 assert!(pair.pieces.iter().all(|piece| piece.v.range(Interval::exact(LENGTH)).hi() < 0.4));
-                clear_from(enclosed, &pair, 0, LENGTH)
+                clear_from(enclosed, &pair, 0.0, LENGTH)
             };
             sharp(clear(stretch(&[], 0.0)), LENGTH);
             assert!(clear(stretch(&[0.1], 0.1)) <= 0.0);

@@ -66,7 +66,7 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
             (of_force.at, of_force.amount) = (of_force.at * scale.length, of_force.amount * scale.force);
         }
         let breaks = enclosed.gap.breaks(0.0, enclosed.length);
-        if let Some(beam) = deflection(&forces, enclosed, &breaks).filter(|_| scaled.scene.foundation().is_some()) {
+        if let Some(beam) = deflection(&forces, enclosed, &breaks).filter(|_| scaled.scene.has_obstacle()) {
             found.extend(of_depth(enclosed, &forces, &beam).map(|found| Violation {
                 at: found.at * scale.length,
                 amount: found.amount * scale.depth,
@@ -91,14 +91,18 @@ fn of_depth(
         // At both ends and in the middle of each cell.
         [0.0, 0.5, 1.0].map(|share| (a + share * (b - a), below.at(Interval::exact(share * (b - a))).middle()))
     });
-    let clear = forces.pressing.iter().map(|&(x, force)| {
+    let clear_at = |x: f64| {
         let i = beam.partition_point(|c| c.0[1] < x).min(beam.len().saturating_sub(1));
         let clear_of = |([from, _], v): &([f64; 2], Polynomial)| {
             enclosed.gap.depth(x) - v.at(Interval::exact(x) - Interval::exact(*from))
         };
-        // As in the check of a discrete state: a small force far from the foundation is as good as none.
-        (x, beam.get(i).map_or(0.0, |cell| clear_of(cell).middle()).min(share(force, all) * moved))
-    });
+        beam.get(i).map_or(0.0, |cell| clear_of(cell).middle())
+    };
+    // What stands alone is in no cell.
+    let alone = enclosed.gap.ground.bearings.iter().map(|p| (p[0], -clear_at(p[0])));
+    let below = below.chain(alone);
+    // As in the check of a discrete state: a small force far from the foundation is as good as none.
+    let clear = forces.pressing.iter().map(|&(x, force)| (x, clear_at(x).min(share(force, all) * moved)));
     let found = [(ViolationKind::Penetration, worst(below)), (ViolationKind::Complementarity, worst(clear))];
     let found = found.into_iter().filter(|(_, (_, amount))| 0.0 < *amount);
     found.map(move |(kind, (at, amount))| Violation { kind, at, amount, relative: share(amount, moved) })

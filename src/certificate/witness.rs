@@ -120,8 +120,17 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
             let breaks = enclosed.gap.breaks(span.from, span.to);
             for ([a, b], [v, _]) in span.curves(enclosed, breaks) {
                 let clear = enclosed.gap.about(a, [a, b]).minus(&v);
-                let slope = |s: f64| clear.at(Interval::exact(s)).middle() / (sign * (a + s - about));
+                let slope = |s: f64| {
+                    let clear = clear.at(Interval::exact(s));
+                    if clear.is_finite() { clear.middle() / (sign * (a + s - about)) } else { f64::INFINITY }
+                };
                 most = least_sample(slope, b - a, most);
+                for y in [a, b] {
+                    if enclosed.pushes_at(y) && 0.0 < (y - about).abs() {
+                        let clear = enclosed.gap.depth(y) - v.at(Interval::length(a, y));
+                        most = most.min(clear.middle() / (y - about).abs());
+                    }
+                }
             }
         }
         most
@@ -293,7 +302,7 @@ impl EnclosedGap<'_> {
     }
 
     /// Whether a place can carry a concentrated force because there is a corner that points upwards: the upper edge of a step,
-    /// or a kink after which the ground falls more from the beam than before.
+    /// a kink after which the ground falls more from the beam than before, or a support that only pushes.
     pub(super) fn is_corner(&self, x: f64) -> bool {
         match self.slopes(x) {
             _ if self.is_smooth_at(x) => false,

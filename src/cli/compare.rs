@@ -154,7 +154,7 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
             ]
         })
         .collect();
-    let at_left = input.scene.beam().supports().first().is_none_or(|support| support.at == 0.0);
+    let at_left = input.scene.beam().all_supports().first().is_none_or(|support| support.at == 0.0);
     let reaction = labels.force.name(if at_left { "left reaction" } else { "first reaction" });
     let header = [
         "method",

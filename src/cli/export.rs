@@ -39,7 +39,7 @@ pub(super) fn export<'a>(
 ) -> Result<Outcome<'a>, Failure> {
     let Export { method, intervals, form, .. } = arguments;
     let method = method.0;
-    if input.scene.foundation().is_none() {
+    if !input.scene.has_obstacle() {
         return Err(Failure::refused("export", "without a foundation there is no quadratic program"));
     }
     let discrete = Discrete::new(&input.scene, *intervals).map_err(|error| input.error(error))?;
@@ -56,7 +56,11 @@ pub(super) fn export<'a>(
             let Some(form) = qp.sparse() else { return Err(Failure::refused("export", "there is no sparse form")) };
             let unit = form.sizes.x;
             let names = names.map(|name| format!("{name} in units of {unit:?}"));
-            let names = moments(&discrete).into_iter().map(|name| format!("{name} in a unit of its own")).chain(names);
+            let names = moments(&discrete)
+                .into_iter()
+                .take(form.signed)
+                .map(|name| format!("{name} in a unit of its own"))
+                .chain(names);
             let mut texts = sparse(&form);
             texts.push(csv("i,what", names.map(|name| [name])));
             texts

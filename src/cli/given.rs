@@ -34,9 +34,10 @@ fn supports(scene: &Scene, labels: &Labels) -> String {
         };
         let slope =
             support.slope.map_or_else(String::new, |slope| format!(", built in at slope {}", labels.number(slope)));
-        format!("at {}{level}{slope}", labels.length.value(support.at))
+        let pushes = if support.pushes_only { ", pushes only" } else { "" };
+        format!("at {}{level}{slope}{pushes}", labels.length.value(support.at))
     };
-    let all: Vec<String> = scene.beam().supports().iter().map(one).collect();
+    let all: Vec<String> = scene.beam().all_supports().iter().map(one).collect();
     few(&all)
 }
 

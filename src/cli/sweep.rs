@@ -252,14 +252,13 @@ fn known(event: &Event) -> String {
 
 /// The first and the last support, whose forces the table shows: names and numbers.
 fn outermost(beam: &Beam) -> Vec<(&'static str, usize)> {
-    match beam.supports() {
+    match beam.all_supports()[..] {
         [] => Vec::new(),
         [_] => vec![("support", 0)],
-        all => {
-            let last = all.len() - 1;
-            let at_ends = all[0].at <= 0.0 && beam.length() <= all[last].at;
+        [first, .., last] => {
+            let at_ends = first.at <= 0.0 && beam.length() <= last.at;
             let names = if at_ends { ["left", "right"] } else { ["first support", "last support"] };
-            vec![(names[0], 0), (names[1], last)]
+            vec![(names[0], 0), (names[1], beam.all_supports().len() - 1)]
         }
     }
 }

@@ -160,7 +160,8 @@ fn equilibrium(input: &Input, answer: &Answer, labels: &Labels) -> String {
     let mut rows = vec![row("loads".to_owned(), labels.number(load), "down", none())];
     rows.extend(state.supports.iter().enumerate().take(MOST_ROWS).map(|(k, support)| {
         let known = certificate.and_then(|c| c.reactions.get(k).copied().flatten());
-        let name = support_at(support.at, beam.length(), labels);
+        let lifted = if support.pushes_only && support.force <= 0.0 { ", lifted off" } else { "" };
+        let name = support_at(support.at, beam.length(), labels) + lifted;
         row(name, labels.number(support.force), "up", bracket(known, labels))
     }));
     let known = bracket(certificate.and_then(|c| c.contact_force), labels);

@@ -1,8 +1,10 @@
 //! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts by neighbourhood, extremes at and between the nodes,
 //! energy.
 
+use super::contact_set::ContactSet;
 use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
+use super::supports::NodeBearing;
 use super::{Discrete, program};
 use crate::qp::Sizes;
 use crate::scene::Grid;
@@ -35,6 +37,9 @@ impl Nodal {
         /// more than statics lose on any grid on which the difference would be the better one.
         const DEEP: f64 = 1e3;
         let first = discrete.nodes().start;
+        if discrete.is_open() {
+            return Self::of_open(discrete, discretisation, &clearance, contact_force);
+        }
         for support in discrete.supports().inner() {
             clearance[support.node - first] = discrete.gap(support.node) - support.held.deflection;
         }
@@ -52,6 +57,46 @@ impl Nodal {
             }
         }
         Self { discretisation, deflection, clearance, contact_force }
+    }
+
+    /// The same above nothing but supports that only push: the beam that is held where it may touch, at the clearances there.
+    fn of_open(
+        discrete: &Discrete,
+        discretisation: Discretisation,
+        clearance: &[f64],
+        contact_force: Vec<f64>,
+    ) -> Self {
+        let first = discrete.nodes().start;
+        let mut levels = vec![0.0; clearance.len()];
+        discrete.touchable().for_each(|node| levels[node - first] = discrete.gap(node) - clearance[node - first]);
+        let held = discrete.above(levels);
+        let beam = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
+        let mut deflection = beam.map_or_else(
+            |_| vec![f64::NAN; clearance.len()],
+            |beam| held.depths.iter().zip(&beam.clearance).map(|(level, h)| level - h).collect(),
+        );
+        for support in discrete.supports().inner() {
+            deflection[support.node - first] = support.held.deflection;
+        }
+        let mut nodal = Self { discretisation, deflection, clearance: clearance.to_vec(), contact_force };
+        nodal.leave_open(discrete);
+        nodal
+    }
+
+    /// A beam that one place carries, before it is known how: at rest, and pressed by nothing.
+    #[must_use]
+    pub fn resting(discrete: &Discrete, discretisation: Discretisation) -> Self {
+        let nothing = || vec![0.0; discrete.nodes().len()];
+        Self { discretisation, deflection: nothing(), clearance: nothing(), contact_force: nothing() }
+    }
+
+    /// Clearances of open nodes are infinite.
+    pub(super) fn leave_open(&mut self, discrete: &Discrete) {
+        let first = discrete.nodes().start;
+        let stands = |node: usize| discrete.supports().bearings().iter().any(|bearing| bearing.node == node);
+        for node in discrete.nodes().filter(|node| discrete.is_open() && !stands(*node)) {
+            self.clearance[node - first] = f64::INFINITY;
+        }
     }
 }
 
@@ -96,15 +141,23 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         let Some(HeldNode { force, moments: [left, right], .. }) = held_at(support.node) else { continue };
         let moment = support.held.slope.map(|_| held_beam::larger(*left, *right));
         let couple = if moment.is_some() { right - left } else { 0.0 };
-        forces.push(SupportForce { at: support.held.at, force: *force, moment, couple });
+        forces.push(SupportForce { at: support.held.at, force: *force, moment, couple, pushes_only: false });
         energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
         if !nodes.contains(&support.node) {
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
         }
     }
-    let reactions = Reactions::of(&forces, grid.place(intervals));
-    let contacts =
-        contacts(&nodal, &sizes_of_contact(sizes, stiffness, grid.place(intervals)), |i| grid.place(i + nodes.start));
+    let (bearings, end) = (discrete.supports().bearings(), grid.place(intervals));
+    let pushed = |bearing: &NodeBearing| {
+        let force = nodal.contact_force[bearing.node - nodes.start];
+        (bearing.node, SupportForce::pushing(bearing.at, force))
+    };
+    let mut all: Vec<_> = supports.iter().map(|s| s.node).zip(forces).chain(bearings.iter().map(pushed)).collect();
+    all.sort_by_key(|(node, _)| *node);
+    let forces: Vec<SupportForce> = all.into_iter().map(|(_, force)| force).collect();
+    let reactions = Reactions::of(&forces, end);
+    let pushes = |i: usize| bearings.binary_search_by_key(&(i + nodes.start), |bearing| bearing.node).is_ok();
+    let contacts = contacts(&nodal, &sizes_of_contact(sizes, stiffness, end), pushes, |i| grid.place(i + nodes.start));
     let deflection_at = |node: usize| match supports.iter().find(|support| support.node == node) {
         Some(support) => support.held.deflection,
         None => nodal.deflection[node - nodes.start],
@@ -208,18 +261,23 @@ fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
 
 /// Runs of neighbouring nodes in contact, each a zone, or a point if it is a single node.
 ///
-/// `place` is that of a node by its number among those of `nodal`.
+/// `place` is that of a node by its number among those of `nodal`; where a support `pushes` it is no contact with the ground.
 ///
 /// A node is in contact if its force, measured by all forces, is larger than its clearance, measured by the deflection:
 /// the natural reading of an answer in which both are small positive numbers.
-fn contacts(nodal: &Nodal, &Sizes { x: depth, gradient: force }: &Sizes, place: impl Fn(usize) -> f64) -> Vec<Contact> {
+fn contacts(
+    nodal: &Nodal,
+    &Sizes { x: depth, gradient: force }: &Sizes,
+    pushes: impl Fn(usize) -> bool,
+    place: impl Fn(usize) -> f64,
+) -> Vec<Contact> {
     let mut contacts = Vec::new();
     let contact = |first, last, force| Contact { from: place(first), to: place(last), force, end_forces: None };
     // While a run goes on: its first node, and the sum of its forces.
     let (mut first, mut sum) = (None, 0.0);
     for (k, (&p, &h)) in nodal.contact_force.iter().zip(&nodal.clearance).enumerate() {
         // h/X ≤ p/G without a division: most nodes of a fine grid pass here. Both are zero on ground that leaves no room at all.
-        if NO_FORCE * force < p && h * force <= p * depth {
+        if NO_FORCE * force < p && h * force <= p * depth && !pushes(k) {
             first = first.or(Some(k));
             sum += p;
         } else if let Some(first) = first.take() {

@@ -1,7 +1,8 @@
 //! A scene on a grid: what the three methods have in common before they choose an unknown.
 //!
 //! Unknowns belong to the nodes without a support. Of the paper's beam these are the interior nodes; an end without a support is
-//! one of them, and a node inside with a support is none.
+//! one of them, and a node inside with a support is none. Without ground only the nodes with a support that pushes have one: the
+//! others are *open*, their gap counts from zero, and clearances there are of no consequence.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -13,7 +14,7 @@ use crate::qp::Sizes;
 use crate::scene::{Foundation, Grid, Scene, SceneError};
 use crate::state::Discretisation;
 
-/// Nodal data of a scene on a grid. The scene is dimensionless and has a foundation.
+/// Nodal data of a scene on a grid. The scene is dimensionless.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Discrete {
     /// The grid.
@@ -29,6 +30,8 @@ pub struct Discrete {
     /// Gaps `g` below the undeflected beam, of a straight one the depths `u`, at [all nodes but supported ends](Self::nodes).
     pub depths: Vec<f64>,
     supports: Supports,
+    /// True if the beam may touch supports that only push, and nothing else.
+    open: bool,
     /// The profiles of ground and own shape that the gaps are taken from.
     pub(super) profile: Option<Arc<Foundation>>,
     pub(super) shape: Option<Arc<Foundation>>,
@@ -73,12 +76,18 @@ impl Discrete {
         scene.on_rigid_ground("a discretised method")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
+        let open = scene.foundation().is_none() && !supports.bearings().is_empty();
+        let mut depths = grid.gaps_at(scene, supports.nodes());
+        if open {
+            depths.iter_mut().filter(|gap| gap.is_infinite()).for_each(|gap| *gap = 0.0);
+        }
         Ok(Self {
             grid,
             intervals,
             spacing: grid.spacing(),
             stiffness: scene.beam().bending_stiffness(),
-            depths: grid.gaps_at(scene, supports.nodes()),
+            depths,
+            open,
             supports,
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
@@ -121,31 +130,65 @@ impl Discrete {
         self.simple
     }
 
-    /// Number of nodes without a support.
+    /// Whether the beam may touch nothing but supports that only push.
+    pub(crate) fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// The nodes at which the beam may touch, ascending: all without a support, or those of supports that only push.
+    pub(super) fn touchable(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        (0..self.unknowns()).map(|unknown| self.node(unknown))
+    }
+
+    /// The nodes without a support that holds the beam, ascending.
+    pub(super) fn free_nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        self.nodes().filter(|node| self.supports.at(*node).is_none())
+    }
+
+    /// True at a node with nothing to touch, and no support.
+    pub(super) fn is_open_at(&self, node: usize) -> bool {
+        self.open && self.supports.below(node).is_none()
+    }
+
+    /// Number of nodes without a support at which the beam may touch.
     #[must_use]
     pub fn unknowns(&self) -> usize {
+        if self.open {
+            return self.supports.bearings().len();
+        }
         self.nodes().len() - self.supports.inner().len()
     }
 
     /// The node of an unknown.
     #[must_use]
     pub fn node(&self, unknown: usize) -> usize {
+        if self.open {
+            return self.supports.bearings()[unknown].node;
+        }
         let first = self.nodes().start + unknown;
         self.supports.inner().iter().fold(first, |node, support| node + usize::from(support.node <= node))
     }
 
-    /// Values at [`nodes`](Self::nodes) without those at supports.
+    /// Values at [`nodes`](Self::nodes) without those at supports, as far as they are those of unknowns.
     pub(super) fn without_supports(&self, mut values: Vec<f64>) -> Vec<f64> {
         let first = self.nodes().start;
+        if self.open {
+            return self.touchable().map(|node| values[node - first]).collect();
+        }
         for support in self.supports.inner().iter().rev() {
             values.remove(support.node - first);
         }
         values
     }
 
-    /// Values of unknowns, and zero at inner supports.
+    /// Values of unknowns, and zero at inner supports and open nodes.
     pub(super) fn with_supports(&self, mut values: Vec<f64>) -> Vec<f64> {
         let first = self.nodes().start;
+        if self.open {
+            let mut all = vec![0.0; self.nodes().len()];
+            self.touchable().zip(values).for_each(|(node, value)| all[node - first] = value);
+            return all;
+        }
         for support in self.supports.inner() {
             values.insert(support.node - first, 0.0);
         }
@@ -178,7 +221,8 @@ impl Discrete {
         let free = free.unwrap_or_default();
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
-        let room: Vec<f64> = self.nodes().zip(&self.depths).map(|(node, gap)| gap - line(node)).collect();
+        let room = |(node, gap): (usize, &f64)| if self.is_open_at(node) { f64::INFINITY } else { gap - line(node) };
+        let room: Vec<f64> = self.nodes().zip(&self.depths).map(room).collect();
         let loads = self.nodes().filter(|node| self.supports.at(*node).is_none()).map(|node| self.loads[node]);
         let length = self.grid.place(self.intervals);
         size(&free, &room[offset..], loads, self.stiffness, length)
@@ -244,7 +288,7 @@ impl Discrete {
         let Some(profile) = self.profile.as_deref() else {
             return chord(node, right, behind) - chord(left, node, before);
         };
-        let below = [left, node, right].map(|i| self.supports.at(i).map(|support| support.below));
+        let below = [left, node, right].map(|i| self.supports.below(i));
         if below != [None; 3] && self.drops_off([left, node, right], below, [before, behind]) {
             return chord(node, right, behind) - chord(left, node, before);
         }
@@ -297,7 +341,7 @@ impl Discrete {
             support.held.deflection = 0.0;
             support.held.slope = support.held.slope.map(|_| 0.0);
         }
-        self.on(Supports::of(all, self.intervals), vec![0.0; self.loads.len()])
+        self.on(self.supports.holding(all), vec![0.0; self.loads.len()])
     }
 }
 
@@ -306,7 +350,7 @@ fn size(free: &[f64], room: &[f64], loads: impl Iterator<Item = f64>, stiffness:
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
     let mut deflection = largest(&mut free.iter().zip(room).map(|(v, u)| v.abs().min(u.abs())));
     if deflection <= 0.0 {
-        deflection = largest(&mut room.iter().map(|u| u.abs()));
+        deflection = largest(&mut room.iter().map(|u| u.abs()).filter(|u| u.is_finite()));
     }
     if deflection <= 0.0 {
         deflection = ON_THE_GROUND * largest(&mut free.iter().map(|v| v.abs()));

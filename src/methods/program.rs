@@ -60,6 +60,8 @@ impl Qp for Program<'_> {
         // Symmetric up to rounding; whoever takes the matrix may rely on it.
         let matrix = (&matrix + matrix.transpose()) * 0.5;
         match self.method {
+            // What the open nodes between leave of the difference equations is full.
+            _ if self.discrete.is_open() => Matrix::Dense(matrix),
             Method::Complementarity => {
                 let entry = |i: usize, k: usize| if i + k < n { matrix[(i, i + k)] } else { 0.0 };
                 Matrix::Pentadiagonal((0..n).map(|i| [0, 1, 2].map(|k| entry(i, k))).collect())
@@ -69,6 +71,10 @@ impl Qp for Program<'_> {
     }
 
     fn sparse(&self) -> Option<SparseForm> {
+        // Of a few places in clearances the matrix is the better form: nothing has to be eliminated.
+        if self.discrete.is_open() && !self.method.is_free_in_contact() {
+            return Some(SparseForm::of_matrix(self));
+        }
         let form = if self.method.is_free_in_contact() { sparse::complementary } else { sparse::potential };
         Some(form(self.discrete, self.method.discretisation(), self.sizes()))
     }
@@ -81,7 +87,7 @@ impl Qp for Program<'_> {
             return discrete.without_supports(discrete.clearances(&deflection(discrete, &x, discretisation)));
         }
         let held = discrete.above(discrete.clearances(&x));
-        let forces = ContactSet::at(&held, held.nodes()).solve(&held, discretisation);
+        let forces = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);
         forces.map_or_else(|_| vec![f64::NAN; self.dimension()], |forces| self.point(forces).gradient)
     }
 

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use super::answer::Nodal;
-use super::supports::{NodeSupport, Supports};
+use super::supports::NodeSupport;
 use super::{Discrete, held_beam};
 use crate::qp::FreeSet;
 use crate::scene::{Balance, Foundation, Held};
@@ -25,6 +25,10 @@ impl Discrete {
     /// Slopes of the gap to the left and to the right of a node, between which a beam may lie that touches there; infinite on the
     /// deeper side of a step, and beyond an end of the beam. Equal but for rounding are equal.
     fn slopes_at(&self, node: usize) -> [f64; 2] {
+        // The ground is farther down on both sides.
+        if self.supports().below(node).is_some() {
+            return [f64::NEG_INFINITY, f64::INFINITY];
+        }
         let x = self.grid.place(node);
         let sides =
             |profile: &Option<Arc<Foundation>>| profile.as_ref().map_or([[0.0; 2]; 2], |profile| profile.sides(x));
@@ -49,7 +53,7 @@ impl Discrete {
         let below = self.supports().at(node).map_or(0.0, |support| support.below);
         let (at, deflection) = (self.grid.place(node), self.level(node));
         let held = Held { at, deflection, slope: Some(slope), meets: [false; 2], grounded: [false; 2] };
-        self.on(Supports::of(vec![NodeSupport { node, held, below }], self.intervals), self.loads.clone())
+        self.on(self.supports().holding(vec![NodeSupport { node, held, below }]), self.loads.clone())
     }
 
     /// The node at the one place about which the beam is free to turn, if the loads are in balance there.
@@ -78,7 +82,10 @@ impl Discrete {
         let [force, moment] = self.resultant();
         match self.supports().all() {
             [] => {
-                let hull = lower_hull(self.nodes().map(|node| (node, self.depths[node])));
+                let hull = lower_hull(self.touchable().map(|node| (node, self.depths[node])));
+                if hull.len() < 2 {
+                    return hull;
+                }
                 let right = hull.partition_point(|&node| (node as f64) < moment / force).clamp(1, hull.len() - 1);
                 hull[right - 1..=right].to_vec()
             }
@@ -87,7 +94,7 @@ impl Discrete {
                 let slope =
                     |node: &usize| (self.level(*node) - support.held.deflection) / node.abs_diff(support.node) as f64;
                 let beside =
-                    self.nodes().filter(|&node| if to_right { support.node < node } else { node < support.node });
+                    self.touchable().filter(|&node| if to_right { support.node < node } else { node < support.node });
                 beside.min_by(|a, b| slope(a).total_cmp(&slope(b))).into_iter().collect()
             }
             _ => Vec::new(),
@@ -166,7 +173,9 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     };
     let mut least = f64::NEG_INFINITY;
     let mut most = f64::INFINITY;
-    for (i, h) in nodes.clone().zip(clearances(&deflections(0.0)?)).filter(|(i, _)| *i != node) {
+    for (i, h) in
+        nodes.clone().zip(clearances(&deflections(0.0)?)).filter(|(i, _)| *i != node && !discrete.is_open_at(*i))
+    {
         let limit = h / (discrete.spacing * i.abs_diff(node) as f64);
         if node < i {
             most = most.min(limit);
@@ -191,7 +200,9 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     if discrete.supports().at(node).is_none() {
         contact_force[node - nodes.start] = discrete.resultant()[0];
     }
-    Some((Nodal { discretisation, deflection, clearance, contact_force }, motion))
+    let mut nodal = Nodal { discretisation, deflection, clearance, contact_force };
+    nodal.leave_open(discrete);
+    Some((nodal, motion))
 }
 
 /// The node that carries a beam alone which its supports do not hold, if there is one and the loads are in balance on it: the place

@@ -122,12 +122,13 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
 }
 
 /// Method 3: moments, then contact forces. Levels and slopes of supports do work with the forces and couples that moments put on
-/// them. There is no equation for a node with a support, whose force is what is missing to equilibrium.
+/// them. There is no equation for a node with a support that holds it, whose force is what is missing to equilibrium; a node with
+/// nothing to touch has one, and no force.
 pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation, sizes: Sizes) -> SparseForm {
     let (n, hinges) = (discrete.unknowns(), Hinge::all(discrete));
     let Sizes { x: depth, gradient: force } = discrete.sizes();
     let mut rows = vec![None; discrete.intervals + 1];
-    (0..n).for_each(|unknown| rows[discrete.node(unknown)] = Some(unknown));
+    discrete.free_nodes().enumerate().for_each(|(row, node)| rows[node] = Some(row));
     let mut equations = Vec::with_capacity(hinges.len() + n);
     let mut linear = Vec::with_capacity(hinges.len() + n);
     for hinge in &hinges {
@@ -142,9 +143,9 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
         let turned = if hinge.sides[0] { slope } else { -slope };
         linear.push((held.sum::<f64>() + turned * discrete.spacing) / depth);
     }
-    equations.extend((0..n).map(|j| vec![(j, -1.0)]));
+    equations.extend(discrete.touchable().filter_map(|node| rows[node]).map(|row| vec![(row, -1.0)]));
     linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
-    let right = (0..n).map(|unknown| -discrete.loads[discrete.node(unknown)] / force).collect();
+    let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
     let quadratic = quadratic(&hinges, n, discretisation, stiffness_number(discrete));
     SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }

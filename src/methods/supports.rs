@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::scene::{Grid, Held, Scene, SceneError};
+use crate::scene::{Grid, Held, Scene, SceneError, Support};
 
 /// A support at a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,12 +15,25 @@ pub(crate) struct NodeSupport {
     pub(crate) below: f64,
 }
 
+/// A support that only pushes, at a node: a place of the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NodeBearing {
+    /// Its node.
+    pub(crate) node: usize,
+    /// Where it stands.
+    pub(crate) at: f64,
+    /// How far the ground lies below it; infinite where there is none.
+    below: f64,
+}
+
 /// All supports of a beam, from left to right.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Supports {
     all: Vec<NodeSupport>,
     /// Those between the two end nodes.
     inner: Range<usize>,
+    /// Those that only push, which hold no node.
+    bearings: Vec<NodeBearing>,
     intervals: usize,
 }
 
@@ -31,23 +44,47 @@ impl Supports {
     ///
     /// [`SceneError::SupportBetweenNodes`] if no node lies on one of them, or two share a node.
     pub(super) fn on(grid: &Grid, scene: &Scene) -> Result<Self, SceneError> {
-        let mut all: Vec<NodeSupport> = Vec::with_capacity(2);
-        for held in scene.held() {
-            let node = grid.node_at(held.at).filter(|node| all.last().is_none_or(|last| last.node < *node));
-            let Some(node) = node else {
-                let (at, intervals) = (held.at, grid.intervals());
+        let mut before = None;
+        for support in scene.beam().all_supports() {
+            let node = grid.node_at(support.at).filter(|node| before.is_none_or(|before| before < *node));
+            if node.is_none() {
+                let (at, intervals) = (support.at, grid.intervals());
                 return Err(SceneError::SupportBetweenNodes { at, intervals, fits: Grid::least_fitting(scene) });
-            };
-            let below = scene.gap(grid.place(node)) - held.deflection;
-            all.push(NodeSupport { node, held, below });
+            }
+            before = node;
         }
-        Ok(Self::of(all, grid.intervals()))
+        let held = |held: Held| {
+            let node = grid.nearest(held.at / scene.beam().length());
+            NodeSupport { node, held, below: scene.gap(grid.place(node)) - held.deflection }
+        };
+        let bearing = |support: &Support| {
+            let node = grid.nearest(support.at / scene.beam().length());
+            NodeBearing { node, at: support.at, below: scene.depth(grid.place(node)) - support.level }
+        };
+        let bearings = scene.beam().bearings().iter().map(bearing).collect();
+        Ok(Self { bearings, ..Self::of(scene.held().into_iter().map(held).collect(), grid.intervals()) })
     }
 
     /// Given ones, ascending.
     pub(super) fn of(all: Vec<NodeSupport>, intervals: usize) -> Self {
         let inner = all.partition_point(|s| s.node == 0)..all.partition_point(|s| s.node < intervals);
-        Self { all, inner, intervals }
+        Self { all, inner, bearings: Vec::new(), intervals }
+    }
+
+    /// The same with others that hold the beam.
+    pub(super) fn holding(&self, all: Vec<NodeSupport>) -> Self {
+        Self { bearings: self.bearings.clone(), ..Self::of(all, self.intervals) }
+    }
+
+    /// Those that only push, from left to right.
+    pub(crate) fn bearings(&self) -> &[NodeBearing] {
+        &self.bearings
+    }
+
+    /// How far the ground lies below the beam where it is on the support at a node.
+    pub(super) fn below(&self, node: usize) -> Option<f64> {
+        let bearing = || self.bearings.binary_search_by_key(&node, |bearing| bearing.node).ok();
+        self.at(node).map(|support| support.below).or_else(|| Some(self.bearings[bearing()?].below))
     }
 
     /// All of them.
@@ -84,7 +121,7 @@ impl Supports {
     /// Whether a range of nodes, the last one included, has none as far as can be told at once: most beams have none inside.
     #[inline]
     pub(crate) fn are_outside(&self, first: usize, last: usize) -> bool {
-        self.inner.is_empty() && self.first() <= first && last < self.nodes().end
+        self.inner.is_empty() && self.bearings.is_empty() && self.first() <= first && last < self.nodes().end
     }
 
     /// The first node that is no supported end.
@@ -119,6 +156,6 @@ impl Supports {
             (1, _) => all.insert(0, ghost(0)),
             _ => all.extend([0, self.intervals].map(ghost)),
         }
-        Self::of(all, self.intervals)
+        self.holding(all)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::layer::Place;
 use super::{PlotError, SAMPLES, same_length};
-use crate::scene::Scene;
+use crate::scene::{Scene, is_same_place};
 use crate::state::{ContactState, Extremes, Nodes, SupportForce};
 use crate::theory::Exact;
 
@@ -80,7 +80,8 @@ impl Curves {
         let held = scene.held();
         #[expect(clippy::float_cmp, reason = "a support at an end is exactly there")]
         let [left, right] = [0.0, length].map(|end| {
-            let (held, force) = held.iter().zip(&state.supports).find(|(held, _)| held.at == end)?;
+            let held = held.iter().find(|held| held.at == end)?;
+            let force = state.supports.iter().find(|force| force.at == end)?;
             let v = held.deflection;
             Some([end, v, scene.gap(end) - v, force.moment.unwrap_or(0.0)])
         });
@@ -100,7 +101,7 @@ impl Curves {
             .collect();
         let places: Vec<f64> = std::iter::once(0.0).chain(nodes.x.iter().copied()).chain([length]).collect();
         let (pressure, point_forces) = contact_forces(state, nodes, &places);
-        let clearance = closed(&nodes.clearance, 2);
+        let clearance = above_ground(scene, &x, &closed(&nodes.deflection, 1), closed(&nodes.clearance, 2));
         let clearance_within = |[from, to]: [f64; 2]| {
             let places = x.iter().copied().zip(clearance.iter().copied());
             Extremes::of(places.filter(|(x, _)| from <= *x && *x <= to))
@@ -137,6 +138,17 @@ fn between_contacts(state: &ContactState) -> [f64; 2] {
         [first, .., last] => [first.from, last.to],
         _ => [f64::INFINITY, f64::NEG_INFINITY],
     }
+}
+
+/// The clearance above the ground, also at supports that only push, which are drawn as supports.
+fn above_ground(scene: &Scene, x: &[f64], deflection: &[f64], mut clearance: Vec<f64>) -> Vec<f64> {
+    for support in scene.beam().bearings() {
+        let own = scene.beam().shape().map_or(0.0, |shape| shape.depth(support.at));
+        for (i, _) in x.iter().enumerate().filter(|(_, x)| is_same_place(**x, support.at, scene.beam().length())) {
+            clearance[i] = scene.depth(support.at) - own - deflection[i];
+        }
+    }
+    clearance
 }
 
 /// `w0` at the places `x`; nothing for a straight beam.
@@ -222,7 +234,12 @@ impl Curves {
             x: samples.iter().map(|s| s.x).collect(),
             deflection: samples.iter().map(|s| s.deflection).collect(),
             shape: own_shape(scene, &samples.iter().map(|s| s.x).collect::<Vec<_>>()),
-            clearance: samples.iter().map(|s| s.clearance).collect(),
+            clearance: above_ground(
+                scene,
+                &samples.iter().map(|s| s.x).collect::<Vec<_>>(),
+                &samples.iter().map(|s| s.deflection).collect::<Vec<_>>(),
+                samples.iter().map(|s| s.clearance).collect(),
+            ),
             moment: samples.iter().map(|s| s.moment).collect(),
             shear: samples.iter().map(|s| [s.x, s.shear]).collect(),
             pressure,

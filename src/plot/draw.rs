@@ -200,12 +200,23 @@ fn support(canvas: &mut Canvas, [x, y]: Point, kind: SupportKind) -> Result<(), 
         SupportKind::Hinge => false,
         SupportKind::Roller => true,
         SupportKind::BuiltIn { ends } => return walls(canvas, [x, y], ends),
+        SupportKind::Bearing => return block(canvas, [x, y]),
     };
     let triangle = [[x, y], [x + 26.0, y + 42.0], [x - 26.0, y + 42.0]];
     canvas.fill(&triangle, Color::WHITE, 1.0)?;
     canvas.line(&[triangle[0], triangle[1], triangle[2], triangle[0]], Color::BLACK, 4, Dash::Solid)?;
     let ground = if rolls { y + 52.0 } else { y + 42.0 };
     canvas.line(&[[x - 36.0, ground], [x + 36.0, ground]], Color::BLACK, 4, Dash::Solid)
+}
+
+/// A block below its level, with a plate that the beam may lie on.
+fn block(canvas: &mut Canvas, [x, y]: Point) -> Result<(), PlotError> {
+    let corners = [[x - 20.0, y + 4.0], [x + 20.0, y + 4.0], [x + 20.0, y + 42.0], [x - 20.0, y + 42.0]];
+    canvas.fill(&corners, Color::WHITE, 1.0)?;
+    let [a, b, c, d] = corners;
+    canvas.line(&[a, b, c, d, a], Color::BLACK, 4, Dash::Solid)?;
+    canvas.line(&[[x - 30.0, y + 4.0], [x + 30.0, y + 4.0]], Color::BLACK, 6, Dash::Solid)?;
+    canvas.line(&[[x - 36.0, y + 42.0], [x + 36.0, y + 42.0]], Color::BLACK, 4, Dash::Solid)
 }
 
 /// Walls that hold the beam against turning: across it where it ends, above and below it elsewhere.

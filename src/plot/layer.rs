@@ -132,6 +132,8 @@ pub enum SupportKind {
         /// The wall stands at the end of the beam, on its left or on its right.
         ends: [bool; 2],
     },
+    /// It pushes, and lets the beam lift off.
+    Bearing,
 }
 
 /// Forces as arrows whose length is read on the force axis of the panel, or on its vertical axis if it has none.

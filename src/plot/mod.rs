@@ -151,7 +151,7 @@ mod tests {
             regime: Regime::of(&contacts),
             reactions: Reactions { left: 1.625, right: -0.375 },
             supports: [(0.0, 1.625), (LENGTH, -0.375)]
-                .map(|(at, force)| SupportForce { at, force, moment: None, couple: 0.0 })
+                .map(|(at, force)| SupportForce { at, force, moment: None, couple: 0.0, pushes_only: false })
                 .into(),
             standing: None,
             contacts,

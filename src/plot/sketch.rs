@@ -93,13 +93,15 @@ fn cut(line: &[Place], limit: f64) -> (Vec<Vec<Place>>, Vec<[f64; 2]>) {
     (pieces, gaps)
 }
 
-/// The supports as engineers draw them: the first of simple ones is a hinge, and the others roll.
+/// The supports as engineers draw them: the first of simple ones is a hinge, and the others roll; what only pushes is a block that the
+/// beam is not tied to.
 pub(super) fn support_marks(scene: &Scene) -> Layer {
-    let (beam, supports) = (scene.beam(), scene.beam().supports());
+    let (beam, supports) = (scene.beam(), scene.beam().all_supports());
     let is_held = supports.iter().any(|support| support.slope.is_some());
     let mark = |(i, support): (usize, &Support)| {
         let kind = match support.slope {
             Some(_) => SupportKind::BuiltIn { ends: [support.at <= 0.0, beam.length() <= support.at] },
+            None if support.pushes_only => SupportKind::Bearing,
             None if i == 0 && !is_held => SupportKind::Hinge,
             None => SupportKind::Roller,
         };

@@ -1,12 +1,12 @@
 //! What the supports leave free, and whether loads and ground hold it.
 //!
-//! One built-in support or any two hold the beam. With fewer, loads can only be balanced by ground that pushes, which is there
-//! from `0` to `l` wherever there is a foundation:
+//! One built-in support or any two hold the beam. With fewer, loads can only be balanced by what pushes: ground, which is there
+//! from `a = 0` to `b = l` wherever there is a foundation, and supports that only push, `a` and `b` the outermost of them without one:
 //!
-//! | supports | an answer exists if and only if |
+//! | supports that hold | an answer exists if and only if |
 //! |---|---|
-//! | none | `W > 0` and `0 ≤ x_W ≤ l`: the moments `∫q x` and `∫q (l − x)` are not negative |
-//! | one simple, at `x_s` | `∫q (x − x_s) > 0` and there is ground to the right of it, `< 0` and to the left, or `= 0` |
+//! | none | `W > 0` and `a ≤ x_W ≤ b`: the moments `∫q (x − a)` and `∫q (b − x)` are not negative |
+//! | one simple, at `x_s` | `∫q (x − x_s) > 0` and something pushes to the right of it, `< 0` and to the left, or `= 0` |
 //!
 //! with the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
 //! inequality). Each of these sums is an interval: loads and places are decimals, known to half a unit in their last place. The
@@ -52,19 +52,23 @@ pub enum Balance {
 pub enum Unheld {
     /// The resultant is beside the ground.
     #[error(
-        "the loads have their resultant {} at x = {}, outside the ground (0 … {}): the beam turns over its {} end",
+        "the loads have their resultant {} at x = {}, outside {} ({} … {}): the beam turns over its {} end",
         rounded(*force),
-        beside(*at, *length),
-        shown(*length),
-        if *at < 0.0 { "left" } else { "right" }
+        beside(*at, *ends),
+        if *grounded { "the ground" } else { "the supports that push" },
+        shown(ends[0]),
+        shown(ends[1]),
+        if *at < ends[0] { "left" } else { "right" }
     )]
     Overturns {
         /// The resultant, positive downwards \[force\].
         force: f64,
         /// Its place \[length\].
         at: f64,
-        /// Length of the beam, and so of the ground \[length\].
-        length: f64,
+        /// Whether there is ground, from end to end of the beam.
+        grounded: bool,
+        /// The outermost places that can carry the beam \[length\].
+        ends: [f64; 2],
     },
     /// The loads pull the beam off the ground.
     #[error("the loads pull upwards by {}: nothing holds the beam down", rounded(*force))]
@@ -109,7 +113,7 @@ pub enum Unheld {
         rounded(*moment)
     )]
     Turns {
-        /// True if there is ground at all.
+        /// True if there is anything else that pushes.
         grounded: bool,
         /// Where the support is \[length\].
         at: f64,
@@ -126,7 +130,13 @@ impl Balance {
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
         let (load, length) = (scene.load(), scene.beam().length());
-        let (grounded, gives) = (scene.foundation().is_some(), scene.ground_stiffness().is_some());
+        let gives = scene.ground_stiffness().is_some();
+        let bearings = scene.beam().bearings();
+        let ends = match (scene.foundation(), bearings) {
+            (Some(_), _) => Some([0.0, length]),
+            (None, [first, ..]) => Some([first.at, bearings[bearings.len() - 1].at]),
+            (None, []) => None,
+        };
         let force = || Sum::of_forces(load, length);
         let turn = |about: f64| Sum::of_moments(load, length, about);
         let resultant = || {
@@ -134,22 +144,31 @@ impl Balance {
             Resultant { force, at: turn(0.0).value() / force }
         };
         match scene.beam().supports() {
-            [] if !grounded => Err(Unheld::NothingCarries),
             [] => {
-                // Positive where the resultant is on the beam's side of its left and of its right end.
-                let [left, right] = [turn(0.0), turn(length).negated()];
+                let Some(ends) = ends else { return Err(Unheld::NothingCarries) };
+                // Positive where the resultant is on the inner side of the left and of the right end.
+                let [left, right] = [turn(ends[0]), turn(ends[1]).negated()];
+                let overturns =
+                    |force, at| Unheld::Overturns { force, at, grounded: scene.foundation().is_some(), ends };
                 let (force, Resultant { force: weight, at }) = (force(), resultant());
                 match (left.sign(), right.sign()) {
+                    // Of one place alone both are of one sign, or none is.
+                    (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Greater => {
+                        Ok(Self::Neutral { resultant: resultant(), about: ends[0] })
+                    }
+                    (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Less => {
+                        Err(Unheld::PulledUp { force: -weight })
+                    }
                     (Ordering::Equal, Ordering::Equal) => Err(Unheld::NothingPresses),
                     (Ordering::Less, Ordering::Less) => Err(Unheld::PulledUp { force: -weight }),
                     _ if force.sign() == Ordering::Less => Err(Unheld::PulledUp { force: -weight }),
                     (Ordering::Less, _) | (_, Ordering::Less) if force.sign() == Ordering::Equal => {
                         Err(Unheld::Couple { moment: left.value().abs() })
                     }
-                    (Ordering::Less, _) | (_, Ordering::Less) => Err(Unheld::Overturns { force: weight, at, length }),
+                    (Ordering::Less, _) | (_, Ordering::Less) => Err(overturns(weight, at)),
                     (Ordering::Equal, _) | (_, Ordering::Equal) if gives => Err(Unheld::OnBorder { force: weight, at }),
-                    (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: 0.0 }),
-                    (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: length }),
+                    (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: ends[0] }),
+                    (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: ends[1] }),
                     (Ordering::Greater, Ordering::Greater) => {
                         // Ground that gives carries nothing at a single place.
                         let there = |x: f64| !gives && turn(x).sign() == Ordering::Equal;
@@ -163,9 +182,9 @@ impl Balance {
                 match turn.sign() {
                     Ordering::Equal if gives => Err(Unheld::OnBorder { force: force().value(), at: support.at }),
                     Ordering::Equal => Ok(Self::Neutral { resultant: resultant(), about: support.at }),
-                    Ordering::Greater if grounded && support.at < length => Ok(Self::Stands(resultant())),
-                    Ordering::Less if grounded && 0.0 < support.at => Ok(Self::Stands(resultant())),
-                    _ => Err(Unheld::Turns { grounded, at: support.at, moment: turn.value() }),
+                    Ordering::Greater if ends.is_some_and(|ends| support.at < ends[1]) => Ok(Self::Stands(resultant())),
+                    Ordering::Less if ends.is_some_and(|ends| ends[0] < support.at) => Ok(Self::Stands(resultant())),
+                    _ => Err(Unheld::Turns { grounded: ends.is_some(), at: support.at, moment: turn.value() }),
                 }
             }
             _ => Ok(Self::Held),
@@ -199,8 +218,9 @@ impl Unheld {
     /// From dimensionless numbers to the units of the scene.
     pub(super) fn in_units_of(self, scale: &Scale) -> Self {
         match self {
-            Self::Overturns { force, at, length } => {
-                Self::Overturns { force: force * scale.force, at: at * scale.length, length: length * scale.length }
+            Self::Overturns { force, at, grounded, ends } => {
+                let ends = ends.map(|end| end * scale.length);
+                Self::Overturns { force: force * scale.force, at: at * scale.length, grounded, ends }
             }
             Self::OnBorder { force, at } => Self::OnBorder { force: force * scale.force, at: at * scale.length },
             Self::PulledUp { force } => Self::PulledUp { force: force * scale.force },
@@ -213,8 +233,8 @@ impl Unheld {
     }
 }
 
-/// The corner or edge of the gap between ground and own shape that can carry the beam and is `at` a place, as far as `there` can
-/// tell: only the points of the two next to it are looked at.
+/// The corner or edge of the gap between ground and own shape, or the support that only pushes, that can carry the beam and is `at`
+/// a place, as far as `there` can tell: of the corners only the two next to it are looked at.
 fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
     let profiles = [scene.foundation(), scene.beam().shape()];
     let beside = |profile: Option<&Foundation>| {
@@ -228,6 +248,9 @@ fn corner(scene: &Scene, at: f64, there: impl Fn(f64) -> bool) -> Option<f64> {
         left[0] < right[0] || right[0] < left[0] || left[1] < right[1]
     };
     let inside = |x: f64| 0.0 < x && x < scene.beam().length();
+    if let Some(bearing) = scene.beam().bearings().iter().find(|bearing| inside(bearing.at) && there(bearing.at)) {
+        return Some(bearing.at);
+    }
     profiles.into_iter().flat_map(beside).flatten().find(|&x| inside(x) && there(x) && carries(x))
 }
 
@@ -237,9 +260,9 @@ fn rounded(value: f64) -> String {
 }
 
 /// The same of a place that is not on the beam, with all its digits where four would put it there.
-fn beside(at: f64, length: f64) -> String {
+fn beside(at: f64, [from, to]: [f64; 2]) -> String {
     let rounded: f64 = format!("{at:.3e}").parse().unwrap_or(at);
-    shown(if (0.0..=length).contains(&rounded) { at } else { rounded })
+    shown(if (from..=to).contains(&rounded) { at } else { rounded })
 }
 
 /// A sum in twice the precision, and how far the rounding of what is given may have moved it.

@@ -13,7 +13,9 @@ pub struct Beam {
     length: f64,
     bending_stiffness: f64,
     supports: Vec<Support>,
-    /// Which of the supports as they were given each of them is.
+    /// Those that only push.
+    bearings: Vec<Support>,
+    /// Which of the supports as they were given each of them is, those that hold the beam first.
     given: Vec<usize>,
     shape: Option<Arc<Foundation>>,
 }
@@ -29,7 +31,7 @@ impl Beam {
         let length = positive(Quantity::Length, length)?;
         let bending_stiffness = positive(Quantity::BendingStiffness, bending_stiffness)?;
         let supports = vec![Support::simple(0.0), Support::simple(length)];
-        Ok(Self { length, bending_stiffness, supports, given: vec![0, 1], shape: None })
+        Ok(Self { length, bending_stiffness, supports, bearings: Vec::new(), given: vec![0, 1], shape: None })
     }
 
     /// The same beam on other supports, in any order; none at all is a beam that merely lies on the ground.
@@ -39,8 +41,11 @@ impl Beam {
     /// A number that is not finite, a support that is not on the beam, two (nearly) at one place, or one that is built in at a
     /// corner of the own shape.
     pub fn with_supports(self, supports: Vec<Support>) -> Result<Self, SceneError> {
-        let (given, supports) = sorted(supports, self.length)?.into_iter().unzip();
-        Self { supports, given, ..self }.with_definite_slopes()
+        let all = sorted(supports, self.length)?;
+        let (push, hold): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, support)| support.pushes_only);
+        let given = hold.iter().chain(&push).map(|(given, _)| *given).collect();
+        let [supports, bearings] = [hold, push].map(|these| these.into_iter().map(|(_, support)| support).collect());
+        Self { supports, bearings, given, ..self }.with_definite_slopes()
     }
 
     /// The same beam with an own shape `w0(x)`, the depth of its axis as long as nothing acts on it, positive downwards: any of
@@ -91,17 +96,31 @@ impl Beam {
         self.bending_stiffness
     }
 
-    /// What holds it, from left to right.
+    /// What holds it, from left to right, without the supports that only push.
     #[must_use]
     pub fn supports(&self) -> &[Support] {
         &self.supports
+    }
+
+    /// The supports that only push, from left to right.
+    #[must_use]
+    pub fn bearings(&self) -> &[Support] {
+        &self.bearings
+    }
+
+    /// All supports from left to right.
+    #[must_use]
+    pub fn all_supports(&self) -> Vec<Support> {
+        let mut all = self.supports_as_given();
+        all.sort_by(|a, b| a.at.total_cmp(&b.at));
+        all
     }
 
     /// The same in the order in which they were given, which the indices of a scene file count.
     #[must_use]
     pub fn supports_as_given(&self) -> Vec<Support> {
         let mut supports: Vec<(usize, Support)> =
-            self.given.iter().copied().zip(self.supports.iter().copied()).collect();
+            self.given.iter().copied().zip(self.supports.iter().chain(&self.bearings).copied()).collect();
         supports.sort_by_key(|(given, _)| *given);
         supports.into_iter().map(|(_, support)| support).collect()
     }
@@ -120,7 +139,9 @@ impl Beam {
     /// True for the paper's beam: straight, on two simple supports at its ends, both at level 0.
     #[must_use]
     pub fn is_simple(&self) -> bool {
-        self.shape.is_none() && self.supports == [Support::simple(0.0), Support::simple(self.length)]
+        self.shape.is_none()
+            && self.bearings.is_empty()
+            && self.supports == [Support::simple(0.0), Support::simple(self.length)]
     }
 
     /// The same beam in other units, all powers of two; `stiffness` is that of `EI`.
@@ -130,9 +151,10 @@ impl Beam {
             at: pieces::place(s.at / length),
             level: s.level / depth,
             slope: s.slope.map(|slope| slope * (length / depth)),
+            ..*s
         };
         let beam = Self::new(self.length / length, self.bending_stiffness / stiffness)?
-            .with_supports(self.supports.iter().map(support).collect())?;
+            .with_supports(self.supports_as_given().iter().map(support).collect())?;
         match &self.shape {
             Some(shape) => beam.with_shape(shape.scaled(length, depth)),
             None => Ok(beam),
@@ -141,8 +163,11 @@ impl Beam {
 
     /// A bound on what the supports and the own shape ask of the deflection: `max |level|`, `max |w0|`, `|slope| l` \[length\].
     pub(super) fn given_deflection(&self) -> f64 {
-        let levels =
-            self.supports.iter().map(|s| s.level.abs().max(s.slope.map_or(0.0, |slope| slope.abs() * self.length)));
+        let levels = self
+            .supports
+            .iter()
+            .chain(&self.bearings)
+            .map(|s| s.level.abs().max(s.slope.map_or(0.0, |slope| slope.abs() * self.length)));
         levels.fold(self.shape.as_ref().map_or(0.0, |shape| shape.magnitude(self.length)), f64::max)
     }
 }

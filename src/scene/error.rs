@@ -142,6 +142,40 @@ pub enum SceneError {
         /// Depth of the support, greater.
         level: f64,
     },
+    /// A support that only pushes, in the ground or level with it: the beam can never reach it.
+    #[error(
+        "a support with pushes_only must stand above the ground, but at x = {} its level is {} and the depth of the foundation {}: \
+         the ground is in its way",
+        shown(*at),
+        shown(*level),
+        shown(*depth)
+    )]
+    BearingInGround {
+        /// Where the support is.
+        at: f64,
+        /// Depth of the foundation there.
+        depth: f64,
+        /// Depth of the support, not less.
+        level: f64,
+    },
+    /// A support that only pushes and in which the beam is built in.
+    #[error("the support at x = {} cannot both push only and be built in", shown(*at))]
+    PushesBuiltIn {
+        /// Its place.
+        quantity: Quantity,
+        /// Where it is.
+        at: f64,
+    },
+    /// Ground that gives beside supports that only push.
+    #[error(
+        "a support with pushes_only needs rigid ground or none, but `{}` is given beside the one at x = {}",
+        Quantity::GroundStiffness,
+        shown(*at)
+    )]
+    BearingOnSprings {
+        /// Where the first of them is.
+        at: f64,
+    },
     /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
     #[error(
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
@@ -245,15 +279,17 @@ impl SceneError {
             | Self::PointsDoNotCover { quantity, .. }
             | Self::SupportsTooClose { quantity, .. }
             | Self::StepInShape { quantity, .. }
+            | Self::PushesBuiltIn { quantity, .. }
             | Self::Overflow { quantity, .. } => Some(quantity),
             Self::NoCoefficients { of } | Self::TooFewPoints { of, .. } => {
                 Some(Quantity::Profile(of, ProfileKey::Whole))
             }
-            Self::AboveSupport { .. } | Self::RisesAtBuiltIn { .. } | Self::ValleyAtSupport { .. } => {
-                Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole))
-            }
+            Self::AboveSupport { .. }
+            | Self::BearingInGround { .. }
+            | Self::RisesAtBuiltIn { .. }
+            | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
-            Self::NeedsRigidGround { .. } => Some(Quantity::GroundStiffness),
+            Self::NeedsRigidGround { .. } | Self::BearingOnSprings { .. } => Some(Quantity::GroundStiffness),
             Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
         }

@@ -86,7 +86,7 @@ impl Grid {
     /// The least number of equal intervals, of at most 10 000, with a node at every support of `scene`.
     #[must_use]
     pub fn least_fitting(scene: &Scene) -> Option<usize> {
-        let (length, supports) = (scene.beam().length(), scene.beam().supports());
+        let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
         let fits = |intervals: usize| {
             let grid = Self { length, intervals };
             let nodes: Vec<_> = supports.iter().map(|support| grid.node_at(support.at)).collect();
@@ -98,7 +98,7 @@ impl Grid {
     /// Every grid with a node at each support of `scene` has a multiple of so many intervals; 1 if there are supports at the ends
     /// only.
     pub(crate) fn step(scene: &Scene) -> Option<usize> {
-        let (length, supports) = (scene.beam().length(), scene.beam().supports());
+        let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
         let inside = supports.iter().any(|support| 0.0 < support.at && support.at < length);
         if inside { Self::least_fitting(scene) } else { Some(1) }
     }
@@ -122,7 +122,9 @@ impl Grid {
     /// is no foundation.
     #[must_use]
     pub fn gaps_at(&self, scene: &Scene, nodes: Range<usize>) -> Vec<f64> {
-        if let (Some(Foundation::Flat { depth }), None) = (scene.foundation(), scene.beam().shape()) {
+        if let (Some(Foundation::Flat { depth }), None, []) =
+            (scene.foundation(), scene.beam().shape(), scene.beam().bearings())
+        {
             return vec![*depth; nodes.len()];
         }
         let mut gaps = vec![0.0; nodes.len()];

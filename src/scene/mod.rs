@@ -29,7 +29,7 @@ pub use load::{LinearLoad, Load, PointLoad};
 pub use number::PathError;
 pub use quantity::{Profile, ProfileKey, Quantity};
 pub use scale::{Scale, Scaled};
-pub use support::{Held, Support};
+pub use support::{Bearing, Held, Support};
 
 /// A beam, its loads and the foundation below it, if there is one.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,8 +70,11 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotPositive`] unless `k` is positive and finite.
+    /// [`SceneError::NotPositive`] unless `k` is positive and finite, and [`SceneError::BearingOnSprings`].
     pub fn on_springs(&self, stiffness: f64) -> Result<Self, SceneError> {
+        if let (Some(_), Some(bearing)) = (&self.foundation, self.beam.bearings().first()) {
+            return Err(SceneError::BearingOnSprings { at: bearing.at });
+        }
         Ok(Self { stiffness: Some(error::positive(Quantity::GroundStiffness, stiffness)?), ..self.clone() })
     }
 
@@ -128,12 +131,20 @@ impl Scene {
         self.foundation.as_ref().map_or(f64::INFINITY, |f| f.depth(x))
     }
 
+    /// True if there is something that the beam may touch: ground, or a support that only pushes.
+    #[must_use]
+    pub fn has_obstacle(&self) -> bool {
+        self.foundation.is_some() || !self.beam.bearings().is_empty()
+    }
+
     /// `g(x) = u − w0`, the gap below the beam as long as nothing acts on it, from which (6) takes the clearance `h = g − v`
-    /// \[length\]; infinite where there is no foundation. Of a straight beam it is the depth of the foundation.
+    /// \[length\]; above a support that only pushes the play there, and infinite where there is nothing. Of a straight beam it is the
+    /// depth of the foundation.
     #[must_use]
     pub fn gap(&self, x: f64) -> f64 {
-        let depth = self.depth(x);
-        self.beam.shape().map_or(depth, |shape| depth - shape.depth(x))
+        let mut gap = [0.0];
+        self.gaps(&[x], &mut gap);
+        gap[0]
     }
 
     /// The same at ascending places; `gaps` is as long as `places`.
@@ -146,6 +157,15 @@ impl Scene {
             let mut own = vec![0.0; places.len()];
             shape.depths(places, &mut own);
             gaps.iter_mut().zip(own).for_each(|(gap, own)| *gap -= own);
+        }
+        for bearing in self.bearings() {
+            let is_here = |x: f64| is_same_place(x, bearing.at, self.beam.length());
+            let next = places.partition_point(|&x| x < bearing.at);
+            for i in [next.checked_sub(1), Some(next)].into_iter().flatten() {
+                if places.get(i).is_some_and(|&x| is_here(x)) {
+                    gaps[i] = bearing.gap;
+                }
+            }
         }
     }
 

@@ -119,7 +119,7 @@ impl Scene {
     /// The numbers that can be varied.
     fn groups(&self) -> Vec<Group> {
         let mut groups = vec![Group::one(Quantity::BendingStiffness)];
-        let supports = self.beam.supports().len();
+        let supports = self.beam.supports_as_given().len();
         groups.extend([Quantity::SupportAt, Quantity::SupportLevel].map(|of| Group::each(of, supports)));
         // In the order of the file.
         for (i, support) in self.beam.supports_as_given().into_iter().enumerate() {
@@ -332,7 +332,7 @@ mod tests {
         let free = scene.with_number(Quantity::SupportAt(1), 4.0).expect("a scene");
         let moved = free.with_number(Quantity::SupportAt(0), 2.0).expect("a scene");
         assert_eq!(moved.number(Quantity::SupportLevel(1)).map(f64::to_bits), Some((-0.5_f64).to_bits()));
-        let places: Vec<f64> = moved.beam().supports().iter().map(|s| s.at).collect();
+        let places: Vec<f64> = moved.beam().all_supports().iter().map(|s| s.at).collect();
         assert_eq!(places.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), [2.0_f64, 4.0].map(f64::to_bits));
     }
 

@@ -5,7 +5,11 @@
 //! simple support at x_s   w0 + v = level              d_s = level − w0(x_s)
 //! built in besides        w0' + v' = slope            φ_s = slope − w0'(x_s)
 //! ground                  w0 + v ≤ u                  g = u − w0
+//! only pushes, at x_s     w0 + v ≤ level              g(x_s) = level − w0(x_s)
 //! ```
+//!
+//! A support that only pushes is a [`Bearing`]: one more place where the beam may touch, a point of the obstacle that stands alone
+//! above the ground, or over nothing.
 //!
 //! So everything numerical needs `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
 
@@ -14,7 +18,8 @@ use super::pieces;
 use super::quantity::Quantity;
 use super::{Beam, Foundation, Scene};
 
-/// A support: it holds the axis of the beam at one place against moving down and up, and if it is built in against turning too.
+/// A support: it holds the axis of the beam at one place against moving down and up, and if it is built in against turning too;
+/// one that only pushes lets it lift off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Support {
     /// Where it is, `x_s` \[length\].
@@ -24,13 +29,21 @@ pub struct Support {
     /// The slope at which it holds the axis, `w0' + v'`, positive where the axis goes down to the right; [`None`] for a simple
     /// support, which leaves the slope free.
     pub slope: Option<f64>,
+    /// True for a bearing without hold-down, above which there may be play. It holds no slope.
+    pub pushes_only: bool,
 }
 
 impl Support {
     /// A simple support at level 0.
     #[must_use]
     pub fn simple(at: f64) -> Self {
-        Self { at, level: 0.0, slope: None }
+        Self { at, level: 0.0, slope: None, pushes_only: false }
+    }
+
+    /// A support at level 0 that only pushes.
+    #[must_use]
+    pub fn pushing(at: f64) -> Self {
+        Self { pushes_only: true, ..Self::simple(at) }
     }
 
     /// A support at level 0 in which the beam is built in horizontally.
@@ -61,6 +74,15 @@ pub struct Held {
     pub grounded: [bool; 2],
 }
 
+/// A support that only pushes, as everything numerical needs it: `v(x_s) ≤ d_s`, like ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bearing {
+    /// Where, `x_s` \[length\].
+    pub at: f64,
+    /// `g(x_s) = d_s = level − w0(x_s)`, the play above it as long as nothing acts on the beam \[length\].
+    pub gap: f64,
+}
+
 /// Two supports are farther apart than this share of the beam. Their places are known to half a unit in the last place, so that the
 /// slope to which they hold the beam, the difference of their levels over their distance, is known to six digits at least: as many
 /// as a certified deflection has unless more are asked for.
@@ -73,6 +95,9 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, 
         on_beam(Quantity::SupportAt(i), support.at, length)?;
         finite(Quantity::SupportLevel(i), support.level)?;
         finite(Quantity::SupportSlope(i), support.slope.unwrap_or(0.0))?;
+        if support.pushes_only && support.slope.is_some() {
+            return Err(SceneError::PushesBuiltIn { quantity: Quantity::SupportAt(i), at: support.at });
+        }
     }
     let mut sorted: Vec<(usize, Support)> = supports.into_iter().enumerate().collect();
     sorted.sort_by(|(_, a), (_, b)| a.at.total_cmp(&b.at));
@@ -89,16 +114,22 @@ pub(super) fn sorted(supports: Vec<Support>, length: f64) -> Result<Vec<(usize, 
 }
 
 impl Foundation {
-    /// No foundation lies above a support of `beam`, nor rises above the beam beside one in which it is built in, nor on both
-    /// sides of a simple one.
+    /// No foundation lies above a support of `beam`, or at the level of one that only pushes, nor rises above the beam beside one in
+    /// which it is built in, nor on both sides of a simple one.
     pub(super) fn check_at_supports(&self, beam: &Beam) -> Result<(), SceneError> {
         let length = beam.length();
-        for &Support { at, level, slope } in beam.supports() {
+        for &Support { at, level, slope, pushes_only } in beam.supports().iter().chain(beam.bearings()) {
             let depth = self.depth(at);
             if depth.is_nan() {
                 return Err(self.overflow_at(at));
             }
             let within = self.level_within(at, length);
+            if pushes_only {
+                if depth <= level + within {
+                    return Err(SceneError::BearingInGround { at, depth, level });
+                }
+                continue;
+            }
             if depth < level - within {
                 return Err(SceneError::AboveSupport { at, depth, level });
             }
@@ -128,13 +159,22 @@ impl Foundation {
 }
 
 impl Scene {
-    /// What the supports ask of the deflection, from left to right.
+    /// What the supports that hold the beam ask of the deflection, from left to right.
     #[must_use]
     pub fn held(&self) -> Vec<Held> {
         self.beam().supports().iter().map(|support| self.held_by(support)).collect()
     }
 
-    fn held_by(&self, &Support { at, level, slope }: &Support) -> Held {
+    /// Where the beam may touch supports that only push, from left to right.
+    pub fn bearings(&self) -> impl Iterator<Item = Bearing> + '_ {
+        let own = |at: f64| self.beam().shape().map_or(0.0, |shape| shape.depth(at));
+        self.beam()
+            .bearings()
+            .iter()
+            .map(move |support| Bearing { at: support.at, gap: support.level - own(support.at) })
+    }
+
+    fn held_by(&self, &Support { at, level, slope, .. }: &Support) -> Held {
         let [own, turn] =
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
         let [meets, grounded] = self.foundation().map_or([[false; 2]; 2], |foundation| {

@@ -13,7 +13,16 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
             (left.into_iter().unzip(), right.into_iter().unzip());
         sentences.push(change([&old, &new], [&left, &right]));
     }
-    for (i, support) in after.state.supports.iter().enumerate() {
+    let bearings = after.state.supports.iter().filter(|support| support.pushes_only);
+    for (i, support) in bearings.enumerate() {
+        let place = at(support.at);
+        match [&old, &new].map(|pattern| pattern.touches.contains(&Touch::Bearing(i))) {
+            [true, false] => sentences.push(format!("the beam lifts off its support {place}")),
+            [false, true] => sentences.push(format!("the beam comes to bear on its support {place}")),
+            _ => {}
+        }
+    }
+    for (i, support) in after.state.supports.iter().filter(|support| !support.pushes_only).enumerate() {
         let place = at(support.at);
         let of = |pulls: &[bool]| pulls.get(i).copied();
         match (of(&old.pulls), of(&new.pulls)) {
@@ -36,10 +45,15 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
     sentences.join("; ")
 }
 
+/// Whether it is a contact with the ground.
+fn is_ground(touch: &Touch) -> bool {
+    !matches!(touch, Touch::Bearing(_))
+}
+
 /// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.
 fn regime(touches: &[Touch]) -> Regime {
     match touches {
-        [] => Regime::None,
+        _ if !touches.iter().any(is_ground) => Regime::None,
         _ if touches.iter().any(|touch| matches!(touch, Touch::Zone(_))) => Regime::Zone,
         _ => Regime::Points,
     }
@@ -49,7 +63,8 @@ fn regime(touches: &[Touch]) -> Regime {
 fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(Touch, Contact)>; 2]> {
     let mut all = Vec::new();
     for (side, exact) in [before, after].into_iter().enumerate() {
-        all.extend(exact.touches().into_iter().map(|(touch, contact)| (side, touch, contact)));
+        let ground = exact.touches().into_iter().filter(|(touch, _)| is_ground(touch));
+        all.extend(ground.map(|(touch, contact)| (side, touch, contact)));
     }
     all.sort_by(|a, b| a.2.from.total_cmp(&b.2.from));
     let reach = NEAR * all.iter().fold(0.0, |most: f64, (.., contact)| most.max(contact.to));

@@ -110,7 +110,8 @@ impl<'a> Gathered<'a> {
         let beam = sweep.scene.beam();
         #[expect(clippy::cast_precision_loss, reason = "a few hundred places")]
         let place = |i: usize| beam.length() * (i as f64 / PARTS as f64);
-        let mut x: Vec<f64> = (0..=PARTS).map(place).chain(beam.supports().iter().map(|support| support.at)).collect();
+        let mut x: Vec<f64> =
+            (0..=PARTS).map(place).chain(beam.all_supports().iter().map(|support| support.at)).collect();
         x.sort_by(f64::total_cmp);
         x.dedup();
         let none = vec![[f64::INFINITY, f64::NEG_INFINITY]; x.len()];

@@ -5,7 +5,7 @@ use super::piecewise::{AtSupport, Breakpoint, Cell, PiecewiseScene};
 use super::shape::Shape;
 use super::tension::tension_intervals;
 use crate::scene::pieces::without_collinear_points;
-use crate::scene::{Beam, Foundation, Held, Load, Scene, polynomial};
+use crate::scene::{Beam, Bearing, Foundation, Held, Load, Scene, polynomial};
 
 /// A cosine is cut into cells of at most this angle \[rad\]: 22 terms of its Taylor series are then exact to
 /// `0.8²²/22! < 10⁻²³`, and its fourth derivative to `0.8¹⁸/18! < 10⁻¹⁷`.
@@ -25,12 +25,16 @@ impl PiecewiseScene {
         let own = scene.foundation().and(scene.beam().shape());
         let length = scene.beam().length();
         let stiffness = scene.beam().bending_stiffness();
-        let (shapes, breaks) = gap_of(foundation, own, length);
+        let (mut shapes, mut breaks) = gap_of(foundation, own, length);
+        let bearings: Vec<Bearing> = scene.bearings().collect();
+        break_at_bearings(&bearings, length, &mut shapes, &mut breaks);
         let ends: Vec<f64> = breaks.iter().map(|b| b.x).collect();
         let load = scene.load();
         let places = places(&[Some(foundation), own], load, scene.beam(), &ends);
         let cells = cells(load, stiffness, &places, &ends);
-        let breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
+        let mut breakpoints = breakpoints(load, stiffness, &places, &cells, &shapes, &breaks);
+        let at: Vec<usize> = bearings.iter().map(|bearing| places.partition_point(|&x| x < bearing.at)).collect();
+        at.iter().zip(&bearings).for_each(|(&i, bearing)| breakpoints[i].depth = bearing.gap);
         let degree = shapes.iter().map(Shape::degree).try_fold(0, |most, d| d.map(|d| d.max(most)));
         let waves = if degree.is_some() { 0 } else { COSINE_DEGREE };
         let profile = shapes.iter().map(Shape::polynomial_degree).fold(waves, usize::max);
@@ -53,6 +57,7 @@ impl PiecewiseScene {
             total_load: load.magnitude(length) / stiffness,
             magnitude: within_reach(foundation, length) + own_size,
             founded: scene.foundation().is_some(),
+            bearings: at,
             free_ends: [0.0, length].map(|end| scene.beam().supports().iter().all(|s| s.at < end || end < s.at)),
             supports: scene.held().iter().map(|held| at_support(foundation, own, length, &places, held)).collect(),
             tension: Vec::new(),
@@ -97,7 +102,7 @@ fn at_support(
 /// Breakpoints of profile, supports and load from end to end; the smooth pieces of the profile end at `ends`.
 fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f64]) -> Vec<f64> {
     let mut places = ends.to_vec();
-    places.extend(beam.supports().iter().map(|support| support.at));
+    places.extend(beam.supports().iter().chain(beam.bearings()).map(|support| support.at));
     places.extend(load.linear().iter().flat_map(|q| [q.from, q.to]));
     places.extend(load.point().iter().map(|p| p.at));
     places.extend([0.0, beam.length()]);
@@ -117,6 +122,17 @@ fn places(profiles: &[Option<&Foundation>], load: &Load, beam: &Beam, ends: &[f6
     places.sort_by(f64::total_cmp);
     places.dedup();
     places
+}
+
+/// Ends the smooth pieces at the supports that only push: no contact goes past one.
+fn break_at_bearings(bearings: &[Bearing], length: f64, shapes: &mut Vec<Shape>, breaks: &mut Vec<Break>) {
+    for &Bearing { at, .. } in bearings.iter().filter(|bearing| 0.0 < bearing.at && bearing.at < length) {
+        let i = breaks.partition_point(|b| b.x < at);
+        if breaks.get(i).is_none_or(|b| at < b.x) {
+            breaks.insert(i, Break { x: at, step: 0.0 });
+            shapes.insert(i, shapes[i].clone());
+        }
+    }
 }
 
 /// What is between the breakpoints.

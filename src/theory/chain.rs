@@ -42,6 +42,8 @@ pub(super) struct ChainSample {
     pub(super) load: f64,
     /// The clearance, where a support holds it.
     pub(super) held: Option<f64>,
+    /// True where there is nothing to touch: the clearance is any number, and there is no force.
+    pub(super) open: bool,
     /// True for a link that is a beam.
     pub(super) beam: bool,
 }
@@ -57,6 +59,10 @@ pub(super) struct Guess {
     /// `p` at the samples, zero at supports.
     pub(super) force: Vec<f64>,
 }
+
+/// Where there is nothing to touch a sample lies on a spring, without which elimination would lose how the links bend; softer than
+/// the bed of a beam that nothing holds by this factor, so that it slows no step.
+const SOFT: f64 = 1e-9;
 
 /// Steps of the predictor–corrector method at most.
 const STEPS: usize = 60;
@@ -86,6 +92,8 @@ struct Row {
     inverse: f64,
     /// True at a support, where `s` is given and `p` is nobody's.
     held: bool,
+    /// True where nothing touches, and `p` stays zero.
+    open: bool,
     /// Solution of the linear system: `ds`, `dm`.
     step: [f64; 2],
     /// `dp`.
@@ -93,10 +101,18 @@ struct Row {
 }
 
 impl Row {
+    /// True if there is something to touch, and no support.
+    fn may_touch(&self) -> bool {
+        !self.held && !self.open
+    }
+
     /// Goes a part of its step, and says whether it touches.
     fn advance(&mut self, step: f64, touches: &mut bool) {
         self.m += step * self.step[1];
-        if self.held {
+        if self.open {
+            self.s += step * self.step[0];
+        }
+        if !self.may_touch() {
             return;
         }
         let (s, p) = (self.s + step * self.step[0], self.p + step * self.dp);
@@ -106,24 +122,25 @@ impl Row {
     }
 }
 
-/// Mehrotra's predictor and corrector: the step of each row, and how much of it leads to the border.
-fn direction(rows: &mut [Row], mu: f64, count: f64) -> f64 {
-    factor(rows, |row| row.p / row.s);
+/// Mehrotra's predictor and corrector: the step of each row, and how much of it leads to the border. What nothing can touch lies on
+/// soft springs.
+fn direction(rows: &mut [Row], mu: f64, count: f64, soft: f64) -> f64 {
+    factor(rows, |row| if row.open { soft } else { row.p / row.s });
     solve(rows, |row| row.rest[1] - row.p);
     let mut longest = 1.0_f64;
-    for row in rows.iter_mut().filter(|row| !row.held) {
+    for row in rows.iter_mut().filter(|row| row.may_touch()) {
         row.dp = -row.p - row.p / row.s * row.step[0];
         longest = limited(longest, row);
     }
     let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
     let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
     // From here on `dp` holds what the contact condition asks for, over `s`.
-    for row in rows.iter_mut().filter(|row| !row.held) {
+    for row in rows.iter_mut().filter(|row| row.may_touch()) {
         row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
     }
     solve(rows, |row| row.rest[1] + row.dp);
     longest = 1.0;
-    for row in rows.iter_mut().filter(|row| !row.held) {
+    for row in rows.iter_mut().filter(|row| row.may_touch()) {
         row.dp -= row.p / row.s * row.step[0];
         longest = limited(longest, row);
     }
@@ -135,12 +152,12 @@ impl Chain<'_> {
     pub(super) fn solve(&self) -> Guess {
         let n = self.samples.len();
         let mut rows = self.rows();
-        let count = as_float(rows.iter().filter(|row| !row.held).count());
+        let count = as_float(rows.iter().filter(|row| row.may_touch()).count());
         let [unit_clearance, unit_force] = self.start(&mut rows, count);
         // Clearances beside a contact fall with the square of the distance of samples.
         let enough = 1e-16 / (count * count) * unit_clearance * unit_force;
         let mut touches = vec![false; n];
-        if rows.iter().all(|row| row.held) {
+        if !rows.iter().any(Row::may_touch) {
             return Guess { touches, force: vec![0.0; n] };
         }
         for _ in 0..STEPS {
@@ -151,7 +168,7 @@ impl Chain<'_> {
                 break;
             }
             // Short of the border, where the next system would be singular.
-            let step = 0.995 * direction(&mut rows, mu, count);
+            let step = 0.995 * direction(&mut rows, mu, count, SOFT * self.bed());
             let moved: f64 = rows.iter().map(|r| r.step[0] + r.step[1] + r.dp).sum();
             if !(step * moved).is_finite() {
                 break;
@@ -163,27 +180,39 @@ impl Chain<'_> {
 
     /// Puts moments, clearances and forces where the steps begin: the sizes of the latter two.
     fn start(&self, rows: &mut [Row], count: f64) -> [f64; 2] {
-        let n = self.samples.len();
-        let length = self.samples[n - 1].x - self.samples[0].x;
         // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
         // that nothing holds, elimination would lose how they bend.
-        let springs = if self.is_held_at_both_ends() { 0.0 } else { 48.0 / (length * length * length * as_float(n)) };
+        let springs = if self.is_held_at_both_ends() { 0.0 } else { self.bed() };
         factor(rows, |_| springs);
         residuals(rows);
         solve(rows, |row| row.rest[1]);
         // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
-        let reach = rows.iter().filter(|row| !row.held).fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
-        let deepest = rows.iter().filter(|row| !row.held).fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
+        let touching = || rows.iter().filter(|row| row.may_touch());
+        let reach = touching().fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
+        let deepest = touching().fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
         let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
         let total: f64 = rows.iter().filter(|row| !row.held).map(|row| row.load.abs()).sum();
-        let unit_force = total.max(48.0 * unit_clearance / (length * length * length)) / count;
+        let unit_force = total.max(48.0 * unit_clearance / self.cube()) / count;
         for row in rows {
             row.m = row.step[1];
-            if !row.held {
+            if row.open {
+                row.s = row.step[0];
+            } else if !row.held {
                 (row.s, row.p) = (row.step[0].max(0.1 * unit_clearance), unit_force);
             }
         }
         [unit_clearance, unit_force]
+    }
+
+    /// The length of the beam, cubed.
+    fn cube(&self) -> f64 {
+        let length = self.samples[self.samples.len() - 1].x - self.samples[0].x;
+        length * length * length
+    }
+
+    /// The stiffness of each spring of a bed that is as stiff as the beam in its middle.
+    fn bed(&self) -> f64 {
+        48.0 / (self.cube() * as_float(self.samples.len()))
     }
 
     /// True if a support holds each end.
@@ -197,8 +226,8 @@ impl Chain<'_> {
         let share = |(length, beam): (f64, bool)| if beam { length / 3.0 } else { 0.5 * length };
         let row = |i: usize| {
             let left = if 0 < i { share(link(i - 1)) } else { PENALTY * f64::from(!self.built_in[0]) };
-            let ChainSample { bend, load, held, .. } = self.samples[i];
-            let row = Row { bend, load, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
+            let ChainSample { bend, load, held, open, .. } = self.samples[i];
+            let row = Row { bend, load, open, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
                 return Row { w: left + PENALTY * f64::from(!self.built_in[1]), ..row };
             }

@@ -256,7 +256,7 @@ impl Exact {
         let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
         weak.extend(self.list.zones().filter(|_| unloaded).map(|zone| Weak::Zone(zone.node)));
         weak.extend(self.list.zones().flat_map(|zone| self.unpressed(zone.node)));
-        let touches = |span| given.founded && lowest(given, span).is_some_and(|least| small(least, size));
+        let touches = |span| given.has_obstacle() && lowest(given, span).is_some_and(|least| small(least, size));
         let spans = (0..self.spans.len()).filter(|&j| touches(&self.spans[j].1));
         weak.extend(spans.flat_map(|j| [Weak::Span(j, 0), Weak::Span(j, 1)]));
         weak

@@ -89,7 +89,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     }
     for (i, span) in &spans {
         judge.bends(given, list, *i, span);
-        if !given.founded {
+        if !given.has_obstacle() {
             continue;
         }
         let allowed = |x: f64| TOLERANCE * scale.depth_in(given, span, x);

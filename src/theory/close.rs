@@ -104,7 +104,8 @@ fn steepest(given: &PiecewiseScene, cells: std::ops::RangeInclusive<usize>) -> f
 fn turned(given: &PiecewiseScene, list: &List, checked: &Checked, i: usize, span: &Span) -> Option<Violation> {
     let ends = [(i.checked_sub(1), 1.0, &span.a, &span.at_a), (Some(i), -1.0, &span.b, &span.at_b)];
     ends.into_iter().find_map(|(node, side, end, at)| {
-        let node = node.filter(|&node| list.nodes.get(node).is_some_and(Node::is_edge))?;
+        // Beside a support that only pushes the ground is farther down.
+        let node = node.filter(|&node| list.nodes.get(node).is_some_and(Node::is_edge) && at[0] <= 0.0)?;
         let (turn, bend) = (-side * at[1], at[2]);
         let cell = &given.cells[end.cell];
         let most = 0.5 * span.length().min(cell.hi - cell.lo);

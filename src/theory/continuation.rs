@@ -118,6 +118,7 @@ impl Exact {
         if self.springs.is_some()
             || from.shapes.len() != to.shapes.len()
             || from.supports.len() != to.supports.len()
+            || from.bearings.len() != to.bearings.len()
             || from.free_ends != to.free_ends
         {
             return None;
@@ -145,6 +146,7 @@ fn carried(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope
         }
         Kind::Edge(breakpoint) => {
             let breakpoint = match breakpoint {
+                bearing if from.is_bearing(bearing) => to.bearings[from.bearings.binary_search(&bearing).ok()?],
                 0 => 0,
                 last if last == from.cells.len() => to.cells.len(),
                 inner => to.breakpoint_at(*to.ends.get(from.cells[inner].shape.checked_sub(1)?)?)?,

@@ -135,9 +135,14 @@ impl Exact {
         [false, true].map(|right| -self.beam(x, right)[3] * self.stiffness * self.scale.force + 0.0)
     }
 
-    /// Clearance `h = u − v` \[length\]; at a step the smaller one; infinite without a foundation.
+    /// Clearance `h = u − v` \[length\]; at a step the smaller one, above a support that only pushes that from it; infinite where there
+    /// is nothing to touch.
     #[must_use]
     pub fn clearance(&self, x: f64) -> f64 {
+        let bearing = self.given.breakpoint_at(x / self.scale.length).filter(|&i| self.given.is_bearing(i));
+        if let Some(bearing) = bearing {
+            return (self.given.breakpoints[bearing].depth - self.beam(x, true)[0]) * self.scale.depth;
+        }
         if !self.given.founded {
             return f64::INFINITY;
         }
@@ -294,7 +299,7 @@ impl Exact {
             };
             let jumps = self.state.contacts.iter().any(|c| sits_at(c.from, x) || sits_at(c.to, x));
             let loaded = scene.load().point().iter().any(|load| sits_at(load.at, x));
-            let supported = scene.beam().supports().iter().any(|support| sits_at(support.at, x));
+            let supported = scene.beam().all_supports().iter().any(|support| sits_at(support.at, x));
             let inside = 0.0 < x && x < length;
             if 0.0 < x && (!inside || jumps || loaded || supported) {
                 // Pressure is that of the right-hand side; a step to the left is that of the other.
@@ -315,7 +320,7 @@ impl Exact {
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
         places.extend(scene.load().point().iter().map(|load| load.at));
         places.extend(scene.load().linear().iter().flat_map(|load| [load.from, load.to]));
-        places.extend(scene.beam().supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
+        places.extend(scene.beam().all_supports().iter().map(|s| s.at).filter(|&at| 0.0 < at && at < length));
         for profile in scene.foundation().into_iter().chain(scene.beam().shape()) {
             if let Foundation::Polyline { points } = profile {
                 places.extend(points.iter().map(|point| point[0]));

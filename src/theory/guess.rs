@@ -42,7 +42,10 @@ impl Samples {
     pub(super) fn first(given: &PiecewiseScene, links: u32) -> Self {
         let cells = given.cells.len();
         let mut samples = Self::with_room_for(cells.min(LONG) + links as usize);
-        if cells <= LONG {
+        if !given.founded {
+            // Beams from breakpoint to breakpoint: nothing can be touched in between.
+            (0..cells).for_each(|i| samples.push(given.cells[i].lo, i, true));
+        } else if cells <= LONG {
             let aim = given.length / f64::from(links);
             for (i, cell) in given.cells.iter().enumerate() {
                 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most `links`")]
@@ -148,7 +151,7 @@ impl Samples {
     fn end(&mut self, given: &PiecewiseScene) {
         self.x.push(given.length);
         self.cell.push(given.cells.len() - 1);
-        if self.x.len() < 3 {
+        if self.x.len() < 3 && given.founded {
             self.x.insert(1, 0.5 * given.length);
             self.cell.insert(1, 0);
             self.far.push(false);
@@ -223,7 +226,15 @@ impl Samples {
     /// Sample `i` as one of the chain, before bend and load are known.
     fn chain_sample(&self, given: &PiecewiseScene, i: usize) -> ChainSample {
         let held = self.support(given, i).map(|support| given.supports[support].clearance[1]);
-        ChainSample { x: self.x[i], held, beam: self.far.get(i).is_some_and(|&far| far), ..ChainSample::default() }
+        let open =
+            !given.founded && held.is_none() && !self.breakpoint(given, i).is_some_and(|at| given.is_bearing(at));
+        ChainSample {
+            x: self.x[i],
+            held,
+            open,
+            beam: self.far.get(i).is_some_and(|&far| far),
+            ..ChainSample::default()
+        }
     }
 
     /// The chains between the built-in supports, each for itself: nothing passes from one to the other.

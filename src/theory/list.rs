@@ -4,7 +4,7 @@
 //! |---|---|---|---|---|
 //! | support | `v` | slope | `v''` the same on both sides | of either sign |
 //! | built in | `v`, `v'` | – | – | of either sign, and a couple |
-//! | edge (kink, step, a free end that touches) | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
+//! | edge (kink, step, support that only pushes, a free end that touches) | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
 //! | smooth point | `h = h' = 0` | place | `h''` the same on both sides | ≥ 0 |
 //! | start or end of a zone | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
 //! | tip: a zone that reaches a free end | `h = h' = 0` | – | `g'' = 0` there, or it lifts | ≥ 0 |
@@ -195,6 +195,23 @@ impl Node {
         matches!(self.kind, Kind::Edge(_))
     }
 
+    /// The same, or the support that only pushes, which come after those.
+    pub(super) fn any_support(&self, given: &PiecewiseScene) -> Option<usize> {
+        match self.kind {
+            Kind::Edge(breakpoint) => given.bearing_index(breakpoint),
+            _ => self.support(),
+        }
+    }
+
+    /// True for a contact with the ground at a single place.
+    pub(super) fn is_ground(&self, given: &PiecewiseScene) -> bool {
+        match self.kind {
+            Kind::Smooth => true,
+            Kind::Edge(breakpoint) => !given.is_bearing(breakpoint),
+            _ => false,
+        }
+    }
+
     /// True if it lies on a smooth piece of the profile and can move on it.
     pub(super) fn can_move(&self) -> bool {
         matches!(self.kind, Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd)
@@ -269,9 +286,7 @@ impl Node {
         match self.kind {
             Kind::Edge(breakpoint) => {
                 // The lower side of a step lies below the beam, which rests on the upper one.
-                let step = given.breakpoints[breakpoint].step;
-                let height = if cell < breakpoint { (-step).max(0.0) } else { step.max(0.0) };
-                free_slope(height, given.breakpoints[breakpoint].depth)
+                free_slope(given.height(breakpoint, cell), given.breakpoints[breakpoint].depth)
             }
             Kind::Support(index, beside) => {
                 let support = &given.supports[index];

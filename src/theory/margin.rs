@@ -4,6 +4,7 @@ use super::bernstein::{sign_changes, value};
 use super::check::Checked;
 use super::forces::{forces, moments};
 use super::list::{Beside, Kind, List, Node};
+use super::penetration::in_bearings;
 use super::piece::{derivatives, pieces_of};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
@@ -188,12 +189,13 @@ pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(M
         Kind::Support(index, _) => [pulls.get(index).map(|&pulled| Condition::Support(i, pulled)), None],
     };
     let nodes = list.nodes.iter().enumerate().flat_map(of_node).flatten();
-    let clearances = spans.iter().filter(|_| given.founded).map(|(i, _)| Condition::Clears(*i));
+    let clearances = spans.iter().filter(|_| given.has_obstacle()).map(|(i, _)| Condition::Clears(*i));
     let value = |condition| Some((Margin(condition), Margin(condition).of(given, list, &spans, &forces)?));
     nodes.chain(clearances).filter_map(value).collect()
 }
 
-/// The least clearance inside a span, at its local minima and at edges of the profile, and at a free end of the beam.
+/// The least clearance inside a span, at its local minima and at edges of the profile, at a free end of the beam, and above supports
+/// that only push.
 pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
     /// Nearer to an end of the span than this share of it nothing is inside.
     const BESIDE: f64 = 1e-7;
@@ -204,6 +206,10 @@ pub(super) fn lowest(given: &PiecewiseScene, span: &Span) -> Option<f64> {
     let mut taylor = vec![0.0; given.terms];
     let mut least: Option<f64> = None;
     let mut add = |h: f64| least = Some(least.map_or(h, |least: f64| least.min(h)));
+    in_bearings(given, &pieces, span).for_each(|(_, depth)| add(-depth));
+    if !given.founded {
+        return least;
+    }
     if span.is_overhang() {
         add(if span.a.x <= 0.0 { span.at_a[0] } else { span.at_b[0] });
     }

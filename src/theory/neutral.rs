@@ -10,9 +10,10 @@
 //! that level on both sides without a corner it leaves one slope, its own: the position is found as always.
 
 use super::bernstein::lowest_below;
-use super::check::check;
+use super::check::{Checked, check};
 use super::list::{Beside, List, Node, support_node};
 use super::normal::edge_node;
+use super::penetration::in_bearings;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 
@@ -29,7 +30,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Opt
         return None;
     }
     let level = List { nodes: vec![Node { slope: 0.0, ..node }] };
-    let slopes = if given.founded { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
+    let slopes = if given.has_obstacle() { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
     // Where the ground leaves one slope it is known to rounding, and its limits may lie on either side of each other.
     let rounding = ROUNDING * slopes[0].abs().max(slopes[1].abs());
     if slopes[1] < slopes[0] - rounding {
@@ -47,14 +48,16 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Opt
 fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
     /// Each step is to a place that limits more; a handful are enough, as with Newton's method.
     const STEPS: usize = 60;
-    let pieces = check(given, level).pieces;
+    let Checked { pieces, spans, .. } = check(given, level);
     let mut taylor = vec![0.0; given.terms];
     let mut bound = |left: bool| {
         let sign = if left { -1.0 } else { 1.0 };
         let grounded = given.supports.first().is_some_and(|support| support.grounded[usize::from(!left)]);
         // With x₀ at the left of all: how far the beam may turn down on this side.
-        let mut least = f64::INFINITY;
-        for _ in 0..STEPS {
+        let bearings = spans.iter().flat_map(|(_, span)| in_bearings(given, &pieces, span));
+        let arms = bearings.map(|(x, depth)| (sign * (x - about), -depth)).filter(|(arm, _)| 0.0 < *arm);
+        let mut least = arms.fold(f64::INFINITY, |least, (arm, clear)| least.min(clear / arm));
+        for _ in 0..if given.founded { STEPS } else { 0 } {
             let before = least;
             let pieces = pieces.iter().filter(|piece| if left { piece.hi <= about } else { about <= piece.lo });
             for piece in pieces.flat_map(|piece| piece.parts(given)) {

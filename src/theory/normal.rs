@@ -210,7 +210,7 @@ pub(super) fn reaching_free_ends(given: &PiecewiseScene, list: &List) -> Option<
         let [bend, rate] = [2, 3].map(|order| given.derivative(zone.cell, end.x, order).abs());
         let straight = bend <= STRAIGHT * STRAIGHT * given.length * rate;
         let beside = zone.kind.is_of_zone() && (zone.x - end.x).abs() <= STRAIGHT * given.length;
-        let free = matches!(end.kind, Kind::Edge(breakpoint) if given.is_free_end(breakpoint));
+        let free = matches!(end.kind, Kind::Edge(breakpoint) if given.is_free_end(breakpoint) && !given.is_bearing(breakpoint));
         (free && straight && beside).then(|| Node::new(Kind::Tip, end.x, zone.cell))
     };
     let mut nodes = list.nodes.clone();

@@ -50,6 +50,8 @@ pub enum Touch {
     Point(usize),
     /// The edge at which the smooth piece of that index starts, or a free end of the beam.
     Edge(usize),
+    /// The support of that index, of those that only push.
+    Bearing(usize),
     /// A zone.
     Zone([ZoneEnd; 2]),
 }
@@ -108,8 +110,9 @@ impl Exact {
             Kind::Support(index, beside) => Some(self.clamped(i, index, beside, rest)),
             _ => None,
         });
+        let holding: Vec<_> = self.state.supports.iter().filter(|support| !support.pushes_only).collect();
         let pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
-            let support = self.state.supports.get(node.support()?)?;
+            let support = holding.get(node.support()?)?;
             Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
         });
         let (touches, contacts): (Vec<_>, Vec<_>) = self.touches().into_iter().unzip();
@@ -134,14 +137,20 @@ impl Exact {
             let Some(node) = nodes.get(i) else { continue };
             let touch = match node.kind {
                 Kind::Smooth => Touch::Point(given.cells[node.cell].shape),
-                Kind::Edge(breakpoint) => Touch::Edge(edge(given, breakpoint)),
+                Kind::Edge(breakpoint) => match given.bearings.binary_search(&breakpoint) {
+                    Ok(bearing) => Touch::Bearing(bearing),
+                    Err(_) => Touch::Edge(edge(given, breakpoint)),
+                },
                 _ => continue,
             };
+            let pushed = |bearing: usize| {
+                let support = self.state.supports.iter().filter(|support| support.pushes_only).nth(bearing)?;
+                Some(Contact::at(support.at, support.force))
+            };
             touches.extend(
-                contacts
-                    .next()
+                if let Touch::Bearing(bearing) = touch { pushed(bearing) } else { contacts.next().copied() }
                     .filter(|contact| self.no_force(i, rest) < contact.force)
-                    .map(|contact| (touch, *contact)),
+                    .map(|contact| (touch, contact)),
             );
         }
         touches

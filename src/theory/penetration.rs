@@ -4,11 +4,32 @@
 use super::bernstein::{lowest_below, range};
 use super::piece::{NEAR, Piece, derivatives};
 use super::piecewise::PiecewiseScene;
-use super::span::Span;
+use super::span::{Hold, Span};
 
 /// Cells that are looked at together, at most, and how many times more of them after some that are clear.
 const MOST: usize = 4096;
 const MORE: usize = 4;
+
+/// How deep the beam would be in each support that only pushes under a span and does not hold it: `(place, depth)`, negative where
+/// it is clear.
+pub(super) fn in_bearings<'a>(
+    given: &'a PiecewiseScene,
+    pieces: &'a [Piece],
+    span: &'a Span,
+) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let under = |x: f64| {
+        let [a, b] = [&span.a, &span.b].map(|end| (end.x, end.hold == Hold::Free));
+        (a.0 < x || a.1 && a.0 <= x) && (x < b.0 || b.1 && x <= b.0)
+    };
+    let bearings = given.bearings.iter().map(|&i| &given.breakpoints[i]).filter(move |bearing| under(bearing.x));
+    bearings.map(|bearing| {
+        let piece = &pieces[pieces.partition_point(|p| p.hi < bearing.x).min(pieces.len() - 1)];
+        let part = piece.part_in(given, given.cell_to(bearing.x));
+        let mut taylor = vec![0.0; given.terms];
+        part.deflection(given, &mut taylor);
+        (bearing.x, derivatives(&taylor, bearing.x - part.anchor)[0] - bearing.depth)
+    })
+}
 
 /// The deepest penetration in a span, if it is deeper than what is `allowed` at a place: `(place, depth)`.
 pub(super) fn deepest(
@@ -17,9 +38,17 @@ pub(super) fn deepest(
     span: &Span,
     allowed: impl Fn(f64) -> f64,
 ) -> Option<(f64, f64)> {
+    let mut worst: Option<(f64, f64)> = None;
+    for (at, depth) in in_bearings(given, pieces, span) {
+        if worst.map_or_else(|| allowed(at), |(_, depth)| depth) < depth {
+            worst = Some((at, depth));
+        }
+    }
+    if !given.founded {
+        return worst;
+    }
     let first = pieces.partition_point(|p| p.hi <= span.a.x);
     let mut taylor = vec![0.0; given.terms];
-    let mut worst: Option<(f64, f64)> = None;
     for piece in pieces[first..].iter().take_while(|p| p.lo < span.b.x) {
         let (all, mut i, mut together) = (piece.count(), 0, 1);
         // From left to right. Beside its anchor the clearance of a piece is known better than its deflection.

@@ -26,7 +26,7 @@ pub(super) struct Cell {
 pub(super) struct Breakpoint {
     /// Where.
     pub(super) x: f64,
-    /// Depth of the profile; at a step the smaller one.
+    /// Depth of the profile; at a step the smaller one, and at a support that only pushes that of the support.
     pub(super) depth: f64,
     /// Point load.
     pub(super) force: f64,
@@ -87,6 +87,9 @@ pub(super) struct PiecewiseScene {
     pub(super) magnitude: f64,
     /// True if there is ground below the beam. Without it clearances are those above the line at depth 0, and nothing is asked of them.
     pub(super) founded: bool,
+    /// The breakpoints with a support that only pushes, each a point of the profile that stands alone above its sides; from left to
+    /// right.
+    pub(super) bearings: Vec<usize>,
     /// From left to right.
     pub(super) supports: Vec<AtSupport>,
     /// True for an end of the beam, left and right, without a support.
@@ -219,6 +222,9 @@ impl PiecewiseScene {
     /// Depth at `x`; at a step the smaller one.
     pub(super) fn depth(&self, x: f64) -> f64 {
         let (left, right) = (self.cell_to(x), self.cell_from(x));
+        if let Some(bearing) = self.breakpoint_at(x).filter(|&i| self.is_bearing(i)) {
+            return self.breakpoints[bearing].depth;
+        }
         let depth = self.derivative(left, x, 0);
         if left == right { depth } else { depth.min(self.derivative(right, x, 0)) }
     }
@@ -243,7 +249,8 @@ impl PiecewiseScene {
     /// `a` and `b` lie in cells `first` and `last`, a step at either of them is on its higher side.
     pub(super) fn turns(&self, [a, b]: [f64; 2], [first, last]: [usize; 2], even: bool) -> [f64; 2] {
         let stepped = |breakpoint: usize, x: f64| {
-            self.breakpoints[breakpoint].x.total_cmp(&x).is_eq() && self.breakpoints[breakpoint].step != 0.0
+            self.breakpoints[breakpoint].x.total_cmp(&x).is_eq()
+                && (self.breakpoints[breakpoint].step != 0.0 || self.is_bearing(breakpoint))
         };
         let shape = &self.shapes[self.cells[first].shape];
         if self.cells[first].shape == self.cells[last].shape && !stepped(first, a) && !stepped(last + 1, b) {
@@ -327,7 +334,9 @@ impl PiecewiseScene {
     /// True if the profile is straight beside the free end at breakpoint `i`, so that a zone may reach it.
     pub(super) fn is_flat_end(&self, i: usize) -> bool {
         let [_, cell] = self.cells_beside(i);
-        self.is_free_end(i) && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
+        self.is_free_end(i)
+            && !self.is_bearing(i)
+            && self.shapes[self.cells[cell].shape].degree().is_some_and(|degree| degree < 2)
     }
 
     /// The support at breakpoint `i`, if there is one.
@@ -335,13 +344,40 @@ impl PiecewiseScene {
         self.supports.binary_search_by_key(&i, |support| support.breakpoint).ok()
     }
 
+    /// True if a support that only pushes stands at breakpoint `i`.
+    pub(super) fn is_bearing(&self, i: usize) -> bool {
+        self.bearings.binary_search(&i).is_ok()
+    }
+
+    /// The index of the support that only pushes at breakpoint `i`, if there is one: they come after those that hold the beam.
+    pub(super) fn bearing_index(&self, i: usize) -> Option<usize> {
+        self.bearings.binary_search(&i).ok().map(|bearing| self.supports.len() + bearing)
+    }
+
+    /// True if there is something that the beam may touch.
+    pub(super) fn has_obstacle(&self) -> bool {
+        self.founded || !self.bearings.is_empty()
+    }
+
+    /// How far the profile on the side of `cell` lies below breakpoint `i`, on which a beam rests.
+    pub(super) fn height(&self, i: usize, cell: usize) -> f64 {
+        let Breakpoint { x, depth, step, .. } = self.breakpoints[i];
+        match cell < i {
+            _ if self.is_bearing(i) => self.derivative(cell, x, 0) - depth,
+            true => (-step).max(0.0),
+            false => step.max(0.0),
+        }
+    }
+
     /// True if the smooth piece of the profile ends at breakpoint `i`.
     pub(super) fn breaks_at(&self, i: usize) -> bool {
         0 < i && i < self.cells.len() && self.cells[i - 1].shape != self.cells[i].shape
     }
 
-    /// True if the beam can rest on breakpoint `i`: an edge, or a kink that points upwards. Its own free end is an edge as well.
+    /// True if the beam can rest on breakpoint `i`: an edge, a kink that points upwards, or a support that only pushes. Its own free
+    /// end above ground is an edge as well.
     pub(super) fn is_edge(&self, i: usize) -> bool {
-        self.is_free_end(i) || self.breaks_at(i) && (self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink)
+        let corner = || self.breakpoints[i].step != 0.0 || 0.0 < self.breakpoints[i].kink;
+        self.is_bearing(i) || self.founded && (self.is_free_end(i) || self.breaks_at(i) && corner())
     }
 }

@@ -142,8 +142,10 @@ impl Repair<'_> {
         }
         // The beam leaves an edge beside it on the wrong side: it touches the slope there instead.
         let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
+        let is_bearing = |node: &Node| self.given.breakpoint_at(node.x).is_some_and(|i| self.given.is_bearing(i));
         for (node, x, turn) in neighbours {
             if let Some(node) = node.filter(|&node| self.list.nodes.get(node).is_some_and(Node::is_edge))
+                && !is_bearing(&self.list.nodes[node])
                 && (at - x).abs() < 0.5 * span.length()
                 && turn < 0.0
             {

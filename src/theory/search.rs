@@ -86,9 +86,10 @@ fn free(given: &PiecewiseScene) -> Found {
 pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Result<Found, TheoryError> {
     // On a profile of so many cells a guess, which may be the free beam, is cheaper than this check, which most beams fail.
     let is_long = LONG < given.cells.len();
-    let mut best = (!given.founded || !is_long).then(|| free(given));
+    let nothing = !given.has_obstacle();
+    let mut best = (nothing || !is_long).then(|| free(given));
     let is_solved = |best: &Option<Found>| best.as_ref().is_some_and(Found::solved);
-    if let Some(free) = best.take_if(|free| free.solved() || !given.founded) {
+    if let Some(free) = best.take_if(|free| free.solved() || nothing) {
         return Ok(free);
     }
     let mut places = Vec::new();
@@ -100,14 +101,19 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
     }
     let mut samples = Samples::first(given, LINKS);
     let mut guess = samples.chain(given);
-    if ENOUGH < samples.count() {
+    if ENOUGH < samples.count() && given.founded {
         samples = samples.refined(given, &guess.touches, &[]);
         room::for_samples(given, samples.count())?;
         guess = samples.chain(given);
     }
     let mut taken = samples.count();
     let mut left = MULTIPLE * taken + MOST_SAMPLES;
-    let guesses = if is_long { GUESSES_OF_LONG } else { GUESSES };
+    // Of samples at single places a chain says all that it can at once.
+    let guesses = match (given.founded, is_long) {
+        (false, _) => 1,
+        (true, true) => GUESSES_OF_LONG,
+        (true, false) => GUESSES,
+    };
     for turn in 0..guesses {
         if 0 < turn {
             samples = samples.refined(given, &guess.touches, &places);

@@ -202,7 +202,7 @@ impl<'a> Sensitivity<'a> {
                 Kind::Smooth => slopes[i][0] / bend(spans, i),
                 Kind::ZoneStart => end_of_zone(beside[i].bend[0], on_left.map_or(f64::NAN, |span| span.at_b[3]), 1.0),
                 Kind::ZoneEnd => end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0),
-                Kind::Support(index, _) if matches!(of, Change::Support(moved, _) if moved == index) => 1.0,
+                _ if matches!(of, Change::Support(moved, _) if node.any_support(given) == Some(moved)) => 1.0,
                 _ => 0.0,
             };
             // The load stays where it is when the node moves, and so does an edge of it: what moves is the pressure of a zone.
@@ -303,7 +303,19 @@ fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f
     let fixed = |value: f64| Ask { value, slopes: Some([0.0; 2]), jump: [0.0; 2] };
     match node.kind {
         Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => fixed(ground),
-        Kind::Edge(_) => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
+        Kind::Edge(breakpoint) => match (given.bearing_index(breakpoint), of) {
+            (None, _) => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
+            (Some(own), Change::Level(changed)) if changed == own => {
+                Ask { value: 1.0, slopes: None, jump: [-turned, 0.0] }
+            }
+            (Some(own), Change::Support(changed, [axis, _])) if changed == own => {
+                let [left, right] = ends(spans, i);
+                let slope = left.map(|span| span.beam_b[1]).or(right.map(|span| span.beam_a[1])).unwrap_or(0.0);
+                Ask { value: -(slope + axis), slopes: None, jump: [forces[i] - turned, 0.0] }
+            }
+            // It does not move with the ground.
+            (Some(_), _) => Ask { value: 0.0, slopes: None, jump: [-turned, 0.0] },
+        },
         Kind::Smooth => {
             let bend = bend(spans, i);
             if bend == 0.0 {

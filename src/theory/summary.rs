@@ -44,7 +44,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
     }
 }
 
-/// The forces of the supports, from left to right.
+/// The forces of the supports, from left to right, those that only push among them.
 fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
@@ -57,9 +57,17 @@ fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64
             force: (force + given.breakpoints[support.breakpoint].force) * stiffness * scale.force,
             moment: support.built_in.then_some(moment * stiffness * scale.moment()),
             couple: if support.built_in { (right - left) * stiffness * scale.moment() } else { 0.0 },
+            pushes_only: false,
         })
     });
-    supports.collect()
+    let rests = |i: usize| found.list.nodes.iter().position(|node| node.kind == Kind::Edge(i));
+    let bearings = given.bearings.iter().map(|&i| {
+        let force = rests(i).map_or(0.0, |node| found.checked.forces[node]);
+        SupportForce::pushing(given.breakpoints[i].x * scale.length, force * stiffness * scale.force)
+    });
+    let mut all: Vec<SupportForce> = supports.chain(bearings).collect();
+    all.sort_by(|a, b| a.at.total_cmp(&b.at));
+    all
 }
 
 /// The contacts from left to right.
@@ -78,7 +86,7 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
             contacts.push(Contact { from, to, force, end_forces: (from < to).then_some([force_from, force_to]) });
         }
         if let Some(node) = nodes.get(i)
-            && matches!(node.kind, Kind::Smooth | Kind::Edge(_))
+            && node.is_ground(given)
         {
             contacts.push(Contact { from: place(i), to: place(i), force: forces[i], end_forces: None });
         }

@@ -103,7 +103,7 @@ pub(super) fn shares<'a>(
 /// The size of the terms that the energy is a sum of: forces by deflections, and by depths where they are held.
 pub(super) fn energy_size(scene: &Scene, state: &ContactState) -> f64 {
     let depth = |x: f64| scene.gap(x).abs();
-    let held: f64 = state.contacts.iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
+    let held: f64 = state.touched().iter().map(|c| c.force.abs() * depth(c.from).max(depth(c.to))).sum();
     scene.load().magnitude(scene.beam().length()) * state.deflection.magnitude() + held
 }
 

@@ -114,9 +114,15 @@ impl Side<'_> {
         let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&seen.known);
         let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(seen.order));
         let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
-        let known = enclosed.gap.kink(far).map(|kink| [clearance.at(width), clearance.derivative().at(width) + kink]);
         let most = part.lift(seen.most, &mut MOST_PARTS.clone())?;
-        Some(Seen { most, order: 0, known: known.map_or(Vec::new(), Vec::from) })
+        let Some(kink) = enclosed.gap.kink(far) else {
+            // What stands alone there is no part of any cell.
+            let clearance = enclosed.gap.depth(far) - self.deflection(far, *first)?.at(Interval::ZERO);
+            let (clearance, distance, width) = (Polynomial::new(&[clearance]), distance + width, Interval::ZERO);
+            let place = Part { clearance, shape: self.shape, width, distance, ..part };
+            return Some(Seen { most: place.lift(most, &mut MOST_PARTS.clone())?, order: 0, known: Vec::new() });
+        };
+        Some(Seen { most, order: 0, known: vec![clearance.at(width), clearance.derivative().at(width) + kink] })
     }
 }
 

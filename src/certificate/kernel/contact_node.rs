@@ -4,7 +4,7 @@
 //!
 //! | node | `v` | `v'` | `M` | force |
 //! |---|---|---|---|---|
-//! | corner | `g` | free | continuous | presses |
+//! | corner, support that only pushes | `g` | free | continuous | presses |
 //! | touch | `g` | `g'` | continuous | presses |
 //! | start, end of a zone | `g` | `g'` | `−EI g''` | presses |
 //! | support | `d` | free, or `g'` as one that is level with the ground | continuous, or any jump that ground beside it makes | any |
@@ -99,10 +99,8 @@ impl EnclosedScene<'_> {
     }
 
     /// Cells between two places, on each of which gap and load have one formula, with these ends among others.
-    pub(crate) fn cells(&self, from: f64, to: f64, mut ends: Vec<f64>) -> Vec<[f64; 2]> {
-        ends.extend(self.gap.breaks(from, to));
-        ends.extend(self.load.breaks(from, to));
-        cells(from, to, ends)
+    pub(crate) fn cells(&self, from: f64, to: f64, ends: Vec<f64>) -> Vec<[f64; 2]> {
+        cells(from, to, [ends, self.gap.breaks(from, to), self.load.breaks(from, to)].concat())
     }
 
     /// How the beam meets the gap at a node, on one of its sides: 2 with its deflection and its slope, so that the gap opens with

@@ -8,8 +8,11 @@ use crate::scene::polynomial::{cuts, long_degree};
 /// The foundation of a scene or the own shape of its beam, ready to be asked for enclosures.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnclosedFoundation<'a> {
-    given: &'a Foundation,
-    length: f64,
+    pub(crate) given: &'a Foundation,
+    pub(crate) length: f64,
+    /// Supports that only push, above it, from left to right: each as three points of a polyline at one place, the middle one alone
+    /// above two that are infinitely deep. They are no part of any cell.
+    pub(crate) bearings: &'a [[f64; 2]],
 }
 
 /// Cells on the whole beam, at most, for foundations that are no polyline: shorter waves get wider enclosures instead.
@@ -23,11 +26,12 @@ const MOST_CELLS_OF_A_POLYNOMIAL: usize = 1024;
 /// Coefficients of a long polynomial that are expanded to enclose the remainder of [`TERMS`] of them.
 const EXPANDED: usize = 24;
 
-impl<'a> EnclosedFoundation<'a> {
-    pub(crate) fn on(given: &'a Foundation, length: f64) -> Self {
-        Self { given, length }
-    }
+/// Those of some points from left to right that are strictly between two places.
+pub(crate) fn inside(points: &[[f64; 2]], from: f64, to: f64) -> &[[f64; 2]] {
+    points.get(points.partition_point(|p| p[0] <= from)..points.partition_point(|p| p[0] < to)).unwrap_or_default()
+}
 
+impl<'a> EnclosedFoundation<'a> {
     /// Ends of cells strictly between two places, that of a step twice.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         match self.given {
@@ -42,17 +46,15 @@ impl<'a> EnclosedFoundation<'a> {
                 let steps = (0..).map(|k| ((from / step).floor() + f64::from(k)) * step);
                 steps.skip_while(|x| *x <= from).take_while(|x| *x < to).collect()
             }
-            Foundation::Polyline { points } => {
-                let first = points.partition_point(|p| p[0] <= from);
-                points[first..].iter().map(|p| p[0]).take_while(|x| *x < to).collect()
-            }
+            Foundation::Polyline { points } => inside(points, from, to).iter().map(|p| p[0]).collect(),
         }
     }
 
     /// At most any depth between two places, found without a look at each cell; minus infinity where that cannot be.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
         let least = |points: &[[f64; 2]]| points.iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-        self.level().unwrap_or_else(|| self.points_about(from, to).map_or(f64::NEG_INFINITY, least))
+        let ground = self.level().unwrap_or_else(|| self.points_about(from, to).map_or(f64::NEG_INFINITY, least));
+        ground.min(least(inside(self.bearings, from.next_down(), to.next_up())))
     }
 
     /// The points of a polyline between two places that are in order, and the far ends of the segments that these are on.
@@ -94,7 +96,7 @@ impl<'a> EnclosedFoundation<'a> {
         higher.map_or_else(|| self.jet(x, false)[0], |point| Interval::exact(point[1]))
     }
 
-    /// False at the points of a polyline.
+    /// False at the points of a polyline, and where something stands alone.
     pub(crate) fn is_smooth_at(&self, x: f64) -> bool {
         self.points_at(x).is_empty()
     }
@@ -105,7 +107,8 @@ impl<'a> EnclosedFoundation<'a> {
         // A wrong witness may ask for places that are not in order.
         let one_level = |part: &[[f64; 2]]| part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0);
         let is_smooth = |part: &[[f64; 2]]| part.len() <= 2 || one_level(part);
-        !matches!(self.given, Foundation::Polyline { .. }) || self.points_about(from, to).is_some_and(is_smooth)
+        let (given, bare) = (self.given, inside(self.bearings, from, to).is_empty());
+        bare && (!matches!(given, Foundation::Polyline { .. }) || self.points_about(from, to).is_some_and(is_smooth))
     }
 
     /// False beside a place that is the foot of a step.
@@ -115,11 +118,11 @@ impl<'a> EnclosedFoundation<'a> {
         beside.is_none_or(|beside| here.iter().all(|point| beside[1] <= point[1]))
     }
 
-    /// The points of a polyline at a place: two at a step.
+    /// The points of a polyline at a place: two at a step, three where something stands alone.
     pub(crate) fn points_at(&self, x: f64) -> &'a [[f64; 2]] {
-        let Foundation::Polyline { points } = self.given else { return &[] };
-        let (first, beyond) = (points.partition_point(|p| p[0] < x), points.partition_point(|p| p[0] <= x));
-        points.get(first..beyond).unwrap_or_default()
+        let given: &[[f64; 2]] = if let Foundation::Polyline { points } = self.given { points } else { &[] };
+        let here = [self.bearings, given].map(|points| inside(points, x.next_down(), x.next_up()));
+        here.into_iter().find(|here| !here.is_empty()).unwrap_or_default()
     }
 }
 

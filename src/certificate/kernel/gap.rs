@@ -1,6 +1,6 @@
 //! The gap `g = u − w0` below the undeflected beam: depth of the foundation less the own shape, both enclosed.
 
-use super::foundation::EnclosedFoundation;
+use super::foundation::{EnclosedFoundation, inside};
 use super::interval::Interval;
 use super::polynomial::Polynomial;
 
@@ -14,9 +14,8 @@ pub(crate) struct EnclosedGap<'a> {
 impl EnclosedGap<'_> {
     /// Ends of cells strictly between two places, of ground and shape, in any order, and some of them twice.
     pub(crate) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
-        let mut breaks = self.ground.breaks(from, to);
-        breaks.extend(self.shape.breaks(from, to));
-        breaks
+        let bearings = inside(self.ground.bearings, from, to).iter().map(|p| p[0]).collect();
+        [self.ground.breaks(from, to), self.shape.breaks(from, to), bearings].concat()
     }
 
     /// `g(origin + s)` between two places without a break between them, on which the origin is.

@@ -52,8 +52,8 @@ pub(crate) struct Pair {
     pub(crate) pieces: Vec<Piece>,
     /// At least `J(v̂) − D(p, R)`.
     pub(crate) gap: f64,
-    /// What the supports exert upwards, from left to right, where the contacts of `M` are those of the beam.
-    pub(crate) reactions: Vec<Interval>,
+    /// Places that carry the beam and what they exert upwards, from left to right, where the contacts of `M` are those of the beam.
+    pub(crate) carried: Vec<(f64, Interval)>,
     /// What holds the beam: each of them alone bounds the distance of `v̂` from `v*`.
     pub(crate) holds: Vec<Hold>,
     /// The place about which the beam may turn without a force, if the contacts of `M` do not say how it stands.
@@ -119,9 +119,8 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let carriers = carriers(enclosed, nodes, &forces);
     let (gap, share, holds) = hold(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
-    let supports = nodes.iter().zip(forces).filter(|(node, _)| enclosed.support(node.x).is_some());
-    let reactions = supports.map(|(_, force)| force + corrected).collect();
-    Some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground: None })
+    let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
+    Some(Pair { pieces, gap, carried, holds, turns_about, lifted, ground: None })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that

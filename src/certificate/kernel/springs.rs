@@ -229,7 +229,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     let holds =
         holds.iter().map(|Hold(left, right)| Some(Hold(known(left)?, known(right)?))).collect::<Option<Vec<_>>>()?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
-    let reactions = nodes.iter().map(|node| force(node) + Interval::around_zero(share.hi())).collect();
+    let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let (turns_about, lifted, ground) = (None, 0.0, Some(energy / number(2)));
-    (!holds.is_empty()).then_some(Pair { pieces, gap, reactions, holds, turns_about, lifted, ground })
+    (!holds.is_empty()).then_some(Pair { pieces, gap, carried, holds, turns_about, lifted, ground })
 }

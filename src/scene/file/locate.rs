@@ -35,6 +35,7 @@ impl Located<'_> {
     /// The support that an error is about, where supports are given.
     fn at_support(&self, error: &SceneError) -> Option<Span> {
         let (SceneError::AboveSupport { at, .. }
+        | SceneError::BearingInGround { at, .. }
         | SceneError::RisesAtBuiltIn { at, .. }
         | SceneError::ValleyAtSupport { at, .. }
         | SceneError::CornerAtBuiltIn { at }) = error

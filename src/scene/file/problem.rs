@@ -135,6 +135,14 @@ pub enum Problem {
         /// Path of the slope.
         path: String,
     },
+    /// A support in which the beam is built in and that only pushes.
+    #[error(
+        "`{path}` must not be there: a support that only pushes lets the beam turn and lift off, and holds no slope"
+    )]
+    PushesBuiltIn {
+        /// Path of the key that asks for more.
+        path: String,
+    },
     /// The numbers of the file make no scene. In a survey, `quantity` says how the survey calls the number.
     #[error("{}", in_words_of_the_file(error, *quantity))]
     Scene {
@@ -248,6 +256,7 @@ impl Problem {
             }
             Self::SeveralProfileKinds { .. } => Some("expected exactly one of them".to_owned()),
             Self::SlopeWithoutBuiltIn { .. } => Some("expected `built_in = true` beside it, or no slope".to_owned()),
+            Self::PushesBuiltIn { .. } => Some("expected `pushes_only = true` without it, or neither".to_owned()),
             Self::Empty => Some("expected a scene in TOML, with at least a table [beam]".to_owned()),
             Self::ForcesHeader { .. } | Self::ForcesWithoutHeader => {
                 Some("expected `x,force`, then one force in each row".to_owned())

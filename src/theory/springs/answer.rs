@@ -163,6 +163,7 @@ fn support(scaled: &Scaled, given: &PiecewiseScene, parts: &[Part], i: usize) ->
     let right = parts.iter().find(|part| x <= part.piece.lo).map_or([0.0; 4], |part| part.beam(x));
     let moment = if left[2].abs() < right[2].abs() { -right[2] } else { -left[2] };
     SupportForce {
+        pushes_only: false,
         at: x * scale.length,
         force: (force - (right[3] - left[3])) * stiffness * scale.force,
         moment: built_in.then_some(moment * stiffness * scale.moment()),

@@ -22,7 +22,7 @@ fn random_lists_do_not_contradict_each_other() {
             #[expect(clippy::cast_precision_loss, reason = "at most four")]
             let at = if random.once_in(4) { k as f64 * part } else { (k as f64 + random.between(0.0, 1.0)) * part };
             let slope = random.once_in(3).then(|| random.between(-0.05, 0.05));
-            supports.push(Support { at, level: level(&mut random), slope });
+            supports.push(Support { level: level(&mut random), slope, ..Support::simple(at) });
         }
         let beam = Beam::new(l, random.between(0.5, 20.0)).and_then(|beam| beam.with_supports(supports));
         let mut beam = beam.expect("supports on the beam");

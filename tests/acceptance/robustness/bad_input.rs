@@ -68,6 +68,11 @@ const OF_THE_BEAM: &[&str] = &[
     "supports = [{ at = 0 }, { at = 4, level = 1.5 }, { at = 10 }]",
     "supports = [{ at = 0, built_in = true, level = 1.0, slope = 0.1 }]",
     "supports = [{ at = 10, built_in = true, level = 1.0, slope = -0.1 }]",
+    "supports = [{ at = 0 }, { at = 4, pushes_only = true, built_in = true }]",
+    "supports = [{ at = 0 }, { at = 4, pushes_only = true, slope = 0.1 }]",
+    "supports = [{ at = 0 }, { at = 4, pushes_only = 'yes' }]",
+    "supports = [{ at = 0 }, { at = 4, pushes_only = true, level = 1.5 }, { at = 10 }]",
+    "supports = [{ at = 0, pushes_only = true }, { at = 0 }, { at = 10 }]",
     "shape = { points = [[0, 0.0], [9, 0.1]] }",
     "shape = { points = [[0, 0.0]] }",
     "shape = { points = [[0, 0.0], [4, 0.1], [4, 0.2], [10, 0.0]] }",
@@ -126,9 +131,13 @@ fn every_message_of_a_file() {
     let surveyed = changed(DEPTH[0], DEPTH[1]);
     let axis = changed(STIFFNESS, &format!("{STIFFNESS}\nshape = {{ survey = 'axis.csv' }}"));
     let unbalanced = changed(STIFFNESS, &format!("{STIFFNESS}\nsupports = []")).replace("uniform = 1", "uniform = -1");
+    let pushing = changed(STIFFNESS, &format!("{STIFFNESS}\nsupports = [{{ at = 2, pushes_only = true }}]"));
+    let soft = pushing.replace("depth = 1.0", "depth = 1.0\nstiffness = 100.0");
+    let alone = pushing.replace("[foundation]\ndepth = 1.0", "");
     let changes = CHANGED.iter().map(|(from, to)| changed(from, to));
     let of_the_beam = OF_THE_BEAM.iter().map(|line| changed(STIFFNESS, &format!("{STIFFNESS}\n{line}")));
-    let texts = changes.chain(of_the_beam).chain(FILES.iter().map(|text| (*text).to_owned())).chain([unbalanced]);
+    let texts =
+        changes.chain(of_the_beam).chain(FILES.iter().map(|text| (*text).to_owned())).chain([unbalanced, soft, alone]);
     let mut messages: Vec<String> = texts.map(|text| message(&text, Err(ReadProblem::Missing))).collect();
     messages.extend(SURVEYS.iter().map(|survey| message(&surveyed, Ok(survey))));
     messages.push(message(&axis, Ok("x,depth\n0,0\n4,0.1\n11,0\n")));
@@ -178,20 +187,25 @@ fn surveys_with_semicolons_and_decimal_commas_are_read() {
 /// What is read is what was written.
 #[test]
 fn supports_and_shape_are_read() {
-    let lines = "supports = [{ at = 10 }, { at = 0.0, built_in = true, slope = 0.05 }, { at = 4.0, level = 0.3 }]\n\
+    let lines = "supports = [{ at = 7.0, level = 0.2, pushes_only = true }, { at = 10, pushes_only = false }, \
+                 { at = 0.0, built_in = true, slope = 0.05 }, { at = 4.0, level = 0.3 }]\n\
                  shape = { polynomial = [0.0, -0.051, 0.03] }";
     let text = EVERY_KEY.replacen(STIFFNESS, &format!("{STIFFNESS}\n{lines}"), 1).replacen("depth = 1", "depth = 9", 1);
     let scene = parse("scene.toml", &text, |_| Ok(String::new())).expect("a scene");
-    let expected =
-        [Support { at: 0.0, level: 0.0, slope: Some(0.05) }, Support::simple(4.0).at_level(0.3), Support::simple(10.0)];
+    let expected = [
+        Support { level: 0.0, slope: Some(0.05), ..Support::simple(0.0) },
+        Support::simple(4.0).at_level(0.3),
+        Support::simple(10.0),
+    ];
     assert_eq!(scene.beam().supports(), expected);
+    assert_eq!(scene.beam().bearings(), [Support::pushing(7.0).at_level(0.2)]);
     let held = scene.held();
     let asked: Vec<(f64, Option<f64>)> = held.iter().map(|held| (held.deflection, held.slope)).collect();
     let own = |x: f64| (0.03 * x - 0.051) * x;
     let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
     assert!(close(asked[0].0, 0.0) && asked[0].1.is_some_and(|slope| close(slope, 0.05 + 0.051)), "{asked:?}");
     assert!(close(asked[1].0, 0.3 - own(4.0)) && close(asked[2].0, -own(10.0)), "{asked:?}");
-    assert!(close(scene.gap(2.0), 9.0 - own(2.0)));
+    assert!(close(scene.gap(2.0), 9.0 - own(2.0)) && close(scene.gap(7.0), 0.2 - own(7.0)));
     assert!(!scene.beam().is_simple());
 }
 
@@ -228,7 +242,7 @@ fn supports_are_a_distance_apart() {
 #[test]
 fn ground_may_fall_off_at_a_built_in_support() {
     for slope in [0.0, -0.1] {
-        let supports = vec![Support { at: 0.0, level: 1.0, slope: Some(slope) }];
+        let supports = vec![Support { level: 1.0, slope: Some(slope), ..Support::simple(0.0) }];
         let beam = Beam::new(10.0, 1.3).and_then(|beam| beam.with_supports(supports)).expect("a beam");
         assert!(Foundation::Flat { depth: 1.0 }.checked(&beam).is_ok(), "{slope}");
     }

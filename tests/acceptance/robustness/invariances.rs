@@ -235,7 +235,7 @@ fn only_the_gap_counts() {
         // The supports of the curled beam hold what those of the straight one do.
         let lowered = supports.iter().map(|s| {
             let [level, slope] = own(-1.0, 0.0).sides(s.at)[1];
-            Support { at: s.at, level: s.level + level, slope: s.slope.map(|held| held + slope) }
+            Support { level: s.level + level, slope: s.slope.map(|held| held + slope), ..*s }
         });
         let shape = Some(own(-1.0, 0.0));
         let curled = Draft { shape, ..beam(lowered.collect(), Some(Foundation::Flat { depth: 2.0 })) };

@@ -72,11 +72,8 @@ fn small_files_are_little_work() {
 #[test]
 fn the_samples_of_a_search_are_work() {
     let (length, at) = (8.727_194_418_120_849, 0.410_305_173_698_997_7);
-    let supports = [(at, -20_576_904_475.283_4), (1.745_438_883_624_17, 0.0)].map(|(at, level)| Support {
-        at,
-        level,
-        slope: None,
-    });
+    let supports = [(at, -20_576_904_475.283_4), (1.745_438_883_624_17, 0.0)]
+        .map(|(at, level)| Support { level, ..Support::simple(at) });
     let beam = Beam::new(length, 974.225_927_544_029_6).and_then(|beam| beam.with_supports(supports.to_vec()));
     let beam = beam.expect("a beam");
     let point =

@@ -112,7 +112,7 @@ fn by_a_load_on_an_unloaded_zone_derivatives_are_one_sided() {
 /// A support that holds the slope of a beam with an own shape: `v = d − w0` and `v' = φ − w0'` change with its place.
 #[test]
 fn a_built_in_support_of_a_curved_beam_moves() {
-    let held = Support { at: 2.0, level: 0.3, slope: Some(0.1) };
+    let held = Support { level: 0.3, slope: Some(0.1), ..Support::simple(2.0) };
     let supports = vec![held, Support::simple(10.0)];
     let shapes = [
         Foundation::Polynomial { coefficients: vec![0.1, -0.2, 0.03, 0.001] },

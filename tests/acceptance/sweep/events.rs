@@ -55,6 +55,36 @@ fn the_borders_are_events_of_the_stiffness_too() {
     }
 }
 
+/// Play closes where the sag of the free beam reaches it, `q = 384 EI s/5 l⁴`; two spans lift off their end under a load `P = 4 q a` in
+/// the middle of the other one, and the same as the end is let down or up.
+#[test]
+fn a_beam_lifts_off_and_comes_to_bear() {
+    let play = 0.3;
+    let middle = Support::pushing(5.0).at_level(play);
+    let supports = [Support::simple(0.0), middle, Support::simple(10.0)];
+    let gap = on_supports([10.0, 70.0], &supports, (0.0, &[]), None);
+    let closes = 384.0 * 70.0 * play / 5e4;
+    let spans = [Support::pushing(0.0), Support::simple(5.0), Support::simple(10.0)];
+    let two = on_supports([10.0, 70.0], &spans, (0.5, &[(7.5, 1.0)]), None);
+    let lifts = 4.0 * 0.5 * 5.0;
+    // Without the end the left span is an overhang, whose end is at `q a⁴/8EI + (q a³/6 − q a³/24 − P a²/16) a/EI`.
+    let free = (0.5 * 625.0 / 8.0 + (0.5 * 125.0 / 8.0 - 25.0 / 16.0) * 5.0) / 70.0;
+    let cases = [
+        (&gap, "load.uniform", [0.1 * closes, 4.0 * closes], closes, "the beam comes to bear on its support at x = 5"),
+        (&gap, "load.uniform", [4.0 * closes, 0.1 * closes], closes, "the beam lifts off its support at x = 5"),
+        (&two, "load.point[0].force", [0.1, 3.0 * lifts], lifts, "the beam lifts off its support at x = 0"),
+        (&two, "beam.supports[0].level", [0.0, 2.0 * free], free, "the beam lifts off its support at x = 0"),
+    ];
+    for (scene, path, range, border, what) in cases {
+        for steps in [2, 3, 10] {
+            let found = events(scene, path, range, steps);
+            let [Event { value, what: told, .. }] = &found[..] else { panic!("{path}, {steps}: {found:?}") };
+            assert!((value - border).abs() <= 1e-11 * border, "{path}, {steps}: {value} instead of {border}");
+            assert_eq!(told, what, "{path}");
+        }
+    }
+}
+
 /// Two equal spans `a` under a uniform load, of which an end support goes down: its force is `3qa/8 − 3 EI d/(2a³)` and vanishes at
 /// `d = q a⁴/(4 EI)`.
 #[test]

@@ -84,7 +84,7 @@ impl Family {
         let [depth, slope] = ground.sides(at)[0];
         let own = beam.shape().map_or(0.0, |own| own.sides(at)[0][1]);
         let built_in = random.once_in(3).then_some(if own == 0.0 { slope } else { return None });
-        let mut supports = vec![Support { at, level: depth, slope: built_in }];
+        let mut supports = vec![Support { level: depth, slope: built_in, ..Support::simple(at) }];
         supports.push(Support::simple(random.between(0.0, 0.8) * at));
         if random.once_in(4) {
             let other = 0.5 * (supports[0].at + supports[1].at);

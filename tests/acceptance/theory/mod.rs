@@ -10,6 +10,7 @@ mod explain;
 mod level;
 mod long;
 mod near;
+mod pushing;
 mod random;
 mod springs;
 mod supports;

@@ -130,7 +130,7 @@ fn a_simple_beam_on_the_level() {
 /// wall: `v(tip) = 2 P λ/k · (sinh u cosh u − sin u cos u)/(cosh² u + cos² u)`, `u = λl` (Hetényi 1946).
 #[test]
 fn a_cantilever_on_soft_ground() {
-    let wall = Support { at: 0.0, level: 0.0, slope: Some(0.0) };
+    let wall = Support { level: 0.0, slope: Some(0.0), ..Support::simple(0.0) };
     let given = Given { point: vec![force(2.0, 3.0)], supports: Some(vec![wall]), ..Given::lying(2.0, 6.0, 0.5) };
     let (exact, u) = (given.solved(), given.decay() * 2.0);
     let (sinh, cosh, sin, cos) = (libm::sinh(u), libm::cosh(u), libm::sin(u), libm::cos(u));

@@ -140,7 +140,7 @@ fn a_support_in_a_valley_is_refused() {
 /// Ground that rises towards a built-in support and falls off there in a step.
 #[test]
 fn ground_that_rises_to_a_step_is_refused_at_a_built_in_support() {
-    let held = Support { at: 4.0, level: 3.0, slope: Some(0.0) };
+    let held = Support { level: 3.0, slope: Some(0.0), ..Support::simple(4.0) };
     let ground = Foundation::Polyline { points: vec![[0.0, 1.0], [4.0, 3.0], [4.0, 7.0], [L, 7.0]] };
     let refused = SceneError::RisesAtBuiltIn { at: 4.0, side: "left", slope: 0.5, held: 0.0 };
     assert_eq!(Scene::new(beam(vec![held]), Load::default(), Some(ground)), Err(refused));

@@ -182,6 +182,7 @@ impl Draft {
             at: s.at * length,
             level: s.level * depth,
             slope: s.slope.map(|slope| slope * (depth / length)),
+            ..*s
         };
         let profile = |profile: &Option<Foundation>| profile.as_ref().map(|profile| scaled(profile, length, depth));
         Self {

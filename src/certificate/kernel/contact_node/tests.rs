@@ -37,7 +37,7 @@ fn at_kink(slope: Option<f64>, above: f64, node: Slope) -> (EnclosedSupport, [us
     let x = 8.0;
     let ground = [[0.0, 2.0 - GROUND[0] * x], [x, 2.0], [LENGTH, 2.0 + GROUND[1] * (LENGTH - x)]];
     let shape = Foundation::Polynomial { coefficients: vec![0.25, OWN] };
-    let supports = vec![Support { at: x, level: 2.0 - above, slope }, Support::simple(LENGTH)];
+    let supports = vec![Support { level: 2.0 - above, slope, ..Support::simple(x) }, Support::simple(LENGTH)];
     let beam = Beam::new(LENGTH, 70.0).expect("positive").with_supports(supports).expect("on the beam");
     let beam = beam.with_shape(shape).expect("a curve");
     let ground = Foundation::Polyline { points: ground.to_vec() };

@@ -22,7 +22,7 @@ fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
 
 fn pair(pieces: Vec<Piece>) -> Pair {
     let holds = vec![Hold(Place::at(0.0), Place::at(LENGTH))];
-    Pair { pieces, gap: 0.0, reactions: Vec::new(), holds, turns_about: None, lifted: 0.0, ground: None }
+    Pair { pieces, gap: 0.0, carried: Vec::new(), holds, turns_about: None, lifted: 0.0, ground: None }
 }
 
 /// A pair with the gap that makes a factor.

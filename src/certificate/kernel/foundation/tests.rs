@@ -5,6 +5,13 @@ use super::*;
 
 pub(in super::super) const LENGTH: f64 = 16.0;
 
+impl<'a> EnclosedFoundation<'a> {
+    /// With nothing that stands above it.
+    pub(crate) fn on(given: &'a Foundation, length: f64) -> Self {
+        Self { given, length, bearings: &[] }
+    }
+}
+
 /// `(x − 8)¹²`, with two coefficients more than are kept; all of them are whole numbers below 2⁵³.
 fn long() -> Foundation {
     let mut coefficients = vec![1.0];

@@ -92,15 +92,8 @@ fn parts_of_zones_hold_with_what_is_apart() {
     let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("well posed");
     let nodes = [node(Kind::Support, 0.0, 0.0), node(Kind::Start, 4.0, 0.0), node(Kind::End, LENGTH, 0.0)];
     let none = (Vec::new(), Vec::new(), Vec::new());
-    let mut pair = Pair {
-        pieces: none.0,
-        gap: GAP,
-        reactions: none.1,
-        holds: none.2,
-        turns_about: None,
-        lifted: 0.0,
-        ground: None,
-    };
+    let mut pair =
+        Pair { pieces: none.0, gap: GAP, carried: none.1, holds: none.2, turns_about: None, lifted: 0.0, ground: None };
     in_intervals(&scene, Balance::Held, |enclosed| hold_by_zones(enclosed, &nodes, &mut pair));
     assert!(100 < pair.holds.len(), "{}", pair.holds.len());
     for Hold(left, right) in pair.holds {

@@ -2,8 +2,9 @@
 //! as one dense matrix, and every set of contacts tried.
 
 use nalgebra::{DMatrix, DVector};
-use palkki::route::{Method, RawSolution, Solver};
-use palkki::scene::{Beam, Foundation, Grid, Load, PointLoad, Scene, Support};
+use palkki::route::{Method, RawSolution, Solver, Status};
+use palkki::scene::{Balance, Beam, Foundation, Grid, Load, PointLoad, Scaled, Scene, Support};
+use palkki::solve_exactly;
 use palkki_evidence::random::Random;
 
 use crate::scenes::{nodes, run};
@@ -115,7 +116,9 @@ impl Dense {
     /// The optimum, by trying every set of contacts.
     fn optimum(&self) -> Option<Optimum> {
         let supported = |node: usize| self.fixed.iter().any(|(freedom, _)| *freedom == self.each * node);
-        let open: Vec<usize> = (0..=INTERVALS).filter(|&node| !supported(node)).collect();
+        // Where there is nothing to touch nothing is tried.
+        let open: Vec<usize> =
+            (0..=INTERVALS).filter(|&node| !supported(node) && self.gaps[node].is_finite()).collect();
         let built_in = self.fixed.len() > self.fixed.iter().filter(|(freedom, _)| freedom % self.each == 0).count();
         (0_usize..1 << open.len()).find_map(|set| {
             let contacts: Vec<usize> =
@@ -158,7 +161,7 @@ impl Dense {
         fixed.iter().for_each(|&(i, value)| d[i] = value);
         let right = (&self.loads - &self.stiffness * &d).select_rows(&free);
         let reduced = self.stiffness.select_rows(&free).select_columns(&free);
-        let solution = reduced.full_piv_lu().solve(&right)?;
+        let solution = if free.is_empty() { right } else { reduced.full_piv_lu().solve(&right)? };
         free.iter().zip(solution.iter()).for_each(|(&i, &value)| d[i] = value);
         let force = &self.loads - &self.stiffness * &d;
         Some((d, force))
@@ -173,7 +176,7 @@ fn scene(i: u64) -> Option<Scene> {
         let at = random.below(INTERVALS + 1) as f64;
         if supports.iter().all(|s| (s.at - at).abs() > 0.5) {
             let slope = random.once_in(3).then(|| random.between(-0.1, 0.1));
-            supports.push(Support { at, level: random.between(-0.2, 0.2), slope });
+            supports.push(Support { level: random.between(-0.2, 0.2), slope, ..Support::simple(at) });
         }
     }
     let depth = |random: &mut Random, x: f64| {
@@ -223,16 +226,24 @@ const ITERATED: f64 = 1e-5;
 
 #[test]
 fn every_route_finds_what_trying_all_contacts_finds() {
-    let (mut held, mut free, mut built_in, mut asked, mut solved) = (0, 0, 0, 0, 0);
-    for scene in (0..120).filter_map(scene) {
-        let supports = scene.beam().supports();
+    let scenes: Vec<Scene> = (0..120).filter_map(scene).collect();
+    let [held, free] = every_route_is_right(&scenes);
+    let is_built_in = |scene: &&Scene| scene.beam().supports().iter().any(|s| s.slope.is_some());
+    let built_in = scenes.iter().filter(is_built_in).count();
+    assert!(40 <= held && 20 <= free && 20 <= built_in, "{held} held, {free} free, {built_in} built in");
+}
+
+/// How many of the scenes are held by their supports, and how many are not.
+fn every_route_is_right(scenes: &[Scene]) -> [usize; 2] {
+    let ([mut held, mut free], [mut asked, mut solved]) = ([0; 2], [0; 2]);
+    for scene in scenes {
+        let supports = scene.beam().all_supports();
         let is_held = scene.scaled().expect("balanced").balance.resultant().is_none();
-        built_in += usize::from(supports.iter().any(|s| s.slope.is_some()));
         *(if is_held { &mut held } else { &mut free }) += 1;
         for method in Method::ALL {
-            let optimum = Dense::of(&scene, method).optimum().expect("an optimum");
+            let optimum = Dense::of(scene, method).optimum().expect("an optimum");
             for solver in Solver::OPTIMAL {
-                let found = run(&scene, method, solver, INTERVALS);
+                let found = run(scene, method, solver, INTERVALS);
                 let told = format!("{method}, {solver}, {supports:?}: {}", found.solver_status);
                 if solver == Solver::Nsor && method == Method::Force && !is_held {
                     assert!(
@@ -252,6 +263,88 @@ fn every_route_finds_what_trying_all_contacts_finds() {
             }
         }
     }
-    assert!(40 <= held && 20 <= free && 20 <= built_in, "{held} held, {free} free, {built_in} built in");
     assert!(95 * asked <= 100 * solved, "only {solved} of {asked} are solved");
+    [held, free]
+}
+
+/// Scene number `i`: two to five supports at nodes, most of which only push; every other beam above rough ground, and loads at nodes
+/// without it.
+fn pushing(i: u64) -> Option<Scene> {
+    let mut random = Random::new(0x60_0000 + i);
+    let mut supports: Vec<Support> = Vec::new();
+    for _ in 0..2 + random.below(4) {
+        let at = random.below(INTERVALS + 1) as f64;
+        if supports.iter().all(|s| (s.at - at).abs() > 0.5) {
+            let level = random.between(-0.2, 0.2);
+            let holds = random.once_in(3);
+            let slope = (holds && random.once_in(4)).then(|| random.between(-0.1, 0.1));
+            supports.push(Support { level, slope, pushes_only: !holds, ..Support::simple(at) });
+        }
+    }
+    if !supports.iter().any(|s| s.pushes_only) {
+        return None;
+    }
+    let grounded = i.is_multiple_of(2);
+    let depth = |random: &mut Random, x: f64| {
+        let level = supports.iter().find(|s| (s.at - x).abs() < 0.5).map_or(-0.2, |s| s.level);
+        [x, level + random.between(0.02, 0.8)]
+    };
+    let ground: Vec<_> = (0..=8).map(|k| depth(&mut random, f64::from(k))).collect();
+    let mut beam = Beam::new(8.0, random.between(0.3, 30.0)).ok()?.with_supports(supports).ok()?;
+    if random.once_in(4) {
+        let coefficients = vec![0.0, random.between(-0.1, 0.1), random.between(-0.02, 0.02)];
+        beam = beam.with_shape(Foundation::Polynomial { coefficients }).ok()?;
+    }
+    let place = |random: &mut Random| {
+        if grounded { random.between(0.0, 8.0) } else { random.below(INTERVALS + 1) as f64 }
+    };
+    let point = |random: &mut Random| PointLoad { at: place(random), force: random.between(-0.5, 2.0) };
+    let points = (0..1 + random.below(4)).map(|_| point(&mut random)).collect();
+    let uniform = if grounded { random.between(0.1, 1.5) } else { 0.0 };
+    let load = Load::new(&beam, uniform, Vec::new(), points).ok()?;
+    let scene = Scene::new(beam, load, grounded.then_some(Foundation::Polyline { points: ground })).ok()?;
+    // One that may turn has no deflection to compare.
+    let turns = |scaled: Scaled| matches!(scaled.balance, Balance::Neutral { .. });
+    scene.scaled().is_ok_and(|scaled| !turns(scaled)).then_some(scene)
+}
+
+/// How many random scenes with supports that only push there are.
+const PUSHING: usize = 500;
+
+#[test]
+fn supports_that_only_push_are_right_by_every_route() {
+    let scenes: Vec<Scene> = (0..).filter_map(pushing).take(PUSHING).collect();
+    let [held, free] = every_route_is_right(&scenes);
+    assert!(100 <= held && 100 <= free, "{held} held, {free} free");
+}
+
+/// Beam theory beside the same authority, which is beam theory where all loads stand at nodes and there is no ground: each force is
+/// in its bracket, and what is lifted off has none.
+#[test]
+fn beam_theory_knows_what_only_pushes() {
+    let (mut lifted, mut pressed) = (0, 0);
+    for scene in (0..).filter(|i: &u64| !i.is_multiple_of(2)).filter_map(pushing).take(PUSHING) {
+        let told = format!("{:?} {:?}", scene.beam().all_supports(), scene.load());
+        let solution = solve_exactly(&scene).expect("an answer");
+        assert_eq!(solution.verdict.status, Status::Certified, "{told}: {}", solution.verdict);
+        let optimum = Dense::of(&scene, Method::Displacement).optimum().expect("an optimum");
+        let size = optimum.force.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+        let certificate = solution.verdict.certificate.expect("bounds");
+        for (support, bracket) in solution.state.supports.iter().zip(certificate.reactions) {
+            let truth = optimum.force[support.at.round() as usize];
+            assert!((support.force - truth).abs() <= ROUNDED * size, "{told}: {truth} at {}", support.at);
+            let [least, most] = bracket.expect("a bracket");
+            let rounding = ROUNDED * size;
+            assert!(least - rounding <= truth && truth <= most + rounding, "{told}: {truth} in {least} … {most}");
+            if support.pushes_only {
+                *(if support.force == 0.0 { &mut lifted } else { &mut pressed }) += 1;
+            }
+        }
+        let energy = optimum.energy;
+        assert!((solution.state.energy - energy).abs() <= ROUNDED * energy.abs().max(size), "{told}: {energy}");
+        assert!(
+            certificate.energy_lower <= energy + ROUNDED * size && energy - ROUNDED * size <= certificate.energy_upper
+        );
+    }
+    assert!(300 <= lifted && 300 <= pressed, "{lifted} lifted off, {pressed} press");
 }

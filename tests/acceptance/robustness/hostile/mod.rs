@@ -92,7 +92,7 @@ fn what_was_wrong_once_is_right() {
 /// force of 177 for 516.
 #[test]
 fn scenes_that_were_wrong_once_are_right() {
-    let held = |at, level| Support { at, level, slope: None };
+    let held = |at, level| Support { level, ..Support::simple(at) };
     let base = Draft { length: 10.0, stiffness: 1.3, ..Draft::default() };
     let part = |from, to, start, end| LinearLoad { from, to, start, end };
     let simple = Some(vec![held(2.0, 0.0), held(8.0, 0.0)]);

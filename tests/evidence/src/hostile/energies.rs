@@ -177,7 +177,7 @@ pub(super) fn in_balance(trial: &mut Trial, draft: &Draft, exact: Option<&Exact>
     }
     let depth = match supports[..] {
         [] => points.iter().filter(|p| p[0] <= *at && *at <= p[0]).map(|p| p[1]).fold(f64::INFINITY, f64::min),
-        [Support { at: held, level, slope: None }] if held <= *at && *at <= held => level,
+        [Support { at: held, level, slope: None, .. }] if held <= *at && *at <= held => level,
         _ => return,
     };
     if !depth.is_finite() {

@@ -43,7 +43,7 @@ fn support(random: &mut Random, draft: &Draft, at: f64) -> Support {
         3 => Some(unit / draft.length * random.between(-1.0, 1.0)),
         _ => None,
     };
-    Support { at, level: if random.once_in(30) { level } else { above }, slope }
+    Support { level: if random.once_in(30) { level } else { above }, slope, ..Support::simple(at) }
 }
 
 /// So many supports, most of them where a coarse grid has a node.

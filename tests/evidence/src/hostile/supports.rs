@@ -38,9 +38,9 @@ fn beam(random: &mut Random, most: usize) -> Draft {
     places.dedup_by(|next, last| *next - *last < 1e-3 * length);
     let unit = sag(&draft) * power(random, -4.0, 0.0);
     let support = |at: f64| Support {
-        at,
         level: if random.once_in(3) { unit * random.between(-1.0, 1.0) } else { 0.0 },
         slope: random.once_in(8).then_some(0.0),
+        ..Support::simple(at)
     };
     Draft { supports: Some(places.into_iter().map(support).collect()), ground: None, ..draft }
 }
@@ -134,7 +134,7 @@ pub(super) fn many(random: &mut Random) -> Draft {
     let span = 1.0 / f64::from(count);
     let unit = sag(&draft) * span * span * span;
     let levels = random.pick(&[0.0, 0.0, 0.1, 1.0]);
-    let support = |at| Support { at, level: unit * levels * random.between(-1.0, 1.0), slope: None };
+    let support = |at| Support { level: unit * levels * random.between(-1.0, 1.0), ..Support::simple(at) };
     draft.supports = Some(places.into_iter().map(support).collect());
     if !random.once_in(4) {
         let depth = unit * power(random, -2.0, 0.5);
@@ -153,7 +153,7 @@ pub(super) fn dwarfed(random: &mut Random) -> Draft {
     if random.once_in(3) {
         let near = (beside + 2e-4 * length * random.pick(&[1.0, -1.0])).clamp(0.0, length);
         let level = all.iter().map(|s| s.level).fold(f64::INFINITY, f64::min);
-        all.push(Support { at: near, level, slope: Some(0.0) });
+        all.push(Support { level, slope: Some(0.0), ..Support::simple(near) });
         draft.supports = Some(all);
     } else {
         let at = if random.once_in(2) { beside } else { on_or_beside(random, beside, length) };

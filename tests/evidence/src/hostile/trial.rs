@@ -284,7 +284,7 @@ mod tests {
     type Law = fn(&mut Trial, &Draft, &Scene, &Exact);
 
     fn beam(level: f64) -> Draft {
-        let held = |at, level| Support { at, level, slope: None };
+        let held = |at, level| Support { level, ..Support::simple(at) };
         Draft {
             length: 10.0,
             stiffness: 1.3,

@@ -36,7 +36,7 @@ fn attempt(random: &mut Random) -> Option<Scene> {
         };
         let slope =
             random.once_in(4).then(|| if random.once_in(2) { 0.0 } else { random.between(-1.0, 1.0) * depth / length });
-        Support { at, level: level.min(ground), slope }
+        Support { level: level.min(ground), slope, ..Support::simple(at) }
     });
     let supports = supports.collect();
     Scene::new(beam.with_supports(supports).ok()?, load, foundation).ok()
