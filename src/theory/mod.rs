@@ -6,7 +6,8 @@
 //! and its slopes at inner supports and edges:
 //!
 //! 1. `piecewise`, `breakpoints`, `shape`, `tension`: profile and load as functions by pieces, and where a zone would pull.
-//! 2. `chain`, `guess`: a first idea of the list, from a chain of links above samples of the profile.
+//! 2. `chain`, `guess`, `resting`: a first idea of the list, from a chain of links above samples of the profile, or from where a rigid
+//!    beam rests.
 //! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for them.
 //! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
 //! 5. `repair`, `normal`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
@@ -44,6 +45,7 @@ mod penetration;
 mod piece;
 mod piecewise;
 mod repair;
+mod resting;
 mod room;
 mod search;
 mod sensitivity;

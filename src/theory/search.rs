@@ -13,6 +13,7 @@ use super::newton;
 use super::normal::normalised;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
+use super::resting;
 use super::room;
 use super::solve::TheoryError;
 
@@ -129,6 +130,11 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         best = with_repairs(given, samples.list(given, &guess), ROUNDS, best, &mut places)?;
         if is_solved(&best) {
             break;
+        }
+    }
+    for list in resting::lists(given).into_iter().filter(|_| !given.founded) {
+        if !is_solved(&best) {
+            best = with_repairs(given, list, ROUNDS, best, &mut places)?;
         }
     }
     let found = match best {

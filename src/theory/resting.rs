@@ -1,0 +1,47 @@
+//! On which supports that only push a rigid beam rests, above nothing else: where a chain of links is lost, because levels differ by
+//! far more than the beam bends, that is where to start.
+
+use super::list::{Beside, List, support_node};
+use super::normal::{edge_node, normalised};
+use super::piecewise::PiecewiseScene;
+use super::span::Overhang;
+
+/// Lists to start from: what a rigid beam touches, and all that there is.
+pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
+    [rigid(given), given.bearings.clone()].map(|bearings| {
+        let supports = (0..given.supports.len()).map(|i| support_node(given, i, [Beside::Apart; 2]));
+        let mut nodes: Vec<_> = supports.chain(bearings.into_iter().map(|i| edge_node(given, i))).collect();
+        nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
+        normalised(given, &nodes)
+    })
+}
+
+/// Of all lines that are nowhere below one of the supports the one that is deepest where the loads have their resultant: it goes
+/// through two of them, or through one and the support that holds the beam.
+fn rigid(given: &PiecewiseScene) -> Vec<usize> {
+    let place = |&i: &usize| (given.breakpoints[i].x, given.breakpoints[i].depth);
+    // The loads turn the beam about its right end by this.
+    let turn = Overhang::of(given, given.length, true).moment;
+    match given.supports.as_slice() {
+        [] => {
+            let at = given.length - turn / given.resultant;
+            let depth = |i: &usize, j: &usize| {
+                let ((a, u), (b, w)) = (place(i), place(j));
+                u + (w - u) * ((at - a) / (b - a))
+            };
+            let right = given.bearings.partition_point(|i| place(i).0 < at);
+            let (before, beyond) = given.bearings.split_at(right);
+            let pairs = before.iter().flat_map(|i| beyond.iter().map(move |j| (i, j)));
+            let deepest = pairs.min_by(|a, b| depth(a.0, a.1).total_cmp(&depth(b.0, b.1)));
+            deepest.map_or(Vec::new(), |(i, j)| vec![*i, *j])
+        }
+        [support] if !support.built_in => {
+            let x = given.breakpoints[support.breakpoint].x;
+            let to_the_right = turn < given.resultant * (given.length - x);
+            let slope = |i: &usize| (place(i).1 - support.level) / (place(i).0 - x).abs();
+            let beside = given.bearings.iter().filter(|i| (x < place(i).0) == to_the_right);
+            beside.min_by(|a, b| slope(a).total_cmp(&slope(b))).into_iter().copied().collect()
+        }
+        _ => Vec::new(),
+    }
+}
