@@ -33,6 +33,7 @@ use std::ops::{Range, RangeInclusive};
 use super::Discrete;
 use super::held_beam::{Beam, Overhang};
 use super::span::{Span, links};
+use super::springs;
 use super::supports::NodeSupport;
 use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
@@ -115,6 +116,9 @@ impl ContactSet {
         span: impl Fn(usize, usize) -> Span,
         range: Range<usize>,
     ) -> Result<OnContacts, NotPositiveDefinite> {
+        if discrete.gives() && self.nodes.iter().any(|node| discrete.supports().at(*node).is_none()) {
+            return springs::solve(discrete, discretisation, &self.nodes);
+        }
         let beam = self.beam(discrete, discretisation, span)?;
         let mut nodal = OnContacts { contact_force: zeros(range.len()), clearance: zeros(range.len()) };
         beam.forces(|node, force| {

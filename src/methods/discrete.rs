@@ -34,6 +34,8 @@ pub struct Discrete {
     pub(super) shape: Option<Arc<Foundation>>,
     /// Whether the beam is the paper's.
     simple: bool,
+    /// `1/kΔ`: how far the ground below a node inside gives under a unit force; zero where it is rigid.
+    give: f64,
     sizes: Sizes,
 }
 
@@ -70,7 +72,6 @@ impl Discrete {
     }
 
     fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
-        scene.on_rigid_ground("a discretised method")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         Ok(Self {
@@ -82,10 +83,23 @@ impl Discrete {
             supports,
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
-            simple: scene.beam().is_simple(),
+            simple: scene.beam().is_simple() && scene.ground_stiffness().is_none(),
+            give: scene.ground_stiffness().map_or(0.0, |k| 1.0 / (k * grid.spacing())),
             sizes: Sizes { x: 1.0, gradient: 1.0 },
             loads: grid.nodal_loads(scene.load()),
         })
+    }
+
+    /// How far the ground below a node gives under a unit force: a node at an end of the beam has half a spring.
+    #[must_use]
+    pub fn give(&self, node: usize) -> f64 {
+        if node == 0 || node == self.intervals { 2.0 * self.give } else { self.give }
+    }
+
+    /// Whether the ground gives at all.
+    #[must_use]
+    pub fn gives(&self) -> bool {
+        0.0 < self.give
     }
 
     /// `n`, the number of interior nodes.
@@ -178,7 +192,10 @@ impl Discrete {
         let free = free.unwrap_or_default();
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
-        let room: Vec<f64> = self.nodes().zip(&self.depths).map(|(node, gap)| gap - line(node)).collect();
+        // Ground that gives lets the beam down by what it settles under the load.
+        let settled = self.give * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
+        let room: Vec<f64> =
+            self.nodes().zip(&self.depths).map(|(node, gap)| (gap - line(node)).abs() + settled).collect();
         let loads = self.nodes().filter(|node| self.supports.at(*node).is_none()).map(|node| self.loads[node]);
         let length = self.grid.place(self.intervals);
         size(&free, &room[offset..], loads, self.stiffness, length)
@@ -217,9 +234,8 @@ impl Discrete {
     }
 
     /// Lengths of the chords from the middle one of three nodes to the others.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     fn chords(&self, [left, node, right]: [usize; 3]) -> [f64; 2] {
-        [self.spacing * (node - left) as f64, self.spacing * (right - node) as f64]
+        [self.spacing * as_float(node - left), self.spacing * as_float(right - node)]
     }
 
     /// The bend of the gap between a profile and an own shape.
@@ -299,6 +315,11 @@ impl Discrete {
         }
         self.on(Supports::of(all, self.intervals), vec![0.0; self.loads.len()])
     }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+fn as_float(n: usize) -> f64 {
+    n as f64
 }
 
 /// See [`Discrete::sizes`]: from the free deflection, the room below it, and the loads.
