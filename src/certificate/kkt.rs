@@ -52,9 +52,7 @@ impl Kkt {
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
         let ([force, depth], length, step) = (said.sizes(scene), scene.beam().length(), grid.spacing());
         let nearer = |said: f64, moment: f64, jump: f64| (said - moment).abs().min((said - (moment + jump)).abs());
-        // How far the foot of a spring is below the beam under a unit force: half a spring at an end of the beam.
-        let give = scene.ground_stiffness().map_or(0.0, |k| 1.0 / (k * step));
-        let give = |node: usize| if node == 0 || node == grid.intervals() { 2.0 * give } else { give };
+        let ground = scene.ground_stiffness();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
         let mut at_supports = [0.0; 2];
@@ -75,7 +73,8 @@ impl Kkt {
             let rows = (0..places.len()).map(|k| {
                 let i = i + k;
                 let clearance = u[k] - v[i];
-                let foot = clearance + give(from + k) * p[i];
+                // Of the foot of a spring, on ground that gives.
+                let foot = ground.map_or(clearance, |_| clearance + grid.give(ground, from + k) * p[i]);
                 [
                     -foot,
                     -p[i],

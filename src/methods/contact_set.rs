@@ -116,12 +116,14 @@ impl ContactSet {
         span: impl Fn(usize, usize) -> Span,
         range: Range<usize>,
     ) -> Result<OnContacts, NotPositiveDefinite> {
-        if discrete.gives() && self.nodes.iter().any(|node| discrete.supports().at(*node).is_none()) {
-            return springs::solve(discrete, discretisation, &self.nodes);
-        }
         let beam = self.beam(discrete, discretisation, span)?;
         let mut nodal = OnContacts { contact_force: zeros(range.len()), clearance: zeros(range.len()) };
         beam.forces(|node, force| {
+            if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
+                *contact_force = force;
+            }
+        });
+        beam.pressed(|node, force| {
             if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
                 *contact_force = force;
             }
@@ -156,8 +158,14 @@ impl ContactSet {
         let right = (self.overhangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
         let overhangs = [left, right];
         let outermost = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.moment));
-        let moments = self.moments(discrete, discretisation, &span, outermost)?;
-        Ok(Beam { discrete, discretisation, span, nodes: self.nodes, moments, overhangs })
+        let [moments, sunk] = if discrete.gives() {
+            let forces = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
+            let left = [0, 1].map(|side| [outermost[side], forces[side]]);
+            springs::solve(discrete, discretisation, &self.nodes, &span, left)?
+        } else {
+            [self.moments(discrete, discretisation, &span, outermost)?, Vec::new()]
+        };
+        Ok(Beam { discrete, discretisation, span, nodes: self.nodes, moments, sunk, overhangs })
     }
 
     /// Moments at the nodes; those at the two outermost are given.

@@ -34,8 +34,8 @@ pub struct Discrete {
     pub(super) shape: Option<Arc<Foundation>>,
     /// Whether the beam is the paper's.
     simple: bool,
-    /// `1/kΔ`: how far the ground below a node inside gives under a unit force; zero where it is rigid.
-    give: f64,
+    /// The stiffness of the ground, if it gives.
+    ground: Option<f64>,
     sizes: Sizes,
 }
 
@@ -84,22 +84,22 @@ impl Discrete {
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
             simple: scene.beam().is_simple() && scene.ground_stiffness().is_none(),
-            give: scene.ground_stiffness().map_or(0.0, |k| 1.0 / (k * grid.spacing())),
+            ground: scene.ground_stiffness(),
             sizes: Sizes { x: 1.0, gradient: 1.0 },
             loads: grid.nodal_loads(scene.load()),
         })
     }
 
-    /// How far the ground below a node gives under a unit force: a node at an end of the beam has half a spring.
+    /// How far the ground below a node gives under a unit force.
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
-        if node == 0 || node == self.intervals { 2.0 * self.give } else { self.give }
+        self.grid.give(self.ground, node)
     }
 
     /// Whether the ground gives at all.
     #[must_use]
     pub fn gives(&self) -> bool {
-        0.0 < self.give
+        self.ground.is_some()
     }
 
     /// `n`, the number of interior nodes.
@@ -193,7 +193,7 @@ impl Discrete {
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
         // Ground that gives lets the beam down by what it settles under the load.
-        let settled = self.give * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
+        let settled = self.give(1) * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
         let room: Vec<f64> =
             self.nodes().zip(&self.depths).map(|(node, gap)| (gap - line(node)).abs() + settled).collect();
         let loads = self.nodes().filter(|node| self.supports.at(*node).is_none()).map(|node| self.loads[node]);
@@ -297,7 +297,7 @@ impl Discrete {
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        self.on(self.supports.completed(), loads)
+        Self { ground: None, ..self.on(self.supports.completed(), loads) }
     }
 
     /// The beam on other supports, above ground at zero and under other loads.

@@ -180,18 +180,13 @@ fn stiffness_number(discrete: &Discrete) -> f64 {
     force / depth * spacing * spacing * (spacing / stiffness)
 }
 
-/// The shares of moments in the curvature of a node: of its own for each of its sides, and of that of a neighbour.
-pub(super) fn shares(discretisation: Discretisation) -> [f64; 2] {
-    match discretisation {
-        Discretisation::FiniteDifferences => [0.5, 0.0],
-        Discretisation::BeamElements => [2.0 / 6.0, 1.0 / 6.0],
-    }
-}
-
 /// The curvature `c` in column `j` of a symmetric tridiagonal matrix, times a factor: a share of the moment of the hinge itself for
 /// each side that it has, and of that of each neighbour.
 fn curvature(hinges: &[Hinge], j: usize, discretisation: Discretisation, factor: f64) -> Vec<(usize, f64)> {
-    let [side, beside] = shares(discretisation);
+    let (side, beside) = match discretisation {
+        Discretisation::FiniteDifferences => (0.5, 0.0),
+        Discretisation::BeamElements => (2.0 / 6.0, 1.0 / 6.0),
+    };
     let hinge = &hinges[j];
     let left = j.checked_sub(1).filter(|&i| hinges[i].meets(hinge)).map(|i| (i, beside));
     let right = hinges.get(j + 1).filter(|next| hinge.meets(next)).map(|_| (j + 1, beside));

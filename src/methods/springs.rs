@@ -1,30 +1,26 @@
 //! A beam on springs: ground that gives, `p = k Δ (v − g)` at a node in contact, half of it at an end of the beam.
 //!
-//! With the clearance `h = g − v`, negative where a spring is pressed, in units of force, `s = h EI/Δ³`, and moments in `force · Δ`,
+//! With the clearance `h = g − v`, negative where a spring is pressed, in units of force, `s = h EI/Δ³`, and moments in `force · Δ`, the
+//! three-moment equations of `contact_set.rs` and equilibrium are
 //!
 //! ```text
-//! δ²s − c(M) = (EI/Δ²) bend           how the beam bends
-//! δ²M + κ s  = −q                      equilibrium,   κ = k Δ⁴/EI in contact, zero elsewhere
+//! (s_{i+1} − s_i)/b − (s_i − s_{i−1})/a − c(M)_i = (ϑ_right + ϑ_left)/6 + (EI/Δ²) bend_i
+//! (M_{i+1} − M_i)/b − (M_i − M_{i−1})/a + κ s_i  = −q_i − what the spans on both sides leave there,    κ = k Δ⁴/EI
+//! 6 c(M)_i = a M_{i−1} + 2 (a + b) M_i + b M_{i+1}
 //! ```
 //!
 //! a chain of [blocks] of two: no digit is lost by elimination, however soft or stiff the springs and however fine the grid.
-//! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support `κ = ∞`, and where the
-//! beam ends without a support that holds its slope `c(M) = ∞ M`. A beam that is built in between its ends is two beams.
+//! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support `κ = ∞`; at the outermost
+//! nodes the moment is known.
 
 use super::Discrete;
-use super::contact_set::OnContacts;
-use super::sparse::shares;
-use crate::memory::zeros;
+use super::span::{Span, links};
 use crate::qp::NotPositiveDefinite;
 use crate::qp::blocks::{self, Block, SWALLOWS};
 use crate::state::Discretisation;
 
-/// Rounding of a force or a clearance, in units in the last place of the numbers that it is a difference of.
-const UNITS: f64 = 16.0;
-
-/// A node, or one side of a node in which the beam is built in: its block, `κ`, and the right-hand sides.
+/// A node: its block, `κ`, and the right-hand sides.
 struct Row {
-    node: usize,
     block: Block,
     spring: f64,
     right: [f64; 2],
@@ -36,81 +32,42 @@ impl AsMut<Block> for Row {
     }
 }
 
-impl Row {
-    fn new(discrete: &Discrete, discretisation: Discretisation, node: usize, sides: [bool; 2], touches: bool) -> Self {
-        let Discrete { spacing, stiffness, .. } = *discrete;
-        let support = discrete.supports().at(node);
-        let bends = sides == [true; 2] || support.is_some_and(|support| support.held.slope.is_some());
-        let bend = || discrete.bend(node - usize::from(sides[0]), node, node + usize::from(sides[1]));
-        let [side, beside] = shares(discretisation);
-        let count = f64::from(u8::from(sides[0]) + u8::from(sides[1]));
-        let [c, off] = if sides[1] { [1.0, beside] } else { [0.0; 2] };
-        let spring = match support {
-            Some(_) => SWALLOWS,
-            None if touches => spacing * spacing * spacing / stiffness / discrete.give(node),
-            None => 0.0,
-        };
-        Self {
-            node,
-            block: Block::new(c, if bends { count * side } else { SWALLOWS }, off),
-            spring,
-            right: [
-                if support.is_some() { 0.0 } else { -discrete.loads[node] },
-                if bends { stiffness / (spacing * spacing) * bend() } else { 0.0 },
-            ],
-        }
-    }
-}
-
-/// The beam that touches at some nodes, ascending, and there only.
+/// Moments at the nodes of a [list](super::contact_set::ContactSet) \[force · Δ\], and how far the ground sinks there; `outermost` are
+/// moments and forces that overhangs leave at its ends.
 pub(super) fn solve(
     discrete: &Discrete,
     discretisation: Discretisation,
-    contacts: &[usize],
-) -> Result<OnContacts, NotPositiveDefinite> {
-    let last = discrete.intervals;
-    let mut rows = Vec::with_capacity(last + 1 + discrete.supports().all().len());
-    let mut contacts = contacts.iter().copied().peekable();
-    for node in 0..=last {
-        let mut touches = false;
-        while contacts.next_if_eq(&node).is_some() {
-            touches = true;
-        }
-        let row = |sides| Row::new(discrete, discretisation, node, sides, touches);
-        let inside = [0 < node, node < last];
-        let built_in = discrete.supports().at(node).is_some_and(|support| support.held.slope.is_some());
-        if built_in && inside == [true; 2] {
-            rows.extend([[true, false], [false, true]].map(row));
+    nodes: &[usize],
+    span: &impl Fn(usize, usize) -> Span,
+    outermost: [[f64; 2]; 2],
+) -> Result<[Vec<f64>; 2], NotPositiveDefinite> {
+    let Discrete { spacing, stiffness, .. } = *discrete;
+    let unit = spacing * spacing * spacing / stiffness;
+    let mut rows = Vec::with_capacity(nodes.len());
+    let (mut left, end) = (Span::default(), nodes.len() - 1);
+    for (i, &node) in nodes.iter().enumerate() {
+        let right = nodes.get(i + 1).map_or_else(Span::default, |next| span(node, *next));
+        let (a, b) = (left.steps, right.steps);
+        let [at_left, at_right] = [a, b].map(|steps| links(discretisation, steps));
+        let load = discrete.loads[node] + (left.shares[1] + right.shares[0]);
+        let [w, bent, hangs] = if 0 < i && i < end {
+            let bend = discrete.bend(nodes[i - 1], node, nodes[i + 1]);
+            let turned = (left.rotations[1] + right.rotations[0]) / 6.0;
+            [(2.0 * (a + b) + (at_left + at_right)) / 6.0, turned + stiffness / (spacing * spacing) * bend, 0.0]
         } else {
-            rows.push(row(inside));
-        }
+            let [moment, force] = outermost[usize::from(0 < i)];
+            [SWALLOWS, -SWALLOWS * moment, force]
+        };
+        let spring = if discrete.supports().at(node).is_some() { SWALLOWS } else { unit / discrete.give(node) };
+        let block = Block::new(if 0.0 < b { 1.0 / b } else { 0.0 }, w, (b - at_right) / 6.0);
+        rows.push(Row { block, spring, right: [-(load + hangs), bent] });
+        left = right;
     }
     blocks::factor(&mut rows, |row| row.spring);
     blocks::solve(&mut rows, |row| row.right);
     if let Some((index, pivot)) = rows.iter().enumerate().find_map(|(i, row)| Some((i, row.block.failed()?))) {
         return Err(NotPositiveDefinite { index, pivot });
     }
-    let nodes = discrete.nodes();
-    let mut found = OnContacts { contact_force: zeros(nodes.len()), clearance: zeros(nodes.len()) };
-    let unit = discrete.spacing * discrete.spacing * discrete.spacing / discrete.stiffness;
-    for (k, Row { node, block, spring, .. }) in rows.iter().enumerate() {
-        let (node, [s, _]) = (*node, block.step);
-        if discrete.supports().at(node).is_some() {
-            continue;
-        }
-        let beside = [k.checked_sub(1), Some(k + 1)].map(|k| k.and_then(|k| rows.get(k)).map(|row| row.block.step));
-        let small =
-            |of: usize| UNITS * f64::EPSILON * beside.into_iter().flatten().map(|beside| beside[of].abs()).sum::<f64>();
-        // A sign that may be rounding is none.
-        let signed = |value: f64, rounding: f64| if value < 0.0 && -value <= rounding { 0.0 } else { value };
-        let i = node - nodes.start;
-        if 0.0 < *spring {
-            let rounding = small(1) + UNITS * f64::EPSILON * discrete.loads[node].abs();
-            found.contact_force[i] = signed(-s * spring, rounding);
-        } else {
-            let rounding = small(0) * unit + UNITS * f64::EPSILON * discrete.depth_rounding(node);
-            found.clearance[i] = signed(s * unit, rounding);
-        }
-    }
-    Ok(found)
+    let sunk = |row: &Row| if row.spring < SWALLOWS { -row.block.step[0] * unit } else { 0.0 };
+    Ok([rows.iter().map(|row| row.block.step[1]).collect(), rows.iter().map(sunk).collect()])
 }

@@ -269,6 +269,21 @@ impl Scene {
     pub fn on_rigid_ground(&self, what: &'static str) -> Result<(), SceneError> {
         self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
     }
+
+    /// Whether contact forces say where the beam is: not of one that its supports do not hold, on ground that gives way below each of
+    /// them by an amount that depends on the length over which it acts.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NeedsRigidGround`] if not.
+    pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
+        let holds = self.beam.supports().iter().map(|support| if support.slope.is_some() { 2 } else { 1 });
+        if 2 <= holds.sum::<usize>() {
+            Ok(())
+        } else {
+            self.on_rigid_ground("a check of forces that alone hold a beam")
+        }
+    }
 }
 
 /// What to do about a support between nodes.

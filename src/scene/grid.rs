@@ -57,6 +57,14 @@ impl Grid {
         self.length / self.intervals as f64
     }
 
+    /// `1/kΔ`, how far ground of a stiffness gives at a node under a unit force: an end of the beam has half a spring. Rigid ground does
+    /// not give.
+    #[must_use]
+    pub fn give(&self, ground: Option<f64>, node: usize) -> f64 {
+        let width = if node == 0 || node == self.intervals { 0.5 } else { 1.0 } * self.spacing();
+        ground.map_or(0.0, |k| 1.0 / (k * width))
+    }
+
     /// `x_i`, rounded once more than the product `l i`, so that a node at a round place hits it; the last one is the end of the beam.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ intervals")]
