@@ -37,6 +37,17 @@ impl Springs {
         if part.pressed { self.stiffness * part.sunk(x)[0] } else { 0.0 }
     }
 
+    /// How many parts there are.
+    pub(in crate::theory) fn size(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Places that are near enough to each other to see how the beam decays into the ground.
+    pub(in crate::theory) fn places(&self) -> impl Iterator<Item = f64> + '_ {
+        let inside = |part: &Part| [0.0, 0.25, 0.5, 0.75].map(|s| part.piece.place(s * part.piece.width()));
+        self.parts.iter().filter(|part| part.pressed).flat_map(inside)
+    }
+
     /// The parts as a witness.
     pub(in crate::theory) fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
         self.parts.iter().map(|part| {
