@@ -89,13 +89,19 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
     }
 
-    /// The contact force at each node but supports on ground that gives: with the digits of how far that sinks, which the jump of the
-    /// shear force has not.
+    /// Contact forces on ground so soft that the rounding of the jump of the shear force would be seen in how far it sinks: with the digits
+    /// of that.
     pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
+        if self.sunk.is_empty() {
+            return;
+        }
+        let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
+        if f64::EPSILON * largest * self.discrete.give(1) <= NEAR_ZERO * self.discrete.sizes().x {
+            return;
+        }
         for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
-            let force = sunk / self.discrete.give(node);
-            let near = &self.moments[i.saturating_sub(1)..self.moments.len().min(i + 2)];
-            let bent: f64 = near.iter().map(|moment| moment.abs()).sum();
+            let (force, near) = (sunk / self.discrete.give(node), i.saturating_sub(1)..self.moments.len().min(i + 2));
+            let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
             let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
             visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });
         }
