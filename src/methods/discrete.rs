@@ -219,6 +219,13 @@ impl Discrete {
         size(&self.profile) + size(&self.shape)
     }
 
+    /// Whether the gap is a smooth function.
+    pub(super) fn is_smooth(&self) -> bool {
+        let kinked =
+            |profile: &Option<Arc<Foundation>>| matches!(profile.as_deref(), Some(Foundation::Polyline { .. }));
+        self.profile.is_some() && !kinked(&self.profile) && !kinked(&self.shape)
+    }
+
     /// By how much the slope of the polyline through three nodes, held on the foundation or by supports, grows at the middle one.
     /// Where a built-in support holds that one, it is on one side of it twice, and the slope there is that of the support.
     #[inline]

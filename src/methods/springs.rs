@@ -13,7 +13,7 @@
 //! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support `κ = ∞`; at the outermost
 //! nodes the moment is known.
 //!
-//! In dense contact, where `a = b = 1`, moments count from those of a beam that follows the ground, `M⁰ = −(EI/Δ²) bend`: on curved ground
+//! In dense contact on smooth ground, where `a = b = 1`, moments count from those of a beam that follows the ground, `M⁰ = −(EI/Δ²) bend`: on curved ground
 //! contact forces are second differences of moments that are far larger, and would have the rounding of these.
 
 use super::Discrete;
@@ -49,7 +49,8 @@ pub(super) fn solve(
     let is_dense =
         |i: usize| (0 < i && i + 1 < nodes.len()) && nodes[i - 1] + 1 == nodes[i] && nodes[i] + 1 == nodes[i + 1];
     let following = |i: usize| -curved * discrete.bend(nodes[i - 1], nodes[i], nodes[i + 1]);
-    let follows: Vec<f64> = (0..nodes.len()).map(|i| if is_dense(i) { following(i) } else { 0.0 }).collect();
+    let smooth = discrete.is_smooth();
+    let follows: Vec<f64> = (0..nodes.len()).map(|i| if smooth && is_dense(i) { following(i) } else { 0.0 }).collect();
     let mut rows = Vec::with_capacity(nodes.len());
     let (mut left, end) = (Span::default(), nodes.len() - 1);
     for (i, &node) in nodes.iter().enumerate() {
@@ -63,7 +64,7 @@ pub(super) fn solve(
         });
         let [w, bent, hangs] = if 0 < i && i < end {
             let w = (2.0 * (a + b) + (at_left + at_right)) / 6.0;
-            let bent = if is_dense(i) {
+            let bent = if smooth && is_dense(i) {
                 (falls + rises) * (1.0 - at_left) / 6.0
             } else {
                 let beside = (a - at_left) * follows[i - 1] + (b - at_right) * follows[i + 1];

@@ -129,7 +129,7 @@ pub enum SceneError {
     /// A foundation that would push a support upwards: the problem has no solution.
     #[error(
         "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
-         support; no deflection satisfies the supports and the foundation",
+         support; on rigid ground no deflection satisfies both, and ground that gives is treated alike",
         shown(*at),
         shown(*depth),
         shown(*level)
@@ -145,7 +145,8 @@ pub enum SceneError {
     /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
     #[error(
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
-         the beam, its slope to the {side} of it is {}, and that of the beam is {}; no deflection satisfies both",
+         the beam, its slope to the {side} of it is {}, and that of the beam is {}; on rigid ground no deflection satisfies both, \
+         and ground that gives is treated alike",
         shown(*at),
         shown(*slope),
         shown(*held)
@@ -163,8 +164,8 @@ pub enum SceneError {
     /// A simple support in the bottom of a valley: the problem has no solution.
     #[error(
         "the foundation must not rise above the beam on both sides of a support, but at the simple support x = {}, where it is \
-         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it; no deflection \
-         satisfies both",
+         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it; on rigid \
+         ground no deflection satisfies both, and ground that gives is treated alike",
         shown(*at),
         shown(slopes[0]),
         shown(slopes[1])

@@ -1,5 +1,6 @@
 //! Ground that gives on grids: the way to the exact solution, every route to one optimum, the way to rigid ground.
 
+use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Grid, Load, PointLoad, Scene, Support};
 use palkki::{Settings, Solution, solve, solve_exactly};
@@ -126,11 +127,13 @@ fn stiff_ground_comes_to_rigid_ground() {
     }
 }
 
-/// On random ground of a random stiffness the active set solves its discrete problem by every method, and no bound is untrue.
+/// On random ground of a random stiffness the active set solves its discrete problem by every method, and no bound is untrue. Steps and
+/// kinks of soft ground that are far larger than the beam deflects cost digits of moments, which are seen where it sinks far deeper.
 #[test]
 fn random_scenes_are_solved_on_grids() {
     const SCENES: usize = 150;
-    let mut tried = 0;
+    const UNSOLVED: usize = 0;
+    let (mut tried, mut unsolved) = (0, Vec::new());
     for seed in 0.. {
         let scene = if seed % 2 == 0 { random::held(seed) } else { random::scene(seed) };
         let scene = scene.on_springs(libm::pow(10.0, Random::new(seed).between(-3.0, 9.0))).expect("positive");
@@ -144,7 +147,9 @@ fn random_scenes_are_solved_on_grids() {
         for method in Method::ALL {
             let Solution { state, verdict, residual, solver_status, .. } =
                 on_grid(&scene, method, Solver::ActiveSet, intervals);
-            assert!(residual <= 1e-9, "{seed}, {method}, {intervals}: {residual:e}, {solver_status}");
+            if CERTIFIED_RESIDUAL < residual {
+                unsolved.push(format!("{seed}, {method}, {intervals}: {residual:e}, {solver_status}"));
+            }
             if verdict.status == Status::Certified {
                 let exact = solve_exactly(&scene).expect("an answer").exact.expect("functions");
                 let nodes = state.nodes.expect("of a grid");
@@ -159,4 +164,5 @@ fn random_scenes_are_solved_on_grids() {
             break;
         }
     }
+    assert!(unsolved.len() <= UNSOLVED, "{unsolved:#?}");
 }

@@ -13,6 +13,7 @@ mod long;
 mod near;
 mod random;
 mod springs;
+mod stiff;
 mod supports;
 mod surveys;
 
