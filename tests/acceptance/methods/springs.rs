@@ -127,13 +127,11 @@ fn stiff_ground_comes_to_rigid_ground() {
     }
 }
 
-/// On random ground of a random stiffness the active set solves its discrete problem by every method, and no bound is untrue. Steps and
-/// kinks of soft ground that are far larger than the beam deflects cost digits of moments, which are seen where it sinks far deeper.
+/// On random ground of a random stiffness the active set solves its discrete problem by every method, and no bound is untrue.
 #[test]
 fn random_scenes_are_solved_on_grids() {
     const SCENES: usize = 150;
-    const UNSOLVED: usize = 0;
-    let (mut tried, mut unsolved) = (0, Vec::new());
+    let mut tried = 0;
     for seed in 0.. {
         let scene = if seed % 2 == 0 { random::held(seed) } else { random::scene(seed) };
         let scene = scene.on_springs(libm::pow(10.0, Random::new(seed).between(-3.0, 9.0))).expect("positive");
@@ -147,9 +145,7 @@ fn random_scenes_are_solved_on_grids() {
         for method in Method::ALL {
             let Solution { state, verdict, residual, solver_status, .. } =
                 on_grid(&scene, method, Solver::ActiveSet, intervals);
-            if CERTIFIED_RESIDUAL < residual {
-                unsolved.push(format!("{seed}, {method}, {intervals}: {residual:e}, {solver_status}"));
-            }
+            assert!(residual <= CERTIFIED_RESIDUAL, "{seed}, {method}, {intervals}: {residual:e}, {solver_status}");
             if verdict.status == Status::Certified {
                 let exact = solve_exactly(&scene).expect("an answer").exact.expect("functions");
                 let nodes = state.nodes.expect("of a grid");
@@ -164,5 +160,4 @@ fn random_scenes_are_solved_on_grids() {
             break;
         }
     }
-    assert!(unsolved.len() <= UNSOLVED, "{unsolved:#?}");
 }
