@@ -216,7 +216,7 @@ fn on_springs(seed: u64) -> Option<Scene> {
     (scene.ground_stiffness().is_some() && scene.scaled().is_ok()).then_some(scene)
 }
 
-/// All but one in two hundred of the first 2,000 are certified; most of the others have a support force that is known to 1e-5 only.
+/// All but one in five hundred of the first 2,000 are certified.
 /// None that is not exact is.
 #[test]
 fn random_scenes_are_certified() {
@@ -236,6 +236,10 @@ fn random_scenes_are_certified() {
             + state.supports.iter().fold(0.0, |sum, support| sum + support.force.abs());
         assert!((carried - load).abs() <= 1e-9 * size, "{seed}: {carried} for {load}");
         let bounds = verdict.certificate.as_ref().expect("bounds");
+        for (support, bracket) in state.supports.iter().zip(&bounds.reactions) {
+            let [least, most] = bracket.expect("certified").map(|bound| bound - support.force);
+            assert!(least <= 1e-9 * size && -1e-9 * size <= most, "{seed}: {support:?} in {bracket:?}");
+        }
         let within = 1e-9 * (bounds.energy_upper.abs() + size * state.deflection.magnitude());
         assert!(
             bounds.energy_lower - within <= state.energy && state.energy <= bounds.energy_upper + within,
@@ -244,7 +248,7 @@ fn random_scenes_are_certified() {
         );
     }
     assert_eq!(tried, SCENES);
-    assert!(200 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
+    assert!(500 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
 }
 
 /// Bounds from a wrong witness, the stretches of the beam on softer and stiffer ground, are wide and true.
