@@ -3,14 +3,15 @@
 //! A certificate is as true with any witness and as sharp as its witness is right ([`crate::certificate`]). The exact contacts
 //! come from beam theory. Looking for them may cost no more than in proportion to the solve that is certified; where it would,
 //! or where beam theory has no answer, the answer's own contacts serve, which are at nodes of its grid, and the bounds are
-//! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then.
+//! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then. On ground that gives, what beam theory
+//! has is the witness in any case, solved or not: nodes say too little of how a beam is sunk into it.
 //!
 //! Where coarser grids do not see the ground, the same contacts are where the active set starts: a discrete problem has one
 //! solution, so that a start says how long it takes and nothing of what comes out.
 
 use std::sync::OnceLock;
 
-use crate::certificate::{Certificate, Judged, Proof, certify};
+use crate::certificate::{Certificate, Judged, Proof, Stretch, certify};
 use crate::scene::{Foundation, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
@@ -26,10 +27,17 @@ const PER_NODE: usize = 20;
 #[derive(Debug)]
 pub struct Witness<'a> {
     scene: &'a Scene,
-    /// The contacts of beam theory, if it has an answer.
-    theory: OnceLock<Option<Vec<Contact>>>,
+    /// What beam theory has, if it has an answer.
+    theory: OnceLock<Option<Found>>,
     /// What they prove.
     proof: OnceLock<Option<Proof>>,
+}
+
+/// Contacts, on ground that gives with stretches from end to end.
+#[derive(Debug)]
+struct Found {
+    contacts: Vec<Contact>,
+    stretches: Option<Vec<Stretch>>,
 }
 
 impl<'a> Witness<'a> {
@@ -44,7 +52,7 @@ impl<'a> Witness<'a> {
     pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
         let witness = Self::of(scene);
         // Nothing was found before.
-        let _ = witness.theory.set(contacts(exact));
+        let _ = witness.theory.set(found(exact));
         witness
     }
 
@@ -60,11 +68,15 @@ impl<'a> Witness<'a> {
     ///
     /// Those of [`certify`].
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
-        let proof = |contacts: &[Contact]| Proof::of(self.scene, contacts).ok();
-        let contacts = self.contacts(judged.places());
-        let proven = contacts.and_then(|contacts| self.proof.get_or_init(|| proof(contacts)).as_ref());
+        let proof = |found: &Found| match &found.stretches {
+            Some(stretches) => Proof::of_stretches(self.scene, stretches).ok(),
+            None => Proof::of(self.scene, &found.contacts).ok(),
+        };
+        let found = self.found(judged.places());
+        let proven = found.and_then(|found| self.proof.get_or_init(|| proof(found)).as_ref());
         match proven {
             Some(proof) => Ok(proof.judge(judged)),
+            None if self.scene.ground_stiffness().is_some() => Ok(Proof::of_stretches(self.scene, &[])?.judge(judged)),
             None => certify(self.scene, judged, own),
         }
     }
@@ -72,22 +84,23 @@ impl<'a> Witness<'a> {
     /// The contacts of beam theory for whoever is about to solve the scene on a grid, if a survey has points between the nodes of a
     /// `coarser` one, whose contacts say little then.
     pub(crate) fn start(&self, intervals: usize, coarser: usize) -> Option<&[Contact]> {
-        if points(self.scene) <= coarser { None } else { self.contacts(intervals) }
+        if points(self.scene) <= coarser { None } else { Some(&self.found(intervals)?.contacts) }
     }
 
-    /// The contacts of beam theory, if it is worth to look for them for so many nodes.
-    fn contacts(&self, nodes: usize) -> Option<&[Contact]> {
-        let found = match self.theory.get() {
-            None if ALWAYS + PER_NODE * nodes < points(self.scene) => None,
-            _ => self.theory.get_or_init(|| theory::solve(self.scene).ok().and_then(|exact| contacts(&exact))).as_ref(),
-        };
-        found.map(Vec::as_slice)
+    /// What beam theory has, if it is worth to ask it for so many nodes.
+    fn found(&self, nodes: usize) -> Option<&Found> {
+        let is_rigid = self.scene.ground_stiffness().is_none();
+        match self.theory.get() {
+            None if is_rigid && ALWAYS + PER_NODE * nodes < points(self.scene) => None,
+            _ => self.theory.get_or_init(|| theory::solve(self.scene).ok().and_then(|exact| found(&exact))).as_ref(),
+        }
     }
 }
 
-/// The contacts of an exact solution, if it is one.
-fn contacts(exact: &Exact) -> Option<Vec<Contact>> {
-    exact.solved.then(|| exact.state.touched())
+/// What an exact solution has to say, if it is one.
+fn found(exact: &Exact) -> Option<Found> {
+    let stretches = exact.stretches();
+    (exact.solved || stretches.is_some()).then(|| Found { contacts: exact.state.touched(), stretches })
 }
 
 /// What beam theory has to look at.

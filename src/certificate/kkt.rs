@@ -47,12 +47,12 @@ impl Kkt {
     /// all supports among them: all nodes but the ends of the beam that have a support.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
-        scene.on_rigid_ground("a residual").ok()?;
         let said = Said::by(scene, state)?;
         let Said { nodes, ref grid, first, ref supports, ref summed, .. } = said;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
         let ([force, depth], length, step) = (said.sizes(scene), scene.beam().length(), grid.spacing());
         let nearer = |said: f64, moment: f64, jump: f64| (said - moment).abs().min((said - (moment + jump)).abs());
+        let ground = scene.ground_stiffness();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
         let mut at_supports = [0.0; 2];
@@ -73,10 +73,12 @@ impl Kkt {
             let rows = (0..places.len()).map(|k| {
                 let i = i + k;
                 let clearance = u[k] - v[i];
+                // Of the foot of a spring, on ground that gives.
+                let foot = ground.map_or(clearance, |_| clearance + grid.give(ground, from + k) * p[i]);
                 [
-                    -clearance,
+                    -foot,
                     -p[i],
-                    (clearance / depth).min(p[i] / force),
+                    (foot / depth).min(p[i] / force),
                     (v[i] - deflections[k]).abs(),
                     nearer(moment[i], moments[k] * step, jump * step),
                     mistaken(h[i], u[k], clearance),

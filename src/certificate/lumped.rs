@@ -24,6 +24,8 @@ pub struct Lumped {
     /// The beam at its nodes but the ends that a support holds, in the units of the scene.
     pub nodes: Nodes,
     intervals: usize,
+    /// Clearances at the nodes of the feet of the springs that the ground is; on rigid ground those of the beam.
+    pub(super) feet: Vec<f64>,
 }
 
 /// Why contact forces do not belong to a load that is lumped at the nodes of equal intervals.
@@ -73,7 +75,7 @@ impl Lumped {
     ///
     /// [`NotLumped`]: a force that is none, or places that are not the inner nodes of equal intervals.
     pub fn new(scene: &Scene, forces: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, NotLumped> {
-        scene.on_rigid_ground("a check of nodal forces")?;
+        scene.is_placed_by_forces()?;
         let length = scene.beam().length();
         let mut inner = ContactLoad::sorted(length, forces)?;
         // An end of the beam that a support holds does not bend it.
@@ -94,7 +96,9 @@ impl Lumped {
         }
         let forces = inner.iter().map(|f| f.1.max(0.0)).collect();
         let nodes = bent(scene, &grid, first, forces)?;
-        Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals() })
+        let foot = |(i, (h, p)): (usize, (&f64, &f64))| h + grid.give(scene.ground_stiffness(), i + first) * p;
+        let feet = nodes.clearance.iter().zip(&nodes.contact_force).enumerate().map(foot).collect();
+        Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals(), feet })
     }
 
     /// Number of equal intervals.

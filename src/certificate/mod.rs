@@ -192,7 +192,6 @@ fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Opt
 
 /// What `act` says of a scene that is made dimensionless and enclosed in intervals.
 fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
-    scene.on_rigid_ground("a check of contact forces")?;
     let scaled = scene.scaled()?;
     Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
 }

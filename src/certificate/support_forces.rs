@@ -69,7 +69,8 @@ pub(super) fn forces(
 /// |R − R*| ≤ √( 2 gap ∫ (EI φ''² + k φ²) dx ),    φ = 1 − 3t² + 2t³ for t = s/w:    12 EI/w³ + 13 k w/35 on each side
 /// ```
 ///
-/// for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. `R` is one of its reactions, which enclose what is cut off: each
+/// for the forces of the pair, least where `w⁴ = 36·35 EI / 13 k`. Where statics alone give the forces of the supports, `φ` is a line, with
+/// `∫ k φ² dx` alone, which is less on soft ground. `R` is one of the reactions of the pair, which enclose what is cut off: each
 /// support takes no more than the share that is added on both sides.
 fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Interval> {
     let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
@@ -85,7 +86,8 @@ fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Int
         let after = enclosed.supports.get(i + 1).map_or(end, |next| Interval::length(x, next.x).lo());
         // At an end of the beam there is one side.
         let sides = [before, after].into_iter().filter(|room| 0.0 < *room).map(|room| side(room.min(widest)));
-        let size = sides.fold(Interval::ZERO, |sum, side| sum + side);
+        let bent = sides.fold(Interval::ZERO, |sum, side| sum + side);
+        let size = straight(enclosed, i).map(|square| k * square).filter(|size| size.hi() < bent.hi()).unwrap_or(bent);
         force + Interval::around_zero((number(2) * Interval::exact(pair.gap) * size).sqrt().hi())
     };
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
@@ -110,6 +112,21 @@ impl EnclosedScene<'_> {
     /// True where a support stands that only pushes.
     pub(super) fn pushes_at(&self, x: f64) -> bool {
         !inside(self.gap.ground.bearings, x.next_down(), x.next_up()).is_empty()
+    }
+}
+
+/// `∫ φ² dx` of the line that is 1 at a support and 0 at the other one, or 1 everywhere where there is no other; [`None`] where none is
+/// admissible.
+fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
+    let length = Interval::exact(enclosed.length);
+    match enclosed.supports {
+        [_] => Some(length),
+        [a, b] if a.slope.is_none() && b.slope.is_none() => {
+            let other = Interval::exact(if i == 0 { b.x } else { a.x });
+            let (left, right, apart) = (other, length - other, Interval::length(a.x, b.x));
+            Some((left * left * left + right * right * right) / (number(3) * apart * apart))
+        }
+        _ => None,
     }
 }
 

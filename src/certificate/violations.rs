@@ -50,12 +50,14 @@ pub struct Violation {
     pub relative: f64,
 }
 
-/// The worst violation of each condition that is violated at all, the worst of them first.
+/// The worst violation of each condition that is violated at all, the worst of them first. On ground that gives, forces at places say
+/// nothing of how deep the beam may be in it.
 ///
 /// # Errors
 ///
 /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
 pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, SceneError> {
+    scene.is_placed_by_forces()?;
     enclosed(scene, |enclosed, scaled| {
         let scale = &scaled.scale;
         let forces = given.scaled(scale);
@@ -65,8 +67,9 @@ pub fn violations(scene: &Scene, given: &ContactLoad) -> Result<Vec<Violation>, 
         for of_force in &mut found {
             (of_force.at, of_force.amount) = (of_force.at * scale.length, of_force.amount * scale.force);
         }
+        let is_rigid = scene.has_obstacle() && scene.ground_stiffness().is_none();
         let breaks = enclosed.gap.breaks(0.0, enclosed.length);
-        if let Some(beam) = deflection(&forces, enclosed, &breaks).filter(|_| scaled.scene.has_obstacle()) {
+        if let Some(beam) = deflection(&forces, enclosed, &breaks).filter(|_| is_rigid) {
             found.extend(of_depth(enclosed, &forces, &beam).map(|found| Violation {
                 at: found.at * scale.length,
                 amount: found.amount * scale.depth,
@@ -128,12 +131,12 @@ fn imbalance(scaled: &Scaled, forces: &ContactLoad) -> Option<Violation> {
 /// The same for a beam whose load is lumped at nodes: the conditions at the nodes, which are all that such a beam keeps.
 #[must_use]
 pub fn violations_at_nodes(lumped: &Lumped) -> Vec<Violation> {
-    let Lumped { load, nodes, .. } = lumped;
+    let Lumped { load, nodes, feet, .. } = lumped;
     let all = sum(load);
     let moved = nodes.deflection.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-    let deepest = worst(nodes.x.iter().zip(&nodes.clearance).map(|(&x, h)| (x, -h)));
+    let deepest = worst(nodes.x.iter().zip(feet).map(|(&x, h)| (x, -h)));
     // Infinitely clear of a foundation that is not there.
-    let forces = nodes.x.iter().zip(&nodes.clearance).zip(&nodes.contact_force).filter(|((_, h), _)| h.is_finite());
+    let forces = nodes.x.iter().zip(feet).zip(&nodes.contact_force).filter(|((_, h), _)| h.is_finite());
     let clear = worst(forces.map(|((&x, h), p)| (x, h.min(share(*p, all) * moved))));
     let of_depth = [(ViolationKind::Penetration, deepest), (ViolationKind::Complementarity, clear)];
     let of_depth = of_depth.into_iter().filter(|(_, (_, amount))| 0.0 < *amount);

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use palkki::methods::{Discrete, moments};
+use palkki::methods::{Discrete, unsigned};
 use palkki::qp::{Qp, SparseForm, UpperColumns};
 use palkki::route::Method;
 
@@ -56,11 +56,8 @@ pub(super) fn export<'a>(
             let Some(form) = qp.sparse() else { return Err(Failure::refused("export", "there is no sparse form")) };
             let unit = form.sizes.x;
             let names = names.map(|name| format!("{name} in units of {unit:?}"));
-            let names = moments(&discrete)
-                .into_iter()
-                .take(form.signed)
-                .map(|name| format!("{name} in a unit of its own"))
-                .chain(names);
+            let free = unsigned(&discrete, method).into_iter().take(form.signed);
+            let names = free.map(|name| format!("{name} in a unit of its own")).chain(names);
             let mut texts = sparse(&form);
             texts.push(csv("i,what", names.map(|name| [name])));
             texts

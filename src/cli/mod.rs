@@ -148,11 +148,8 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
     let what = format!("solving {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
-        let of_rigid_ground = [
-            ("--derivatives", arguments.derivatives),
-            ("--depth-tolerance", arguments.depth_tolerance.is_some()),
-            ("--plot", plot.is_some()),
-        ];
+        let of_rigid_ground =
+            [("--derivatives", arguments.derivatives), ("--depth-tolerance", arguments.depth_tolerance.is_some())];
         for (option, _) in of_rigid_ground.into_iter().filter(|(_, asked)| *asked) {
             input.scene.on_rigid_ground(option).map_err(|error| input.error(error))?;
         }

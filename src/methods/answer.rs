@@ -8,7 +8,7 @@ use super::supports::NodeBearing;
 use super::{Discrete, program};
 use crate::qp::Sizes;
 use crate::scene::Grid;
-use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Reactions, Regime, SupportForce};
+use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Pressure, Reactions, Regime, SupportForce};
 
 /// What an answer means for the nodes: all but supported ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +39,12 @@ impl Nodal {
         let first = discrete.nodes().start;
         if discrete.is_open() {
             return Self::of_open(discrete, discretisation, &clearance, contact_force);
+        }
+        // From the foot of a spring to the beam.
+        for ((h, node), p) in
+            clearance.iter_mut().zip(discrete.nodes()).zip(&contact_force).filter(|_| discrete.gives())
+        {
+            *h -= discrete.give(node) * p;
         }
         for support in discrete.supports().inner() {
             clearance[support.node - first] = discrete.gap(support.node) - support.held.deflection;
@@ -128,6 +134,8 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
     let (nodes, sizes, supports) = (discrete.nodes(), discrete.sizes(), discrete.supports().all().to_vec());
     let mut loads = std::mem::take(&mut discrete.loads);
     let mut energy = take_contact_forces(&mut loads[nodes.clone()], &nodal);
+    let pressure = pressure(&discrete, &nodal);
+    energy += pressure.map_or(0.0, |_| pressed(&discrete, &nodal));
     let discrete = discrete.basic(loads);
     let &Discrete { grid, intervals, stiffness, .. } = &discrete;
     let carried = held_beam::on_supports(&discrete, nodal.discretisation);
@@ -179,7 +187,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         deflection,
         moment,
         energy,
-        pressure: None,
+        pressure,
         nodes: Some(Nodes {
             discretisation: nodal.discretisation,
             x,
@@ -246,6 +254,21 @@ fn take_contact_forces(loads: &mut [f64], nodal: &Nodal) -> f64 {
         energy += sum;
     }
     energy
+}
+
+/// What is stored in ground that gives, `½ Σ p²/kΔ`.
+fn pressed(discrete: &Discrete, nodal: &Nodal) -> f64 {
+    discrete.nodes().zip(&nodal.contact_force).map(|(node, p)| 0.5 * discrete.give(node) * p * p).sum()
+}
+
+/// The largest pressure of ground that gives.
+fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
+    let at = |(node, p): (usize, &f64)| {
+        let share = discrete.give(node) / discrete.give(1);
+        Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
+    };
+    let all = discrete.nodes().zip(&nodal.contact_force).map(at);
+    all.filter(|_| discrete.gives()).max_by(|a, b| a.max.total_cmp(&b.max))
 }
 
 /// Extremes with places along the beam instead of numbers of nodes.

@@ -33,6 +33,7 @@ use std::ops::{Range, RangeInclusive};
 use super::Discrete;
 use super::held_beam::{Beam, Overhang};
 use super::span::{Span, links};
+use super::springs;
 use super::supports::NodeSupport;
 use crate::memory::zeros;
 use crate::qp::{Band, NotPositiveDefinite, Row};
@@ -122,6 +123,11 @@ impl ContactSet {
                 *contact_force = force;
             }
         });
+        beam.pressed(|node, force| {
+            if let Some(contact_force) = nodal.contact_force.get_mut(node.wrapping_sub(range.start)) {
+                *contact_force = force;
+            }
+        });
         for support in discrete.supports().all() {
             if let Some(contact_force) = nodal.contact_force.get_mut(support.node.wrapping_sub(range.start)) {
                 *contact_force = 0.0;
@@ -152,8 +158,14 @@ impl ContactSet {
         let right = (self.overhangs[1] && last < end).then(|| Overhang::of(span(last, end), 1, discrete.loads[end]));
         let overhangs = [left, right];
         let outermost = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.moment));
-        let moments = self.moments(discrete, discretisation, &span, outermost)?;
-        Ok(Beam { discrete, discretisation, span, nodes: self.nodes, moments, overhangs })
+        let [moments, sunk] = if discrete.gives() {
+            let forces = overhangs.map(|overhang| overhang.map_or(0.0, |overhang| overhang.force));
+            let left = [0, 1].map(|side| [outermost[side], forces[side]]);
+            springs::solve(discrete, discretisation, &self.nodes, &span, left)?
+        } else {
+            [self.moments(discrete, discretisation, &span, outermost)?, Vec::new()]
+        };
+        Ok(Beam { discrete, discretisation, span, nodes: self.nodes, moments, sunk, overhangs })
     }
 
     /// Moments at the nodes; those at the two outermost are given.

@@ -37,6 +37,8 @@ pub struct Discrete {
     pub(super) shape: Option<Arc<Foundation>>,
     /// Whether the beam is the paper's.
     simple: bool,
+    /// The stiffness of the ground, if it gives.
+    ground: Option<f64>,
     sizes: Sizes,
 }
 
@@ -73,7 +75,6 @@ impl Discrete {
     }
 
     fn unmeasured(scene: &Scene, intervals: usize) -> Result<Self, SceneError> {
-        scene.on_rigid_ground("a discretised method")?;
         let grid = Grid::uniform(scene, intervals)?;
         let supports = Supports::on(&grid, scene)?;
         let open = scene.foundation().is_none() && !supports.bearings().is_empty();
@@ -91,10 +92,23 @@ impl Discrete {
             supports,
             profile: scene.shared_foundation(),
             shape: scene.beam().shared_shape(),
-            simple: scene.beam().is_simple(),
+            simple: scene.beam().is_simple() && scene.ground_stiffness().is_none(),
+            ground: scene.ground_stiffness(),
             sizes: Sizes { x: 1.0, gradient: 1.0 },
             loads: grid.nodal_loads(scene.load()),
         })
+    }
+
+    /// How far the ground below a node gives under a unit force.
+    #[must_use]
+    pub fn give(&self, node: usize) -> f64 {
+        self.grid.give(self.ground, node)
+    }
+
+    /// Whether the ground gives at all.
+    #[must_use]
+    pub fn gives(&self) -> bool {
+        self.ground.is_some()
     }
 
     /// `n`, the number of interior nodes.
@@ -221,7 +235,11 @@ impl Discrete {
         let free = free.unwrap_or_default();
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
-        let room = |(node, gap): (usize, &f64)| if self.is_open_at(node) { f64::INFINITY } else { gap - line(node) };
+        // Ground that gives lets the beam down by what it settles under the load.
+        let settled = self.give(1) * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
+        let room = |(node, gap): (usize, &f64)| {
+            if self.is_open_at(node) { f64::INFINITY } else { (gap - line(node)).abs() + settled }
+        };
         let room: Vec<f64> = self.nodes().zip(&self.depths).map(room).collect();
         let loads = self.nodes().filter(|node| self.supports.at(*node).is_none()).map(|node| self.loads[node]);
         let length = self.grid.place(self.intervals);
@@ -246,6 +264,13 @@ impl Discrete {
         size(&self.profile) + size(&self.shape)
     }
 
+    /// Whether the gap is a smooth function.
+    pub(super) fn is_smooth(&self) -> bool {
+        let kinked =
+            |profile: &Option<Arc<Foundation>>| matches!(profile.as_deref(), Some(Foundation::Polyline { .. }));
+        self.profile.is_some() && !kinked(&self.profile) && !kinked(&self.shape)
+    }
+
     /// By how much the slope of the polyline through three nodes, held on the foundation or by supports, grows at the middle one.
     /// Where a built-in support holds that one, it is on one side of it twice, and the slope there is that of the support.
     #[inline]
@@ -261,9 +286,8 @@ impl Discrete {
     }
 
     /// Lengths of the chords from the middle one of three nodes to the others.
-    #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     fn chords(&self, [left, node, right]: [usize; 3]) -> [f64; 2] {
-        [self.spacing * (node - left) as f64, self.spacing * (right - node) as f64]
+        [self.spacing * as_float(node - left), self.spacing * as_float(right - node)]
     }
 
     /// The bend of the gap between a profile and an own shape.
@@ -325,7 +349,7 @@ impl Discrete {
     /// The beam on its supports, with more if they do not hold it, above ground at zero and under other loads: the basic
     /// structure for forces in balance.
     pub(super) fn basic(&self, loads: Vec<f64>) -> Self {
-        self.on(self.supports.completed(), loads)
+        Self { ground: None, ..self.on(self.supports.completed(), loads) }
     }
 
     /// The beam on other supports, above ground at zero and under other loads.
@@ -343,6 +367,11 @@ impl Discrete {
         }
         self.on(self.supports.holding(all), vec![0.0; self.loads.len()])
     }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
+fn as_float(n: usize) -> f64 {
+    n as f64
 }
 
 /// See [`Discrete::sizes`]: from the free deflection, the room below it, and the loads.

@@ -52,6 +52,8 @@ pub(super) struct Beam<'a, S> {
     pub(super) span: S,
     pub(super) nodes: Vec<usize>,
     pub(super) moments: Vec<f64>,
+    /// How far the ground below each of them sinks; empty where it is rigid.
+    pub(super) sunk: Vec<f64>,
     pub(super) overhangs: [Option<Overhang>; 2],
 }
 
@@ -87,10 +89,33 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
     }
 
+    /// Contact forces on ground so soft that the rounding of the jump of the shear force would be seen in how far it sinks: with the digits
+    /// of that.
+    pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
+        if self.sunk.is_empty() {
+            return;
+        }
+        let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
+        if f64::EPSILON * largest * self.discrete.give(1) <= NEAR_ZERO * self.discrete.sizes().x {
+            return;
+        }
+        for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
+            let (force, near) = (sunk / self.discrete.give(node), i.saturating_sub(1)..self.moments.len().min(i + 2));
+            let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
+            let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
+            visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });
+        }
+    }
+
+    /// The level at which node `i` of the list is held.
+    fn level(&self, i: usize) -> f64 {
+        self.discrete.level(self.nodes[i]) + self.sunk.get(i).copied().unwrap_or(0.0)
+    }
+
     /// The stretch from node `i` of the list to the next one.
     fn stretch(&self, i: usize) -> Stretch {
         let nodes = [self.nodes[i], self.nodes[i + 1]];
-        let levels = nodes.map(|node| self.discrete.level(node));
+        let levels = [i, i + 1].map(|i| self.level(i));
         Stretch { nodes, moments: [self.moments[i], self.moments[i + 1]], levels, lever: 0.0 }
     }
 
@@ -100,11 +125,9 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         let Discrete { stiffness, spacing, intervals, .. } = self.discrete;
         let Overhang { span, moment, .. } = self.overhangs[side]?;
         let end = self.nodes.len() - 1;
-        let ([here, next], next_moment) = match side {
-            0 => ([self.nodes[0], self.nodes[1]], self.moments[1]),
-            _ => ([self.nodes[end], self.nodes[end - 1]], self.moments[end - 1]),
-        };
-        let level = |node: usize| self.discrete.level(node);
+        let list = if side == 0 { [0, 1] } else { [end, end - 1] };
+        let ([here, next], next_moment) = (list.map(|i| self.nodes[i]), self.moments[list[1]]);
+        let [level, next_level] = list.map(|i| self.level(i));
         let unit = 6.0 * stiffness / (spacing * spacing);
         let turned = |steps: f64| 2.0 * steps + links(self.discretisation, steps);
         // Slopes count in the direction away from the tip.
@@ -115,12 +138,12 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             let inner = (self.span)(here.min(next), here.max(next));
             let steps = here.abs_diff(next) as f64;
             let beside = inner.steps - links(self.discretisation, inner.steps);
-            (level(next) - level(here)) / (spacing * steps)
+            (next_level - level) / (spacing * steps)
                 + (turned(inner.steps) * moment + beside * next_moment + inner.rotations[side]) / unit
         };
         let chord = slope + (turned(span.steps) * moment + span.rotations[1 - side]) / unit;
         let drop = chord * spacing * span.steps;
-        let [tip, root] = [level(here) - drop, level(here)];
+        let [tip, root] = [level - drop, level];
         let (nodes, moments, levels) = match side {
             0 => ([0, here], [0.0, moment], [tip, root]),
             _ => ([here, *intervals], [moment, 0.0], [root, tip]),

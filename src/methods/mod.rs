@@ -8,7 +8,7 @@
 //! | [`Force`](Method::Force), (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 //!
 //! On a given set of contacts all three are one beam, or one chain of links, on supports at the depth of the foundation. It
-//! is solved in `contact_set.rs`, without these matrices, and so each method keeps its discrete problem and its digits on
+//! is solved in `contact_set.rs`, on ground that gives in `springs.rs`, without these matrices, and so each method keeps its discrete problem and its digits on
 //! any grid.
 
 mod answer;
@@ -23,6 +23,7 @@ mod program;
 mod rigid;
 pub(crate) mod span;
 mod sparse;
+mod springs;
 mod statics;
 pub(crate) mod supports;
 
@@ -30,7 +31,7 @@ pub use answer::{Nodal, contact_state, free_beam};
 pub use discrete::Discrete;
 pub use force::flexibility;
 pub use rigid::{balanced, single_contact};
-pub use sparse::moments;
+pub use sparse::unsigned;
 
 use std::f64::consts::PI;
 use std::fmt;

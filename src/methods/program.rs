@@ -5,6 +5,8 @@
 //! method 3           h = g − v,    v = C (q − p)  the beam on its supports alone, under loads q − p
 //! ```
 //!
+//! On ground that gives `h` is the clearance of the foot of a spring, `g − v + p/kΔ`: `A` is `C + diag(1/kΔ)` and its inverse.
+//!
 //! Both are linear in the unknown but for what loads, gaps, levels and slopes add; the columns of `A` are what is left without
 //! these. A beam that its supports do not hold has no `C`: forces that are not in balance have no position of rest. Its
 //! complementary energy is minimised over contact forces in balance.
@@ -62,11 +64,11 @@ impl Qp for Program<'_> {
         match self.method {
             // What the open nodes between leave of the difference equations is full.
             _ if self.discrete.is_open() => Matrix::Dense(matrix),
-            Method::Complementarity => {
+            Method::Complementarity if !self.discrete.gives() => {
                 let entry = |i: usize, k: usize| if i + k < n { matrix[(i, i + k)] } else { 0.0 };
                 Matrix::Pentadiagonal((0..n).map(|i| [0, 1, 2].map(|k| entry(i, k))).collect())
             }
-            Method::Displacement | Method::Force => Matrix::Dense(matrix),
+            Method::Complementarity | Method::Displacement | Method::Force => Matrix::Dense(matrix),
         }
     }
 
@@ -84,7 +86,11 @@ impl Qp for Program<'_> {
         let (discrete, discretisation) = (self.discrete, self.method.discretisation());
         let x = discrete.with_supports(x.to_vec());
         if self.method.is_free_in_contact() {
-            return discrete.without_supports(discrete.clearances(&deflection(discrete, &x, discretisation)));
+            let mut open = discrete.clearances(&deflection(discrete, &x, discretisation));
+            for ((h, node), p) in open.iter_mut().zip(discrete.nodes()).zip(&x).filter(|_| discrete.gives()) {
+                *h += discrete.give(node) * p;
+            }
+            return discrete.without_supports(open);
         }
         let held = discrete.above(discrete.clearances(&x));
         let forces = ContactSet::at(&held, held.touchable()).solve(&held, discretisation);

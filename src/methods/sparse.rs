@@ -10,6 +10,9 @@
 //! δ²y_i = y_{i−1} − 2 y_i + y_{i+1};   c(M)_i = M_i, or (M_{i−1} + 4 M_i + M_{i+1})/6 for beam elements
 //! ```
 //!
+//! On ground that gives `h` is the clearance of the foot of a spring, whose compression `s/√kΔ` is one more variable without a sign,
+//! with the energy `½ s²`; contact forces have the energy `½ p²/kΔ`.
+//!
 //! Moments are variables at the nodes where the beam can bend, forces and clearances at those without a support. A built-in
 //! support has a moment on each of its sides, each with half a cell.
 //!
@@ -24,7 +27,7 @@
 //!
 //! With other choices the libraries lose their way on 30 000 intervals, or on 3000.
 
-use super::Discrete;
+use super::{Discrete, Method};
 use crate::qp::{Sizes, SparseForm, UpperColumns};
 use crate::state::Discretisation;
 
@@ -70,9 +73,10 @@ impl Hinge {
     }
 }
 
-/// What the moments of a sparse form are, in their order.
+/// What the variables without a sign of a sparse form are, in their order: moments, and of clearances on ground that gives what the
+/// springs are pressed by.
 #[must_use]
-pub fn moments(discrete: &Discrete) -> Vec<String> {
+pub fn unsigned(discrete: &Discrete, method: Method) -> Vec<String> {
     let name = |hinge: &Hinge| {
         let side = match hinge.sides {
             [true, false] => "left of",
@@ -81,7 +85,9 @@ pub fn moments(discrete: &Discrete) -> Vec<String> {
         };
         format!("moment {side} x = {:?}", discrete.grid.place(hinge.node))
     };
-    Hinge::all(discrete).iter().map(name).collect()
+    let springs = if discrete.gives() && !method.is_free_in_contact() { discrete.unknowns() } else { 0 };
+    let spring = |k| format!("penetration at x = {:?}", discrete.grid.place(discrete.node(k)));
+    Hinge::all(discrete).iter().map(name).chain((0..springs).map(spring)).collect()
 }
 
 /// Methods 1 and 2: moments, then clearances. `sizes` are those of clearance and gradient in the quadratic program.
@@ -117,8 +123,24 @@ pub(super) fn potential(discrete: &Discrete, discretisation: Discretisation, siz
     };
     let right = hinges.iter().map(bend).collect();
     let sizes = Sizes { x: sizes.x / fine, gradient: sizes.gradient * fine };
-    let quadratic = quadratic(&hinges, n, discretisation, 1.0);
-    SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
+    let mut quadratic = quadratic(&hinges, discretisation, 1.0);
+    let mut signed = hinges.len();
+    if discrete.gives() {
+        // The clearance of the beam is that of the foot of a spring less what that is pressed by, in units of its own.
+        let feet = equations.split_off(signed);
+        let loads = linear.split_off(signed);
+        for (i, (foot, load)) in feet.iter().zip(&loads).enumerate() {
+            let unit = (discrete.give(discrete.node(i)) * force / depth).sqrt();
+            equations.push(foot.iter().map(|(hinge, share)| (*hinge, -unit * share)).collect());
+            linear.push(-unit * load);
+            quadratic.push(Some(1.0));
+        }
+        equations.extend(feet);
+        linear.extend(loads);
+        signed += n;
+    }
+    (0..n).for_each(|_| quadratic.push(None));
+    SparseForm { quadratic, linear, equations, right, signed, sizes }
 }
 
 /// Method 3: moments, then contact forces. Levels and slopes of supports do work with the forces and couples that moments put on
@@ -146,7 +168,9 @@ pub(super) fn complementary(discrete: &Discrete, discretisation: Discretisation,
     equations.extend(discrete.touchable().filter_map(|node| rows[node]).map(|row| vec![(row, -1.0)]));
     linear.extend((0..n).map(|unknown| discrete.gap(discrete.node(unknown)) / depth));
     let right = discrete.free_nodes().map(|node| -discrete.loads[node] / force).collect();
-    let quadratic = quadratic(&hinges, n, discretisation, stiffness_number(discrete));
+    let mut quadratic = quadratic(&hinges, discretisation, stiffness_number(discrete));
+    let give = |unknown| discrete.give(discrete.node(unknown)) * force / depth;
+    (0..n).for_each(|unknown| quadratic.push(discrete.gives().then(|| give(unknown))));
     SparseForm { quadratic, linear, equations, right, signed: hinges.len(), sizes }
 }
 
@@ -171,8 +195,8 @@ fn curvature(hinges: &[Hinge], j: usize, discretisation: Discretisation, factor:
     entries.filter(|(_, share)| *share != 0.0).map(|(i, share)| (i, factor * share)).collect()
 }
 
-/// `P`: the curvature of the moments times a factor, nothing for the n others.
-fn quadratic(hinges: &[Hinge], n: usize, discretisation: Discretisation, factor: f64) -> UpperColumns {
+/// The curvature of the moments in `P`, times a factor; nothing of what follows them.
+fn quadratic(hinges: &[Hinge], discretisation: Discretisation, factor: f64) -> UpperColumns {
     let mut columns = UpperColumns::default();
     for j in 0..hinges.len() {
         columns.starts.push(columns.rows.len());
@@ -181,6 +205,6 @@ fn quadratic(hinges: &[Hinge], n: usize, discretisation: Discretisation, factor:
             columns.values.push(value);
         }
     }
-    columns.starts.resize(hinges.len() + n + 1, columns.rows.len());
+    columns.starts.push(columns.rows.len());
     columns
 }

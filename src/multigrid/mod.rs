@@ -16,9 +16,10 @@ mod spans;
 mod windows;
 
 use crate::methods::{Discrete, Method};
-use crate::qp::FreeSet;
+use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::scene::{Grid, Scene, SceneError};
-use crate::solvers::{Answer, active_set};
+use crate::solvers::active_set::{Reduced, optimum, solves_within, violators};
+use crate::solvers::{Answer, MOST_WORK, active_set};
 use crate::state::Contact;
 use part::Parts;
 use refined::refined;
@@ -63,7 +64,11 @@ pub(crate) fn solve(
         None => start(scene, method, discrete, &mut cost)?,
     };
     let beam = Parts::new(discrete, method.discretisation());
-    let end = Windows { beam: &beam, cost: &mut cost }.optimum(&mut free);
+    let end = if discrete.gives() {
+        by_newton(&beam, &mut free, &mut cost)
+    } else {
+        Windows { beam: &beam, cost: &mut cost }.optimum(&mut free)
+    };
     Ok(active_set::answer(end, discrete.nodes().len(), cost.whole + cost.windows, cost.work))
 }
 
@@ -98,8 +103,44 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     let coarse = discrete.coarser(scene, coarse)?;
     let mut free = start(scene, method, &coarse, cost)?;
     let beam = Parts::new(&coarse, method.discretisation());
-    Windows { beam: &beam, cost }.guess(&mut free);
+    if discrete.gives() {
+        // A solve that fails here fails again where it is reported.
+        let _ = by_newton(&beam, &mut free, cost);
+    } else {
+        Windows { beam: &beam, cost }.guess(&mut free);
+    }
     Ok(refined(&free, intervals, discrete.held_ends()))
+}
+
+/// The optimum on ground that gives, where what happens at a contact is felt at others however far away, so that there are no
+/// windows: all variables on the wrong side change together, Newton's method for springs that cannot pull, and if that does not
+/// end, as elsewhere.
+fn by_newton(beam: &Parts<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
+    /// A handful are the rule.
+    const STEPS: usize = 60;
+    let n = free.dimension();
+    let mut whole = Reduced {
+        point: Box::new(|free| beam.point(free, 0..n)),
+        make_definite: Box::new(|free| beam.hold(free)),
+        most_solves: solves_within(MOST_WORK.saturating_sub(cost.work), n),
+    };
+    let mut solves = 0;
+    let mut settled = None;
+    while solves < STEPS.min(whole.most_solves) && settled.is_none() {
+        solves += 1;
+        (whole.make_definite)(free);
+        let point = (whole.point)(free)?;
+        let wrong = violators(&point, free);
+        wrong.iter().for_each(|&i| free.set(i, !free.contains(i)));
+        settled = wrong.is_empty().then_some(point);
+    }
+    let end = match settled {
+        Some(point) => Ok((point, true)),
+        None => optimum(&mut whole, free, &mut solves, |_, _| Ok(false)),
+    };
+    cost.whole += solves;
+    cost.work += solves * n;
+    end
 }
 
 #[cfg(test)]

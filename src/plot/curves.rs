@@ -164,32 +164,41 @@ fn contact_forces(state: &ContactState, nodes: &Nodes, x: &[f64]) -> (Vec<Vec<Pl
     for run in runs(state, nodes) {
         let f = |i: usize| nodes.contact_force[i];
         let single = |i: usize| PointForce { at: nodes.x[i], force: f(i) };
+        // Ground that gives takes no concentrated force.
+        if state.pressure.is_some() {
+            pressure.push(run.flat_map(|i| steps(nodes, x, i)).collect());
+            continue;
+        }
         if run.len() <= SINGLE_FORCES {
             forces.extend(run.filter(|&i| f(i) != 0.0).map(single));
             continue;
         }
         let inner = run.start + END_NODES..run.end - END_NODES;
         forces.push(resultant(nodes, run.start..inner.start));
-        let mut steps = Vec::new();
+        let mut line = Vec::new();
         for i in inner.clone() {
             let mut around = [f(i - 2), f(i - 1), f(i + 1), f(i + 2)];
             around.sort_by(f64::total_cmp);
             let deep_inside = inner.start < i && i + 1 < inner.end;
             if deep_inside && PEAK * 0.5 * (around[1] + around[2]) < f(i) {
                 forces.push(single(i));
-                pressure.push(std::mem::take(&mut steps));
+                pressure.push(std::mem::take(&mut line));
                 continue;
             }
-            // Node i of the interior is node i + 1 with the support; its force belongs to half an interval either side.
-            let (left, right) = (0.5 * (x[i] + x[i + 1]), 0.5 * (x[i + 1] + x[i + 2]));
-            let p = f(i) / (right - left);
-            steps.extend([[left, p], [right, p]]);
+            line.extend(steps(nodes, x, i));
         }
-        pressure.push(steps);
+        pressure.push(line);
         forces.push(resultant(nodes, inner.end..run.end));
     }
     pressure.retain(|steps: &Vec<Place>| !steps.is_empty());
     (pressure, forces)
+}
+
+/// The pressure of node `i`, whose force belongs to half an interval on either side.
+fn steps(nodes: &Nodes, x: &[f64], i: usize) -> [Place; 2] {
+    // Node i of the interior is node i + 1 with the support.
+    let (left, right) = (0.5 * (x[i] + x[i + 1]), 0.5 * (x[i + 1] + x[i + 2]));
+    [left, right].map(|x| [x, nodes.contact_force[i] / (right - left)])
 }
 
 /// Contacts as ranges of nodes; two contacts with no more than one open node between them count as one.
@@ -260,6 +269,8 @@ fn point_forces(exact: &Exact) -> Vec<PointForce> {
     for contact in &exact.state.contacts {
         match contact.end_forces {
             Some([from, to]) => forces.extend([(contact.from, from), (contact.to, to)]),
+            // Ground that gives takes no concentrated force.
+            None if exact.state.pressure.is_some() => {}
             None => forces.push((contact.from, contact.force)),
         }
     }

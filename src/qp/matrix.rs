@@ -26,6 +26,15 @@ pub struct UpperColumns {
     pub values: Vec<f64>,
 }
 
+impl UpperColumns {
+    /// One more column, with nothing but a diagonal entry, if any. There is a first one.
+    pub(crate) fn push(&mut self, diagonal: Option<f64>) {
+        self.rows.extend(diagonal.map(|_| self.starts.len() - 1));
+        self.values.extend(diagonal);
+        self.starts.push(self.rows.len());
+    }
+}
+
 impl Matrix {
     /// `n`.
     #[must_use]

@@ -13,6 +13,7 @@
 //! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
 
 mod band;
+pub(crate) mod blocks;
 mod explicit;
 mod free_set;
 mod matrix;

@@ -129,7 +129,7 @@ pub enum SceneError {
     /// A foundation that would push a support upwards: the problem has no solution.
     #[error(
         "the foundation must not lie above a support, but its depth at the support x = {} is {}, above the level {} of the \
-         support; no deflection satisfies the supports and the foundation",
+         support; on rigid ground no deflection satisfies both, and ground that gives is treated alike",
         shown(*at),
         shown(*depth),
         shown(*level)
@@ -179,7 +179,8 @@ pub enum SceneError {
     /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
     #[error(
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
-         the beam, its slope to the {side} of it is {}, and that of the beam is {}; no deflection satisfies both",
+         the beam, its slope to the {side} of it is {}, and that of the beam is {}; on rigid ground no deflection satisfies both, \
+         and ground that gives is treated alike",
         shown(*at),
         shown(*slope),
         shown(*held)
@@ -197,8 +198,8 @@ pub enum SceneError {
     /// A simple support in the bottom of a valley: the problem has no solution.
     #[error(
         "the foundation must not rise above the beam on both sides of a support, but at the simple support x = {}, where it is \
-         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it; no deflection \
-         satisfies both",
+         level with the beam, its slope against that of the own shape is {} to the left and {} to the right of it; on rigid \
+         ground no deflection satisfies both, and ground that gives is treated alike",
         shown(*at),
         shown(slopes[0]),
         shown(slopes[1])
@@ -304,6 +305,21 @@ impl Scene {
     /// [`SceneError::NeedsRigidGround`] if not, naming what asked for it.
     pub fn on_rigid_ground(&self, what: &'static str) -> Result<(), SceneError> {
         self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
+    }
+
+    /// Whether contact forces say where the beam is: not of one that its supports do not hold, on ground that gives way below each of
+    /// them by an amount that depends on the length over which it acts.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::NeedsRigidGround`] if not.
+    pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
+        let holds = self.beam.supports().iter().map(|support| if support.slope.is_some() { 2 } else { 1 });
+        if 2 <= holds.sum::<usize>() {
+            Ok(())
+        } else {
+            self.on_rigid_ground("a check of forces that alone hold a beam")
+        }
     }
 }
 

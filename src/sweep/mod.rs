@@ -136,7 +136,6 @@ impl<'a> Sweep<'a> {
     ///
     /// [`SweepError`], but for values without an answer, which are found on the way.
     pub fn new(scene: &'a Scene, path: &str, range: [f64; 2], steps: usize) -> Result<Self, SweepError> {
-        scene.on_rigid_ground("a sweep")?;
         let mut paths = path.split(',').map(|path| scene.quantity(path.trim()));
         let quantity = paths.next().unwrap_or_else(|| scene.quantity(path))?;
         let number = |quantity| scene.number(quantity).unwrap_or_default();

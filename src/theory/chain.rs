@@ -20,6 +20,8 @@
 //! beside clearances keep the digits that a stiffness matrix of order `1/Δ³` would lose, and clearances have the digits of
 //! small numbers, since only differences of neighbouring depths enter. What comes out is a guess and is treated as one.
 
+use crate::qp::blocks::{Block, PENALTY, factor, solve};
+
 /// The chain above samples from end to end of the beam, or of a part of it between built-in supports.
 #[derive(Debug)]
 pub(super) struct Chain<'a> {
@@ -48,9 +50,6 @@ pub(super) struct ChainSample {
     pub(super) beam: bool,
 }
 
-/// Large enough to fix the variable of its row to all digits: a power of two, so that nothing else is rounded.
-const PENALTY: f64 = f64::from_bits(0x52b0_0000_0000_0000);
-
 /// Contact forces of the chain, and which samples touch.
 #[derive(Debug)]
 pub(super) struct Guess {
@@ -70,12 +69,8 @@ const STEPS: usize = 60;
 /// A sample: what it is made of and where the iteration stands.
 #[derive(Debug, Clone, Copy, Default)]
 struct Row {
-    /// `1/Δ` of the link to its right.
-    c: f64,
-    /// Diagonal entry of `W`.
-    w: f64,
-    /// Entry of `W` beside the diagonal, to the right.
-    off: f64,
+    /// `1/Δ` of the link to its right, its part of `W`, and the solution of the linear system: `ds`, `dm`.
+    block: Block,
     /// `(B u)_i + ρ_i` and the load.
     bend: f64,
     load: f64,
@@ -85,19 +80,18 @@ struct Row {
     m: f64,
     /// Residuals of both linear equations.
     rest: [f64; 2],
-    /// Pivot block `[[a, −h], [−h, −g]]` and `1/(a g + h²)`.
-    a: f64,
-    h: f64,
-    g: f64,
-    inverse: f64,
     /// True at a support, where `s` is given and `p` is nobody's.
     held: bool,
     /// True where nothing touches, and `p` stays zero.
     open: bool,
-    /// Solution of the linear system: `ds`, `dm`.
-    step: [f64; 2],
     /// `dp`.
     dp: f64,
+}
+
+impl AsMut<Block> for Row {
+    fn as_mut(&mut self) -> &mut Block {
+        &mut self.block
+    }
 }
 
 impl Row {
@@ -106,16 +100,21 @@ impl Row {
         !self.held && !self.open
     }
 
+    /// `Θ` of the row: what a support holds is fixed.
+    fn ratio(&self, free: f64) -> f64 {
+        if self.held { PENALTY } else { free }
+    }
+
     /// Goes a part of its step, and says whether it touches.
     fn advance(&mut self, step: f64, touches: &mut bool) {
-        self.m += step * self.step[1];
+        self.m += step * self.block.step[1];
         if self.open {
-            self.s += step * self.step[0];
+            self.s += step * self.block.step[0];
         }
         if !self.may_touch() {
             return;
         }
-        let (s, p) = (self.s + step * self.step[0], self.p + step * self.dp);
+        let (s, p) = (self.s + step * self.block.step[0], self.p + step * self.dp);
         // Of the two that vanish together, the one that vanishes faster (Tapia's indicators).
         *touches = s * self.p < p * self.s;
         (self.s, self.p) = (s, p);
@@ -125,23 +124,23 @@ impl Row {
 /// Mehrotra's predictor and corrector: the step of each row, and how much of it leads to the border. What nothing can touch lies on
 /// soft springs.
 fn direction(rows: &mut [Row], mu: f64, count: f64, soft: f64) -> f64 {
-    factor(rows, |row| if row.open { soft } else { row.p / row.s });
-    solve(rows, |row| row.rest[1] - row.p);
+    factor(rows, |row| row.ratio(if row.open { soft } else { row.p / row.s }));
+    solve(rows, |row| [row.rest[1] - row.p, row.rest[0]]);
     let mut longest = 1.0_f64;
     for row in rows.iter_mut().filter(|row| row.may_touch()) {
-        row.dp = -row.p - row.p / row.s * row.step[0];
+        row.dp = -row.p - row.p / row.s * row.block.step[0];
         longest = limited(longest, row);
     }
-    let ahead = rows.iter().map(|r| (r.s + longest * r.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
+    let ahead = rows.iter().map(|r| (r.s + longest * r.block.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
     let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
     // From here on `dp` holds what the contact condition asks for, over `s`.
     for row in rows.iter_mut().filter(|row| row.may_touch()) {
-        row.dp = (sigma * mu - row.step[0] * row.dp) / row.s - row.p;
+        row.dp = (sigma * mu - row.block.step[0] * row.dp) / row.s - row.p;
     }
-    solve(rows, |row| row.rest[1] + row.dp);
+    solve(rows, |row| [row.rest[1] + row.dp, row.rest[0]]);
     longest = 1.0;
     for row in rows.iter_mut().filter(|row| row.may_touch()) {
-        row.dp -= row.p / row.s * row.step[0];
+        row.dp -= row.p / row.s * row.block.step[0];
         longest = limited(longest, row);
     }
     longest
@@ -169,7 +168,7 @@ impl Chain<'_> {
             }
             // Short of the border, where the next system would be singular.
             let step = 0.995 * direction(&mut rows, mu, count, SOFT * self.bed());
-            let moved: f64 = rows.iter().map(|r| r.step[0] + r.step[1] + r.dp).sum();
+            let moved: f64 = rows.iter().map(|r| r.block.step[0] + r.block.step[1] + r.dp).sum();
             if !(step * moved).is_finite() {
                 break;
             }
@@ -183,22 +182,22 @@ impl Chain<'_> {
         // The beam that touches nothing; one that then could move lies on a bed of springs, and so does one with a free end: of links
         // that nothing holds, elimination would lose how they bend.
         let springs = if self.is_held_at_both_ends() { 0.0 } else { self.bed() };
-        factor(rows, |_| springs);
+        factor(rows, |row| row.ratio(springs));
         residuals(rows);
-        solve(rows, |row| row.rest[1]);
+        solve(rows, |row| [row.rest[1], row.rest[0]]);
         // Clearances are measured by how deep that beam lies in the foundation, however deep the foundation is elsewhere.
         let touching = || rows.iter().filter(|row| row.may_touch());
-        let reach = touching().fold(0.0_f64, |most, row| most.max(row.step[0].abs()));
-        let deepest = touching().fold(1e-15 * reach, |most, row| most.max(-row.step[0]));
+        let reach = touching().fold(0.0_f64, |most, row| most.max(row.block.step[0].abs()));
+        let deepest = touching().fold(1e-15 * reach, |most, row| most.max(-row.block.step[0]));
         let unit_clearance = if 0.0 < deepest { deepest } else { 1.0 };
         let total: f64 = rows.iter().filter(|row| !row.held).map(|row| row.load.abs()).sum();
         let unit_force = total.max(48.0 * unit_clearance / self.cube()) / count;
         for row in rows {
-            row.m = row.step[1];
+            row.m = row.block.step[1];
             if row.open {
-                row.s = row.step[0];
+                row.s = row.block.step[0];
             } else if !row.held {
-                (row.s, row.p) = (row.step[0].max(0.1 * unit_clearance), unit_force);
+                (row.s, row.p) = (row.block.step[0].max(0.1 * unit_clearance), unit_force);
             }
         }
         [unit_clearance, unit_force]
@@ -229,11 +228,12 @@ impl Chain<'_> {
             let ChainSample { bend, load, held, open, .. } = self.samples[i];
             let row = Row { bend, load, open, held: held.is_some(), s: held.unwrap_or(0.0), ..Row::default() };
             if i + 1 == n {
-                return Row { w: left + PENALTY * f64::from(!self.built_in[1]), ..row };
+                let w = left + PENALTY * f64::from(!self.built_in[1]);
+                return Row { block: Block::new(0.0, w, 0.0), ..row };
             }
             let right = link(i);
             let off = if right.1 { right.0 / 6.0 } else { 0.0 };
-            Row { c: 1.0 / right.0, w: left + share(right), off, ..row }
+            Row { block: Block::new(1.0 / right.0, left + share(right), off), ..row }
         };
         (0..n).map(row).collect()
     }
@@ -247,60 +247,22 @@ fn residuals(rows: &mut [Row]) -> f64 {
     for i in 0..rows.len() {
         let (next_s, next_m) = rows.get(i + 1).map_or((0.0, 0.0), |next| (next.s, next.m));
         let row = &mut rows[i];
-        let (right_s, right_m) = (row.c * (next_s - row.s), row.c * (next_m - row.m));
-        let bends = row.bend - (right_s - left_s) + row.w * row.m + row.off * next_m + bent;
+        let Block { c, w, off, .. } = row.block;
+        let (right_s, right_m) = (c * (next_s - row.s), c * (next_m - row.m));
+        let bends = row.bend - (right_s - left_s) + w * row.m + off * next_m + bent;
         row.rest = [bends, row.p - row.load - (right_m - left_m)];
         if !row.held {
             worst = worst.max(row.rest[1].abs());
         }
-        (left_s, left_m, bent) = (right_s, right_m, row.off * row.m);
+        (left_s, left_m, bent) = (right_s, right_m, off * row.m);
     }
     worst
-}
-
-/// Factors `[[Θ, B], [B, −W]]` in blocks of one sample each, with `Θ_i` the `ratio` of a sample.
-///
-/// Written with `h = c + e`, every pivot is a sum of positive numbers but for one difference that is small by construction:
-///
-/// ```text
-/// d = a g + h²,   a' = Θ' + c² a/d,   e' = c (a (g + ω) + h e)/d,   g' = w' + (c² g + 2 c h ω − a ω²)/d
-/// ```
-fn factor(rows: &mut [Row], ratio: impl Fn(&Row) -> f64) {
-    let (mut a, mut e, mut g) = (0.0, 0.0, 0.0);
-    for row in rows {
-        row.a = a + if row.held { PENALTY } else { ratio(row) };
-        row.h = row.c + e;
-        row.g = g + row.w;
-        row.inverse = 1.0 / (row.a * row.g + row.h * row.h);
-        let (c, off) = (row.c, row.off);
-        let scaled = c * row.inverse;
-        a = c * scaled * row.a;
-        e = scaled * (row.a * (row.g + off) + row.h * e);
-        g = scaled * (c * row.g + 2.0 * row.h * off) - row.a * off * off * row.inverse;
-    }
-}
-
-/// Solves with these factors for `step`, with `rest[0]` and `second` on the right-hand side.
-fn solve(rows: &mut [Row], second: impl Fn(&Row) -> f64) {
-    let mut carry = [0.0; 2];
-    for row in rows.iter_mut() {
-        let (y1, y2) = (second(row) - carry[0], row.rest[0] - carry[1]);
-        row.step = [(row.g * y1 - row.h * y2) * row.inverse, -(row.h * y1 + row.a * y2) * row.inverse];
-        carry = [row.c * row.step[1], row.c * row.step[0] - row.off * row.step[1]];
-    }
-    let mut next = [0.0; 2];
-    for row in rows.iter_mut().rev() {
-        let (y1, y2) = (row.c * next[1], row.c * next[0] - row.off * next[1]);
-        row.step[0] -= (row.g * y1 - row.h * y2) * row.inverse;
-        row.step[1] += (row.h * y1 + row.a * y2) * row.inverse;
-        next = row.step;
-    }
 }
 
 /// The longest step, at most `longest`, that keeps clearance and force from becoming negative.
 fn limited(longest: f64, row: &Row) -> f64 {
     let limit = |longest: f64, x: f64, d: f64| if x + longest * d < 0.0 { -x / d } else { longest };
-    limit(limit(longest, row.s, row.step[0]), row.p, row.dp)
+    limit(limit(longest, row.s, row.block.step[0]), row.p, row.dp)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "samples are counted in millions")]

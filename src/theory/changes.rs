@@ -140,15 +140,16 @@ impl Exact {
     }
 
     /// True if a contact begins, lies or ends where no load drives the beam onto the ground: one answer has several lists of contacts
-    /// there.
+    /// there. On ground that gives there is no list.
     pub(crate) fn touches_without_load(&self) -> bool {
         let given = &self.given;
         let straight = |shape: usize| given.shapes[shape].degree().is_some_and(|degree| degree < 4);
         let idle = |cell: &Cell| cell.load == 0.0 && cell.load_slope == 0.0 && straight(cell.shape);
-        self.state.contacts.iter().any(|contact| {
-            let [from, to] = [contact.from, contact.to].map(|x| x / self.scale.length);
-            given.cells.get(given.cell_to(from)..=given.cell_from(to)).is_some_and(|cells| cells.iter().any(idle))
-        })
+        self.springs.is_none()
+            && self.state.contacts.iter().any(|contact| {
+                let [from, to] = [contact.from, contact.to].map(|x| x / self.scale.length);
+                given.cells.get(given.cell_to(from)..=given.cell_from(to)).is_some_and(|cells| cells.iter().any(idle))
+            })
     }
 
     /// True if the ground presses at node `end`, an end of the zone before node `i`.

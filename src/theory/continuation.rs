@@ -7,6 +7,7 @@ use super::margin::{Margin, all, failing, stopped};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
+use super::springs::Springs;
 use crate::scene::{Scale, Scene};
 
 /// What an answer takes, however small its scene is, on two supports.
@@ -91,7 +92,8 @@ impl Exact {
 
     fn work_of(&self, lists: usize, steps: usize) -> u64 {
         let nodes = self.list.nodes.len();
-        let passes = (lists + 1) * (self.given.cells.len() + nodes) + steps * nodes;
+        let cells = self.given.cells.len() + self.springs.as_ref().map_or(0, Springs::size);
+        let passes = (lists + 1) * (cells + nodes) + steps * nodes;
         // Of thousands of supports this is nearly all of it.
         let many = OF_A_SUPPORT * self.given.supports.len().saturating_sub(2);
         START + u64::try_from(passes + many).unwrap_or(u64::MAX)

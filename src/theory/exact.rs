@@ -317,6 +317,7 @@ impl Exact {
         let length = scene.beam().length();
         let even = (0..=intervals).map(|i| length * f64::from(i) / f64::from(intervals));
         let mut places: Vec<f64> = even.collect();
+        places.extend(self.springs.iter().flat_map(Springs::places).map(|x| x * self.scale.length));
         places.extend(self.state.contacts.iter().flat_map(|c| [c.from, c.to]));
         places.extend(scene.load().point().iter().map(|load| load.at));
         places.extend(scene.load().linear().iter().flat_map(|load| [load.from, load.to]));

@@ -116,10 +116,14 @@ impl Exact {
             Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
         });
         let (touches, contacts): (Vec<_>, Vec<_>) = self.touches().into_iter().unzip();
+        let forces = || self.state.supports.iter().map(|support| support.force);
+        let no_force = NO_FORCE * forces().fold(self.state.contact_force(), |sum, force| sum + force.abs());
+        let pulls =
+            if self.springs.is_some() { forces().map(|force| force < -no_force).collect() } else { pulling.collect() };
         Pattern {
             touches,
             clamped: supports.collect(),
-            pulls: pulling.collect(),
+            pulls,
             crests: contacts.iter().map(|contact| self.crest(contact)).collect(),
             pieces: given.shapes.len(),
         }
@@ -127,6 +131,9 @@ impl Exact {
 
     /// What carries something, with its contact: a contact without a force is none, and a zone goes no farther than its pressure.
     pub(crate) fn touches(&self) -> Vec<(Touch, Contact)> {
+        if self.springs.is_some() {
+            return self.state.contacts.iter().map(|contact| (self.sunk(contact), *contact)).collect();
+        }
         let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
         let mut contacts = self.state.contacts.iter();
         let mut touches = Vec::with_capacity(contacts.len());
@@ -154,6 +161,24 @@ impl Exact {
             );
         }
         touches
+    }
+
+    /// A contact on ground that gives.
+    fn sunk(&self, contact: &Contact) -> Touch {
+        let given = &self.given;
+        let at = |x: f64, place: f64| (x - place).abs() <= AT_ONE_PLACE * given.length;
+        Touch::Zone([(contact.from, true), (contact.to, false)].map(|(x, right)| {
+            let x = x / self.scale.length;
+            let support = given.supports.iter().position(|support| at(x, given.breakpoints[support.breakpoint].x));
+            match support {
+                Some(index) => ZoneEnd::Support(index),
+                None if at(x, 0.0) || at(x, given.length) => ZoneEnd::FreeEnd,
+                None => {
+                    let cell = if right { given.cell_from(x) } else { given.cell_to(x) };
+                    ZoneEnd::LiftOff(given.cells[cell].shape)
+                }
+            }
+        }))
     }
 
     /// What carries something of the zone before node `i`: the stretches with a pressure, and the places with a force.

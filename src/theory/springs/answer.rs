@@ -13,7 +13,8 @@ use crate::theory::piecewise::{AtSupport, Breakpoint, PiecewiseScene};
 use crate::theory::summary::{add_extremes, differentiated};
 use crate::theory::violation::Violation;
 
-/// A penetration on the wrong side, as a share of the largest one, that is the rounding of where a zone ends.
+/// A penetration on the wrong side, as a share of the largest one and never less than [`rounding`], that is the rounding of where a zone
+/// ends.
 const MOST_VIOLATED: f64 = 1e-9;
 
 /// The functions of `x` of a solution, dimensionless.
@@ -35,6 +36,17 @@ impl Springs {
     pub(in crate::theory) fn pressure(&self, x: f64) -> f64 {
         let part = self.part(x, true);
         if part.pressed { self.stiffness * part.sunk(x)[0] } else { 0.0 }
+    }
+
+    /// How many parts there are.
+    pub(in crate::theory) fn size(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Places that are near enough to each other to see how the beam decays into the ground.
+    pub(in crate::theory) fn places(&self) -> impl Iterator<Item = f64> + '_ {
+        let inside = |part: &Part| [0.0, 0.25, 0.5, 0.75].map(|s| part.piece.place(s * part.piece.width()));
+        self.parts.iter().filter(|part| part.pressed).flat_map(inside)
     }
 
     /// The parts as a witness.
@@ -84,8 +96,10 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
     let found = search(&given, springs).ok_or(SceneError::Overflow { quantity, what, value: springs })?;
     let Found { parts, stretches, solves, settled } = found;
-    let (violated, depth) = (parts.iter().map(violation).fold(0.0, f64::max), deepest(&parts));
-    let residual = if 0.0 < depth { violated / depth } else { violated };
+    let violated = parts.iter().map(violation).fold(0.0, f64::max);
+    let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
+    let measure = deepest(&parts).max(rounded / MOST_VIOLATED);
+    let residual = if 0.0 < measure { violated / measure } else { violated };
     let mut state = state(scaled, &given, &parts, &stretches, springs);
     let resultant = scaled.balance.in_units_of(&scaled.scale).resultant();
     state.standing = resultant.map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, None));
@@ -112,6 +126,13 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         scale: scaled.scale,
         stiffness,
     })
+}
+
+/// What a penetration is rounded by: the digits of the deflection, and how far it changes by those of a place.
+fn rounding(part: &Part, length: f64) -> f64 {
+    const UNITS: f64 = 16.0;
+    let size = [part.piece.lo, part.piece.hi].map(|x| part.beam(x)[0].abs() + length * part.sunk(x)[1].abs());
+    UNITS * f64::EPSILON * size[0].max(size[1])
 }
 
 /// By how much a part violates its side of the surface: where springs press `w` is not negative, elsewhere not positive.

@@ -59,6 +59,8 @@ fn csv_is_in_equilibrium() {
 fn ground_that_gives_is_solved_and_otherwise_refused() {
     let folder = Folder::new("exact_springs");
     folder.write("soft.toml", super::EXAMPLE.to_owned() + "stiffness = 100\n");
+    let lying = super::EXAMPLE.replace("[load]", "supports = []\n[load]") + "stiffness = 100\n";
+    folder.write("lying.toml", lying);
     folder.write("forces.csv", "x,force\n5,1\n");
     let (code, _, json) = folder.json("solve soft.toml");
     assert_eq!(code, Some(0));
@@ -67,14 +69,20 @@ fn ground_that_gives_is_solved_and_otherwise_refused() {
     assert!(contact["force_from"].is_null() && contact["force_to"].is_null(), "{contact}");
     assert!(0.0 < number(&json["pressure"]["max"]) && number(&contact["from"]) < number(&json["pressure"]["at"]));
     for command in [
-        "solve soft.toml --method force",
+        "solve soft.toml --method force --plot figure.svg",
         "solve soft.toml --method force --tolerance 1e-2",
+        "compare soft.toml",
+        "sweep soft.toml --vary foundation.stiffness --from 1 --to 2 --steps 3 --envelope",
+    ] {
+        assert_eq!(folder.json(command).0, Some(0), "{command}");
+    }
+    // Other forces than those of the beam.
+    assert_eq!(folder.json("certify soft.toml forces.csv").0, Some(1));
+    for command in [
         "solve soft.toml --derivatives",
         "solve soft.toml --depth-tolerance 0.01",
-        "solve soft.toml --plot figure.svg",
-        "compare soft.toml",
-        "certify soft.toml forces.csv",
-        "sweep soft.toml --vary foundation.stiffness --from 1 --to 2 --steps 3",
+        "explain soft.toml",
+        "certify lying.toml forces.csv",
     ] {
         let run = folder.run(command);
         assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{command}: {}", run.err);

@@ -8,4 +8,5 @@ mod matrices;
 mod multigrid;
 mod nodal_loads;
 mod properties;
+mod springs;
 mod supports;

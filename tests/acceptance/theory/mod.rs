@@ -13,6 +13,7 @@ mod near;
 mod pushing;
 mod random;
 mod springs;
+mod stiff;
 mod supports;
 mod surveys;
 

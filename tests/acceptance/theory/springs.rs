@@ -196,20 +196,6 @@ fn example(stiffness: f64) -> Solution {
     solve_exactly(&given.scene()).expect("an answer")
 }
 
-/// Rigid ground is the limit: the reaction converges with `k^(−3/4)`, and is that of rigid ground to 11 digits at last.
-#[test]
-fn stiff_ground_comes_to_rigid_ground() {
-    let rigid = palkki_evidence::paper::theory().reaction;
-    let off = |stiffness: f64| {
-        let solution = example(stiffness);
-        assert_eq!(solution.verdict.status, Status::Certified, "{stiffness:e}: {}", solution.verdict);
-        (solution.state.reactions.left - rigid).abs()
-    };
-    let order = libm::log10(off(1e6) / off(1e12)) / 6.0;
-    assert!((order - 0.75).abs() <= 0.01, "{order}");
-    assert!(off(1e15) <= 1e-11 * rigid, "{:e}", off(1e15));
-}
-
 /// From `k l⁴/EI = 1e-6` to `1e18`: solved, certified, and in equilibrium.
 #[test]
 fn ground_of_every_stiffness_is_solved() {
@@ -231,7 +217,7 @@ fn on_springs(seed: u64) -> Option<Scene> {
     (scene.ground_stiffness().is_some() && scene.scaled().is_ok()).then_some(scene)
 }
 
-/// All but one in two hundred of the first 2,000 are certified; most of the others have a support force that is known to 1e-5 only.
+/// All but one in five hundred of the first 2,000 are certified.
 /// None that is not exact is.
 #[test]
 fn random_scenes_are_certified() {
@@ -251,6 +237,10 @@ fn random_scenes_are_certified() {
             + state.supports.iter().fold(0.0, |sum, support| sum + support.force.abs());
         assert!((carried - load).abs() <= 1e-9 * size, "{seed}: {carried} for {load}");
         let bounds = verdict.certificate.as_ref().expect("bounds");
+        for (support, bracket) in state.supports.iter().zip(&bounds.reactions) {
+            let [least, most] = bracket.expect("certified").map(|bound| bound - support.force);
+            assert!(least <= 1e-9 * size && -1e-9 * size <= most, "{seed}: {support:?} in {bracket:?}");
+        }
         let within = 1e-9 * (bounds.energy_upper.abs() + size * state.deflection.magnitude());
         assert!(
             bounds.energy_lower - within <= state.energy && state.energy <= bounds.energy_upper + within,
@@ -259,7 +249,7 @@ fn random_scenes_are_certified() {
         );
     }
     assert_eq!(tried, SCENES);
-    assert!(200 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
+    assert!(500 * refused.len() <= SCENES, "{}: {refused:#?}", refused.len());
 }
 
 /// Bounds from a wrong witness, the stretches of the beam on softer and stiffer ground, are wide and true.
@@ -297,18 +287,11 @@ fn a_wrong_witness_proves_nothing_untrue() {
 /// What is not built for ground that gives says so.
 #[test]
 fn rigid_ground_is_asked_for_by_name() {
-    use palkki::route::{Method, Solver};
     use palkki::scene::SceneError;
-    use palkki::{Settings, sweep::Sweep};
     let given = Given { uniform: 1.0, supports: None, depth: 1.0, ..Given::lying(10.0, 1.3, 100.0) };
     let scene = given.scene();
     let refused = |error: SceneError| matches!(error, SceneError::NeedsRigidGround { .. });
-    for method in Method::ALL {
-        let error = palkki::solve(&scene, &Settings::new(method, Solver::ActiveSet, 30)).expect_err("no grid");
-        assert!(refused(error), "{error}");
-    }
     assert!(refused(palkki::certificate::certify(&scene, Judged::Witness, &[]).expect_err("no list of contacts")));
-    assert!(Sweep::new(&scene, "foundation.stiffness", [1.0, 2.0], 3).is_err());
     let exact = solve(&scene).expect("an answer");
     assert!(exact.derivatives(&scene).is_empty() && exact.spread(1e-3).is_none() && exact.moved(&scene).is_none());
 }

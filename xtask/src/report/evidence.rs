@@ -20,6 +20,7 @@ mod scale;
 mod scene_file;
 mod sliders;
 mod stability;
+mod stiff;
 mod sweeps;
 mod teaching;
 mod verdict_map;
@@ -81,6 +82,7 @@ const SUBJECTS: &[Subject] = &[
     ("holds", holds::evidence),
     ("scene_file", scene_file::evidence),
     ("sweeps", sweeps::evidence),
+    ("stiff", stiff::evidence),
     ("claims", paper::claims::evidence),
     ("recommendation", paper::claims::recommendation),
     ("cost", cost::evidence),

@@ -13,9 +13,12 @@
 
 mod forms;
 mod simple;
+mod stiff;
 
 pub use forms::{EI, Q, between, built_in, overhang};
 pub use simple::{FlatSolution, Incline, Lifted, flat, incline, lifted, parabola, simple};
+
+pub use stiff::{Stiff, Strip, gap_opens, stiff, strip};
 
 use palkki::scene::{Beam, Foundation, Load, Scene, SceneError};
 use palkki::state::Contact;
@@ -48,6 +51,17 @@ pub fn all() -> Result<Vec<Closed>, SceneError> {
 /// As of [`all`].
 pub fn held() -> Result<Vec<Closed>, SceneError> {
     Ok([built_in()?, forms::spans()?, forms::own_shapes()?, forms::free()?].into_iter().flatten().collect())
+}
+
+/// The zero between two places of a function that rises there.
+fn bisected(mut lo: f64, mut hi: f64, of: impl Fn(f64) -> f64) -> f64 {
+    /// Until two neighbouring numbers are left.
+    const HALVINGS: usize = 100;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (lo + hi);
+        *(if of(middle) < 0.0 { &mut lo } else { &mut hi }) = middle;
+    }
+    0.5 * (lo + hi)
 }
 
 /// A polynomial of the fourth degree on a piece of the beam, in powers of the distance from the middle of the piece.
