@@ -151,5 +151,9 @@ fn a_search_that_is_stopped_says_up_to_where_it_came() {
     let some = sweep.events_within(&rows, 20_000);
     let until = some.until.expect("it is stopped");
     assert!((20.0..100.0).contains(&until) && some.events[..] == all.events[..1], "{some:?}");
+    for work in [1, 100, 1000, 10_000] {
+        let until = sweep.events_within(&rows, work).until.expect("it is stopped");
+        assert!((1.0..150.0).contains(&until), "{work}: events up to {until}");
+    }
     assert!(matches!(Sweep::new(&scene, "foundation.depth", [1.0, 150.0], MOST_STEPS + 1), Err(SweepError::Steps(_))));
 }
