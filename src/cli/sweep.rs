@@ -6,7 +6,7 @@ use palkki::plot;
 use palkki::route::Status;
 use palkki::scene::{Beam, Quantity};
 use palkki::state::Contact;
-use palkki::sweep::{Envelope, Event, Events, Gathered, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep};
+use palkki::sweep::{Envelope, Event, Events, Governing, MOST_WORK, Moment, SupportEnvelope, Sweep};
 use palkki::text::{magnitude, significant};
 
 use super::answer::Answer;
@@ -83,12 +83,14 @@ impl Swept {
                 }
             }
         }
-        let envelope = gathered.and_then(Gathered::envelope);
+        // What the rows have left.
+        let work = MOST_WORK.saturating_sub(walk.work());
+        let (envelope, refined) = gathered.map_or((None, true), |gathered| gathered.envelope_within(work));
         let solved = begin.elapsed().as_secs_f64();
         let kinds: Vec<_> = rows.iter().map(|row| (row.value, row.pattern.clone())).collect();
         let Events { events, until } = sweep.events_within(&kinds, MOST_WORK);
         let of = sweep.values().len();
-        let stopped = (rows.len() < of || until.is_some()).then_some(Stopped {
+        let stopped = (rows.len() < of || until.is_some() || !refined).then_some(Stopped {
             rows: rows.len(),
             of,
             events_until: until,

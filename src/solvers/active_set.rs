@@ -16,6 +16,9 @@
 //! 3. *Walk*, if the objective is not lower after 2: from the point before the release towards the minimum on the larger
 //!    face, leaving that face where a variable reaches zero on the way, as Lawson and Hanson do.
 //!
+//! Where the matrix is only semidefinite, a walk comes to corners at which no smaller face has a solution. Of the variables that
+//! reach zero together there, those stay in the set, at zero, without which the rest has none.
+//!
 //! *It ends.* A face shrinks in 1, so that 1 ends; but where the matrix is only semidefinite and no solution is left on the
 //! smaller face, 1 begins again on one that has a solution ([`Qp::make_definite`]), and only the limit on the number of
 //! solves ends it. The objective falls strictly from one round to the next: in 2 by comparison, and in 3 because the point
@@ -231,13 +234,15 @@ pub(crate) fn descend(
         }
         let released = steepest(&wrong, &point.gradient);
         let mut larger = free.clone();
-        released.into_iter().for_each(|i| larger.set(i, true));
+        released.iter().for_each(|&i| larger.set(i, true));
         free.clone_from(&larger);
         let next = feasible(reduced, free, solves, most)?;
         if change(&point, &next) < 0.0 {
             point = next;
         } else {
+            released.iter().for_each(|&i| larger.set(i, false));
             *free = larger;
+            set_definite(reduced, free, &released, true);
             point = walk(reduced, point, free, solves)?;
         }
     }
@@ -279,17 +284,30 @@ fn walk(
         let blocked: Vec<usize> = free.variables().filter(|&i| target.x[i] < 0.0 && target.x[i] < x[i]).collect();
         let step = blocked.iter().map(|&i| way(i)).fold(1.0, f64::min);
         let blocking: Vec<usize> = blocked.into_iter().filter(|&i| way(i) <= step).collect();
-        if blocking.is_empty() || reduced.most_solves <= *solves {
+        if reduced.most_solves <= *solves || set_definite(reduced, free, &blocking, false) == 0 {
             return Ok(target);
         }
         for (x, target) in x.iter_mut().zip(&target.x) {
             *x = (*x + step * (target - *x)).max(0.0);
         }
-        for i in blocking {
-            x[i] = 0.0;
-            free.set(i, false);
-        }
+        blocking.into_iter().for_each(|i| x[i] = 0.0);
     }
+}
+
+/// Frees or drops variables, but the last ones of them not where the face would have no solution. Returns how many it changed.
+fn set_definite(reduced: &Reduced<'_>, free: &mut FreeSet, variables: &[usize], to: bool) -> usize {
+    let is_definite = |free: &FreeSet| {
+        let mut definite = free.clone();
+        (reduced.make_definite)(&mut definite);
+        definite == *free
+    };
+    variables.iter().for_each(|&i| free.set(i, to));
+    let mut changed = variables.len();
+    while 0 < changed && !is_definite(free) {
+        changed -= 1;
+        free.set(variables[changed], !to);
+    }
+    changed
 }
 
 /// By how much the objective changes from one face minimum to another.

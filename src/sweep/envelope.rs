@@ -1,5 +1,7 @@
 //! The envelope of a sweep: the largest and the least moment, shear force and support force over its values.
 
+use std::cell::Cell;
+
 use super::{GOLDEN, Step, Sweep};
 use crate::theory::Exact;
 
@@ -151,9 +153,17 @@ impl<'a> Gathered<'a> {
     /// The envelope, its extremes refined between the rows; [`None`] without a row.
     #[must_use]
     pub fn envelope(self) -> Option<Envelope> {
-        let sweep = self.sweep;
-        let found: Vec<Found> = self.found.into_iter().map(|found| refined(sweep, found)).collect();
-        let [max, min, supports @ ..] = &found[..] else { return None };
+        self.envelope_within(u64::MAX).0
+    }
+
+    /// The same with so much work at the most ([`Exact::work`]), first of all for the moments, and whether that was enough. Extremes for
+    /// which it was not are those of the rows, or lie between one of them and the refined one.
+    #[must_use]
+    pub fn envelope_within(self, work: u64) -> (Option<Envelope>, bool) {
+        let (sweep, left) = (self.sweep, Cell::new(work));
+        let found: Vec<Found> = self.found.into_iter().map(|found| refined(sweep, found, &left)).collect();
+        let enough = 0 < left.get();
+        let [max, min, supports @ ..] = &found[..] else { return (None, enough) };
         let moment = |found: &Found, sign: f64| Moment { moment: sign * found.size, at: found.at, value: found.value };
         let supports = supports.chunks_exact(2).map(|pair| SupportEnvelope {
             at: pair[0].at,
@@ -163,7 +173,7 @@ impl<'a> Gathered<'a> {
             min_value: pair[1].value,
         });
         let side = |values: &[[f64; 2]], k: usize| values.iter().map(|value| value[k]).collect();
-        Some(Envelope {
+        let envelope = Envelope {
             moment_max: side(&self.moment, 1),
             moment_min: side(&self.moment, 0),
             shear_max: side(&self.shear, 1),
@@ -171,20 +181,26 @@ impl<'a> Gathered<'a> {
             x: self.x,
             supports: supports.collect(),
             governing: Governing { moment_max: moment(max, 1.0), moment_min: moment(min, -1.0) },
-        })
+        };
+        (Some(envelope), enough)
     }
 }
 
 /// The extreme between the values beside the one where it is largest, by golden section: it is taken for one hill there.
-fn refined(sweep: &Sweep<'_>, found: Found) -> Found {
+/// Ends where no work is left.
+fn refined(sweep: &Sweep<'_>, found: Found, left: &Cell<u64>) -> Found {
     let mut best = found;
     let mut near: Option<Exact> = None;
     let mut size_at = |value: f64| {
+        if left.get() == 0 {
+            return f64::NEG_INFINITY;
+        }
         let answer = sweep.answer(value, &near.iter().collect::<Vec<_>>()).ok();
         let Some((exact, [size, at])) = answer.and_then(|(_, exact)| found.extreme.of(&exact).map(|of| (exact, of)))
         else {
             return f64::NEG_INFINITY;
         };
+        left.set(left.get().saturating_sub(exact.work()));
         if exact.solved && best.size < size {
             best = Found { value, size, at, ..best };
         }
@@ -195,7 +211,7 @@ fn refined(sweep: &Sweep<'_>, found: Found) -> Found {
     let whole = (to - from).abs();
     let mut inner = [to - GOLDEN * (to - from), from + GOLDEN * (to - from)];
     let mut sizes = inner.map(&mut size_at);
-    while LEFT * whole < (to - from).abs() {
+    while LEFT * whole < (to - from).abs() && 0 < left.get() {
         if sizes[1] < sizes[0] {
             to = inner[1];
             inner = [to - GOLDEN * (to - from), inner[0]];

@@ -101,8 +101,10 @@ impl Sweep<'_> {
         let search = Search { sweep: self, left: Cell::new(work) };
         let (mut roots, until) = search.all(rows);
         let [start, end] = self.range;
+        // Answers are looked at a little beyond both ends as well.
+        let within = |value: f64| value.max(start.min(end)).min(start.max(end));
         roots.retain_mut(|root| {
-            let inside = root.value.max(start.min(end)).min(start.max(end));
+            let inside = within(root.value);
             let outside = (root.value - inside).abs();
             root.value = inside;
             // One at an end may come out beyond it.
@@ -110,7 +112,7 @@ impl Sweep<'_> {
         });
         // What is found is said in words whatever that takes.
         search.left.set(u64::MAX);
-        Events { events: search.described(roots), until }
+        Events { events: search.described(roots), until: until.map(within) }
     }
 }
 

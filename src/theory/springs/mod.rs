@@ -35,19 +35,43 @@ const FACTORS: [f64; 2] = [16.0, 2.0];
 /// Solves for one set, at most, before the next stiffness; a handful are the rule.
 const MOST: usize = 60;
 
+/// Parts of the beam that all solves go through together, at most: some seconds on a slow machine. Ground so stiff that the places where
+/// it begins to press have no digits left would go on through all stiffnesses.
+const MOST_PARTS: usize = 500_000;
+
+/// What has been done.
+#[derive(Debug, Default)]
+struct Work {
+    solves: usize,
+    parts: usize,
+}
+
+impl Work {
+    /// One more solve; [`None`] where there is none, or no work is left.
+    fn solve(&mut self, given: &PiecewiseScene, springs: f64, stretches: &[[f64; 2]]) -> Option<Vec<Part>> {
+        if MOST_PARTS < self.parts {
+            return None;
+        }
+        let parts = solve(given, springs, stretches)?;
+        self.solves += 1;
+        self.parts += parts.len();
+        Some(parts)
+    }
+}
+
 /// The stretches on which springs of a stiffness over `EI` press, and the beam on them. Where the set does not settle, the whole
 /// beam is pressed; [`None`] if numbers leave the range of `f64`.
 fn search(given: &PiecewiseScene, springs: f64) -> Option<Found> {
-    let mut solves = 0;
-    let mut found = FACTORS.iter().filter_map(|factor| stiffening(given, springs, *factor, &mut solves));
+    let mut work = Work::default();
+    let mut found = FACTORS.iter().filter_map(|factor| stiffening(given, springs, *factor, &mut work));
     if let Some(settled) = found.find(|found| found.settled) {
         return Some(settled);
     }
     let stretches = vec![[0.0, given.length]];
-    Some(Found { parts: solve(given, springs, &stretches)?, stretches, solves, settled: false })
+    Some(Found { parts: solve(given, springs, &stretches)?, stretches, solves: work.solves, settled: false })
 }
 
-fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, solves: &mut usize) -> Option<Found> {
+fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, work: &mut Work) -> Option<Found> {
     /// Shares of the length: a set of softer ground is a start, that of the given one has all its digits, or as many as there are.
     const START: f64 = 1e-6;
     const DIGITS: f64 = 4.0 * f64::EPSILON;
@@ -59,8 +83,7 @@ fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, solves: &mut us
         let is_last = springs <= k;
         let (mut before, mut settled) = (f64::INFINITY, false);
         for _ in 0..MOST {
-            *solves += 1;
-            let parts = solve(given, k, &stretches)?;
+            let parts = work.solve(given, k, &stretches)?;
             let next = pressed(given, &parts);
             let apart = distance(&stretches, &next) / given.length;
             stretches = next;
@@ -71,9 +94,8 @@ fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, solves: &mut us
             before = apart;
         }
         if is_last {
-            *solves += 1;
-            let parts = solve(given, springs, &stretches)?;
-            return Some(Found { parts, stretches, solves: *solves, settled });
+            let parts = work.solve(given, springs, &stretches)?;
+            return Some(Found { parts, stretches, solves: work.solves, settled });
         }
         k = (k * factor).min(springs);
     }

@@ -159,3 +159,26 @@ fn a_tip_touches_or_lifts() {
         assert!((turned - (50.0 - 6.0 * 8.0)).abs() < 1e-8, "in balance about the left tip: {turned}");
     }
 }
+
+/// Loads that are in balance above one node: the beam stands on it alone, and a second contact is at zero. Where two contacts reach
+/// zero together, one of them has to stay in the set.
+#[test]
+fn beams_in_balance_on_one_node_have_an_answer_on_every_grid() {
+    for (place, reach, pull) in
+        [(3.0, 3.0, -1.0), (2.0, 1.0, -1.0), (3.0, 2.0, -2.0), (5.0, 4.0, -1.0), (7.0, 3.0, -2.0)]
+    {
+        let loads = [(place - reach, pull), (place, 5.0), (place + reach, pull)];
+        let scene = scene(Vec::new(), (0.0, &loads), flat(1.0), None);
+        for method in Method::ALL {
+            for intervals in [10, 20, 30, 40, 50, 60, 80, 100] {
+                let state = state(&scene, method, intervals);
+                let [contact] = state.contacts.as_slice() else {
+                    panic!("{method}, {intervals}: {:?}", state.contacts)
+                };
+                let force = 5.0 + 2.0 * pull;
+                assert!((contact.force - force).abs() <= 1e-12 * force, "{method}, {intervals}: {contact:?}");
+                assert!((contact.from - place).abs() <= 1e-12, "{method}, {intervals}: {contact:?}");
+            }
+        }
+    }
+}

@@ -81,6 +81,29 @@ fn refined_extremes_are_those_of_many_positions() {
     }
 }
 
+/// Refinement ends with the work that is allowed, the moments first; what it has not come to is that of the rows.
+#[test]
+fn an_envelope_is_refined_with_the_work_that_is_allowed() {
+    let supports: Vec<f64> = (0..40).map(f64::from).collect();
+    let scene = axles(39.0, &supports, None, &[(0.0, 100.0)]);
+    let sweep = Sweep::new(&scene, PATHS[0], [0.3, 38.9], 12).expect("a sweep");
+    let within = |work: u64| {
+        let (mut walk, mut gathered) = (sweep.walk(), sweep.gathered());
+        for value in sweep.values() {
+            let step = walk.solve(value).expect("an answer");
+            gathered.add(&step);
+            walk.row(step);
+        }
+        let (envelope, enough) = gathered.envelope_within(work);
+        (envelope.expect("there are rows"), enough)
+    };
+    let [(rows, none), (some, few), (all, enough)] = [1, 2_000_000, u64::MAX].map(within);
+    assert_eq!((none, few, enough), (false, false, true));
+    assert_eq!(some.governing, all.governing, "of the moments there is enough");
+    let sum = |envelope: &Envelope| envelope.supports.iter().map(|support| support.max - support.min).sum::<f64>();
+    assert!(sum(&rows) < sum(&some) && sum(&some) < sum(&all), "{} {} {}", sum(&rows), sum(&some), sum(&all));
+}
+
 /// Each number keeps what it has more than the first; places that coincide on the way are no error.
 #[test]
 fn numbers_that_move_together_keep_their_distance() {

@@ -11,8 +11,8 @@ use super::regimes;
 const SWEEPS: u64 = 6;
 
 /// And some of those that once depended on it: a contact that parts from the end of a zone (18, 148), a short span beside a support
-/// (110), contacts beyond an inner support (420).
-const ONCE: [u64; 4] = [18, 110, 148, 420];
+/// (110), contacts beyond an inner support (420), an event that is known to a few millionths of the range (426).
+const ONCE: [u64; 5] = [18, 110, 148, 420, 426];
 
 #[test]
 fn events_do_not_depend_on_the_number_of_rows_or_the_direction() {
@@ -152,5 +152,9 @@ fn a_search_that_is_stopped_says_up_to_where_it_came() {
     let some = sweep.events_within(&rows, 20_000);
     let until = some.until.expect("it is stopped");
     assert!((20.0..100.0).contains(&until) && some.events[..] == all.events[..1], "{some:?}");
+    for work in [1, 100, 1000, 10_000] {
+        let until = sweep.events_within(&rows, work).until.expect("it is stopped");
+        assert!((1.0..150.0).contains(&until), "{work}: events up to {until}");
+    }
     assert!(matches!(Sweep::new(&scene, "foundation.depth", [1.0, 150.0], MOST_STEPS + 1), Err(SweepError::Steps(_))));
 }

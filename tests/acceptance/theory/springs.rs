@@ -2,7 +2,7 @@
 
 use palkki::certificate::{Judged, Proof};
 use palkki::route::Status;
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 use palkki::{Solution, solve_exactly};
 use palkki_evidence::compare::largest;
@@ -303,5 +303,20 @@ fn the_border_is_no_position_of_rest() {
         let scene = Given { point: vec![force(at, 1.0)], ..Given::lying(4.0, 1.0, 10.0) }.scene();
         let error = solve(&scene).expect_err("nothing carries it");
         assert!(error.to_string().contains("ground that gives"), "{error}");
+    }
+}
+
+/// Ground so stiff that the places where it begins to press have no digits left: a search ends after as many solves as its work allows,
+/// and does not go on through all stiffnesses up to the given one.
+#[test]
+fn a_search_on_ground_of_any_stiffness_ends() {
+    for stiffness in [1e35, 1e38, 1e40] {
+        let beam = Beam::new(10.0, 1.7).and_then(|beam| beam.with_supports(Vec::new())).expect("a beam");
+        let linear = vec![LinearLoad { from: 0.2, to: 4.5, start: -0.9, end: 1.3 }];
+        let load = Load::new(&beam, 9e-5, linear, Vec::new()).expect("a load");
+        let points = vec![[0.0, 0.0], [5.0, 0.0], [5.0, 1.0], [10.0, 1.0]];
+        let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene");
+        let exact = solve(&scene.on_springs(stiffness).expect("ground")).expect("an answer");
+        assert!(!exact.solved && exact.iterations < 2500, "{stiffness:e}: {} solves", exact.iterations);
     }
 }

@@ -156,7 +156,13 @@ pub fn difference(a: &[Event], b: &[Event], range: [f64; 2], tolerance: f64) -> 
     if tolerance.max(2.0 * (worst.0.uncertainty + worst.1.uncertainty) / span) < off {
         return Some(format!("{off:e}: {} and {}: {}", worst.0.value, worst.1.value, worst.0.what));
     }
-    let words = a.iter().zip(b).find(|(a, b)| a.what != b.what)?;
+    // Where the value is uncertain the places in the words are so too, and the words are to be the same without them.
+    let alike = |a: &Event, b: &Event| {
+        let certain = a.uncertainty + b.uncertainty <= 0.0;
+        let said = |c: &char| certain || !(c.is_ascii_digit() || *c == '.');
+        a.what.chars().filter(said).eq(b.what.chars().filter(said))
+    };
+    let words = a.iter().zip(b).find(|(a, b)| !alike(a, b))?;
     Some(format!("words: {} {} / {}", words.0.value, words.0.what, words.1.what))
 }
 
