@@ -119,8 +119,8 @@ if (location.hash === "#selftest") {
       form.intervals.value = 30;
       const { exact, grid, contacts, reactions } = frame();
       const [contact] = contacts;
-      near(reactions[0], row.left, 0.01, `scene ${i}, left`);
-      near(reactions[1], row.right, 0.01, `scene ${i}, right`);
+      near(reactions[0], row.left, 0.001, `scene ${i}, left`);
+      near(reactions[1], row.right, 0.001, `scene ${i}, right`);
       expect(contacts.length === row.contacts, `scene ${i} has ${contacts.length} contacts and not ${row.contacts}`);
       near(contacts.reduce((sum, { force }) => sum + force, 0), row.ground, 0.01, `scene ${i}, ground`);
       near(contact?.ends?.[0] ?? contact?.force, row.first_force, 0.01, `scene ${i}, first force`);
