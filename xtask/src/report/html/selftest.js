@@ -24,7 +24,7 @@ if (location.hash === "#frames") {
   form.intervals.value = 300;
   // Of each scene the best of some rounds: the browser compiles during the first, and other programs want the processor, too.
   const best = exactScenes().map(() => Infinity);
-  for (let round = 0; round < 12; round += 1) {
+  for (let round = 0; round < 24; round += 1) {
     exactScenes().forEach((row, i) => {
       scene = sceneOf(row.scene);
       const begun = performance.now();
