@@ -170,7 +170,7 @@ impl<'a> Canvas<'a> {
         }
         let style = if kind.bold { FontStyle::Bold } else { FontStyle::Normal };
         let font = FontDesc::new(FontFamily::SansSerif, kind.size * BACKEND_FONT_FACTOR, style);
-        let color = rgb(kind.color);
+        let color = rgb(kind.color.of_words());
         let style = TextStyle::from(font).color(&color).pos(Pos::new(align, VPos::Center));
         // The backend's "centre" puts the base line half an x-height below the point; a digit is taller than an x.
         done(self.backend.draw_text(text, &style, pixel([at[0], at[1] + 0.09 * kind.size])?))

@@ -25,11 +25,24 @@ const DARK: [(Color, &str); 12] = [
     (Color::GROUND, "#3B352C"),
 ];
 
+/// What each colour becomes in words: as dark as they must be for a contrast of 4.5 (WCAG 2.2, 1.4.3) on the foundation, which
+/// is the darkest that they stand on.
+const WORDS: [(Color, Color); 6] = [
+    (Color::BLUE, Color(0, 100, 157)),
+    (Color::VERMILLION, Color(155, 69, 0)),
+    (Color::GREEN, Color(0, 109, 79)),
+    (Color::PURPLE, Color(131, 77, 107)),
+    (Color::ORANGE, Color(126, 87, 0)),
+    (Color::SKY, Color(48, 101, 130)),
+];
+
 /// Style rules that turn a figure dark: each figure has them, under what its surroundings prefer.
 #[must_use]
 pub fn dark_rules() -> String {
     let rule = |(color, dark): (Color, &str)| {
-        format!("[fill=\"{color}\"]{{fill:{dark}}}[stroke=\"{color}\"]{{stroke:{dark}}}")
+        let words = color.of_words();
+        let words = if words == color { String::new() } else { format!("[fill=\"{words}\"]{{fill:{dark}}}") };
+        format!("[fill=\"{color}\"]{{fill:{dark}}}[stroke=\"{color}\"]{{stroke:{dark}}}{words}")
     };
     DARK.map(rule).concat()
 }
@@ -43,6 +56,11 @@ impl fmt::Display for Color {
 }
 
 impl Color {
+    /// The colour of words that belong to a line of this one.
+    pub(super) fn of_words(self) -> Self {
+        WORDS.iter().find(|(color, _)| *color == self).map_or(self, |(_, words)| *words)
+    }
+
     /// Black: text, beam, axes.
     pub const BLACK: Self = Self(0, 0, 0);
     /// Blue: what is computed.

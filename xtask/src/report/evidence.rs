@@ -14,11 +14,11 @@ mod in_one_file;
 mod judged;
 mod moment;
 mod paper;
+mod play;
 mod problem;
 mod provenance;
 mod scale;
 mod scene_file;
-mod sliders;
 mod stability;
 mod stiff;
 mod sweeps;
@@ -67,7 +67,7 @@ const SUBJECTS: &[Subject] = &[
     ("methods", problem::methods),
     ("paper", in_one_file::evidence),
     ("theory", closed::evidence),
-    ("sliders", sliders::evidence),
+    ("play", play::evidence),
     ("solvers", problem::solvers),
     ("teaching", teaching::evidence),
     ("figures", paper::figures::evidence),

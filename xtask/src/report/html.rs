@@ -1,13 +1,11 @@
 //! `index.html`: all documents in one file that loads nothing from outside, to be read in a browser and to be printed.
 //!
 //! Made of the rendered Markdown, drawings and data alone. Links between documents become links inside the page, drawings
-//! become part of it, formulas become MathML, and the marker of a slider becomes the slider.
+//! become part of it, and formulas become MathML. Below its title is a beam to play with.
 
 mod check;
 mod drawing;
-mod slider;
-
-pub(super) use slider::marker as slider_marker;
+mod table;
 
 use std::fmt::Write as _;
 
@@ -22,6 +20,12 @@ use crate::Cause;
 /// The file, below `report/`.
 pub(super) const PATH: &str = "index.html";
 
+/// Scenes with the answers that the beam of the page is tried against, below `report/`.
+pub(super) const SCENES: &str = "data/play.csv";
+
+/// The beam to play with: its equations, and what one sees of it.
+const PLAY: &str = concat!(include_str!("html/beam.js"), include_str!("html/play.js"));
+
 /// Nothing may be loaded, and nothing but what is in the page may run.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; \
                       base-uri 'none'; form-action 'none'";
@@ -35,13 +39,18 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
         let mut document = Document { name, path: &path, rendered, headings: Vec::new(), drawings };
         let body = document.html(text).map_err(|error| format!("{path}: {error}"))?;
         drawings = document.drawings;
-        let _ = write!(articles, "<article id=\"{name}\">\n{body}</article>\n");
+        let next = DOCUMENTS.into_iter().skip_while(|other| *other != name).nth(1).unwrap_or(DOCUMENTS[0]);
+        let _ = write!(
+            articles,
+            "<article id=\"{name}\">\n<a class=\"skip\" href=\"#{next}\">Past this page</a>\n{body}</article>\n"
+        );
         let _ = writeln!(navigation, "{}", document.navigation());
         if title.is_empty() {
             title = document.headings.first().map(|heading| heading.text.clone()).unwrap_or_default();
         }
     }
-    let sliders = slider::data(rendered, &articles)?;
+    let scenes = rendered.get(SCENES).ok_or_else(|| format!("{SCENES} is not made"))?;
+    let articles = articles.replacen("</h1>\n", &format!("</h1>\n{}", include_str!("html/play.html")), 1);
     let values = context! {
         generated => super::GENERATED,
         policy => POLICY,
@@ -51,9 +60,8 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
         top => DOCUMENTS[0],
         navigation,
         articles,
-        sliders,
-        script =>
-            concat!(include_str!("html/page.js"), include_str!("html/sliders.js"), include_str!("html/selftest.js")),
+        scenes,
+        script => [include_str!("html/page.js"), PLAY, include_str!("html/selftest.js")].concat(),
     };
     let page = template::filled(include_str!("html/page.html"), values)?;
     check::check(&page)?;
@@ -91,11 +99,24 @@ impl Document<'_> {
     /// Links and drawings, everywhere.
     fn inline<'t>(&mut self, events: impl Iterator<Item = Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
         let mut out = Vec::new();
-        let mut events = events;
+        let (mut events, mut in_code) = (events, false);
         while let Some(event) = events.next() {
             out.push(match event {
-                Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
-                    Event::Start(Tag::Link { link_type, dest_url: self.target(&dest_url).into(), title, id })
+                Event::Start(Tag::Link { dest_url, .. }) => {
+                    let target = escaped(&self.target(&dest_url));
+                    let beside = !target.starts_with('#') && !target.contains("://");
+                    let class = if beside { " class=\"beside\" title=\"a file beside this page\"" } else { "" };
+                    Event::InlineHtml(format!("<a{class} href=\"{target}\">").into())
+                }
+                Event::Start(Tag::CodeBlock(_)) | Event::End(TagEnd::CodeBlock) => {
+                    in_code = matches!(event, Event::Start(_));
+                    event
+                }
+                Event::Text(text) if !in_code => Event::Text(unbroken(&text).into()),
+                Event::Code(code) if code.contains(" --") => {
+                    // An option stays on one line, with what it is given.
+                    let options = escaped(&code).replace(" --", "</span> <span class=\"option\">--");
+                    Event::InlineHtml(format!("<code><span>{options}</span></code>").into())
                 }
                 Event::Start(Tag::Image { dest_url, .. }) => {
                     // The drawing has a title and a description of its own.
@@ -108,7 +129,7 @@ impl Document<'_> {
         Ok(out)
     }
 
-    /// Headings, formulas, tables, figures and sliders.
+    /// Headings, formulas, tables and figures.
     fn blocks<'t>(&mut self, events: Vec<Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
         let mut out = Vec::new();
         let mut events = events.into_iter();
@@ -129,15 +150,11 @@ impl Document<'_> {
                 Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(kind))) if &*kind == "math" => {
                     let inner = events.by_ref().take_while(|event| *event != Event::End(TagEnd::CodeBlock));
                     let latex: String = inner.filter_map(|event| text_of(&event).map(str::to_owned)).collect();
-                    html(&mut out, format!("<div class=\"formula\" tabindex=\"0\">{}</div>\n", formula(&latex)?));
+                    html(&mut out, format!("<div class=\"formula\">{}</div>\n", formula(&latex)?));
                 }
-                Event::Start(Tag::Table(_)) => {
-                    html(&mut out, "<div class=\"table\" tabindex=\"0\">".to_owned());
-                    out.push(event);
-                }
-                Event::End(TagEnd::Table) => {
-                    out.push(event);
-                    html(&mut out, "</div>\n".to_owned());
+                Event::Start(Tag::Table(alignments)) => {
+                    let inner = events.by_ref().take_while(|event| *event != Event::End(TagEnd::Table));
+                    table::cells(&mut out, inner, &alignments);
                 }
                 Event::Start(Tag::Paragraph) => {
                     let inner: Vec<_> =
@@ -146,15 +163,12 @@ impl Document<'_> {
                         matches!(event, Event::SoftBreak)
                             || matches!(event, Event::InlineHtml(html) if html.starts_with("<svg"))
                     });
-                    let (open, close) =
-                        if figure { ("<figure tabindex=\"0\">", "</figure>\n") } else { ("<p>", "</p>\n") };
+                    let (open, close) = if figure { ("<figure>", "</figure>\n") } else { ("<p>", "</p>\n") };
                     html(&mut out, open.to_owned());
                     out.extend(inner);
                     html(&mut out, close.to_owned());
                 }
-                Event::Html(text) | Event::InlineHtml(text) if text.starts_with("<!--") => {
-                    html(&mut out, slider::of_marker(&text)?);
-                }
+                Event::Html(text) | Event::InlineHtml(text) if text.starts_with("<!--") => {}
                 other => out.push(other),
             }
         }
@@ -225,6 +239,18 @@ fn formula(latex: &str) -> Result<String, Cause> {
     push_mathml(&mut mathml, events.into_iter().map(Ok::<_, std::fmt::Error>), config)?;
     // The library writes the sign "less" and the blank `\ ` as they must not be in HTML.
     Ok(mathml.replace("<mo><</mo>", "<mo>&lt;</mo>").replace("&amp;nbsp;", "&#160;"))
+}
+
+/// Text whose numbers stay with their units.
+fn unbroken(text: &str) -> String {
+    ["%", "ms", "µs", "s", "kB", "MB"].iter().fold(text.to_owned(), |text, unit| {
+        let pieces: Vec<&str> = text.split(&format!(" {unit}")).collect();
+        pieces.windows(2).fold(pieces[0].to_owned(), |text, pair| {
+            let unit_ends = !pair[1].starts_with(char::is_alphanumeric);
+            let space = if pair[0].ends_with(|c: char| c.is_ascii_digit()) && unit_ends { '\u{a0}' } else { ' ' };
+            format!("{text}{space}{unit}{}", pair[1])
+        })
+    })
 }
 
 /// Text as HTML, also inside an attribute.

@@ -18,6 +18,12 @@ const WIDTHS: [u32; 2] = [1280, 390];
 const HEIGHT: u32 = 900;
 /// The longest that the browser may take for one page.
 const PATIENCE: Duration = Duration::from_secs(120);
+/// The most pages of the report without its annexes.
+const REPORT: usize = 18;
+/// Lets timers of the page run without waiting for them; clocks stand still then.
+const WITHOUT_WAITING: &str = "--virtual-time-budget=60000";
+/// The longest that a frame of the beam to play with may take \[ms\].
+const FRAME: f64 = 8.0;
 /// What the browser writes of the page's console, among much else of its own.
 const CONSOLE: &str = ":CONSOLE";
 
@@ -56,10 +62,9 @@ fn tried(browser: &str, root: &Path) -> Result<(), String> {
             );
             let address = browser.place.join("frame.html");
             fs::write(&address, frame).map_err(said)?;
-            let (shown, logged) = browser.open(
-                &["--dump-dom".to_owned(), format!("--blink-settings=preferredColorScheme={preferred}")],
-                &address,
-            )?;
+            let arguments =
+                ["--dump-dom", &format!("--blink-settings=preferredColorScheme={preferred}"), WITHOUT_WAITING];
+            let (shown, logged) = browser.open(&arguments, &address)?;
             let heard = shown.split_once("<p>").and_then(|(_, rest)| rest.split_once("</p>")).map_or("", |(p, _)| p);
             println!("{theme:<5} {heard}");
             if !(heard.starts_with(&format!("{width} px")) && heard.ends_with(": passed")) {
@@ -70,12 +75,30 @@ fn tried(browser: &str, root: &Path) -> Result<(), String> {
             }
         }
     }
-    let printed = browser.place.join("index.pdf");
-    browser.open(&["--no-pdf-header-footer".to_owned(), format!("--print-to-pdf={}", printed.display())], &page)?;
-    let pages = pages(&fs::read(printed).map_err(said)?);
-    println!("print {pages} pages");
+    // With the clock of the machine.
+    let (shown, _) = browser.open(&["--dump-dom"], &page.with_file_name("index.html#frames"))?;
+    let frames =
+        shown.split_once("data-frames=\"").and_then(|(_, rest)| rest.split_once('"')).map_or("", |(said, _)| said);
+    println!("frame {frames}, with a grid of 300 intervals");
+    let longest: f64 = frames.split_once(" ms").and_then(|(number, _)| number.parse().ok()).unwrap_or(f64::INFINITY);
+    if FRAME < longest {
+        return Err(format!("a frame takes {longest} ms, and {FRAME} were promised"));
+    }
+    let print = |page: &Path| {
+        let printed = browser.place.join("index.pdf");
+        let to = format!("--print-to-pdf={}", printed.display());
+        browser.open(&["--no-pdf-header-footer", &to, WITHOUT_WAITING], page)?;
+        Ok::<_, String>(pages(&fs::read(printed).map_err(said)?))
+    };
+    let (all, report) = (print(&page)?, print(&page.with_file_name("index.html#print"))?);
+    println!("print {all} pages, the report alone {report}");
     // Each document begins a new one.
-    if pages < documents { Err(format!("{documents} documents are {pages} printed pages")) } else { Ok(()) }
+    if all < documents || REPORT < report {
+        return Err(format!(
+            "{documents} documents are {all} printed pages, the report {report}; at most {REPORT} were promised"
+        ));
+    }
+    Ok(())
 }
 
 fn said(error: io::Error) -> String {
@@ -97,13 +120,13 @@ struct Browser<'a> {
 
 impl Browser<'_> {
     /// Opens a file and returns what the browser writes on its two channels.
-    fn open(&self, arguments: &[String], file: &Path) -> Result<(String, String), String> {
+    fn open(&self, arguments: &[&str], file: &Path) -> Result<(String, String), String> {
         let [shown, logged] = ["shown", "logged"].map(|name| self.place.join(name));
         let mut child = Command::new(self.program)
             // The page is our own, and root, who runs many a check, has no sandbox.
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"])
             .args(["--disable-background-networking", "--disable-component-update", "--enable-logging=stderr"])
-            .args(["--window-size=1400,1000", "--virtual-time-budget=60000"])
+            .arg("--window-size=1400,1000")
             .arg(format!("--user-data-dir={}", self.place.join("profile").display()))
             .args(arguments)
             .arg(format!("file://{}", file.display()))

@@ -15,7 +15,7 @@ usage: cargo xtask <task>
   report           compute the paper again and write report/
   report --check   compute it and compare with report/: names stale, missing and left-over files
   report --page NAME       one document of report/templates alone, while its text is written; `index`: index.html alone
-  browser          tries report/index.html in an installed Chromium or Chrome: widths, themes, sliders, printing
+  browser          tries report/index.html in an installed Chromium or Chrome: widths, themes, the beam to play with, printing
   certificates     every answer beside the truth, and faults put into answers: minutes, into report/data
   measure          what accuracy costs, route by route: times go to report/data/measurements.csv; goes on where it stopped
   measure --fresh  begins that file again

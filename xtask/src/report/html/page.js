@@ -23,6 +23,32 @@ document.addEventListener("keydown", (event) => {
   if (event.key === "Escape" && contents.classList.contains("open")) { openMenu(false); menuButton.focus(); }
 });
 
+// The report alone on paper, and answers of exercises open there.
+const printed = (only) => { if (only) root.dataset.print = "report"; else delete root.dataset.print; };
+printed(location.hash === "#print");
+document.getElementById("print").addEventListener("click", () => { printed(true); print(); printed(false); });
+const closed = [...document.querySelectorAll("details:not([open])")];
+addEventListener("beforeprint", () => closed.forEach((details) => { details.open = true; }));
+addEventListener("afterprint", () => closed.forEach((details) => { details.open = false; }));
+
+// What is wider than its box can be scrolled by keys; formulas shrink on narrow screens, figures grow at a touch.
+const boxes = [...document.querySelectorAll(".table, .formula, figure, pre")];
+const fit = () => {
+  const formulas = boxes.filter((box) => box.matches(".formula"));
+  let sizes = formulas.map(() => 1.1);
+  // Signs do not shrink in proportion.
+  for (let round = 0; round < 4; round += 1) {
+    formulas.forEach((box, i) => { box.style.fontSize = `${sizes[i]}rem`; });
+    sizes = formulas.map((box, i) => sizes[i] * (box.scrollWidth > box.clientWidth ? 0.98 * box.clientWidth / box.scrollWidth : 1));
+  }
+  formulas.forEach((box, i) => { box.style.fontSize = `${sizes[i]}rem`; });
+  const wide = boxes.map((box) => box.scrollWidth > box.clientWidth);
+  boxes.forEach((box, i) => { if (wide[i]) box.tabIndex = 0; else box.removeAttribute("tabindex"); });
+};
+document.querySelectorAll("figure").forEach((figure) => figure.addEventListener("click", () => { figure.classList.toggle("large"); fit(); }));
+addEventListener("resize", fit);
+fit();
+
 const entries = [...contents.querySelectorAll("a")].map((link) => ({ link, target: document.getElementById(link.hash.slice(1)) }));
 const showPlace = () => {
   const passed = entries.filter(({ target }) => target.getBoundingClientRect().top < 120);

@@ -1,4 +1,4 @@
-//! Links, formulas, drawings and sliders on their way into the page.
+//! Links, formulas, drawings, tables and the beam to play with on their way into the page.
 
 use super::*;
 
@@ -11,10 +11,8 @@ const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" heigh
 fn report(name: &str, text: &str) -> Rendered {
     let mut rendered: Rendered =
         DOCUMENTS.iter().map(|document| (path_of(document), format!("# {document}: words\n\n## Part\n"))).collect();
-    let markers = format!("{}\n\n{}\n", slider_marker("depth"), slider_marker("grid"));
-    rendered.insert(path_of("convergence"), format!("# Convergence\n\n{markers}"));
     rendered.insert(path_of(name), text.to_owned());
-    for (path, text) in [("figures/f.svg", SVG), ("data/slider-depth.csv", "x\n"), ("data/slider-grid.csv", "x\n")] {
+    for (path, text) in [("figures/f.svg", SVG), (SCENES, "x\n")] {
         rendered.insert(path.to_owned(), text.to_owned());
     }
     rendered
@@ -46,8 +44,9 @@ fn links_to_documents_become_places_in_the_page_and_others_stay() {
     .iter()
     .enumerate()
     {
-        assert!(html.contains(&format!("<a href=\"{target}\">{}</a>", n + 1)), "{target}: {html}");
+        assert!(html.contains(&format!("href=\"{target}\">{}</a>", n + 1)), "{target}: {html}");
     }
+    assert_eq!(html.matches("<a class=\"beside\" title=\"a file beside this page\"").count(), 2, "[5] and [6]: {html}");
     let nowhere = article("theory", "# Theory\n[x](claims.md#nothing)");
     assert_eq!(nowhere, Err("a link leads to #claims-nothing, which does not exist".to_owned()));
 }
@@ -68,7 +67,7 @@ fn drawings_become_part_of_the_page_with_ids_of_their_own() {
     let html = article("theory", "# Theory\n\n![f](../figures/f.svg)\n\nand ![f](../figures/f.svg) again")
         .expect("it is made");
     let head = "<svg viewBox=\"0 0 2400 900\" role=\"img\" aria-labelledby=\"f1-title f1-desc\">";
-    assert!(html.contains(&format!("<figure tabindex=\"0\">{head}")), "alone it is a figure: {html}");
+    assert!(html.contains(&format!("<figure>{head}")), "alone it is a figure: {html}");
     assert!(html.contains("<p>and <svg") && html.contains("id=\"f2-title\""), "inside a text it is not: {html}");
     assert!(html.contains("<clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\""), "references follow: {html}");
     assert!(!html.contains("<style>"), "the theme is the page's: {html}");
@@ -93,13 +92,38 @@ fn formulas_become_mathml_or_fail() {
 }
 
 #[test]
-fn each_slider_stands_in_one_place() {
-    let mut rendered = report("theory", "# Theory");
-    let page_of = |rendered: &Rendered| page(rendered).map_err(|error| error.to_string());
-    let whole = page_of(&rendered).expect("both are there");
-    assert!(whole.contains("<section class=\"slider\" id=\"slider-depth\"") && !whole.contains("<!-- slider"), "both");
-    assert!(whole.contains("<script type=\"text/csv\" id=\"data-grid\">\nx\n</script>"), "with its data");
-    rendered.insert(path_of("convergence"), "# Convergence".to_owned());
-    let error = page_of(&rendered).expect_err("both are missing");
-    assert_eq!(error, "0 documents have the marker <!-- slider: depth --> and not one");
+fn a_table_says_what_its_headers_are_of() {
+    let html = article("theory", "# Theory\n\n| case | `x` & y |\n|---|--:|\n| **one** | 2 |\n").expect("it is made");
+    let expected = "<div class=\"table cards\"><table><thead><tr><th scope=\"col\">case</th>\
+                    <th scope=\"col\" class=\"right\"><code>x</code> &amp; y</th></tr></thead><tbody>\n\
+                    <tr><th scope=\"row\"><strong>one</strong></th>\
+                    <td data-name=\"x &amp; y\" class=\"right\"><span>2</span></td></tr>\n</tbody></table></div>";
+    assert!(html.contains(expected), "{html}");
+}
+
+#[test]
+fn options_and_numbers_stay_on_one_line() {
+    let html = article("theory", "# Theory\n\n0.9 % in 3 ms, `palkki solve A --method force`\n\n```text\n1 %\n```");
+    let html = html.expect("it is made");
+    assert!(html.contains("0.9\u{a0}% in 3\u{a0}ms, <code>"), "{html}");
+    assert!(html.contains("palkki solve A</span> <span class=\"option\">--method force</span>"), "{html}");
+    assert!(html.contains("1 %"), "code is to be copied: {html}");
+}
+
+/// What a reader has to go through who wants to know how the beam of the page is solved.
+#[test]
+fn the_beam_to_play_with_is_short() {
+    let code = PLAY.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"));
+    let (count, longest) = code.fold((0, 0), |(count, longest), line| (count + 1, longest.max(line.chars().count())));
+    assert!(count <= 300 && longest <= 160, "{count} lines of code, of at most {longest} characters");
+}
+
+#[test]
+fn the_beam_stands_below_the_title_with_its_scenes() {
+    let mut rendered = report("report", "# Title\n\nText");
+    let whole = page(&rendered).expect("all is there");
+    assert!(whole.contains("<h1 id=\"report-title\">Title</h1>\n<section class=\"play\""), "{whole}");
+    assert!(whole.contains("<script type=\"text/csv\" id=\"data-play\">\nx\n</script>"), "with its scenes");
+    rendered.remove(SCENES);
+    assert_eq!(page(&rendered).map_err(|error| error.to_string()), Err(format!("{SCENES} is not made")));
 }
