@@ -55,7 +55,7 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
         let [process_s, ..] = spread(seconds);
         begun = Line { process_s, peak_kb, ..begun };
     }
-    let (seconds, answer) = match timed(|| once(scene, job)) {
+    let (seconds, answer) = match timed(|| once(scene, job.route, job.intervals, job.tolerance)) {
         Ok(found) => found,
         Err(why) => return Ok(begun.refused(why)),
     };
@@ -80,10 +80,10 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
 }
 
 /// An answer, and what is known of it but for times and errors.
-struct Answer {
-    state: ContactState,
+pub(super) struct Answer {
+    pub(super) state: ContactState,
     /// How it ended: our check, of the adaptive grid its verdict.
-    status: &'static str,
+    pub(super) status: &'static str,
     /// Whether the solver says that it succeeded.
     reports_success: bool,
     /// Residual by our check.
@@ -99,9 +99,8 @@ struct Answer {
 }
 
 /// Solves by the route of a job, without a clock.
-fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
-    let Job { intervals, tolerance, .. } = job;
-    match job.route {
+pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64) -> Result<Answer, Cause> {
+    match route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),
         Route::Exact => {
             let exact = theory::solve(scene)?;

@@ -14,6 +14,7 @@ mod in_one_file;
 mod judged;
 mod moment;
 mod paper;
+mod population;
 mod problem;
 mod provenance;
 mod scale;
@@ -77,6 +78,7 @@ const SUBJECTS: &[Subject] = &[
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
+    ("population", population::evidence),
     ("scenes", gallery::evidence),
     ("holds", holds::evidence),
     ("scene_file", scene_file::evidence),
