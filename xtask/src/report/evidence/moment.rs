@@ -29,11 +29,13 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let [supports, moments] = OBSERVABLES.map(|of| places(&flat, of));
     let [support_order, order] =
         OBSERVABLES.map(|of| population::orders(&lines, Family::Flat, Method::Force, of).map(|s| s.median));
+    let differences_order =
+        population::orders(&lines, Family::Flat, Method::Complementarity, OBSERVABLES[1]).map(|s| s.median);
     let on = |grid, of| population::on(&lines, Family::Flat, Method::Force, grid, of);
     let told = TOLD.into_iter().filter_map(|grid| Some((grid, on(grid, OBSERVABLES[1])?)));
     let told: Vec<Value> =
         told.map(|(intervals, s)| context! { intervals, median => s.median, worst => s.worst }).collect();
-    let values = context! { order, support_order, grids => told, scenes => SCENES[0] };
+    let values = context! { order, differences_order, support_order, grids => told, scenes => SCENES[0] };
     let rows = moments
         .iter()
         .zip(&supports)

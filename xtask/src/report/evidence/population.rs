@@ -43,11 +43,11 @@ impl Spread {
         spread.map_or_else(|| "–".to_owned(), |s| format!("{} / {}", percent(s.median), percent(s.worst)))
     }
 
-    /// `median (least to most)`.
+    /// `median (least–most)`.
     fn range(spread: Option<Self>) -> String {
         let [least, median, worst] =
             [|s: Self| s.least, |s: Self| s.median, |s: Self| s.worst].map(|of| cell(spread.map(of), 2));
-        format!("{median} ({least} to {worst})")
+        format!("{median} ({least}–{worst})")
     }
 }
 
@@ -97,12 +97,15 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let rows = |cells: &dyn Fn(Family) -> Vec<String>| {
         Family::ALL.map(|family| [family.name().to_owned()].into_iter().chain(cells(family)).collect::<Vec<_>>())
     };
-    let grids = TOLD.map(|grid| format!("{} intervals", count(grid))).to_vec();
-    let reactions = Table::new(header("ground", grids))
-        .rows(rows(&|family| TOLD.map(|grid| Spread::percent(on(&lines, family, force, grid, 0))).to_vec()));
+    let digit = |family: Family, of: usize| orders(&lines, family, force, of).map(one_digit);
+    let mut of_grids = TOLD.map(|grid| format!("{} intervals", count(grid))).to_vec();
+    of_grids.push("one more digit".to_owned());
+    let supports = Table::new(header("ground", of_grids)).rows(rows(&|family| {
+        let on_grids = TOLD.map(|grid| Spread::percent(on(&lines, family, force, grid, 0)));
+        on_grids.into_iter().chain([format!("× {}", Spread::range(digit(family, 0)))]).collect()
+    }));
     let observables = Table::new(all("ground"))
         .rows(rows(&|family| (0..5).map(|of| Spread::percent(on(&lines, family, force, ON, of))).collect()));
-    let digit = |family: Family, of: usize| orders(&lines, family, force, of).map(one_digit);
     let rule =
         Table::new(all("ground")).rows(rows(&|family| (0..5).map(|of| Spread::range(digit(family, of))).collect()));
     let by_method = METHODS.map(|method| {
@@ -129,7 +132,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         families => Family::ALL.len(),
         coarsest => GRIDS[0],
         finest => GRIDS[GRIDS.len() - 1],
-        reactions, observables, rule, differences, elements,
+        supports, observables, rule, differences, elements,
         on => ON,
         digit => context! { supports => digits(0), moment => digits(3), energy => digits(4) },
         thirty => context! { flat => at_thirty(Family::Flat), least_uneven => uneven_at_thirty.map(|r| r[0]) },

@@ -9,6 +9,9 @@ use crate::report::evidence::population::Spread;
 use crate::report::evidence::prelude::*;
 use palkki_evidence::observables::NAMES;
 
+/// The observables of the report.
+const SUPPORTS_AND_MOMENT: [usize; 2] = [0, 3];
+
 /// Of so many scenes one may miss a promise.
 const ONE_IN: usize = 100;
 
@@ -87,11 +90,12 @@ fn held(study: &Study<'_>, store: &Store, population: &[Line]) -> Result<Vec<Adv
     Ok(advice)
 }
 
-/// Two tables, if the advice holds: what is advised, with the worst time and what is promised; and the errors that were found.
+/// Two tables, if the advice holds: what is advised, with the worst time and two of the observables; and all of them.
 pub(super) fn tables(study: &Study<'_>, store: &Store, population: &[Line]) -> Result<[Table; 2], Cause> {
-    let mut promised = Table::new(["your case", "command", "grid and time", "error at most", "what to believe"]);
-    let errors = ["your case", "scenes", "missed"].into_iter().chain(NAMES);
-    let mut errors = Table::new(errors);
+    let told = SUPPORTS_AND_MOMENT.map(|of| NAMES[of]);
+    let header = ["your case", "command", "grid and time", told[0], told[1], "what to believe"];
+    let (mut advised, mut all) =
+        (Table::new(header), Table::new(["your case", "scenes", "missed"].into_iter().chain(NAMES)));
     for advice in held(study, store, population)? {
         let found = Measured::of(&advice, store, population)?;
         let slowest = found.timed.iter().map(|line| milliseconds(line)).fold(0.0, f64::max);
@@ -101,34 +105,20 @@ pub(super) fn tables(study: &Study<'_>, store: &Store, population: &[Line]) -> R
             (0, None) => "no grid".to_owned(),
             (intervals, _) => format!("{} intervals", count(intervals)),
         };
-        promised.push(row![
-            advice.case,
-            format!("`{}`", advice.command),
-            format!("{grid}, {} ms", cell(Some(slowest), 2)),
-            promises(&advice),
-            advice.believe,
-        ]);
-        let counts = row![advice.case, found.drawn.len(), found.misses(&advice)];
         // The exact solution is what all others are compared with.
         let compared = |of| if advice.method == "exact" { None } else { found.errors(of) };
-        errors.push(counts.into_iter().chain((0..NAMES.len()).map(|of| Spread::percent(compared(of)))));
+        let errors: [String; 5] = std::array::from_fn(|of| {
+            let promise = advice.promises()[of].map_or("–".to_owned(), |most| significant(100.0 * most, 1));
+            compared(of)
+                .map_or_else(|| promise.clone(), |found| format!("{promise} ({})", Spread::percent(Some(found))))
+        });
+        let counts = row![advice.case, found.drawn.len(), found.misses(&advice)];
+        let [supports, moment] = SUPPORTS_AND_MOMENT.map(|of| errors[of].clone());
+        all.push(counts.into_iter().chain(errors));
+        let time = format!("{grid}, {} ms", cell(Some(slowest), 2));
+        advised.push(row![advice.case, format!("`{}`", advice.command), time, supports, moment, advice.believe]);
     }
-    Ok([promised, errors])
-}
-
-/// What is promised, equal numbers together.
-fn promises(advice: &Advice) -> String {
-    let mut groups: Vec<(f64, Vec<&str>)> = Vec::new();
-    for (name, promise) in NAMES.into_iter().zip(advice.promises()) {
-        let Some(promise) = promise else { continue };
-        match groups.iter_mut().find(|(most, _)| most.total_cmp(&promise).is_eq()) {
-            Some((_, names)) => names.push(name),
-            None => groups.push((promise, vec![name])),
-        }
-    }
-    let groups: Vec<String> =
-        groups.into_iter().map(|(most, names)| format!("{} {}", error_cell(Some(most)), names.join(", "))).collect();
-    if groups.is_empty() { "no promise".to_owned() } else { groups.join("; ") }
+    Ok([advised, all])
 }
 
 #[cfg(test)]
