@@ -4,9 +4,11 @@ use std::path::Path;
 use std::time::Instant;
 
 use palkki::adaptive::{End, Request, adapt};
+use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
-use palkki::{Settings, solve_raw, theory};
+use palkki::{Settings, solve_exactly, solve_raw, theory};
+use palkki_evidence::paper::claims::nsor::own_sweeps;
 
 use super::line::{Line, STOPPED};
 use super::plan::{Job, Route, Subject};
@@ -69,6 +71,7 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
         residual: rounded(answer.residual, 2),
         own_residual: answer.own_residual.and_then(|(_, residual)| rounded(residual, 2)),
         iterations: Some(answer.iterations),
+        own_sweeps: answer.own_sweeps,
         unknowns: Some(answer.unknowns),
         last_intervals: answer.adapted.map(|(intervals, _)| intervals),
         certified_error: answer.adapted.and_then(|(_, error)| rounded(error, 2)),
@@ -91,6 +94,8 @@ pub(super) struct Answer {
     /// Of a library: whether the residual in its own norm is what it was asked for, and that residual.
     own_residual: Option<(bool, f64)>,
     iterations: usize,
+    /// Of NSOR: the sweeps of the factor that won the race.
+    own_sweeps: Option<usize>,
     unknowns: usize,
     /// Lists of contacts that were tried; of the exact solution.
     lists: Option<usize>,
@@ -110,10 +115,26 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 residual: exact.residual,
                 own_residual: None,
                 iterations: exact.iterations,
+                own_sweeps: None,
                 unknowns: exact.unknowns,
                 lists: Some(exact.lists),
                 adapted: None,
                 state: exact.state,
+            })
+        }
+        Route::Certified => {
+            let found = solve_exactly(scene)?;
+            Ok(Answer {
+                status: found.verdict.status.name(),
+                reports_success: found.verdict.status == Status::Certified,
+                residual: found.residual,
+                own_residual: None,
+                iterations: found.iterations,
+                own_sweeps: None,
+                unknowns: found.unknowns,
+                lists: None,
+                adapted: None,
+                state: found.state,
             })
         }
         Route::Solver(method, solver) => {
@@ -124,6 +145,7 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 residual: found.residual,
                 own_residual: found.own_residual.map(|own| (own.is_met(), own.residual)),
                 iterations: found.iterations,
+                own_sweeps: own_sweeps(&found.solver_status),
                 unknowns: found.unknowns,
                 lists: None,
                 adapted: None,
@@ -138,6 +160,7 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 residual: found.solution.residual,
                 own_residual: None,
                 iterations: found.trials.iter().map(|tried| tried.iterations).sum(),
+                own_sweeps: None,
                 unknowns: found.solution.unknowns,
                 lists: None,
                 adapted: Some((found.settings.intervals, found.solution.verdict.error)),

@@ -82,7 +82,15 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
         let quickest = |digits| solved(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
         table.push([format!("{solver}, ms")].into_iter().chain(DIGITS.map(|digits| cell(quickest(digits), 2))));
     }
+    table.push(row!["nsor with the best factor, ms"].into_iter().chain(DIGITS.map(|digits| {
+        // All sweeps of a run take the same time.
+        let share = |line: &Line| Some(as_number(line.own_sweeps?) / as_number(line.iterations?));
+        let own = solved("nsor", digits).into_iter().filter_map(|line| Some(share(line)? * milliseconds(line)));
+        cell(own.min_by(f64::total_cmp), 2)
+    })));
+    let certified = lines.iter().find(|line| line.solver == "free-boundary-certified").map(|line| milliseconds(line));
     table.push(row!["exact solution, ms"].into_iter().chain(DIGITS.map(|_| cell(exact, 2))));
+    table.push(row!["exact with its bounds, ms"].into_iter().chain(DIGITS.map(|_| cell(certified, 2))));
     table
 }
 
