@@ -125,6 +125,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
             .into_iter()
             .filter_map(|family| Some(median(family, GRIDS[2])? / median(family, GRIDS[GRIDS.len() - 1])?)),
     );
+    let adaptive = lines.iter().filter(|line| line.solver.ends_with("-adaptive") && line.succeeded());
+    // Of the moment nothing is guaranteed.
+    let errors = adaptive.clone().filter_map(|line| line.errors()).flat_map(|[a, b, c, _, d]| [a, b, c, d]);
     let second = lines.iter().filter(|line| line.draw == 2 && line.method == "exact");
     let uneven_at_thirty = range(Family::ALL[1..].iter().filter_map(|family| at_thirty(*family)));
     let values = context! {
@@ -137,6 +140,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         digit => context! { supports => digits(0), moment => digits(3), energy => digits(4) },
         thirty => context! { flat => at_thirty(Family::Flat), least_uneven => uneven_at_thirty.map(|r| r[0]) },
         hundredfold => context! { least => hundredfold.map(|r| r[0]), most => hundredfold.map(|r| r[1]) },
+        adaptive => context! { reached => adaptive.count(), worst => largest(errors) },
         second => second.clone().count(),
         certified => second.filter(|line| line.succeeded()).count(),
         solved => lines.iter().filter(|line| line.draw == 1 && line.succeeded()).count(),
