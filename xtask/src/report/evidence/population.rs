@@ -57,11 +57,7 @@ pub(super) fn lines(study: &Study<'_>) -> Result<Vec<Line>, Cause> {
 }
 
 /// The lines of a draw of one family by a method.
-pub(super) fn of_family<'a>(
-    lines: &'a [Line],
-    family: Family,
-    method: Method,
-) -> impl Iterator<Item = &'a Line> + Clone {
+pub(super) fn of_family(lines: &[Line], family: Family, method: Method) -> impl Iterator<Item = &Line> + Clone {
     lines.iter().filter(move |line| line.draw == 1 && line.family == family.name() && line.method == method.name())
 }
 

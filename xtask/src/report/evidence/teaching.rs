@@ -169,8 +169,8 @@ fn at_work(study: &Study<'_>, rounds: &[Round], values: Value) -> Result<Drawn, 
     let mut places: [Vec<Place>; 4] = Default::default();
     let mut data = Table::new(["round", "node", "sign", "force"]);
     for (k, round) in rounds.iter().enumerate() {
-        for i in 0..nodes {
-            let sign = match (held[i], round.smallest == Some(i)) {
+        for (i, is_held) in held.iter().enumerate() {
+            let sign = match (*is_held, round.smallest == Some(i)) {
                 (true, _) if round.forces[i] < 0.0 => 3,
                 (true, _) => 1,
                 (false, true) => 2,
@@ -178,7 +178,7 @@ fn at_work(study: &Study<'_>, rounds: &[Round], values: Value) -> Result<Drawn, 
                 (false, false) => continue,
             };
             places[sign].push([as_number(i + 1), as_number(k + 1)]);
-            let force = if held[i] { fixed(round.forces[i], 3) } else { String::new() };
+            let force = if *is_held { fixed(round.forces[i], 3) } else { String::new() };
             data.push(row![k + 1, i + 1, SIGNS[sign].0, force]);
         }
         round.smallest.iter().for_each(|i| held[*i] = true);
