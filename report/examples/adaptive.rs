@@ -1,4 +1,5 @@
 //! Ask for an accuracy, and have the grid chosen.
+#![expect(clippy::print_stdout, reason = "an example prints what it finds")]
 use palkki::adaptive::{Request, adapt};
 use palkki::route::{Method, Solver};
 use palkki::scene::{Beam, Foundation, Load, Scene};

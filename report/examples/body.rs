@@ -1,4 +1,5 @@
 //! Any elastic body in the place of the beam: solve it, and prove how far the answer is off.
+#![expect(clippy::print_stdout, reason = "an example prints what it finds")]
 use palkki::body::{Body, Kind, proof::prove};
 use palkki::qp::Profile;
 use palkki::solvers::Solver;

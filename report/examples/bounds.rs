@@ -1,4 +1,5 @@
 //! Bound the error of contact forces that another program computed, or a hand.
+#![expect(clippy::print_stdout, reason = "an example prints what it finds")]
 use palkki::Witness;
 use palkki::certificate::{ContactLoad, Judged};
 use palkki::scene::{Beam, Foundation, Load, Scene};

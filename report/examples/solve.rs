@@ -1,4 +1,5 @@
 //! Solve a scene exactly: where the beam touches and how hard, and what its supports carry.
+#![expect(clippy::print_stdout, reason = "an example prints what it finds")]
 use palkki::scene::{Beam, Foundation, Load, Scene, Support};
 use palkki::solve_exactly;
 

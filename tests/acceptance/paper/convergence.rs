@@ -8,7 +8,6 @@ use palkki::route::{Method, Solver};
 use palkki::theory::solve;
 use palkki_evidence::paper::claims::accuracy;
 use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
-use palkki_evidence::paper::ends::other_ends;
 
 use crate::scenes::{run, scene};
 
@@ -177,13 +176,4 @@ fn a_couple_at_a_support_is_the_limit_of_growing_forces() {
             );
         }
     }
-}
-
-/// Built-in and free ends: every method solves its problem, and is as near to beam theory as on the paper's example.
-#[test]
-fn other_ends_are_of_second_order_too() {
-    let found = other_ends().expect("the scenes are well posed");
-    assert_eq!((found.scenes, found.solved), (5, 15), "three methods");
-    // Errors of second order on 300 intervals are of the size of Δ²/l², 1.1·10⁻⁵, some hundred times over.
-    assert!(found.energy < 1e-3 && found.contact_force < 1e-3, "{found:?}");
 }

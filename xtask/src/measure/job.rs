@@ -4,9 +4,11 @@ use std::path::Path;
 use std::time::Instant;
 
 use palkki::adaptive::{End, Request, adapt};
+use palkki::route::Status;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
-use palkki::{Settings, solve_raw, theory};
+use palkki::{Settings, solve_exactly, solve_raw, theory};
+use palkki_evidence::paper::claims::nsor::own_sweeps;
 
 use super::line::{Line, STOPPED};
 use super::plan::{Job, Route, Subject};
@@ -55,7 +57,7 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
         let [process_s, ..] = spread(seconds);
         begun = Line { process_s, peak_kb, ..begun };
     }
-    let (seconds, answer) = match timed(|| once(scene, job)) {
+    let (seconds, answer) = match timed(|| once(scene, job.route, job.intervals, job.tolerance)) {
         Ok(found) => found,
         Err(why) => return Ok(begun.refused(why)),
     };
@@ -69,6 +71,7 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
         residual: rounded(answer.residual, 2),
         own_residual: answer.own_residual.and_then(|(_, residual)| rounded(residual, 2)),
         iterations: Some(answer.iterations),
+        own_sweeps: answer.own_sweeps,
         unknowns: Some(answer.unknowns),
         last_intervals: answer.adapted.map(|(intervals, _)| intervals),
         certified_error: answer.adapted.and_then(|(_, error)| rounded(error, 2)),
@@ -80,10 +83,10 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
 }
 
 /// An answer, and what is known of it but for times and errors.
-struct Answer {
-    state: ContactState,
+pub(super) struct Answer {
+    pub(super) state: ContactState,
     /// How it ended: our check, of the adaptive grid its verdict.
-    status: &'static str,
+    pub(super) status: &'static str,
     /// Whether the solver says that it succeeded.
     reports_success: bool,
     /// Residual by our check.
@@ -91,6 +94,8 @@ struct Answer {
     /// Of a library: whether the residual in its own norm is what it was asked for, and that residual.
     own_residual: Option<(bool, f64)>,
     iterations: usize,
+    /// Of NSOR: the sweeps of the factor that won the race.
+    own_sweeps: Option<usize>,
     unknowns: usize,
     /// Lists of contacts that were tried; of the exact solution.
     lists: Option<usize>,
@@ -99,9 +104,8 @@ struct Answer {
 }
 
 /// Solves by the route of a job, without a clock.
-fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
-    let Job { intervals, tolerance, .. } = job;
-    match job.route {
+pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64) -> Result<Answer, Cause> {
+    match route {
         Route::Optimum(_) => Err("the proven optimum is no solver".into()),
         Route::Exact => {
             let exact = theory::solve(scene)?;
@@ -111,10 +115,26 @@ fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
                 residual: exact.residual,
                 own_residual: None,
                 iterations: exact.iterations,
+                own_sweeps: None,
                 unknowns: exact.unknowns,
                 lists: Some(exact.lists),
                 adapted: None,
                 state: exact.state,
+            })
+        }
+        Route::Certified => {
+            let found = solve_exactly(scene)?;
+            Ok(Answer {
+                status: found.verdict.status.name(),
+                reports_success: found.verdict.status == Status::Certified,
+                residual: found.residual,
+                own_residual: None,
+                iterations: found.iterations,
+                own_sweeps: None,
+                unknowns: found.unknowns,
+                lists: None,
+                adapted: None,
+                state: found.state,
             })
         }
         Route::Solver(method, solver) => {
@@ -125,6 +145,7 @@ fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
                 residual: found.residual,
                 own_residual: found.own_residual.map(|own| (own.is_met(), own.residual)),
                 iterations: found.iterations,
+                own_sweeps: own_sweeps(&found.solver_status),
                 unknowns: found.unknowns,
                 lists: None,
                 adapted: None,
@@ -139,6 +160,7 @@ fn once(scene: &Scene, job: Job) -> Result<Answer, Cause> {
                 residual: found.solution.residual,
                 own_residual: None,
                 iterations: found.trials.iter().map(|tried| tried.iterations).sum(),
+                own_sweeps: None,
                 unknowns: found.solution.unknowns,
                 lists: None,
                 adapted: Some((found.settings.intervals, found.solution.verdict.error)),

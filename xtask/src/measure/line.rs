@@ -42,6 +42,8 @@ pub(crate) struct Line {
     /// Of a library: residual in its own norm.
     pub(crate) own_residual: Option<f64>,
     pub(crate) iterations: Option<usize>,
+    /// Of NSOR: the sweeps of the factor that won the race.
+    pub(crate) own_sweeps: Option<usize>,
     pub(crate) unknowns: Option<usize>,
     pub(crate) runs: Option<usize>,
     pub(crate) median_s: Option<f64>,

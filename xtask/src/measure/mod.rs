@@ -3,12 +3,15 @@
 //! A run can be stopped at any moment and goes on where it stopped: every result is a line of the file, written as soon as
 //! it is there. Results of another machine, compiler or dependency are not mixed: the file says where it comes from, and
 //! `--fresh` starts it again. `--only TEXT` measures what has the text in its line, `scene,route,intervals,tolerance`; with
-//! `--fresh` it measures that again and keeps the rest. `--only "points of"` measures the surveys.
+//! `--fresh` it measures that again and keeps the rest. `--only "points of"` measures the surveys, `--only population` the errors on
+//! the population, which has a file of its own and no times.
 
+pub(crate) mod advice;
 mod instruments;
 mod job;
 pub(crate) mod line;
 pub(crate) mod plan;
+pub(crate) mod population;
 mod process;
 mod references;
 
@@ -32,6 +35,14 @@ pub(crate) struct Wish {
 
 /// Runs all jobs that are wanted and that the file does not have yet.
 pub(crate) fn run(root: &Path, wish: &Wish) -> Result<(), Cause> {
+    // It takes seconds, and has to follow the advice.
+    if population::NAME.contains(&wish.only) {
+        tell(population::NAME);
+        population::run(root)?;
+    }
+    if wish.only == population::NAME {
+        return Ok(());
+    }
     let wanted = |name: &str| name.contains(&wish.only);
     let mut store = Store::open(root, &instruments::describe(root), wish.fresh, wanted)?;
     let all = plan::all();

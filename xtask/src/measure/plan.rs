@@ -115,6 +115,8 @@ impl Subject {
 pub(crate) enum Route {
     /// Beam theory with free lift-off points; no grid.
     Exact,
+    /// The same with the bounds of all its numbers, as `palkki solve` prints them.
+    Certified,
     /// The proven optimum of the discrete problem of a method, in integers of hundreds of bits.
     Optimum(Method),
     /// A method with a solver.
@@ -139,6 +141,7 @@ impl Route {
     pub(crate) fn name(self) -> String {
         match self {
             Self::Exact => "exact/free-boundary".to_owned(),
+            Self::Certified => "exact/free-boundary-certified".to_owned(),
             Self::Optimum(method) => format!("{method}/optimum"),
             Self::Solver(method, solver) => format!("{method}/{solver}"),
             Self::Adaptive(method, solver) => format!("{method}/{solver}-adaptive"),
@@ -190,7 +193,7 @@ fn up_to(finest: usize) -> impl Iterator<Item = usize> {
 /// The jobs of a scene, with `tolerances`; `all` of the grids, or not those on which the example has said enough.
 fn jobs(scene: &'static str, tolerances: &[f64], all: bool) -> Vec<Job> {
     let job = |route, intervals, tolerance| Job { subject: Subject::Gallery(scene), route, intervals, tolerance };
-    let mut jobs = vec![job(Route::Exact, 0, 0.0)];
+    let mut jobs = vec![job(Route::Exact, 0, 0.0), job(Route::Certified, 0, 0.0)];
     let adaptive = Route::Adaptive(Method::Force, Solver::ActiveSet);
     jobs.extend(DEMANDED.map(|tolerance| job(adaptive, 0, tolerance)));
     let mut series = |route, tolerance, finest: usize| {

@@ -80,7 +80,7 @@ impl References {
             return None;
         }
         let discretisation = match job.route {
-            Route::Exact | Route::Adaptive(..) => return None,
+            Route::Exact | Route::Certified | Route::Adaptive(..) => return None,
             Route::Solver(method, _) | Route::Optimum(method) => method.discretisation(),
         };
         let key = (job.intervals, discretisation == Discretisation::FiniteDifferences);

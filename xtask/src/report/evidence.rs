@@ -15,6 +15,7 @@ mod judged;
 mod moment;
 mod paper;
 mod play;
+mod population;
 mod problem;
 mod provenance;
 mod scale;
@@ -78,6 +79,7 @@ const SUBJECTS: &[Subject] = &[
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
     ("convergence", convergence::evidence),
+    ("population", population::evidence),
     ("scenes", gallery::evidence),
     ("holds", holds::evidence),
     ("scene_file", scene_file::evidence),

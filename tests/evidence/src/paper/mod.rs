@@ -11,7 +11,6 @@
 
 pub mod claims;
 pub mod convergence;
-pub mod ends;
 mod figures;
 pub mod uneven;
 

@@ -2,10 +2,12 @@
 
 mod coinciding;
 mod held;
+mod population;
 mod scenes;
 
 pub use coinciding::coinciding;
 pub use held::held;
+pub use population::Family;
 pub use scenes::{on_lattice, rough, scene, smooth};
 
 use palkki::scene::Scene;
@@ -56,7 +58,7 @@ impl Random {
 }
 
 /// The first scene of the attempts with the numbers of a seed: those may be refused.
-fn first(seed: u64, attempt: fn(&mut Random) -> Option<Scene>) -> Scene {
+fn first(seed: u64, attempt: impl Fn(&mut Random) -> Option<Scene>) -> Scene {
     let mut random = Random::new(seed);
     loop {
         if let Some(scene) = attempt(&mut random) {

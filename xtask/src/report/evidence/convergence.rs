@@ -1,18 +1,12 @@
-//! How fast the methods converge to the exact solution, with the observed order: on the paper's example, and on uneven scenes.
+//! How fast the methods converge to the exact solution on the paper's example, with the observed order.
 
 use palkki::plot::{Axis, Color, Layer, Panel, Place, Style};
-use palkki_evidence::paper::convergence::{Quantity, Series, of_scene, of_the_example};
+use palkki_evidence::paper::convergence::{Quantity, Series, of_the_example};
 
 use super::prelude::*;
 
 /// Multiples of 8: deflections are compared at an eighth of the span.
 const GRIDS: [usize; 7] = [16, 32, 64, 128, 256, 512, 1024];
-
-/// Kinks; one crest with a zone; smooth crests at single points. With the kind of contact that decides on the order.
-const SCENES: [(&str, &str); 3] = [("survey", "kinks"), ("crest", "one zone"), ("wave", "points on smooth crests")];
-/// The first has a node at each reading of the survey, every fifth interval; each further one has twice as many.
-const COARSEST: usize = 120;
-const HALVINGS: u32 = 5;
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     // The force method has the same nodal values as the displacement method.
@@ -22,17 +16,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let first_force = study.ledger()?.grids.iter().map(|grid| (grid.intervals, grid.first_force));
     let first_force: Vec<_> = first_force.map(|(intervals, error)| context! { intervals, error }).collect();
 
-    let grids: Vec<usize> = (0..=HALVINGS).map(|k| COARSEST << k).collect();
-    let mut found: Vec<(&str, Vec<Series>)> = Vec::new();
-    for (name, _) in SCENES {
-        let scene = scenes::read(study.root, name)?;
-        let exact = theory::solve(&scene)?;
-        found.push((name, of_scene(&scene, &exact, Method::Force, &grids)?));
-    }
     let values = context! {
         coarsest => GRIDS[0], finest => GRIDS[GRIDS.len() - 1], table => example_table(&differences, &energy),
         differences_energy_is_fast => fast, first_force,
-        uneven => context! { coarsest => COARSEST, finest => COARSEST << HALVINGS, table => uneven_table(&found) },
     };
     let data = example_data(&[&differences, &energy]);
     Evidence::new(values).figures([example_figure(study, &energy, data)?])
@@ -101,26 +87,6 @@ fn example_data(methods: &[&[Series]]) -> Table {
         .flat_map(|series| series.iter())
         .flat_map(|s| s.errors.iter().map(|(n, error)| row![s.method, s.quantity.name(), n, scientific(*error, 2)]));
     Table::new(["method", "quantity", "intervals", "relative_error"]).rows(rows)
-}
-
-/// Scene by scene by the force method: what it touches, the error of the end reaction, and three orders.
-fn uneven_table(found: &[(&str, Vec<Series>)]) -> Table {
-    let reaction = "end reaction";
-    Table::new([
-        "scene".to_owned(),
-        "it touches".to_owned(),
-        format!("{reaction}, {COARSEST} intervals"),
-        format!("{reaction}, {} intervals", COARSEST << HALVINGS),
-        "its order".to_owned(),
-        "order of the energy".to_owned(),
-        "order of the deflection".to_owned(),
-    ])
-    .rows(found.iter().zip(SCENES).map(|((name, found), (_, contact))| {
-        let order = |k: usize| found.get(k).map_or_else(String::new, |a: &Series| format!("{:.1}", a.order));
-        let errors = found.first().map_or(&[][..], |a| a.errors.as_slice());
-        let ends = [short(first(errors)), short(last(errors))];
-        row![name, contact, ends[0], ends[1], order(0), order(1), order(2)]
-    }))
 }
 
 /// A line `error ~ N⁻ᵖ` from above the first errors, over the range of the points; none if they have no range.

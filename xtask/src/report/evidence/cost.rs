@@ -6,6 +6,7 @@ mod price;
 mod runs;
 mod stopping;
 
+use super::population;
 use super::prelude::*;
 use crate::measure::line::{Line, Store};
 use crate::measure::plan::{EXAMPLE, LIMIT, is_survey};
@@ -40,6 +41,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let (price, price_figure) = price::of(study, &store)?;
     let (stopping, stopping_figure) = stopping::of(study, &store)?;
     let (runs, runs_figure) = runs::of(study, &store)?;
+    let [advice, kept] = advice::tables(study, &store, &population::lines(study)?)?;
     let values = context! {
         made => store.provenance(),
         limit => LIMIT,
@@ -49,13 +51,8 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         price,
         stopping,
         runs,
-        reactions => reactions(&store),
-        thirty => {
-            let error = |ground: &(&str, &str)| reaction_error(&store, ground.0, 30);
-            let uneven = GROUNDS[1..].iter().map(error).reduce(|a, b| Some(a?.min(b?))).flatten();
-            context! { flat => error(&GROUNDS[0]), least_uneven => uneven }
-        },
-        advice => advice::table(&advice::held(study.root, &store)?, &store),
+        advice,
+        kept,
     };
     Evidence::new(values).file("measurements", file).figures([price_figure, stopping_figure, runs_figure])
 }
@@ -82,28 +79,4 @@ fn nsor_gave_up(store: &Store) -> Option<Value> {
     let finest = || of_nsor().filter(|line| line.intervals == intervals);
     let seconds = finest().filter_map(|line| line.median_s).max_by(f64::total_cmp)?;
     finest().all(|line| !line.succeeded()).then(|| context! { intervals, seconds })
-}
-
-/// Scenes whose left reaction has a table, flat ground first, in words.
-const GROUNDS: [(&str, &str); 4] =
-    [(EXAMPLE, "flat, the example"), ("wave", "smooth crests"), ("survey", "worn floor"), ("hump", "one hump")];
-
-/// The error of the left reaction by the force method with the active set, if that is solved.
-fn reaction_error(store: &Store, scene: &str, intervals: usize) -> Option<f64> {
-    let lines = ended(store, scene);
-    let line = lines.into_iter().find(|line| line.is("force", "active-set") && line.intervals == intervals)?;
-    line.reaction_total.filter(|_| line.succeeded())
-}
-
-/// The same, scene by scene.
-fn reactions(store: &Store) -> Table {
-    const GRIDS: [usize; 3] = [30, 100, 1000];
-    let header = row!["ground"].into_iter().chain(GRIDS.map(|grid| format!("{} intervals", count(grid))));
-    Table::new(header).rows(GROUNDS.map(|(scene, ground)| {
-        let errors = GRIDS.map(|grid| {
-            reaction_error(store, scene, grid)
-                .map_or_else(|| "–".to_owned(), |error| format!("{} %", cell(Some(100.0 * error), 2)))
-        });
-        row![ground].into_iter().chain(errors)
-    }))
 }

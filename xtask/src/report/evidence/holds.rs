@@ -1,7 +1,6 @@
 //! What holds a beam: scenes with supports of every kind, and with none.
 
 use palkki::scene::{Beam, Load, PointLoad};
-use palkki_evidence::paper::ends::{FINE, other_ends};
 
 use super::gallery::{Shown, shown};
 use super::prelude::*;
@@ -33,13 +32,6 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         stands,
         neutral,
         refusals => refusals()?,
-        ends => {
-            let found = other_ends()?;
-            context! {
-                scenes => found.scenes, answers => found.scenes * Method::ALL.len(), solved => found.solved, intervals => FINE,
-                energy => found.energy, contact_force => found.contact_force,
-            }
-        },
     };
     Evidence::new(context).figures(all.into_iter().map(|shown| shown.figure))
 }

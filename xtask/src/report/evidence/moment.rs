@@ -1,18 +1,19 @@
 //! The bending moment on a grid: the number that an engineer designs by, and the one of the observables that is of first order.
 
-use palkki::adaptive::observed_order;
 use palkki::plot::{Axis, Color, Divisions, Layer, Marker, Panel, Place, Style};
 use palkki::theory::Exact;
 use palkki_evidence::paper::example;
+use palkki_evidence::random::Family;
 
+use super::population::{self, Spread};
 use super::prelude::*;
+use crate::measure::population::{GRIDS, Line, SCENES};
 
-/// Every grid up to 16 times the coarsest, and then so many in each doubling, up to 1,024 times the coarsest.
-const COARSEST: usize = 10;
-const IN_A_DOUBLING: i32 = 24;
-const DOUBLINGS: [i32; 2] = [4, 10];
+/// Of the observables the support forces and the moment.
+const OBSERVABLES: [usize; 2] = [0, 3];
 /// Grids of the words.
-const TOLD: [usize; 3] = [20, 100, 320];
+const TOLD: [usize; 3] = [30, 100, 1000];
+
 /// Grids of the drawing beside lift-off.
 const DRAWN: [(usize, Color, Marker); 3] = [
     (20, Color::VERMILLION, Marker::OpenCircle),
@@ -20,65 +21,33 @@ const DRAWN: [(usize, Color, Marker); 3] = [
     (100, Color::BLUE, Marker::OpenCircle),
 ];
 
-fn grids() -> Vec<usize> {
-    let [all, last] = DOUBLINGS;
-    let finer = (IN_A_DOUBLING * all + 1..=IN_A_DOUBLING * last).map(|k| {
-        let share = f64::from(k) / f64::from(IN_A_DOUBLING);
-        // Positive, and far below 2⁵³.
-        (as_number(COARSEST) * share.exp2()).round() as usize
-    });
-    (COARSEST..=COARSEST << all).chain(finer).collect()
-}
-
-/// A grid with the worst error of a nodal moment over the largest moment, and that of the left reaction.
-#[derive(Debug, Clone, Copy)]
-struct Errors {
-    intervals: usize,
-    moment: f64,
-    reaction: f64,
-}
-
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let exact = theory::solve(&scene)?;
-    let grids = grids();
-    let found: Vec<Errors> =
-        grids.iter().map(|&intervals| errors(&scene, &exact, intervals)).collect::<Result<_, _>>()?;
-    let [order, reaction_order] =
-        [|e: &Errors| e.moment, |e: &Errors| e.reaction].map(|of| order_of_the_worst(&found, of));
-    let told: Vec<Value> = TOLD
+    let lines = population::lines(study)?;
+    let flat: Vec<&Line> = population::of_family(&lines, Family::Flat, Method::Force).collect();
+    let [supports, moments] = OBSERVABLES.map(|of| places(&flat, of));
+    let [support_order, order] =
+        OBSERVABLES.map(|of| population::orders(&lines, Family::Flat, Method::Force, of).map(|s| s.median));
+    let differences_order =
+        population::orders(&lines, Family::Flat, Method::Complementarity, OBSERVABLES[1]).map(|s| s.median);
+    let on = |grid, of| population::on(&lines, Family::Flat, Method::Force, grid, of);
+    let told = TOLD.into_iter().filter_map(|grid| Some((grid, on(grid, OBSERVABLES[1])?)));
+    let told: Vec<Value> =
+        told.map(|(intervals, s)| context! { intervals, median => s.median, worst => s.worst }).collect();
+    let values = context! { order, differences_order, support_order, grids => told, scenes => SCENES[0] };
+    let rows = moments
         .iter()
-        .filter_map(|told| found.iter().find(|errors| errors.intervals == *told))
-        .map(|errors| context! { intervals => errors.intervals, worst => errors.moment })
-        .collect();
-    let worse = |errors: &Errors| errors.moment / errors.reaction;
-    let middle = found.iter().find(|errors| errors.intervals == TOLD[1]).map(worse);
-    let values = context! {
-        order, reaction_order, grids => told, worse => middle, worse_on => TOLD[1],
-        coarsest => grids[0], finest => grids[grids.len() - 1], tried => found.len(),
-    };
-    let rows = found.iter().map(|e| row![e.intervals, scientific(e.moment, 2), scientific(e.reaction, 2)]);
-    let data = Table::new(["intervals", "worst_moment", "left_reaction"]).rows(rows);
-    let panels = vec![near_lift_off(&scene, &exact)?, over_intervals(&found)];
-    let figure = study.drawn("moment", values.clone(), 2, panels, data)?;
-    Evidence::new(values).figures([figure])
+        .zip(&supports)
+        .map(|([n, moment], [_, supports])| row![n, scientific(*moment, 2), scientific(*supports, 2)]);
+    let data = Table::new(["intervals", "worst_moment", "support_forces"]).rows(rows);
+    let panels = vec![near_lift_off(&scene, &exact)?, over_intervals(&moments, &supports)];
+    Evidence::new(values.clone()).figures([study.drawn("moment", values, 2, panels, data)?])
 }
 
-fn errors(scene: &Scene, exact: &Exact, intervals: usize) -> Result<Errors, Cause> {
-    let state = on_grid(scene, Method::Force, Solver::ActiveSet, intervals)?.state;
-    let nodes = nodes_of(&state)?;
-    let off = nodes.x.iter().zip(&nodes.moment).map(|(&x, m)| m - exact.moment(x));
-    let left = |state: &palkki::state::ContactState| state.reactions.left;
-    let reaction = (left(&state) - left(&exact.state)).abs() / left(&exact.state).abs();
-    Ok(Errors { intervals, moment: largest(off) / exact.state.moment.magnitude(), reaction })
-}
-
-/// The order of the worst grid in each doubling: on a single one the error depends on where lift-off falls between two nodes.
-fn order_of_the_worst(found: &[Errors], of: fn(&Errors) -> f64) -> f64 {
-    let doubling = |errors: &Errors| (errors.intervals / COARSEST).ilog2();
-    let in_doublings = found.chunk_by(|a, b| doubling(a) == doubling(b)).filter(|grids| 1 < grids.len());
-    let worst = in_doublings.filter_map(|grids| grids.iter().max_by(|a, b| of(a).total_cmp(&of(b))));
-    observed_order(&worst.map(|errors| (1.0 / as_number(errors.intervals), of(errors))).collect::<Vec<_>>())
+/// The errors of an observable over the number of intervals, scene by scene.
+fn places(flat: &[&Line], of: usize) -> Vec<Place> {
+    flat.iter().filter_map(|line| Some([as_number(line.intervals), line.errors()?[of]])).collect()
 }
 
 /// The moments of three grids on both sides of the left lift-off point.
@@ -113,26 +82,24 @@ fn near_lift_off(scene: &Scene, exact: &Exact) -> Result<Panel, Cause> {
 }
 
 /// Both errors over the number of intervals.
-fn over_intervals(found: &[Errors]) -> Panel {
-    let points =
-        |of: fn(&Errors) -> f64| found.iter().map(|errors| [as_number(errors.intervals), of(errors)]).collect();
-    let (moments, reactions): (Vec<Place>, Vec<Place>) = (points(|e| e.moment), points(|e| e.reaction));
+fn over_intervals(moments: &[Place], supports: &[Place]) -> Panel {
     let x = Axis { padding: 0.02, ..Axis::new("intervals N").log() };
     let mut panel = Panel::new(x, Axis::new("relative error").log()).tall(800.0);
-    let ends = [0, found.len() - 1].map(|k| as_number(found[k].intervals));
-    for (order, errors) in [(1, &moments), (2, &reactions)] {
-        // Through the worst of the points, so that none is above the line.
-        let most = errors.iter().map(|[n, error]| error * n.powi(order)).fold(0.0, f64::max);
-        let line = ends.map(|n| [n, most / n.powi(order)]).to_vec();
+    let ends = [GRIDS[0], GRIDS[GRIDS.len() - 1]].map(as_number);
+    for (order, errors) in [(1, moments), (2, supports)] {
+        // Through the middle of the points of the coarsest grid.
+        let on_coarsest = errors.iter().filter(|[n, _]| *n <= ends[0]).map(|[_, error]| *error);
+        let middle = Spread::of(on_coarsest).map_or(f64::NAN, |s| s.median);
+        let line = ends.map(|n| [n, middle * (ends[0] / n).powi(order)]).to_vec();
         let style = Style { width: 4, ..Style::solid(Color::GRAY) };
         panel = panel.with(Layer::named(line, style, format!("order {order}")));
     }
     // The names stand where no marks are: above the moments of fine grids, below the reactions of coarse ones.
     let (above, below) = ([0.1 * ends[1], 0.1], [5.0 * ends[0], 1e-6]);
-    let marks = |errors, color| Layer::line(errors, Style::marks(color, Marker::OpenCircle));
+    let marks = |errors: &[Place], color| Layer::line(errors.to_vec(), Style::marks(color, Marker::OpenCircle));
     panel
         .with(marks(moments, Color::VERMILLION))
-        .with(marks(reactions, Color::BLUE))
+        .with(marks(supports, Color::BLUE))
         .with(Layer::words(above, Color::VERMILLION, "worst nodal moment"))
-        .with(Layer::words(below, Color::BLUE, "left reaction"))
+        .with(Layer::words(below, Color::BLUE, "support forces"))
 }

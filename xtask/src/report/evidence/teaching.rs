@@ -2,6 +2,7 @@
 
 use palkki::certificate::{Judged, certify};
 use palkki::methods::Discrete;
+use palkki::plot::{Arrow, Arrows, Axis, Color, Dash, Layer, Marker, Panel, Place, Style};
 use palkki::qp::FreeSet;
 use palkki::{DEFAULT_TOLERANCE, theory as exact_theory};
 use palkki_evidence::paper::convergence::{Quantity, of_scene};
@@ -21,14 +22,16 @@ const CREST: [usize; 6] = [30, 60, 120, 240, 480, 960];
 
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
-    Ok(Evidence::new(context! {
+    let (failure, figure) = failure(study, &scene)?;
+    Evidence::new(context! {
         lift_off => lift_off(&scene),
         four_steps => four_steps(&scene)?,
-        failure => failure(&scene)?,
+        failure,
         jumps => jumps(&scene)?,
         crest => crest(&scenes::read(study.root, "hump")?)?,
         bounds => bounds(&scene)?,
-    }))
+    })
+    .figures([figure])
 }
 
 /// Exercise 1: the closed form for the example.
@@ -43,26 +46,30 @@ fn lift_off(scene: &Scene) -> Value {
     }
 }
 
-/// Of each round of the four steps the point, and the variable that is set to zero after it.
-type Rounds = Vec<(Vec<f64>, Option<usize>)>;
+/// A round of the four steps: the point, the contact forces there, and the variable that is set to zero after it.
+struct Round {
+    x: Vec<f64>,
+    forces: Vec<f64>,
+    smallest: Option<usize>,
+}
 
-/// The four steps by finite differences, round by round, and the contact forces at their end. They have to be those of the
-/// solver.
-fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
+/// The four steps by finite differences, round by round. They have to be those of the solver.
+fn rounds(discrete: &Discrete) -> Result<Vec<Round>, Cause> {
     let qp = Method::Complementarity.qp(discrete);
     let mut free = FreeSet::all(qp.dimension());
-    let mut rounds: Rounds = Vec::new();
+    let mut rounds: Vec<Round> = Vec::new();
     loop {
         let point = qp.stationary(&free)?;
         let negative = free.variables().filter(|&i| point.x[i] < 0.0);
         let smallest = negative.min_by(|&i, &j| point.x[i].total_cmp(&point.x[j]));
-        rounds.push((point.x, smallest));
+        let forces = point.gradient.iter().map(|p| p * discrete.spacing).collect();
+        rounds.push(Round { x: point.x, forces, smallest });
         let Some(smallest) = smallest else {
             let answer = Solver::FourStep.run(qp.as_ref(), DEFAULT_TOLERANCE);
-            if rounds.last().is_none_or(|(x, _)| *x != answer.x) || answer.iterations != rounds.len() {
+            if rounds.last().is_none_or(|round| round.x != answer.x) || answer.iterations != rounds.len() {
                 return Err("the four steps of the exercise are not those of the solver".into());
             }
-            return Ok((rounds, point.gradient.iter().map(|p| p * discrete.spacing).collect()));
+            return Ok(rounds);
         };
         free.set(smallest, false);
     }
@@ -71,10 +78,11 @@ fn rounds(discrete: &Discrete) -> Result<(Rounds, Vec<f64>), Cause> {
 /// Exercise 2: the rounds of the four steps on a grid of five nodes.
 fn four_steps(scene: &Scene) -> Result<Value, Cause> {
     let discrete = Discrete::new(scene, BY_HAND)?;
-    let (rounds, forces) = rounds(&discrete)?;
+    let rounds = rounds(&discrete)?;
+    let forces = &rounds[rounds.len() - 1].forces;
     let mut table = Table::new(["round"].into_iter().chain(UNKNOWNS).chain(["set to zero"]));
     let mut free = [true; UNKNOWNS.len()];
-    for (k, (x, smallest)) in rounds.iter().enumerate() {
+    for (k, Round { x, smallest, .. }) in rounds.iter().enumerate() {
         let cells = (0..free.len()).map(|i| if free[i] { fixed(x[i], 3) } else { "0".to_owned() });
         let named = smallest.map_or("none: stop", |i| UNKNOWNS[i]).to_owned();
         table.push(row![k + 1].into_iter().chain(cells).chain([named]));
@@ -92,15 +100,16 @@ fn four_steps(scene: &Scene) -> Result<Value, Cause> {
 }
 
 /// The node that pulls most, the round in which it was held, and the next node to the right that was held already.
-fn pulling(rounds: &Rounds, forces: &[f64]) -> Option<[usize; 3]> {
+fn pulling(rounds: &[Round]) -> Option<[usize; 3]> {
+    let forces = &rounds.last()?.forces;
     let worst = (0..forces.len()).min_by(|&i, &j| forces[i].total_cmp(&forces[j]))?;
-    let round = rounds.iter().position(|(_, smallest)| *smallest == Some(worst))?;
-    let before = rounds[..round].iter().filter_map(|(_, smallest)| *smallest);
+    let round = rounds.iter().position(|round| round.smallest == Some(worst))?;
+    let before = rounds[..round].iter().filter_map(|round| round.smallest);
     Some([worst, round, before.filter(|i| worst < *i).min()?])
 }
 
 /// Exercise 3: the first grid on which the four steps fail, beside the one before.
-fn failure(scene: &Scene) -> Result<Value, Cause> {
+fn failure(study: &Study<'_>, scene: &Scene) -> Result<(Value, Drawn), Cause> {
     let run = |solver: Solver, n: usize| on_grid(scene, Method::Complementarity, solver, n);
     let fails = |n: &usize| run(Solver::FourStep, *n).is_ok_and(|outcome| !outcome.solved);
     let intervals = (4..=200).find(fails).ok_or("the four steps do not fail any more")?;
@@ -112,36 +121,91 @@ fn failure(scene: &Scene) -> Result<Value, Cause> {
         table.push(row![n, outcome.iterations, passes, reactions[0], reactions[1]]);
     }
     let discrete = Discrete::new(scene, intervals)?;
-    let (mut rounds, mut forces) = rounds(&discrete)?;
+    let mut rounds = rounds(&discrete)?;
     // Scene and grid are symmetric, and rounding decides on which side the four steps begin: the exercise tells it from the left.
-    let found = match pulling(&rounds, &forces) {
+    let found = match pulling(&rounds) {
         Some(found) => found,
         None => {
-            forces.reverse();
-            for (x, smallest) in &mut rounds {
+            for Round { x, forces, smallest } in &mut rounds {
                 x.reverse();
-                *smallest = smallest.map(|i| forces.len() - 1 - i);
+                forces.reverse();
+                *smallest = smallest.map(|i| x.len() - 1 - i);
             }
-            pulling(&rounds, &forces).ok_or("no node was held before")?
+            pulling(&rounds).ok_or("no node was held before")?
         }
     };
     let [worst, round, held] = found;
     let best = run(Solver::ActiveSet, intervals)?;
-    Ok(context! {
+    let values = context! {
         intervals,
         before => intervals - 1,
         table,
         node => worst + 1,
         at => discrete.grid.place(worst + 1),
-        pull => -forces[worst],
-        clearance => rounds[round].0[worst],
+        pull => -rounds[rounds.len() - 1].forces[worst],
+        clearance => rounds[round].x[worst],
         round => round + 1,
         held => held + 1,
-        below => (worst + 1..held).all(|i| rounds[round].0[i] < 0.0),
+        below => (worst + 1..held).all(|i| rounds[round].x[i] < 0.0),
         rounds => rounds.len(),
         active_set => best.solved,
         reaction => best.state.reactions.left,
-    })
+    };
+    let figure = at_work(study, &rounds, values.clone())?;
+    Ok((values, figure))
+}
+
+/// The rounds of the four steps, one below the other: which nodes are below the ground, set to zero, held, or would pull; and the
+/// forces at their end.
+fn at_work(study: &Study<'_>, rounds: &[Round], values: Value) -> Result<Drawn, Cause> {
+    const SIGNS: [(&str, Color, Marker); 4] = [
+        ("below the ground", Color::BLUE, Marker::Plus),
+        ("held", Color::GRAY, Marker::OpenCircle),
+        ("set to zero", Color::BLACK, Marker::Square),
+        ("held, would pull", Color::VERMILLION, Marker::Circle),
+    ];
+    let nodes = rounds[0].x.len();
+    let mut held = vec![false; nodes];
+    let mut places: [Vec<Place>; 4] = Default::default();
+    let mut data = Table::new(["round", "node", "sign", "force"]);
+    for (k, round) in rounds.iter().enumerate() {
+        for (i, is_held) in held.iter().enumerate() {
+            let sign = match (*is_held, round.smallest == Some(i)) {
+                (true, _) if round.forces[i] < 0.0 => 3,
+                (true, _) => 1,
+                (false, true) => 2,
+                (false, false) if round.x[i] < 0.0 => 0,
+                (false, false) => continue,
+            };
+            places[sign].push([as_number(i + 1), as_number(k + 1)]);
+            let force = if *is_held { fixed(round.forces[i], 3) } else { String::new() };
+            data.push(row![k + 1, i + 1, SIGNS[sign].0, force]);
+        }
+        round.smallest.iter().for_each(|i| held[*i] = true);
+    }
+    let axis = || Axis::new("node").including(&[0.0, as_number(nodes + 1)]);
+    let mut signs = Panel::new(axis(), Axis::new("round").down().including(&[-4.0])).tall(900.0);
+    for (k, ((sign, color, marker), places)) in SIGNS.into_iter().zip(places).enumerate() {
+        // The names stand in a row above the first round.
+        let at = [as_number(nodes) * (0.13 + 0.25 * as_number(k)), -2.0];
+        signs = signs.with(Layer::line(places, Style::marks(color, marker))).with(Layer::words(at, color, sign));
+    }
+    let last = &rounds[rounds.len() - 1].forces;
+    let arrows = |pulls: bool, color: Color| {
+        let of_sign = last.iter().enumerate().filter(|(_, force)| **force != 0.0 && (**force < 0.0) == pulls);
+        let arrow = |(i, force): (usize, &f64)| {
+            let at = [as_number(i + 1), 0.0];
+            Arrow { at, force: *force, text: String::new(), optional: true }
+        };
+        Layer::Arrows(Arrows { arrows: of_sign.map(arrow).collect(), color, dash: Dash::Solid })
+    };
+    let [least, most] = range(last.iter().copied()).unwrap_or_default();
+    let ends = Panel::new(axis(), Axis::new("force of the ground after the last round").including(&[least, most]))
+        .tall(460.0)
+        .with(Layer::zero_line([0.0, as_number(nodes + 1)]))
+        .with(arrows(false, Color::BLUE))
+        .with(arrows(true, Color::VERMILLION));
+    study.drawn("four-steps", values, 1, vec![signs, ends], data)
 }
 
 /// Exercise 4: the first nodal force on neighbouring grids, beside the resultant.

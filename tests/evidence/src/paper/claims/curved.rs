@@ -11,7 +11,7 @@ use crate::compare::apart_if_any;
 use crate::paper::{DEPTH, INTERVALS, LENGTH, UNIFORM, beam};
 
 /// Beam and load of the example on other supports, with a shape of its own, over another foundation.
-pub(in crate::paper) fn scene_on(
+pub(super) fn scene_on(
     supports: Vec<Support>,
     shape: Option<Foundation>,
     foundation: Foundation,

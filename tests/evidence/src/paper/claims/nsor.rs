@@ -86,7 +86,8 @@ pub(super) fn measure() -> Result<Vec<Count>, SceneError> {
 }
 
 /// Sweeps of the factor that converged, of which the solver speaks: `converged with ω = 1.7 in 140 of its own sweeps`.
-fn own_sweeps(status: &str) -> Option<usize> {
+#[must_use]
+pub fn own_sweeps(status: &str) -> Option<usize> {
     status.strip_prefix("converged ")?.split_once(" in ")?.1.split(' ').next()?.parse().ok()
 }
 

@@ -1,159 +1,158 @@
-//! Advice as data: each recommendation of a route is a row of `report/advice.csv` that has to hold in the measurements, or
-//! there is no report.
-
-use std::path::Path;
-
-use serde::Deserialize;
+//! Advice that is held by data: the routes of `report/advice.csv` solve the scenes on which they are measured, and keep their promises
+//! on the second draw of the population, or there is no report.
 
 use super::milliseconds;
-use crate::data;
-use crate::measure::line::{Line, Store};
+use crate::measure::advice::{self, Advice};
+use crate::measure::line::{self, Store};
+use crate::measure::population::{Line, SCENES};
+use crate::report::evidence::population::Spread;
 use crate::report::evidence::prelude::*;
+use palkki_evidence::observables::NAMES;
 
-/// Where it is, below the root.
-const PATH: &str = "report/advice.csv";
+/// The observables of the report.
+const SUPPORTS_AND_MOMENT: [usize; 2] = [0, 3];
 
-/// One recommendation.
-#[derive(Debug, Clone, Deserialize)]
-pub(crate) struct Advice {
-    /// Whose case it is.
-    case: String,
-    /// Scenes that stand for it, with blanks between them.
-    scenes: String,
-    method: String,
-    solver: String,
-    /// 0 for no grid, or one that the route chooses.
-    intervals: usize,
-    /// What is asked for; 0 for nothing.
-    tolerance: f64,
-    /// The largest error that is promised, see [`Advice::error`].
-    promise: f64,
-    /// What one types.
-    command: String,
-    /// What to believe of the answer.
-    believe: String,
+/// Of so many scenes one may miss a promise.
+const ONE_IN: usize = 100;
+
+/// What is measured of a recommendation: a line for each scene with its time, and a line for each scene of the second draw.
+struct Measured<'a> {
+    timed: Vec<&'a line::Line>,
+    drawn: Vec<&'a Line>,
 }
 
-impl Advice {
-    /// The lines that it rests on, one for each scene.
-    fn lines<'a>(&self, store: &'a Store) -> Result<Vec<&'a Line>, String> {
+impl<'a> Measured<'a> {
+    fn of(advice: &Advice, store: &'a Store, population: &'a [Line]) -> Result<Self, String> {
+        let unknown = |scene: &str| format!("`{}` on {scene} was not measured", advice.case);
         let of_scene = |scene: &str| {
-            let same = |line: &&Line| {
+            let same = |line: &&line::Line| {
                 line.scene == scene
-                    && line.is(&self.method, &self.solver)
-                    && line.intervals == self.intervals
-                    && line.asks(self.tolerance)
+                    && line.is(&advice.method, &advice.solver)
+                    && line.intervals == advice.intervals
+                    && line.asks(advice.tolerance)
             };
-            store.lines.iter().find(same).ok_or_else(|| format!("`{}` on scene {scene} was not measured", self.case))
+            store.lines.iter().find(same).ok_or_else(|| unknown(scene))
         };
-        self.scenes.split_whitespace().map(of_scene).collect()
-    }
-
-    /// The error that a promise is about: of the exact solution its residual, of the adaptive grid the certified error of the
-    /// deflection, of a grid the worst of left reaction, largest contact, deflection and energy against the exact solution.
-    fn error(line: &Line) -> Option<f64> {
-        match (line.method.as_str(), line.certified_error) {
-            ("exact", _) => line.residual,
-            (_, Some(certified)) => Some(certified),
-            (_, None) => line.worst(),
-        }
-    }
-
-    /// Whether all its lines are certified and within the promise.
-    fn check(&self, store: &Store) -> Result<(), String> {
-        let lines = self.lines(store)?;
-        if lines.is_empty() {
-            return Err(format!("`{}` names no scene", self.case));
-        }
-        for line in lines {
-            if !line.succeeded() {
-                return Err(format!("`{}` is {} on scene {}", self.case, line.status, line.scene));
-            }
-            match Self::error(line) {
-                Some(error) if error <= self.promise => {}
-                error => {
-                    return Err(format!(
-                        "`{}` promises an error of at most {:e}, but on scene {} it is {}",
-                        self.case,
-                        self.promise,
-                        line.scene,
-                        error.map_or_else(|| "unknown".to_owned(), |error| format!("{error:e}"))
-                    ));
-                }
+        let timed = advice.scenes.split_whitespace().map(of_scene).collect::<Result<Vec<_>, _>>()?;
+        let mut drawn = Vec::new();
+        for family in advice.families() {
+            let before = drawn.len();
+            drawn.extend(population.iter().filter(|line| {
+                line.draw == 2
+                    && line.family == family
+                    && (line.method.as_str(), line.solver.as_str()) == (&advice.method, &advice.solver)
+                    && line.intervals == advice.intervals
+                    && line.tolerance.total_cmp(&advice.tolerance).is_eq()
+            }));
+            if drawn.len() != before + SCENES[1] as usize {
+                return Err(unknown(family));
             }
         }
-        Ok(())
+        if timed.is_empty() || drawn.is_empty() { Err(unknown("no scene")) } else { Ok(Self { timed, drawn }) }
+    }
+
+    /// The errors of an observable where the scene is solved.
+    fn errors(&self, of: usize) -> Option<Spread> {
+        let solved = self.drawn.iter().filter(|line| line.succeeded());
+        Spread::of(solved.filter_map(|line| Some(line.errors()?[of])))
+    }
+
+    /// How many scenes miss something that is promised.
+    fn misses(&self, advice: &Advice) -> usize {
+        let kept = |line: &&&Line| {
+            let within = |errors: [f64; 5]| {
+                errors.iter().zip(advice.promises()).all(|(error, promise)| promise.is_none_or(|most| *error <= most))
+            };
+            line.succeeded() && line.errors().is_some_and(within)
+        };
+        self.drawn.len() - self.drawn.iter().filter(kept).count()
+    }
+}
+
+/// Whether all that is timed is solved, and the promises are kept but on one scene in a hundred.
+fn check(advice: &Advice, store: &Store, population: &[Line]) -> Result<(), String> {
+    let found = Measured::of(advice, store, population)?;
+    if let Some(line) = found.timed.iter().find(|line| !line.succeeded()) {
+        return Err(format!("`{}` is {} on scene {}", advice.case, line.status, line.scene));
+    }
+    match found.misses(advice) {
+        _ if !advice.has_promise() => Ok(()),
+        misses if misses * ONE_IN <= found.drawn.len() => Ok(()),
+        misses => Err(format!("`{}` misses its promise on {misses} of {} scenes", advice.case, found.drawn.len())),
     }
 }
 
 /// All advice, if all of it holds.
-pub(super) fn held(root: &Path, store: &Store) -> Result<Vec<Advice>, Cause> {
-    let (_, advice): (_, Vec<Advice>) = data::read(root, PATH)?;
-    advice.iter().try_for_each(|advice| advice.check(store)).map_err(|error| format!("{PATH}: {error}"))?;
+fn held(study: &Study<'_>, store: &Store, population: &[Line]) -> Result<Vec<Advice>, Cause> {
+    let advice = advice::read(study.root)?;
+    let checked = advice.iter().try_for_each(|advice| check(advice, store, population));
+    checked.map_err(|error| format!("{}: {error}", advice::PATH))?;
     Ok(advice)
 }
 
-/// The table of the recommendation: times and errors are the worst over the scenes.
-pub(super) fn table(advice: &[Advice], store: &Store) -> Table {
-    let rows = advice.iter().map(|advice| {
-        let lines = advice.lines(store).unwrap_or_default();
-        let worst = |of: &dyn Fn(&Line) -> Option<f64>| lines.iter().filter_map(|line| of(line)).max_by(f64::total_cmp);
-        let grids: Vec<usize> = lines.iter().filter_map(|line| line.last_intervals).collect();
-        let grid = match (advice.intervals, grids.iter().min(), grids.iter().max()) {
-            (0, Some(least), Some(most)) => format!("{} to {} intervals", count(*least), count(*most)),
-            (0, ..) => "no grid".to_owned(),
-            (intervals, ..) => format!("{} intervals", count(intervals)),
+/// Two tables, if the advice holds: what is advised, with the worst time and two of the observables; and all of them.
+pub(super) fn tables(study: &Study<'_>, store: &Store, population: &[Line]) -> Result<[Table; 2], Cause> {
+    let told = SUPPORTS_AND_MOMENT.map(|of| NAMES[of]);
+    let header = ["your case", "command", "grid and time", told[0], told[1], "what to believe"];
+    let (mut advised, mut all) =
+        (Table::new(header), Table::new(["your case", "scenes", "missed"].into_iter().chain(NAMES)));
+    for advice in held(study, store, population)? {
+        let found = Measured::of(&advice, store, population)?;
+        let slowest = found.timed.iter().map(|line| milliseconds(line)).fold(0.0, f64::max);
+        let grids = range(found.timed.iter().filter_map(|line| Some(as_number(line.last_intervals?))));
+        let grid = match (advice.intervals, grids) {
+            (0, Some([least, most])) => format!("{} to {} intervals", count(least), count(most)),
+            (0, None) => "no grid".to_owned(),
+            (intervals, _) => format!("{} intervals", count(intervals)),
         };
-        let [promised, measured] = [Some(advice.promise), worst(&|line| Advice::error(line))].map(error_cell);
-        // Only what is proven is an upper bound.
-        let error = match (advice.method.as_str(), grids.is_empty(), lines.len()) {
-            ("exact", ..) => format!("{measured}, residual"),
-            (_, false, _) => format!("{promised}, guaranteed"),
-            (_, true, 1) => format!("{measured}, measured"),
-            (_, true, scenes) => format!("{measured}, measured on {scenes} scenes"),
-        };
-        row![
-            advice.case,
-            format!("`{}`", advice.command),
-            format!("{grid}, {} ms", cell(worst(&|line| Some(milliseconds(line))), 2)),
-            error,
-            advice.believe,
-        ]
-    });
-    Table::new(["your case", "command", "grid and time", "error", "what to believe"]).rows(rows)
+        // The exact solution is what all others are compared with.
+        let compared = |of| if advice.method == "exact" { None } else { found.errors(of) };
+        let errors: [String; 5] = std::array::from_fn(|of| {
+            let promise = advice.promises()[of].map_or("–".to_owned(), |most| significant(100.0 * most, 1));
+            compared(of)
+                .map_or_else(|| promise.clone(), |found| format!("{promise} ({})", Spread::percent(Some(found))))
+        });
+        let counts = row![advice.case, found.drawn.len(), found.misses(&advice)];
+        let [supports, moment] = SUPPORTS_AND_MOMENT.map(|of| errors[of].clone());
+        all.push(counts.into_iter().chain(errors));
+        let time = format!("{grid}, {} ms", cell(Some(slowest), 2));
+        advised.push(row![advice.case, format!("`{}`", advice.command), time, supports, moment, advice.believe]);
+    }
+    Ok([advised, all])
 }
 
 #[cfg(test)]
 mod tests {
-    use std::path::PathBuf;
+    use std::path::Path;
 
     use super::*;
-
-    fn root() -> PathBuf {
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-    }
+    use crate::data;
+    use crate::measure::population::PATH;
 
     #[test]
     fn the_advice_holds_and_a_false_one_does_not() {
-        let (_, store) = Store::read(&root()).expect("measurements can be read");
-        let advice = held(&root(), &store).expect("all advice holds");
-        assert!(5 <= advice.len(), "one for each case");
-        for advice in advice {
-            // A promise just below the error, another solver that nobody measured, and a scene without measurement.
-            let worst =
-                advice.lines(&store).expect("measured").into_iter().filter_map(Advice::error).fold(0.0, f64::max);
-            let too_good = Advice { promise: 0.99 * worst, ..advice.clone() };
-            assert!(worst == 0.0 || too_good.check(&store).is_err(), "{too_good:?}");
-            let unknown = Advice { scenes: "nowhere".to_owned(), ..advice.clone() };
-            assert!(unknown.check(&store).is_err(), "{unknown:?}");
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let (_, mut store) = Store::read(&root).expect("measurements can be read");
+        let (_, population): (_, Vec<Line>) = data::read(&root, PATH).expect("the population can be read");
+        let all = advice::read(&root).expect("advice can be read");
+        assert!(5 <= all.len(), "one for each case");
+        for advice in &all {
+            assert_eq!(check(advice, &store, &population), Ok(()));
+            let nowhere = Advice { scenes: "nowhere".to_owned(), ..advice.clone() };
+            assert!(check(&nowhere, &store, &population).is_err(), "{nowhere:?}");
+            if !advice.has_promise() {
+                continue;
+            }
+            // One scene in fifty misses what is promised, or is not solved.
+            let (mut far, mut unsolved) = (population.clone(), population.clone());
+            let own = |line: &Line| line.draw == 2 && line.method == advice.method && line.solver == advice.solver;
+            for line in far.iter_mut().filter(|line| own(line) && line.scene % 50 == 7) {
+                *line = line.clone().with_error(1.0);
+            }
+            unsolved.iter_mut().filter(|line| own(line) && line.scene % 50 == 7).for_each(|line| line.status.clear());
+            assert!([far, unsolved].iter().all(|false_one| check(advice, &store, false_one).is_err()), "{advice:?}");
         }
-    }
-
-    #[test]
-    fn what_is_not_solved_is_no_advice() {
-        let (_, mut store) = Store::read(&root()).expect("measurements can be read");
-        let advice = held(&root(), &store).expect("all advice holds").remove(0);
         store.lines.iter_mut().for_each(|line| line.status = "not solved".to_owned());
-        assert!(advice.check(&store).is_err_and(|message| message.contains("not solved")));
+        assert!(check(&all[0], &store, &population).is_err_and(|message| message.contains("not solved")));
     }
 }

@@ -5,7 +5,7 @@ use palkki::plot::{Axis, Color, Dash, Layer, Marker, Panel, Place, Style};
 
 use super::{SOLVERS, ended, milliseconds};
 use crate::measure::line::{Line, Store};
-use crate::measure::plan::{EXAMPLE, GRIDS, OTHERS};
+use crate::measure::plan::{EXAMPLE, GRIDS};
 use crate::report::evidence::prelude::*;
 
 /// The two kinds of ground: the paper's example, and smooth crests that fall between the nodes.
@@ -16,9 +16,6 @@ const DIGITS: [f64; 5] = [2.0, 3.0, 4.0, 6.0, 8.0];
 
 /// Digits that are claimed for the exact solution, whose residuals are below 10⁻¹⁴.
 const EXACT: f64 = 14.0;
-
-/// Uneven grounds that are measured, over which the price of a digit has its range.
-const UNEVEN: [&str; 3] = OTHERS;
 
 /// Values, and the figure.
 pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cause> {
@@ -44,11 +41,8 @@ pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cau
     let header = ["scene", "route", "intervals", "tolerance", "digits", "milliseconds"];
     let data = Table::new(header).rows(rows);
     let figure = study.drawn("price", context! {}, 2, panels(&fronts, exact), data)?;
-    let [times, intervals] =
-        range_on_uneven_ground(store).map(|found| found.map(|[least, most]| context! { least, most }));
-    let range = context! { times, intervals, scenes => UNEVEN };
     let tried = format!("{}, …", GRIDS.iter().take(4).map(count).collect::<Vec<_>>().join(", "));
-    Ok((context! { flat, uneven, range, tried }, figure))
+    Ok((context! { flat, uneven, tried }, figure))
 }
 
 /// The solved runs of a solver, by any method and asked for anything, that are more accurate than all quicker ones.
@@ -88,7 +82,15 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
         let quickest = |digits| solved(solver, digits).into_iter().map(milliseconds).min_by(f64::total_cmp);
         table.push([format!("{solver}, ms")].into_iter().chain(DIGITS.map(|digits| cell(quickest(digits), 2))));
     }
+    table.push(row!["nsor with the best factor, ms"].into_iter().chain(DIGITS.map(|digits| {
+        // All sweeps of a run take the same time.
+        let share = |line: &Line| Some(as_number(line.own_sweeps?) / as_number(line.iterations?));
+        let own = solved("nsor", digits).into_iter().filter_map(|line| Some(share(line)? * milliseconds(line)));
+        cell(own.min_by(f64::total_cmp), 2)
+    })));
+    let certified = lines.iter().find(|line| line.solver == "free-boundary-certified").map(|line| milliseconds(line));
     table.push(row!["exact solution, ms"].into_iter().chain(DIGITS.map(|_| cell(exact, 2))));
+    table.push(row!["exact with its bounds, ms"].into_iter().chain(DIGITS.map(|_| cell(certified, 2))));
     table
 }
 
@@ -102,29 +104,6 @@ fn one_digit(front: &[&Line]) -> Option<[f64; 2]> {
         Some(10.0_f64.powf(-order)).filter(|factor| factor.is_finite())
     };
     Some([factor(&milliseconds)?, factor(&|line| as_number(line.intervals))?])
-}
-
-/// The least and the most of both factors of one more digit over the uneven grounds, with the active set.
-fn range_on_uneven_ground(store: &Store) -> [Option<[f64; 2]>; 2] {
-    let factors: Vec<[f64; 2]> =
-        UNEVEN.iter().filter_map(|scene| one_digit(&front(&ended(store, scene), SOLVERS[0]))).collect();
-    // Every one of them is fitted, or there is no range.
-    [0, 1].map(|k| range(factors.iter().map(|f| f[k])).filter(|_| factors.len() == UNEVEN.len()))
-}
-
-/// The rule of thumb in one sentence, for the front page of the repository.
-#[cfg(test)]
-fn sentence(store: &Store) -> Option<String> {
-    let digits = |factor: f64| cell(Some(factor), 2);
-    let [time, intervals] = one_digit(&front(&ended(store, EXAMPLE), SOLVERS[0]))?.map(digits);
-    let [times, grids] = range_on_uneven_ground(store).map(|found| found.map(|range| range.map(digits)));
-    let ([least, most], [fewest, finest]) = (times?, grids?);
-    Some(format!(
-        "**With the active set one more correct digit costs** {time} times the time and {intervals} times the intervals on flat ground, and \
-         {least} to {most} times the time and {fewest} to {finest} times the intervals on {} uneven grounds; the exact solution is \
-         accurate to rounding.",
-        UNEVEN.len()
-    ))
 }
 
 /// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
@@ -145,19 +124,4 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
         panel.with(Layer::named(vec![exact], Style::marks(Color::BLACK, Marker::Star), "exact"))
     });
     panels.collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use super::*;
-
-    #[test]
-    fn the_front_page_has_the_price_of_a_digit() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let sentence = sentence(&Store::read(&root).expect("measurements can be read").1).expect("enough runs to fit");
-        let readme = std::fs::read_to_string(root.join("README.md")).expect("the README can be read");
-        assert!(readme.lines().any(|line| line == sentence), "README.md lacks the line\n{sentence}");
-    }
 }
