@@ -12,6 +12,7 @@
 //! any grid.
 
 mod answer;
+mod bend;
 mod complementarity;
 pub(crate) mod contact_set;
 mod discrete;

@@ -184,7 +184,7 @@ fn at_work(study: &Study<'_>, rounds: &[Round], values: Value) -> Result<Drawn, 
         round.smallest.iter().for_each(|i| held[*i] = true);
     }
     let axis = || Axis::new("node").including(&[0.0, as_number(nodes + 1)]);
-    let mut signs = Panel::new(axis(), Axis::new("round").down().including(&[-4.0])).tall(900.0);
+    let mut signs = Panel::new(axis(), Axis::new("round").down().including(&[-2.5])).tall(900.0);
     for (k, ((sign, color, marker), places)) in SIGNS.into_iter().zip(places).enumerate() {
         // The names stand in a row above the first round.
         let at = [as_number(nodes) * (0.13 + 0.25 * as_number(k)), -2.0];

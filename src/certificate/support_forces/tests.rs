@@ -1,0 +1,91 @@
+//! How far the forces of supports are known, beside closed forms.
+
+use super::*;
+use crate::certificate::in_intervals;
+use crate::certificate::kernel::hold::{Hold, Place};
+use crate::certificate::kernel::springs::{self, Stretch};
+use crate::scene::{Balance, Beam, Foundation, Load};
+
+const LENGTH: f64 = 20.0;
+const STIFFNESS: f64 = 70.0;
+/// A few dozen roundings.
+const ROUNDING: f64 = 1e-13;
+
+#[track_caller]
+fn sharp(bound: f64, value: f64) {
+    assert!((value * (1.0 - ROUNDING)..=value * (1.0 + ROUNDING)).contains(&bound), "{bound}, not {value}");
+}
+
+fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
+    let coefficients: Vec<Interval> = coefficients.iter().map(|c| Interval::exact(*c)).collect();
+    Piece { from, to, v: Polynomial::new(&coefficients), pressed: false }
+}
+
+/// Moments `κ x` up to the distance `c` from a support, and not beyond, store `κ² c³/6 EI`.
+#[test]
+fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
+    /// Chosen so that the proof ends within the beam: `√(2 gap/3 EI l)`.
+    const SHARE: f64 = 0.0041;
+    let gap = 1.5 * SHARE * SHARE * STIFFNESS * LENGTH;
+    let sag = 0.07;
+    /// Parts that are clear: until `0.4 − v` is less than the bound.
+    const CLEAR: [f64; 2] = [13.0 * 7.0 / 16.0, 8.0 * 13.0 / 16.0];
+    let slopes = [piece([0.0, 7.0], &[0.0, sag / 7.0]), piece([7.0, LENGTH], &[sag, -sag / 13.0])];
+    let pair = Pair {
+        pieces: slopes.to_vec(),
+        gap,
+        carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
+        holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
+        turns_about: None,
+        lifted: 0.0,
+        ground: None,
+    };
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, 1.0).expect("finite");
+    let over = |pair: &Pair, depth: f64| {
+        let flat = Some(Foundation::Flat { depth });
+        let scene = Scene::new(beam.clone(), load.clone(), flat.filter(|_| depth.is_finite())).expect("well posed");
+        in_intervals(&scene, Balance::Held, |enclosed| forces(&scene, enclosed, pair).0)
+    };
+    let check = |pair: &Pair, depth: f64, clear: [f64; 2]| {
+        for ((bracket, middle), c) in over(pair, depth).iter().zip([3.0, 4.0]).zip(clear) {
+            let turn = (6.0 * STIFFNESS * gap / (c * c * c)).sqrt();
+            let bracket = bracket.expect("the beam is clear of the ground beside both supports");
+            sharp(bracket.hi(), middle + turn);
+            sharp(middle - bracket.lo(), turn);
+        }
+    };
+    check(&pair, f64::INFINITY, [LENGTH, LENGTH]);
+    // Sixteen parts a piece; in each the least clearance has to be more than SHARE times the largest `x (l − x)`.
+    check(&pair, 0.4, CLEAR);
+
+    let mut lying = pair;
+    lying.pieces[0].pressed = true;
+    let [left, right] = over(&lying, 0.4)[..] else { panic!("two supports") };
+    assert!(left.is_none() && right.is_some(), "where the beam lies on the ground beside a support, nothing is known");
+}
+
+/// Of a witness that presses on soft ground where `v̂` is clear of it the moments of the pair say nothing beside a support.
+#[test]
+fn a_pair_that_presses_beside_a_support_is_not_clear_there() {
+    const SOFT: f64 = 1e-6;
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, 1e-9).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.4 })).expect("well posed");
+    let scene = scene.on_springs(SOFT).expect("positive");
+    let stretch = |sunk: &[f64], depth: f64| Stretch {
+        from: 0.0,
+        to: LENGTH,
+        sunk: sunk.to_vec(),
+        ends: [[depth, 0.0, 0.0, 0.0]; 2],
+    };
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        let clear = |stretch: Stretch| {
+            let pair = springs::pair(enclosed, SOFT, &[stretch]).expect("supports hold it");
+            assert!(pair.pieces.iter().all(|piece| piece.v.range(Interval::exact(LENGTH)).hi() < 0.4));
+            clear_from(enclosed, &pair, 0.0, LENGTH)
+        };
+        sharp(clear(stretch(&[], 0.0)), LENGTH);
+        assert!(clear(stretch(&[0.1], 0.1)) <= 0.0);
+    });
+}
