@@ -16,6 +16,7 @@ mod moment;
 mod paper;
 mod problem;
 mod provenance;
+mod referee;
 mod scale;
 mod scene_file;
 mod sliders;
@@ -76,6 +77,7 @@ const SUBJECTS: &[Subject] = &[
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
+    ("referee", referee::evidence),
     ("convergence", convergence::evidence),
     ("scenes", gallery::evidence),
     ("holds", holds::evidence),
