@@ -18,7 +18,7 @@ pub use problem::BodyProblem;
 
 use self::proof::{Off, Unproven};
 use crate::double::Double;
-use crate::qp::{Explicit, NotPositiveDefinite, Profile, Qp as _, Sums};
+use crate::qp::{Explicit, Profile, Qp as _, Sums};
 use crate::scene::Units;
 use crate::solvers::{Answer, Solver, active_set_of};
 use crate::text::{magnitude_at_least, magnitude_at_most, share_at_most};
@@ -65,20 +65,24 @@ impl Body {
     ///
     /// # Errors
     ///
-    /// [`NotPositiveDefinite`] if a pivot is not positive.
-    ///
-    /// # Panics
-    ///
-    /// If the sizes of the two matrices, of gaps and of loads are not the same.
+    /// [`BodyProblem::Sizes`] if the matrices, gaps and loads are not of one size, [`BodyProblem::NotPositiveDefinite`] if a pivot is
+    /// not positive.
     pub fn new(
         kind: Kind,
         matrix: Profile,
         foundation: Option<&Profile>,
         gap: Vec<f64>,
         load: Vec<f64>,
-    ) -> Result<Self, NotPositiveDefinite> {
+    ) -> Result<Self, BodyProblem> {
         let n = matrix.dimension();
-        assert!([gap.len(), load.len(), foundation.map_or(n, Profile::dimension)] == [n; 3], "sizes differ");
+        let others = [
+            ("matrix of the foundation", foundation.map_or(n, Profile::dimension)),
+            ("list of gaps", gap.len()),
+            ("list of loads", load.len()),
+        ];
+        if let Some(&(what, found)) = others.iter().find(|(_, found)| *found != n) {
+            return Err(BodyProblem::Sizes { what, body: n, found });
+        }
         let (given, taken) = match kind {
             Kind::Stiffness => (&gap, &load),
             Kind::Flexibility => (&load, &gap),

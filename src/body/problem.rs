@@ -109,13 +109,15 @@ pub enum BodyProblem {
         /// Its value.
         value: f64,
     },
-    /// Matrices of different sizes.
-    #[error("the matrix of the foundation must have as many rows as that of the body, {body}, but has {foundation}")]
+    /// A matrix or a list of another size.
+    #[error("the {what} must have as many rows as the matrix of the body, {body}, but has {found}")]
     Sizes {
+        /// What has another size.
+        what: &'static str,
         /// Rows of the matrix of the body.
         body: usize,
-        /// Of its foundation.
-        foundation: usize,
+        /// Rows that it has.
+        found: usize,
     },
     /// A table without its header.
     #[error("this file must begin with the header {expected}, but begins with {found:?}")]

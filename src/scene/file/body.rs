@@ -70,23 +70,19 @@ pub(super) fn read(
     let foundation = match body.get("foundation") {
         None => None,
         Some(value) if kind == Kind::Stiffness => return Err(wrong(&value, BodyProblem::FoundationOfStiffness)),
-        Some(value) => {
-            let foundation = files.matrix("foundation", &value)?;
-            if foundation.dimension() != n {
-                let problem = BodyProblem::Sizes { body: n, foundation: foundation.dimension() };
-                return Err(wrong(&value, problem));
-            }
-            Some(foundation)
-        }
+        Some(value) => Some((files.matrix("foundation", &value)?, value)),
     };
     let mut table =
         |key, quantity| body.get(key).map_or_else(|| Ok(vec![0.0; n]), |v| files.table(key, quantity, &v, n));
     let (gap, load) = (table("gap", "gap")?, table("load", "force")?);
     let title = file.line_of_text("title").map_err(at)?.unwrap_or_default();
     let units = units(&file).map_err(at)?;
+    let body = Body::new(kind, matrix, foundation.as_ref().map(|(foundation, _)| foundation), gap, load);
     // Each matrix by itself is positive definite already, so that only rounding could destroy it.
-    let body = Body::new(kind, matrix, foundation.as_ref(), gap, load);
-    let mut body = body.map_err(|error| wrong(&given, BodyProblem::from(error)))?;
+    let mut body = body.map_err(|problem| match (&problem, &foundation) {
+        (BodyProblem::Sizes { .. }, Some((_, value))) => wrong(value, problem),
+        _ => wrong(&given, problem),
+    })?;
     if !body.program().linear().iter().all(|b| b.is_finite()) {
         return Err(wrong(&given, BodyProblem::Range));
     }

@@ -1,7 +1,7 @@
 //! Bodies of thousands of freedoms, a tenth of which just touches.
 
 use palkki::body::proof::{Brought, Off, Proof, prove};
-use palkki::body::{Body, Kind, Verdict};
+use palkki::body::{Body, BodyProblem, Kind, Verdict};
 use palkki::qp::{Profile, Qp as _};
 use palkki::route::{Solver, Status};
 use palkki::solvers::Answer;
@@ -114,4 +114,21 @@ fn an_elastic_foundation_adds_its_flexibility() {
     let energy = 6.0 + 2.0 - 24.0 + 1.5 - 3.0;
     assert!((state.energy - energy).abs() < 1e-12 && proof.energy[0] <= energy && energy <= proof.energy[1]);
     assert!(proof.energy[1] - proof.energy[0] < 1e-12, "{:?}", proof.energy);
+}
+
+#[test]
+fn sizes_that_differ_are_an_error() {
+    let one = Profile::of_entries(1, [(0, 0, 1.0)].into_iter());
+    let body = |foundation, gaps, loads| Body::new(Kind::Flexibility, one.clone(), foundation, gaps, loads);
+    let two = Profile::of_entries(2, [(0, 0, 1.0), (1, 1, 1.0)].into_iter());
+    for (body, of, rows) in [
+        (body(Some(&two), vec![0.0], vec![1.0]), "matrix of the foundation", 2),
+        (body(None, vec![0.0; 3], vec![1.0]), "list of gaps", 3),
+        (body(None, vec![0.0], vec![]), "list of loads", 0),
+    ] {
+        assert!(
+            matches!(body, Err(BodyProblem::Sizes { what, body: 1, found }) if what == of && found == rows),
+            "{of}: {body:?}"
+        );
+    }
 }

@@ -1,6 +1,7 @@
-//! Elastic bodies whose answers are known by construction, without rounding.
+//! Elastic bodies whose answers are known: by construction, without rounding, or in closed form.
 
 use palkki::body::{Body, Kind};
+use palkki::methods::flexibility;
 use palkki::qp::Profile;
 
 use crate::random::Random;
@@ -36,6 +37,38 @@ pub fn five_diagonal(n: usize) -> Known {
     let entries = (0..n).flat_map(|i| (i.saturating_sub(2)..=i).map(move |j| (i, j, entry(i, j))));
     let body = Body::new(Kind::Stiffness, Profile::of_entries(n, entries), None, vec![0.0; n], load.collect());
     Known { body: body.expect("positive definite"), clearance, contact_force }
+}
+
+/// Two simple beams, the lower one twice as stiff and a gap `δ` below, under a force `F` upon the middle of the upper one, on an even
+/// number of intervals.
+///
+/// Closed form: both bend as a beam does under a force in its middle, so that they touch there alone, with
+/// `P = (F c − δ)/(c + c/2)`, `c = l³/48EI`; at a distance `x` from the nearer end the clearance is `δ (1 − 3x/l + 4x³/l³)`.
+///
+/// # Panics
+///
+/// If there is no interval.
+#[must_use]
+#[expect(clippy::cast_precision_loss, reason = "some hundreds of intervals")]
+pub fn two_beams(intervals: usize) -> Known {
+    // l = 1 and c = 1.
+    const STIFFNESS: f64 = 1.0 / 48.0;
+    const GAP: f64 = 1.0;
+    const FORCE: f64 = 2.0;
+    let n = intervals - 1;
+    let in_middle = |force: f64| (0..n).map(|i| if i == n / 2 { force } else { 0.0 }).collect::<Vec<_>>();
+    let upper = Profile::full(n, |i, j| flexibility(1.0, STIFFNESS, n, i + 1, j + 1));
+    let lower = Profile::full(n, |i, j| 0.5 * upper.entry(i, j));
+    let clearance = (1..=n).map(|k| {
+        let x = k.min(intervals - k) as f64 / intervals as f64;
+        GAP * (1.0 - 3.0 * x + 4.0 * x * x * x)
+    });
+    let body = Body::new(Kind::Flexibility, upper, Some(&lower), vec![GAP; n], in_middle(FORCE));
+    Known {
+        body: body.expect("two beams are held"),
+        clearance: clearance.collect(),
+        contact_force: in_middle((FORCE - GAP) / 1.5),
+    }
 }
 
 /// A body of whole numbers with up to 60 freedoms, full or banded, `Mᵀ M` of a triangle `M` whose diagonal grows up to `2^exponent`; every

@@ -6,7 +6,7 @@
 //! the answers beside it. [`draft`] is a scene as numbers,
 //! [`compare`] the difference of two lists, [`observables`] what of an answer is compared, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
 //! program on random and adversarial ones. [`sweeps`] compares the events of random
-//! sweeps. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
+//! sweeps. [`bodies`] and [`slab`] have elastic bodies that are no beam. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
 //! holds for any text that is read, and [`numdiff`] compares texts as printed numbers.
 
 #![cfg(feature = "full")]

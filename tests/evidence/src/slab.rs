@@ -7,8 +7,13 @@
 //! The shape functions are products of cubic ones along x and along y, so that the stiffness is a sum of products of four matrices
 //! of a line: `∫N''N''`, `∫NN`, `∫N'N'` and `∫N''N`.
 
+mod laid;
+
 use nalgebra::{Cholesky, DMatrix};
+use palkki::body::{Body, Kind};
 use palkki::qp::Profile;
+
+pub use laid::{Laid, files};
 
 /// A slab on two simple supports along its short edges `x = 0` and `x = length`; the long edges are free.
 #[derive(Debug, Clone, Copy)]
@@ -107,5 +112,18 @@ impl Slab {
         let solved = Cholesky::new(part(&others, &others)).expect("held").solve(&coupling);
         let condensed = part(&kept, &kept) - coupling.transpose() * solved;
         Profile::full(kept.len(), |i, j| 0.5 * (condensed[(i, j)] + condensed[(j, i)]))
+    }
+
+    /// Under a load per area, above ground at some depth at each place `(x, y)`.
+    ///
+    /// # Panics
+    ///
+    /// As [`Self::stiffness`].
+    #[must_use]
+    pub fn above(&self, load: f64, gap: impl Fn(f64, f64) -> f64) -> Body {
+        let nodes = self.nodes();
+        let gaps = nodes.iter().map(|[x, y, _]| gap(*x, *y)).collect();
+        let loads = nodes.iter().map(|[_, _, area]| load * area).collect();
+        Body::new(Kind::Stiffness, self.stiffness(), None, gaps, loads).expect("held")
     }
 }

@@ -18,6 +18,7 @@ mod play;
 mod population;
 mod problem;
 mod provenance;
+mod referee;
 mod scale;
 mod scene_file;
 mod stability;
@@ -78,6 +79,7 @@ const SUBJECTS: &[Subject] = &[
     ("bounds", bounds::evidence),
     ("judged", judged::evidence),
     ("adaptive", adaptive::evidence),
+    ("referee", referee::evidence),
     ("convergence", convergence::evidence),
     ("population", population::evidence),
     ("scenes", gallery::evidence),

@@ -98,7 +98,7 @@ impl Ledger {
             nsor::claim(&nsor),
             energy_methods::whichever_matrix_is_easier(&digits)?,
             energy_methods::bounded_from_both_sides()?,
-            extensions::any_elastic_body(),
+            extensions::any_elastic_body()?,
             extensions::elastic_foundation()?,
             extensions::unknown_rigid_motion()?,
             curved::curved_beam()?,
