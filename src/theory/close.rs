@@ -4,7 +4,7 @@
 //! it, by as much as the beam is too deep, and what that costs is of the size of the bend of so short a span.
 
 use super::check::{Checked, check};
-use super::list::{List, Node};
+use super::list::{Kind, List, Node};
 use super::newton;
 use super::normal::normalised;
 use super::penetration::deepest;
@@ -39,7 +39,8 @@ pub(super) fn closer(given: &PiecewiseScene, mut found: Found) -> Found {
             break;
         }
         let Found { list, checked, .. } = last.as_ref().unwrap_or(&found);
-        let mut list = repaired(given, list, checked, &faults);
+        let mut list =
+            tangent(given, list, checked, &faults).unwrap_or_else(|| repaired(given, list, checked, &faults));
         if room::for_contacts(given, list.nodes.len()).is_err() {
             break;
         }
@@ -60,6 +61,22 @@ pub(super) fn closer(given: &PiecewiseScene, mut found: Found) -> Found {
         }
     }
     found
+}
+
+/// The list without the two edges of one straight cell between which the beam sags into it: it touches that cell in one point between
+/// them, which its two neighbours so close by would keep Newton's method from finding. [`None`] where no fault is of that kind.
+fn tangent(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(usize, Violation)]) -> Option<List> {
+    let mut nodes = list.nodes.clone();
+    for (i, fault) in faults.iter().rev() {
+        let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
+        let Ok(index) = checked.spans.binary_search_by_key(i, |(node, _)| *node) else { continue };
+        let (_, span) = &checked.spans[index];
+        let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(Node::is_edge));
+        if both && span.a.cell == span.b.cell {
+            nodes.splice(left..=*i, [Node::new(Kind::Smooth, *at, span.a.cell)]);
+        }
+    }
+    (nodes.len() < list.nodes.len()).then(|| normalised(given, &nodes))
 }
 
 /// What a close look finds: penetration of short spans of straight ground as a share of their own bow, and slopes beside edges.

@@ -1,12 +1,15 @@
 //! Surveys of many points, as a laser gives them: certified at a hundred thousand points, and in agreement with a fine grid where a
 //! grid can be fine enough.
 
-use palkki::route::{Method, Solver};
+use palkki::route::{Method, Solver, Status};
+use palkki::scene::Foundation;
 use palkki::solve_exactly;
 use palkki::theory::{self, Exact};
 use palkki_evidence::extremes::{Ground, survey, survey_from};
 
-use crate::scenes::run;
+use palkki_evidence::random::Random;
+
+use crate::scenes::{run, uniform};
 
 /// Under the light load the beam rests on a few points; smooth ground under the heavy one carries it nearly everywhere.
 const LOADS: [f64; 2] = [1.0, 1e4];
@@ -26,6 +29,29 @@ fn rough_surveys_of_a_hundred_thousand_points_are_certified() {
             let exact = certified(ground, 100_000, load);
             assert!(exact.unknowns < 1000, "{}: few of its points carry, but {}", ground.name(), exact.unknowns);
         }
+    }
+}
+
+/// Waves that a light load presses the beam onto at a few crests, of which two neighbouring points are the top: where the beam sags
+/// between these, it touches the segment between them and none of the two.
+#[test]
+fn surveys_of_smooth_waves_are_certified_under_a_light_load() {
+    const SEGMENTS: u32 = 100_000;
+    for seed in 15..25 {
+        let mut random = Random::new(seed);
+        let waves: Vec<[f64; 3]> = (1..40)
+            .map(|k: u32| {
+                let k = f64::from(k);
+                let height = 0.15 / (k * k.sqrt()) * random.between(-1.0, 1.0);
+                [height, k * std::f64::consts::PI, random.between(0.0, std::f64::consts::TAU)]
+            })
+            .collect();
+        let depth = |s: f64| 1.5 + waves.iter().map(|[a, rate, phase]| a * libm::sin(rate * s + phase)).sum::<f64>();
+        let shares = (0..=SEGMENTS).map(|i| f64::from(i) / f64::from(SEGMENTS));
+        let points = shares.map(|s| [10.0 * s, depth(s)]).collect();
+        let scene = uniform(10.0, 1.3, 1.0, Foundation::Polyline { points });
+        let solution = solve_exactly(&scene).expect("an answer");
+        assert_eq!(solution.verdict.status, Status::Certified, "{seed}: {}", solution.verdict);
     }
 }
 
