@@ -91,18 +91,9 @@ impl Kkt {
         let [low, couples] = at_supports;
         let turned = supports.iter().filter_map(|support| support.held.slope).zip(tangents);
         let turned = turned.map(|(held, slope)| (slope - held).abs() * length);
-        let Reactions { left, right } = state.reactions;
-        // Supports that only push are nodes, and what they exert is the contact force there.
-        let pushed = |at: f64| Some((at, *p.get(grid.node_at(at)?.checked_sub(first)?)?));
-        let pushed: Vec<_> = scene.bearings().map(|bearing| pushed(bearing.at)).collect::<Option<_>>()?;
-        let of_end = |x: f64| {
-            let held = supports.iter().map(|s| (s.held.at, s.said.force));
-            held.chain(pushed.iter().copied()).find(|(at, _)| is_same_place(*at, x, length)).map_or(0.0, |s| s.1)
-        };
         let [shear, remaining] = summed.left_over;
-        let balance = [shear, remaining / length, left - of_end(0.0), right - of_end(length)].map(f64::abs);
-        let said = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
-        let mistaken_forces = largest(pushed.iter().map(|&(at, p)| said(at).map_or(f64::NAN, |s| (s.force - p).abs())));
+        let [left, right, mistaken_forces] = said.of_supports(scene, state)?;
+        let balance = [shear, remaining / length, left, right].map(f64::abs);
         Some(Self {
             penetration: penetration / depth,
             tension: tension / force,
@@ -176,6 +167,23 @@ impl<'a> Said<'a> {
         let stiffness = scene.beam().bending_stiffness();
         let summed = Summed::of(forces, couples, grid.spacing(), stiffness, nodes.discretisation);
         Some(Self { nodes, grid, first, supports, summed, load, contact })
+    }
+
+    /// How far the reactions at the left and at the right end are off the forces of the supports there, and how far at most the force
+    /// of a support that only pushes is off the contact force of its node, which is what it exerts.
+    fn of_supports(&self, scene: &Scene, state: &ContactState) -> Option<[f64; 3]> {
+        let length = scene.beam().length();
+        let pushed =
+            |at: f64| Some((at, *self.nodes.contact_force.get(self.grid.node_at(at)?.checked_sub(self.first)?)?));
+        let pushed: Vec<_> = scene.bearings().map(|bearing| pushed(bearing.at)).collect::<Option<_>>()?;
+        let of_end = |x: f64| {
+            let held = self.supports.iter().map(|s| (s.held.at, s.said.force));
+            held.chain(pushed.iter().copied()).find(|(at, _)| is_same_place(*at, x, length)).map_or(0.0, |s| s.1)
+        };
+        let said = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
+        let mistaken = pushed.iter().map(|&(at, p)| said(at).map_or(f64::NAN, |s| (s.force - p).abs()));
+        let Reactions { left, right } = state.reactions;
+        Some([left - of_end(0.0), right - of_end(length), largest(mistaken)])
     }
 
     /// Deflection of the left end and slope beside it with which the beam goes through two places at which its deflection is known,

@@ -72,7 +72,7 @@ use self::kernel::proof::{self, Pair, Piece};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
 use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError, Support};
-use crate::state::{Contact, Nodes};
+use crate::state::{Contact, ContactState, Nodes};
 
 /// Bounds for one deflection, proven from a witness: see [`Proof`].
 ///
@@ -329,6 +329,13 @@ impl Certificate {
             stiffness: None,
             contacts_proven: false,
         }
+    }
+
+    /// The brackets to set beside the greatest and the least moment of a state: those of beam theory. [`None`] for the moments of
+    /// a grid, of which nothing is guaranteed.
+    #[must_use]
+    pub fn moments_beside(&self, state: &ContactState) -> Option<[Option<[f64; 2]>; 2]> {
+        state.nodes.is_none().then_some(self.moments)
     }
 
     /// What was proven of any deflection. All factors are powers of two: only exponents change.

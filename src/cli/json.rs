@@ -79,7 +79,7 @@ pub(super) fn certify(input: &Input, finding: &Finding) -> String {
         intervals: finding.intervals,
         status: finding.verdict.status,
         reason: finding.verdict.to_string(),
-        certificate: CertificateObject { best_deflection_error, ..CertificateObject::of(&finding.certificate, false) },
+        certificate: CertificateObject { best_deflection_error, ..CertificateObject::of(&finding.certificate, None) },
         violations: &finding.violations,
     })
 }
@@ -187,7 +187,7 @@ impl<'a> From<&'a Answer> for RouteObject<'a> {
             moment: state.moment,
             energy: state.energy,
             pressure: state.pressure,
-            certificate: verdict.certificate.as_ref().map(|c| CertificateObject::of(c, answer.intervals.is_none())),
+            certificate: verdict.certificate.as_ref().map(|c| CertificateObject::of(c, c.moments_beside(state))),
             refinement: answer.grids.as_ref().map(|grids| GridsObject {
                 tolerance: grids.demanded,
                 reached: grids.end == End::Reached,
@@ -307,9 +307,8 @@ struct MomentsObject {
 }
 
 impl<'a> CertificateObject<'a> {
-    /// With the brackets of moments where the answer is exact.
-    fn of(certificate: &'a Certificate, is_exact: bool) -> Self {
-        let [moment_max, moment_min] = certificate.moments;
+    /// With brackets of moments, if there are any.
+    fn of(certificate: &'a Certificate, moments: Option<[Option<[f64; 2]>; 2]>) -> Self {
         Self {
             energy_lower: certificate.energy_lower,
             energy_upper: certificate.energy_upper,
@@ -320,7 +319,7 @@ impl<'a> CertificateObject<'a> {
             supports: &certificate.reactions,
             contact_force: certificate.contact_force,
             deflection_max: certificate.deflection_max,
-            moments: is_exact.then_some(MomentsObject { moment_max, moment_min }),
+            moments: moments.map(|[moment_max, moment_min]| MomentsObject { moment_max, moment_min }),
             up_to_a_turn: certificate.up_to_a_turn,
             stiffness: certificate.stiffness,
             coarse: (!certificate.contacts_proven).then_some(true),

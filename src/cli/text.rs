@@ -251,14 +251,13 @@ fn extremes(answer: &Answer, labels: &Labels) -> String {
         let at = at.map_or_else(String::new, |at| labels.number(at));
         [name, labels.number(value)].into_iter().chain(guaranteed).chain([at]).collect()
     };
-    // Of the moments of a grid nothing is guaranteed, and nothing of the least deflection.
-    let is_exact = answer.intervals.is_none();
-    let moments = certificate.filter(|_| is_exact).map_or([None; 2], |c| c.moments);
+    let moments = certificate.and_then(|c| c.moments_beside(state)).unwrap_or([None; 2]);
     let named = |name: &str, label: &Label| label.name(name);
     let Extremes { max, max_at, min, min_at } = state.deflection;
     let (v, m) = (&labels.length, &labels.moment);
     let largest = bracket(certificate.and_then(|c| c.deflection_max), labels);
     let mut rows = vec![row(named("largest deflection", v), max, Some(max_at), largest)];
+    // Of the least deflection nothing is guaranteed.
     rows.push(row(named("least deflection", v), min, Some(min_at), bracket(None, labels)));
     let Extremes { max, max_at, min, min_at } = state.moment;
     rows.push(row(named("largest moment", m), max, Some(max_at), bracket(moments[0], labels)));

@@ -4,7 +4,6 @@
 use super::contact_set::ContactSet;
 use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
-use super::supports::NodeBearing;
 use super::{Discrete, program};
 use crate::qp::Sizes;
 use crate::scene::Grid;
@@ -143,26 +142,9 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         |_| (HeldNode::unknown(&discrete), vec![f64::NAN; intervals + 1]),
         |carried| (carried.supports(), carried.moments()),
     );
-    let held_at = |node: usize| held.iter().find(|held| held.node == node);
-    let mut forces = Vec::with_capacity(supports.len());
-    for support in &supports {
-        let Some(HeldNode { force, moments: [left, right], .. }) = held_at(support.node) else { continue };
-        let moment = support.held.slope.map(|_| held_beam::larger(*left, *right));
-        let couple = if moment.is_some() { right - left } else { 0.0 };
-        forces.push(SupportForce { at: support.held.at, force: *force, moment, couple, pushes_only: false });
-        energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
-        if !nodes.contains(&support.node) {
-            energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
-        }
-    }
+    let (forces, of_supports) = support_forces(&discrete, &nodal, &held);
+    energy += of_supports;
     let (bearings, end) = (discrete.supports().bearings(), grid.place(intervals));
-    let pushed = |bearing: &NodeBearing| {
-        let force = nodal.contact_force[bearing.node - nodes.start];
-        (bearing.node, SupportForce::pushing(bearing.at, force))
-    };
-    let mut all: Vec<_> = supports.iter().map(|s| s.node).zip(forces).chain(bearings.iter().map(pushed)).collect();
-    all.sort_by_key(|(node, _)| *node);
-    let forces: Vec<SupportForce> = all.into_iter().map(|(_, force)| force).collect();
     let reactions = Reactions::of(&forces, end);
     let pushes = |i: usize| bearings.binary_search_by_key(&(i + nodes.start), |bearing| bearing.node).is_ok();
     let contacts = contacts(&nodal, &sizes_of_contact(sizes, stiffness, end), pushes, |i| grid.place(i + nodes.start));
@@ -197,6 +179,31 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
             moment: moments,
         }),
     }
+}
+
+/// What every support exerts, from left to right, and the energy of settled and turned supports: half of their work, less half of that
+/// of loads at supports beyond the nodes of the state.
+fn support_forces(discrete: &Discrete, nodal: &Nodal, held: &[HeldNode]) -> (Vec<SupportForce>, f64) {
+    let (nodes, supports) = (discrete.nodes(), discrete.supports());
+    let mut energy = 0.0;
+    let mut forces = Vec::with_capacity(supports.all().len() + supports.bearings().len());
+    for support in supports.all() {
+        let Some(found) = held.iter().find(|held| held.node == support.node) else { continue };
+        let (force, [left, right]) = (found.force, found.moments);
+        let moment = support.held.slope.map(|_| held_beam::larger(left, right));
+        let couple = if moment.is_some() { right - left } else { 0.0 };
+        forces.push((support.node, SupportForce { at: support.held.at, force, moment, couple, pushes_only: false }));
+        energy += 0.5 * ((right - left) * support.held.slope.unwrap_or(0.0) - force * support.held.deflection);
+        if !nodes.contains(&support.node) {
+            energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
+        }
+    }
+    forces.extend(supports.bearings().iter().map(|bearing| {
+        let force = nodal.contact_force[bearing.node - nodes.start];
+        (bearing.node, SupportForce::pushing(bearing.at, force))
+    }));
+    forces.sort_by_key(|(node, _)| *node);
+    (forces.into_iter().map(|(_, force)| force).collect(), energy)
 }
 
 /// Extremes of deflection and moment, in intervals from the left end. Inside a built-in support moments jump: extremes are looked for

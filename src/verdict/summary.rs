@@ -85,15 +85,16 @@ pub(super) fn shares<'a>(
     let v = &state.deflection;
     let deflection = share(v.max, deflection_max, deflection_rounding(scene, state), v.magnitude());
     let (m, rounding) = (&state.moment, ENERGY * state.moment.magnitude());
+    let [greatest, least] = certificate.moments_beside(state).unwrap_or([None; 2]);
     let outside = |own: f64, bracket: Option<[f64; 2]>| {
-        let off = bracket.filter(|_| state.nodes.is_none()).map_or(0.0, |[least, most]| (least - own).max(own - most));
+        let off = bracket.map_or(0.0, |[least, most]| (least - own).max(own - most));
         if off <= rounding { 0.0 } else { off / m.magnitude() }
     };
     let others = [
         (Number::ContactForce, share(contact, contact_force, rounding, largest.max(contact))),
         (Number::Energy, energy),
-        (Number::Moment, outside(m.max, certificate.moments[0])),
-        (Number::Moment, outside(m.min, certificate.moments[1])),
+        (Number::Moment, outside(m.max, greatest)),
+        (Number::Moment, outside(m.min, least)),
         // Of a beam that may turn no position is the one.
         (Number::Deflection, if certificate.up_to_a_turn.is_some() { 0.0 } else { deflection }),
     ];
