@@ -22,7 +22,7 @@
 //! let load = Load::uniform_on(&beam, 1.0)?;
 //! let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 }))?;
 //!
-//! // Beam theory: lift-off points that are found, and no grid.
+//! // Beam theory: the lift-off points are unknowns, and there is no grid.
 //! let exact = solve_exactly(&scene)?;
 //! assert_eq!(exact.verdict.status, Status::Certified);
 //!
@@ -57,31 +57,27 @@
 //!
 //! | paper | name here | unit | sign and meaning | equation |
 //! |---|---|---|---|---|
-//! | `x`, `l` | `x`, `length` | length | from the left support, at 0, to the right one | (4) |
+//! | `x`, `l` | `x`, `length` | length | from the left end of the beam, at 0, to the right one | (4) |
 //! | `EI` | `bending_stiffness` | force · length² | constant along the beam | (5) |
 //! | `q` | `load` | force / length | downwards; nodal loads are forces `q_i = q₀Δ` | (5), (27) |
-//! | `u` | `depth` | length | of the foundation below the line of the supports, downwards | (6) |
-//! | `v` | `deflection` | length | downwards | (5), (17) |
-//! | `h` | `clearance` | length | `u − v`, not negative | (6) |
+//! | `u` | `depth` | length | of the foundation, downwards from the straight beam on supports at level 0 | (6) |
+//! | | `gap` | length | `g = u − w0`, with the shape `w0` of the unloaded beam; of a straight beam `u` | |
+//! | `v` | `deflection` | length | downwards, from the unloaded beam | (5), (17) |
+//! | `h` | `clearance` | length | `g − v`, the paper's `u − v`; not negative | (6) |
 //! | `p` | `contact_force`, `pressure` | force, force / length | of the foundation on the beam, upwards | (5) |
-//! | `T` | `reaction`, `force_from`, `force_to` | force | upwards; at a lift-off point of a flat foundation both are equal | |
+//! | `T` | `reaction`, `force_from`, `force_to` | force | of a support, and at the ends of a zone, upwards; on flat ground they are equal | |
 //! | | `moment` | force · length | `M = −EI v''`, positive with the underside in tension | |
 //! | `J` | `energy` | force · length | `½∫EI v''² dx − ∫q v dx` | (17) |
-//! | `A`, `b`, `g` | `matrix`, `linear`, `gradient` | | of the quadratic program that every method becomes | (32), (33) |
+//! | `A`, `b`, `g` | `matrix`, `linear`, `gradient` | | of the quadratic program of every method; `g` is the gap elsewhere | (32), (33) |
 //! | `K`, `C` | `Displacement`, `Force` | force / length, length / force | condensed stiffness, flexibility; `K C = I` | (20), (26) |
 //! | `n`, `Δ` | `interior`, `spacing` | 1, length | interior nodes; `Δ = l / (n + 1)` | (26) |
 //!
-//! # Map of rooms
+//! # Modules
 //!
-//! ```text
-//! scene ──► methods ──► qp (32) ──► solvers ──► methods ──► state ──► certificate ──► verdict
-//!   │                                                              ▲             ▲
-//!   └──────────────────────────► theory ───────────────────────────┴─► witness ──┘
-//! ```
-//!
-//! [`solve()`] is the upper way, [`theory::solve`] the lower one. Any elastic [`body`] goes from its matrix through [`qp`] and
-//! [`solvers`] to a proof of its own, and to the verdict. Beside them are drawings ([`plot`]). Claims and figures of the paper, faults and scenes with known answers are no part of the library: they are the
-//! evidence for it, the package `palkki-evidence`.
+//! [`solve()`] goes from [`scene`] through [`methods`], [`qp`], [`solvers`] and [`methods`] again to a [`state`], [`solve_exactly`]
+//! through [`theory`]; both go on to [`certificate`] and [`verdict`]. Any elastic [`body`] goes from its matrix through [`qp`] and
+//! [`solvers`] to a proof of its own, and to the verdict. ARCHITECTURE.md has the map. Claims and figures of the paper, faults and
+//! scenes with known answers are the package `palkki-evidence`.
 
 #![warn(clippy::disallowed_methods)]
 

@@ -273,8 +273,7 @@ fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
     (said - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
 }
 
-/// The way from the straight beam to the ground: the highest rise above the line of the supports, or else the least depth.
-/// Zero where there is no ground.
+/// The magnitude of the least gap: how far the highest ground is from the unloaded beam. Zero where there is no ground.
 fn within_reach(depths: &[f64]) -> f64 {
     let highest = depths.iter().copied().fold(f64::INFINITY, f64::min);
     if highest.is_finite() { highest.abs() } else { 0.0 }

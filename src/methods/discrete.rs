@@ -218,7 +218,7 @@ impl Discrete {
     /// Sizes of deflection (or clearance) and of nodal force in this scene, for dimensionless residuals.
     ///
     /// The deflection is limited by the beam without ground and by the foundation, whichever is nearer:
-    /// `max_i min(|g_i|, |v_free,i|)`. Over ground at the line of the supports it cannot move at all, and a small part of the
+    /// `max_i min(|g_i|, |v_free,i|)`. Over ground without a gap it cannot move at all, and a small part of the
     /// free deflection has to do. Of a beam that its supports do not hold, gaps count from where it would rest if it were
     /// rigid, and the free deflection is that of a beam held at its ends. Forces are measured by the sum of the nodal loads;
     /// without loads, by the force that deflects a simple beam by that much, `48 EI v / l³`.

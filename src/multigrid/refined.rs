@@ -98,7 +98,7 @@ mod tests {
             ),
             // One node stays one node, at the same place.
             (flags(&[(9, off), (1, on), (29, off)]), flags(&[(19, off), (1, on), (59, off)])),
-            // A zone without edges, and one that reaches both supports.
+            // A zone without edges, and one over all inner nodes.
             (flags(&[(9, off), (20, on), (10, off)]), flags(&[(19, off), (39, on), (21, off)])),
             (flags(&[(39, on)]), flags(&[(1, off), (77, on), (1, off)])),
             // Nothing.

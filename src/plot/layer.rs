@@ -188,7 +188,7 @@ impl Layer {
         Self::named(points, style, "")
     }
 
-    /// The line of the supports, from one place to another.
+    /// The line `0`, from one place to another.
     #[must_use]
     pub fn zero_line([from, to]: [f64; 2]) -> Self {
         Self::line(vec![[from, 0.0], [to, 0.0]], Style { width: 3, ..Style::solid(Color::BLACK) })

@@ -1,4 +1,4 @@
-//! The beam: elastic, of constant bending stiffness, with an own shape and what holds it.
+//! The beam: elastic, of constant bending stiffness, with its unloaded shape and its supports.
 
 use std::sync::Arc;
 
@@ -161,7 +161,7 @@ impl Beam {
         }
     }
 
-    /// A bound on what the supports and the own shape ask of the deflection: `max |level|`, `max |w0|`, `|slope| l` \[length\].
+    /// A bound on the deflection that supports and own shape prescribe: `max |level|`, `max |w0|`, `|slope| l` \[length\].
     pub(super) fn given_deflection(&self) -> f64 {
         let levels = self
             .supports

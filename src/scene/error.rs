@@ -81,7 +81,7 @@ pub enum SceneError {
         /// Where.
         value: f64,
     },
-    /// A polyline that does not reach from support to support.
+    /// A polyline that does not reach from end to end of the beam.
     #[error("{of} given by points must reach from 0 to {}, but `{quantity}` is {}", shown(*length), shown(*value))]
     PointsDoNotCover {
         /// Which profile.

@@ -1,4 +1,4 @@
-//! The foundation: rigid, uneven, its depth `u(x)` below the line of the supports known.
+//! The foundation: uneven, of known depth `u(x)`.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use super::error::{SceneError, finite, on_beam, positive};
 use super::polynomial;
 use super::quantity::{Profile, ProfileKey, Quantity};
 
-/// Depth `u(x)` of the foundation below the line of the supports, positive downwards.
+/// Depth `u(x)` of the foundation, positive downwards; 0 is the level of supports unless they have another.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Foundation {
     /// `u = depth`.
@@ -28,10 +28,10 @@ pub enum Foundation {
         amplitude: f64,
         /// Wavelength \[length\], positive.
         wavelength: f64,
-        /// Phase at the left support \[rad\].
+        /// Phase at `x = 0` \[rad\].
         phase: f64,
     },
-    /// A polyline from support to support. Two points at one place make a step; the smaller depth governs there.
+    /// A polyline from end to end of the beam. Two points at one place make a step; the smaller depth governs there.
     Polyline {
         /// `[x, depth]`, places not decreasing.
         points: Vec<[f64; 2]>,

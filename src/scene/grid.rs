@@ -1,4 +1,4 @@
-//! Equal intervals between the supports, and the loads that they put on the nodes.
+//! Equal intervals from end to end of the beam, and the gaps and loads at their nodes.
 
 use std::ops::Range;
 
@@ -150,11 +150,11 @@ impl Grid {
         gaps
     }
 
-    /// Loads as forces on all `N + 1` nodes, supports included \[force\].
+    /// Loads as forces on all `N + 1` nodes, both ends included \[force\].
     ///
     /// Each part of the load between two nodes goes to these by the law of the lever, so that its resultant force and
     /// moment are kept: `∫ q φ_i dx` with the hat function `φ_i`. For a uniform load `q_i = q₀Δ`, as in (27), and `q₀Δ/2`
-    /// on each support.
+    /// at each end.
     #[must_use]
     pub fn nodal_loads(&self, load: &Load) -> Vec<f64> {
         let mut forces = vec![2.0 * self.half(load); self.intervals + 1];
@@ -173,7 +173,7 @@ impl Grid {
         0.5 * load.uniform() * self.spacing()
     }
 
-    /// Adds everything else to the uniform load of inner nodes; the supports carry only half of that.
+    /// Adds everything else to the uniform load of inner nodes; an end has half of that.
     fn add_uneven(&self, load: &Load, first: usize, forces: &mut [f64]) {
         let behind = first + forces.len();
         let mut add = |node: usize, force: f64| {

@@ -120,7 +120,7 @@ impl Load {
     }
 
     /// The same loads in units of `length` and `force`, both powers of two, so that nothing is rounded but places that are at
-    /// the left support, see [`pieces::place`].
+    /// the left end of the beam, see [`pieces::place`].
     pub(super) fn scaled(&self, length: f64, force: f64) -> Self {
         let density = |q: f64| q / force * length;
         let place = |x: f64| pieces::place(x / length);

@@ -1,5 +1,6 @@
-//! What is given: beam, supports, load, foundation. A [`Scene`] that exists is well posed; whether what the supports leave free is
-//! held by loads and ground is said by its [`Balance`].
+//! What is given: beam, supports, load, foundation. The numbers of a [`Scene`] are checked when it is made. Whether it has a
+//! solution also depends on loads and ground where supports leave the beam free to move: [`Scene::scaled`] finds its [`Balance`],
+//! or refuses it.
 
 mod balance;
 mod beam;

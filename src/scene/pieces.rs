@@ -1,4 +1,4 @@
-//! What a scene is up to rounding, decided here and nowhere else, so that beam theory and certificate see the same one.
+//! What a scene is up to rounding, decided here and nowhere else, so that beam theory and certificate solve the same one.
 //!
 //! The numbers of a scene are decimals, and known no better than their rounding. Taken to the last bit, a point on a straight
 //! line would be a kink, the same depth computed twice a step, and a foundation that starts at a support a gap of `10⁻¹⁷`.
@@ -16,7 +16,7 @@ const ON_THE_LINE: f64 = 8.0 * f64::EPSILON;
 const MOST_BETWEEN: usize = 64;
 
 /// A place of a load or a support on a dimensionless beam, the length of which is at least 1 and less than 2: numbers there are
-/// `ε/2` apart at the least but for those beside zero, which no length of a beam needs. A place nearer to the left support is at it.
+/// `ε/2` apart at the least but for those beside zero, which no length of a beam needs. A place nearer to the left end is at it.
 pub(super) fn place(x: f64) -> f64 {
     if x < 0.5 * f64::EPSILON { 0.0 } else { x }
 }
@@ -25,7 +25,7 @@ impl Foundation {
     /// The numbers that add up to its depth at a place of a beam of this length, where they may be rounded: at the left
     /// support a polynomial is its first coefficient, however large the others. The depths of points and of a plane are
     /// given, and nothing is added up. What a long polynomial is relative to is said in `scene::polynomial`: never more than the
-    /// largest depth on the beam, so that no ground is level that is above a support by a depth one can see.
+    /// largest depth on the beam, so that no ground is level that is above a support by more than rounding of that depth.
     pub(crate) fn rounded_size(&self, x: f64, length: f64) -> f64 {
         match self {
             Self::Flat { .. } => 0.0,
@@ -79,7 +79,7 @@ pub(crate) fn without_collinear_points(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 /// none is: there is no line.
 fn lies_between(a: [f64; 2], p: [f64; 2], b: [f64; 2]) -> bool {
     let share = (p[0] - a[0]) / (b[0] - a[0]);
-    // Not by the difference of the two, in which the deeper one swallows what the other has to say close to itself.
+    // Not by the difference of the two depths: beside the shallower point it would be the rounding of the deeper one.
     let [from_a, from_b] = [a[1] * (1.0 - share), b[1] * share];
     (p[1] - (from_a + from_b)).abs() <= ON_THE_LINE * p[1].abs().max(from_a.abs()).max(from_b.abs())
 }

@@ -3,8 +3,8 @@
 //! The terms of a polynomial of high degree are far larger than their sum: those of Chebyshev's polynomial of degree 20 on the
 //! beam, which is at most 1, add up to `10¹⁵`. A **long** polynomial is therefore evaluated in twice the precision, from
 //! coefficients that are taken as they are given, and is known to the last bit but one. How the user's decimals were rounded to
-//! these coefficients is not looked into: for such a polynomial that rounding may be a depth that one can see, and nothing tells
-//! it from one that is meant.
+//! these coefficients is not considered: for such a polynomial that rounding may change depths visibly, and cannot be told from a
+//! change that is meant.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Dimensionless numbers: the one place between a [`Scene`] and everything numerical.
+//! Dimensionless numbers: every method, theory and the certificate begin with [`Scene::scaled`].
 //!
 //! With units `L` of length, `F` of force and `U = F L³ / E` of depth, the scene `x/L, u/U, q L/F, EI/E` has the same
 //! equations (5), (7), (8) as the original. All units are powers of two, so scaling and undoing it only change
@@ -31,14 +31,14 @@ impl Scale {
     }
 }
 
-/// A scene in dimensionless numbers, with the units that lead back.
+/// A scene in dimensionless numbers, with its units.
 #[derive(Debug, Clone)]
 pub struct Scaled {
     /// The dimensionless scene: `1 ≤ l < 2`, `1 ≤ EI < 2`, loads of order 1 (where there are any).
     pub scene: Scene,
     /// Its units.
     pub scale: Scale,
-    /// What its supports leave free, dimensionless.
+    /// Which motion its supports leave free, and what balances the loads then; dimensionless.
     pub balance: Balance,
 }
 

@@ -1,4 +1,4 @@
-//! What holds the beam: supports, and what they ask of the deflection.
+//! Supports, and what they prescribe for the deflection.
 //!
 //! ```text
 //! axis of the beam        w0 + v                      own shape and deflection, both positive downwards
@@ -11,7 +11,7 @@
 //! A support that only pushes is a [`Bearing`]: one more place where the beam may touch, a point of the obstacle that stands alone
 //! above the ground, or over nothing.
 //!
-//! So everything numerical needs `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
+//! So methods, theory and certificate need `g`, `d_s` and `φ_s`, and neither `u` nor `w0`.
 
 use super::error::{SceneError, finite, on_beam};
 use super::pieces;
@@ -59,7 +59,7 @@ impl Support {
     }
 }
 
-/// A support as everything numerical needs it: what it asks of the deflection `v` from the own shape.
+/// A support as all methods use it: what it prescribes for the deflection `v` from the own shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Held {
     /// Where, `x_s` \[length\].
@@ -74,7 +74,7 @@ pub struct Held {
     pub grounded: [bool; 2],
 }
 
-/// A support that only pushes, as everything numerical needs it: `v(x_s) ≤ d_s`, like ground.
+/// A support that only pushes, as all methods use it: `v(x_s) ≤ d_s`, like ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bearing {
     /// Where, `x_s` \[length\].
@@ -159,7 +159,7 @@ impl Foundation {
 }
 
 impl Scene {
-    /// What the supports that hold the beam ask of the deflection, from left to right.
+    /// What the supports that hold the beam prescribe for the deflection, from left to right.
     #[must_use]
     pub fn held(&self) -> Vec<Held> {
         self.beam().supports().iter().map(|support| self.held_by(support)).collect()

@@ -2,10 +2,10 @@
 //!
 //! The file is TOML. Its tables are read key by key and not through serde's derive: serde takes an array where a table
 //! is meant (`beam = [10, 1.3]`), and its messages would have to be taken apart again to name quantity, value and what
-//! is expected. What the *numbers* mean is judged by [`Beam::new`], [`Load::new`] and [`Foundation::checked`] alone; here
-//! their errors only get a place.
+//! is expected. The *numbers* are checked by [`Beam::new`], [`Load::new`], [`Foundation::checked`] and [`Scene::scaled`] alone; here
+//! their errors get a place in the file.
 //!
-//! Nothing here opens a file: the caller hands over the text, and a function that reads a survey.
+//! Nothing here opens a file: the caller passes the text, and a function that reads a survey.
 
 mod body;
 mod contents;
@@ -33,12 +33,12 @@ use super::{Beam, Foundation, Load, Profile, Scene, SceneError};
 /// Reads a scene file.
 ///
 /// `name` is the file as messages call it, `text` its contents. `read_survey` is called with the text of the key
-/// `foundation.survey`, as it is written there, and hands back what is in that file; so it is with `beam.shape.survey`.
+/// `foundation.survey`, as it is written there, and returns what is in that file; so it is with `beam.shape.survey`.
 ///
 /// # Errors
 ///
 /// Text that is no TOML, keys that are unknown, missing, twice there or of a wrong type, a survey that is none, and every
-/// [`SceneError`], all with line and column. A scene that overflows when it is scaled is refused here as well.
+/// [`SceneError`], all with line and column, those of [`Scene::scaled`] included.
 pub fn parse(
     name: &str,
     text: &str,
