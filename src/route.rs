@@ -1,4 +1,4 @@
-//! A route: one of the paper's methods with one of the solvers. What a route ends with, and how it went.
+//! A route: one of the paper's methods with one of the solvers. Its result before the verdict.
 
 pub use crate::methods::Method;
 use crate::solvers::OwnResidual;
@@ -6,7 +6,7 @@ pub use crate::solvers::Solver;
 use crate::state::ContactState;
 pub use crate::verdict::Status;
 
-/// What a route hands back.
+/// The result of a route, not judged yet.
 #[derive(Debug, Clone)]
 pub struct RawSolution {
     /// The beam in its final position, in the units of the scene.

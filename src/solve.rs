@@ -1,4 +1,10 @@
-//! One way through: scene → method and grid → quadratic program (32) → solver → state → verdict.
+//! From a scene to a verdict: by a method and a solver on a grid ([`solve`]), or by beam theory ([`solve_exactly`]).
+//!
+//! ```text
+//! scene → Discrete → quadratic program (32) → solver → Nodal → ContactState → RawSolution → Solution
+//! scene → Discrete → nested grids, active set        → Nodal → ContactState → RawSolution → Solution     the default solver
+//! scene → Exact                                                                           → Solution
+//! ```
 
 use std::mem::take;
 
@@ -13,7 +19,7 @@ use crate::theory::{self, Exact, TheoryError};
 use crate::verdict::{Demand, Verdict};
 use crate::witness::Witness;
 
-/// What a discretised solution is asked to be.
+/// A route (a method and a solver) and its grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// Which of the paper's methods sets up the quadratic program.
@@ -37,14 +43,14 @@ impl Settings {
     }
 }
 
-/// An answer, and what it is worth.
+/// An answer with its verdict.
 #[derive(Debug, Clone)]
 pub struct Solution {
     /// The beam in its final position, in the units of the scene.
     pub state: ContactState,
     /// Our verdict: certified or not, why not, and guaranteed bounds.
     pub verdict: Verdict,
-    /// What the solver says of itself, in its own words. It does not count.
+    /// The solver's own message, on which the verdict does not depend.
     pub solver_status: String,
     /// Of a method on a grid the KKT residual of its discrete problem, of beam theory the worst violation of its conditions;
     /// dimensionless.
@@ -58,7 +64,7 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// False if the solver gave none, or one that is not all numbers: `state` says nothing then.
+    /// False if the solver gave none, or one that is not all numbers: the numbers of `state` mean nothing then.
     #[must_use]
     pub fn has_answer(&self) -> bool {
         self.residual.is_finite()
@@ -83,13 +89,13 @@ impl Solution {
 ///
 /// # Errors
 ///
-/// Those of [`solve_raw`]. An answer that fails our check is none: its [`Verdict`] says why.
+/// Those of [`solve_raw`]. An answer that fails our check is no error: its [`Verdict`] has the reason.
 pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError> {
     let witness = Witness::of(scene);
     Ok(solve_raw_near(&witness, settings)?.judged(&witness, &Demand::default()))
 }
 
-/// Solves `scene` by beam theory, without a grid: the places where the beam lifts off are unknowns. And judges the answer.
+/// Solves `scene` by beam theory, without a grid, and judges the answer: the places where the beam lifts off are unknowns.
 ///
 /// ```
 /// use palkki::scene::{Beam, Foundation, Load, Scene};
@@ -148,7 +154,7 @@ impl Exact {
         }
     }
 
-    /// What beam theory says of its answer.
+    /// The message of beam theory on its answer.
     fn message(&self) -> String {
         let lists = match self.lists {
             solves if self.state.pressure.is_some() => format!("{solves} linear problems solved"),
@@ -165,19 +171,19 @@ impl Exact {
 
 /// Solves `scene` by one route, and does not judge the answer.
 ///
-/// A scene without a foundation needs no quadratic program and no solver: the beam is a simple beam.
+/// A scene with nothing to touch needs no quadratic program and no solver.
 ///
 /// # Errors
 ///
-/// A [`SceneError`] if the grid is too coarse or the scene leaves the range of `f64`. A solver that fails is no error:
-/// [`RawSolution::solved`] says so.
+/// A [`SceneError`] if a support is between the nodes of the grid, if nothing balances the loads, or if the scene leaves the range
+/// of `f64`. A solver that fails is no error: [`RawSolution::solved`] is false then.
 pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, SceneError> {
     by_route(scene, settings, Start::Anywhere)
 }
 
 /// The same for a scene whose answers have a witness. Where a survey has points between the nodes of coarser grids, the active set
-/// starts from the contacts of beam theory: that costs no more, since the certificate asks for them as well, and is far nearer. The
-/// solver's status says so.
+/// starts from the contacts of beam theory: that costs no more, since the certificate needs them as well, and is far nearer. The
+/// solver's message mentions it.
 ///
 /// # Errors
 ///
@@ -186,8 +192,8 @@ pub fn solve_raw_near(witness: &Witness<'_>, settings: &Settings) -> Result<RawS
     by_route(witness.scene(), settings, Start::Near(witness))
 }
 
-/// The row of a route that is left out of a comparison: an answer without numbers, for which the solver is not asked. `why` takes
-/// the place of the solver's own words.
+/// The row of a route that is left out of a comparison: an answer without numbers, for which the solver is not run. `why` takes
+/// the place of the solver's message.
 ///
 /// # Errors
 ///
@@ -213,13 +219,14 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<RawS
     let (mut nodal, answer, unknowns) = if !scene.has_obstacle() {
         (methods::free_beam(&discrete, discretisation), Answer::empty("no foundation, nothing to solve".to_owned()), 0)
     } else {
-        // Without ground there are few places to touch, and nothing that coarser grids could say of them.
+        // On nested grids, in contact forces and without the program, whatever the method. Without ground there are few places to
+        // touch, of which coarser grids have none.
         let nested = solver == Solver::ActiveSet && !discrete.is_open();
         let alone = discrete.unknowns() < discrete.supports().lacking();
         let program = method.qp(&discrete);
         let mut answer = match (start, solver) {
             (Start::LeftOut(why), _) => Answer::refused(program.dimension(), why),
-            // One place carries the beam, if it is in balance there.
+            // A single place to touch: it carries the beam, if the loads are in balance there.
             _ if alone => Answer { x: vec![0.0], gradient: vec![0.0], ..Answer::empty("nothing to solve".to_owned()) },
             (Start::Near(witness), Solver::ActiveSet) if nested => near(witness, &scaled.scene, method, &discrete)?,
             (Start::Anywhere, Solver::ActiveSet) if nested => multigrid::solve(&scaled.scene, method, &discrete, None)?,
@@ -236,7 +243,7 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<RawS
         };
         (nodal, answer, program.dimension())
     };
-    // Of a beam in balance on one place that may be one position of many.
+    // A beam in balance on one place may have many positions: take the one nearest to slope zero.
     let mut motion = None;
     if let Some(node) = methods::single_contact(&discrete, &scaled.balance, &nodal)
         && let Some((nearest, free)) = methods::balanced(&discrete, discretisation, node)

@@ -1,4 +1,4 @@
-//! What every method, and theory, hand back: the beam in its final position, and the forces that hold it there.
+//! The result of every method, and of theory: the beam in its final position, and the forces that hold it there.
 
 mod extremes;
 
@@ -166,7 +166,7 @@ pub struct Nodes {
     pub x: Vec<f64>,
     /// Deflection `v`, positive downwards \[length\].
     pub deflection: Vec<f64>,
-    /// Clearance `h = u − v` of (6) \[length\]; infinite where there is no foundation.
+    /// Clearance `h = g − v` of (6) \[length\]; infinite where there is no foundation.
     pub clearance: Vec<f64>,
     /// Contact force, upwards, a force and not a density \[force\].
     pub contact_force: Vec<f64>,

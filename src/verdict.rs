@@ -1,7 +1,7 @@
-//! What `certified` means, in one place: which checks of the judge an answer has to pass, and in which words it is told how far
-//! it may be off, certified or not.
+//! What `certified` means, in one place: which conditions an answer has to meet, and the message on how far it may be off,
+//! certified or not.
 //!
-//! The judge ([`crate::certificate`]) measures and does not decide: it has a residual of the discrete problem, and bounds for
+//! The judge ([`crate::certificate`]) measures and does not decide: it computes a residual of the discrete problem, and bounds for
 //! the continuous beam. An answer is **certified** if all of this holds.
 //!
 //! | | a method on a grid | beam theory |
@@ -12,15 +12,15 @@
 //! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
 //! | each [`Number`] of its summary | no value of its bracket is farther from it than share × the largest of its kind, and what rounding makes of such a sum | the same with [`EXACT`] |
 //!
-//! A beam that is proven to be at rest, with an answer that says so, has the error zero: there is no deflection to have a share of.
-//! The deflection of a beam that may turn freely about a place is judged after the best such turn, and the verdict says so.
+//! A beam that is proven to be at rest, with an answer that is at rest too, has the error zero: a share of no deflection is undefined.
+//! The deflection of a beam that may turn freely about a place is judged after the turn that fits best, and the message has the place.
 //!
 //! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
 //! ([`crate::adaptive`]), it counts in what the solver left undone, and the residual may be as large as a tenth of it.
 //! Contact forces from elsewhere have no problem and no summary of their own: of them the certificate and the error count
 //! ([`Verdict::of_forces`]). A single contact force, its place and a moment of a grid have no bracket, and nothing is said of them.
 //!
-//! [`RawSolution::solved`] is the first row alone, and [`Exact::solved`] that of beam theory: what they solved is their own problem.
+//! [`RawSolution::solved`] is the first row alone, and so is [`Exact::solved`].
 //!
 //! ```
 //! use palkki::Witness;
@@ -62,10 +62,10 @@ pub use self::summary::Number;
 /// Share of its largest value to which a deflection has to be certain: a tenth, what the paper calls usable.
 pub const USABLE: f64 = 0.1;
 
-/// The same of beam theory, which has no grid to blame.
+/// The same of beam theory, which has no discretisation error.
 pub const EXACT: f64 = 1e-6;
 
-/// Our own verdict on an answer. A solver's own word is never it.
+/// Our verdict on an answer, independent of what the solver reports unless the answer fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Status {
@@ -87,8 +87,8 @@ impl Status {
         if enough { Self::Certified } else { Self::NotCertified }
     }
 
-    /// The only place that says certified: of an answer that passes its checks, whatever its solver reports. Of one that does not
-    /// it depends on whether the solver reports success.
+    /// The only place that returns `Certified`: for an answer that passes its checks, whatever its solver reports. For another one
+    /// the status depends on whether the solver reports success.
     pub(crate) fn of(passes: bool, reports_success: bool) -> Self {
         match (passes, reports_success) {
             (true, _) => Self::Certified,
@@ -97,8 +97,8 @@ impl Status {
         }
     }
 
-    /// Of an answer for a [body](crate::body), which has no grid to blame: from the largest error of its clearances as a share of the
-    /// largest of them, and what was demanded.
+    /// Of an answer for a [body](crate::body), which has no discretisation error: from the largest error of its clearances as a share
+    /// of the largest of them, and what was demanded.
     #[must_use]
     pub fn of_body(error: f64, demanded: f64, reports_success: bool) -> Self {
         Self::of(within(error, demanded.min(EXACT)), reports_success)
@@ -121,10 +121,10 @@ impl fmt::Display for Status {
     }
 }
 
-/// What an answer has to be worth.
+/// The accuracy that an answer must have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// Largest residual of the discrete problem; not asked of beam theory, which has conditions of its own.
+    /// Largest residual of the discrete problem; not used for beam theory, which has conditions of its own.
     pub residual: f64,
     /// Largest guaranteed error of the deflection, as a share of the largest deflection; of beam theory never more than
     /// [`EXACT`].
@@ -168,7 +168,7 @@ pub enum Refusal {
         /// The worst violation.
         residual: f64,
     },
-    /// Its contact forces are no numbers, so that nothing can be said about them.
+    /// Its contact forces are not all numbers.
     #[error("its contact forces are not all numbers")]
     NoNumbers,
     /// Nothing could be proven for the continuous beam.
@@ -233,7 +233,7 @@ fn any_share(share: f64) -> String {
     if share.is_finite() { share_at_most(share) } else { "any share".to_owned() }
 }
 
-/// What the judge's measures come to. Displayed, it says how far the beam may be off, or what else is wrong.
+/// The status with its reason and bounds. Displayed, it is a message on how far the beam may be off, or what else is wrong.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Certified or not.
@@ -273,13 +273,13 @@ impl Verdict {
         }
         .ok();
         let own = if exact.solved {
-            certificate.as_ref().and_then(|c| not_its_own(scene, c, &exact.state))
+            certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state))
         } else {
             Some(Refusal::Theory { residual: exact.residual })
         };
         let most = demand.error.min(EXACT);
         let size = exact.state.deflection.magnitude();
-        // What is printed is its own deflection: what that is off the one that is judged counts as well.
+        // What is printed is its own deflection: its distance from the one that is judged counts as well.
         let certificate = certificate.map(|c| {
             let off = apart(&c, size);
             // The one that is judged is known to lie between two bounds, and may be at the farther one.
@@ -289,7 +289,7 @@ impl Verdict {
         Self::new(certificate, Some((scene, &exact.state)), own, most, exact.converged)
     }
 
-    /// On contact forces from somebody who says nothing of a grid: what counts is the deflection that they cause.
+    /// On contact forces alone, without a grid: the deflection that they cause is judged.
     #[must_use]
     pub fn of_forces(certificate: Certificate) -> Self {
         Self::new(Some(certificate), None, None, USABLE, true)
@@ -303,7 +303,7 @@ impl Verdict {
         most: f64,
         reports_success: bool,
     ) -> Self {
-        // A beam that is known not to move is certain, and no share of its deflection can be told.
+        // A beam that is known not to move is certain, and a share of its deflection is undefined.
         let error = certificate.as_ref().map_or(f64::INFINITY, |c| {
             let size = answer.map_or(c.deflection, |(_, state)| state.deflection.magnitude());
             if c.at_rest { 0.0 } else { c.deflection_error / size }
@@ -330,7 +330,7 @@ impl Verdict {
         self.worst.map_or(self.error, |(_, share)| if share <= self.error { self.error } else { share })
     }
 
-    /// Whether it solves its own problem, however far that is from the beam.
+    /// Whether it solves its discrete problem, or meets the conditions of theory, however far that is from the beam.
     #[must_use]
     pub fn solves_its_problem(&self) -> bool {
         matches!(self.refusal, None | Some(Refusal::Error { .. } | Refusal::Number { .. } | Refusal::Unbounded))
@@ -375,13 +375,13 @@ pub fn certificate(state: &ContactState, witness: &Witness<'_>) -> Option<Certif
 /// An exact answer is judged by the places of its contacts: its own deflection has to be the one that they make.
 ///
 /// And its energy lies between the bounds that they prove: a beam that is not held where it should be has too little of it.
-fn not_its_own(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
+fn differs_from_bounds(scene: &Scene, certificate: &Certificate, state: &ContactState) -> Option<Refusal> {
     let Certificate { deflection: judged, deflection_error: error, .. } = *certificate;
     let Certificate { energy_lower: lower, energy_upper: upper, .. } = *certificate;
     let own = state.deflection.magnitude();
-    // A bound of more than half the deflection recognises nothing.
+    // Within a bound of more than half the deflection any deflection would do.
     let most = error.min(0.5 * judged) + deflection_rounding(scene, state);
-    // Also true where nothing is finite, which is another refusal's business.
+    // Where nothing is finite this is false, and `flaw` refuses.
     if most < apart(certificate, own) {
         return Some(Refusal::Deflection { own, judged, error });
     }

@@ -1,13 +1,13 @@
 //! The witness of a scene: the contacts from which its certificates are proven, found and proven once for all answers.
 //!
-//! A certificate is as true with any witness and as sharp as its witness is right ([`crate::certificate`]). The exact contacts
-//! come from beam theory. Looking for them may cost no more than in proportion to the solve that is certified; where it would,
-//! or where beam theory has no answer, the answer's own contacts serve, which are at nodes of its grid, and the bounds are
-//! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then. On ground that gives, what beam theory
-//! has is the witness in any case, solved or not: nodes say too little of how a beam is sunk into it.
+//! A certificate is true with any witness, and sharp if the witness is right ([`crate::certificate`]). The exact contacts are
+//! those of beam theory. Solving by theory may cost no more than in proportion to the solve that is certified; where it would,
+//! or where theory has no solution, the answer's own contacts are the witness. These are at nodes of its grid, and the bounds are
+//! coarse: [`contacts_proven`](crate::certificate::Certificate::contacts_proven) is false then. On ground that gives, the answer of
+//! theory is the witness in any case, solved or not: values at nodes do not determine the deflection between them well enough.
 //!
-//! Where coarser grids do not see the ground, the same contacts are where the active set starts: a discrete problem has one
-//! solution, so that a start says how long it takes and nothing of what comes out.
+//! Where a survey has points between the nodes of coarser grids, the active set starts from the same contacts. A discrete problem
+//! has one solution: the start changes how many exchanges it takes, and not the result.
 
 use std::sync::OnceLock;
 
@@ -16,20 +16,19 @@ use crate::scene::{Foundation, Scene, SceneError};
 use crate::state::Contact;
 use crate::theory::{self, Exact};
 
-/// Points of a polyline with which beam theory is asked whatever the grid: it takes milliseconds on most profiles.
+/// Points of a polyline up to which the scene is solved by theory whatever the grid: it takes milliseconds on most profiles.
 const ALWAYS: usize = 2_000;
 
-/// Points more for each node of the grid that is certified: on a point beam theory spends about what a solver spends on a few
-/// nodes.
+/// Points more for each node of the grid that is certified: theory takes about as long for a point as a solver for a few nodes.
 const PER_NODE: usize = 20;
 
 /// Contacts that certificates of one scene are proven from.
 #[derive(Debug)]
 pub struct Witness<'a> {
     scene: &'a Scene,
-    /// What beam theory has, if it has an answer.
+    /// The contacts of beam theory, if it has an answer.
     theory: OnceLock<Option<Found>>,
-    /// What they prove.
+    /// The proof that they give.
     proof: OnceLock<Option<Proof>>,
 }
 
@@ -41,13 +40,13 @@ struct Found {
 }
 
 impl<'a> Witness<'a> {
-    /// Of a scene that has not been looked at yet: beam theory is asked when the first certificate needs it.
+    /// Of a scene that is not solved yet: theory solves it when the first certificate needs it.
     #[must_use]
     pub fn of(scene: &'a Scene) -> Self {
         Self { scene, theory: OnceLock::new(), proof: OnceLock::new() }
     }
 
-    /// The contacts of a solution that is already there, if it is one.
+    /// The contacts of a solution that is known already, if it is one.
     #[must_use]
     pub fn known(scene: &'a Scene, exact: &Exact) -> Self {
         let witness = Self::of(scene);
@@ -62,7 +61,8 @@ impl<'a> Witness<'a> {
         self.scene
     }
 
-    /// Bounds for a deflection, proven from the contacts of beam theory if they are worth the search, and otherwise from its `own`.
+    /// Bounds for a deflection, proven from the contacts of theory if the grid is fine enough for their cost, and otherwise from
+    /// its `own`.
     ///
     /// # Errors
     ///
@@ -81,13 +81,12 @@ impl<'a> Witness<'a> {
         }
     }
 
-    /// The contacts of beam theory for whoever is about to solve the scene on a grid, if a survey has points between the nodes of a
-    /// `coarser` one, whose contacts say little then.
+    /// The contacts of theory as a start for the active set, if a survey has points between the nodes of a `coarser` grid.
     pub(crate) fn start(&self, intervals: usize, coarser: usize) -> Option<&[Contact]> {
         if points(self.scene) <= coarser { None } else { Some(&self.found(intervals)?.contacts) }
     }
 
-    /// What beam theory has, if it is worth to ask it for so many nodes.
+    /// The contacts of theory, if it may be solved for so many nodes.
     fn found(&self, nodes: usize) -> Option<&Found> {
         let is_rigid = self.scene.ground_stiffness().is_none();
         match self.theory.get() {
@@ -97,13 +96,13 @@ impl<'a> Witness<'a> {
     }
 }
 
-/// What an exact solution has to say, if it is one.
+/// The contacts of an exact answer, if it is a solution or on ground that gives.
 fn found(exact: &Exact) -> Option<Found> {
     let stretches = exact.stretches();
     (exact.solved || stretches.is_some()).then(|| Found { contacts: exact.state.touched(), stretches })
 }
 
-/// What beam theory has to look at.
+/// The number of points of a survey, by which the cost of theory is estimated.
 fn points(scene: &Scene) -> usize {
     match scene.foundation() {
         Some(Foundation::Polyline { points }) => points.len(),
@@ -128,7 +127,7 @@ mod tests {
         Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("well posed")
     }
 
-    /// Beam theory is asked where that is in proportion to the grid, once, and otherwise the answer's own contacts serve.
+    /// Theory solves the scene where that is in proportion to the grid, once; otherwise the answer's own contacts are the witness.
     #[test]
     fn the_search_is_in_proportion_to_the_solve() {
         let own = [Contact::at(0.25, 1.0)];
