@@ -1,4 +1,4 @@
-//! Contact forces that somebody computed, and the beam that bends under them and the true load.
+//! Contact forces from elsewhere, and the beam that bends under them and the true load.
 //!
 //! ```text
 //! EI v'''' = q − Σ f_k δ(x − x_k) − Σ R_s δ(x − x_s),   v(x_s) = d_s,  v'(x_s) = φ_s where it is built in,   M = −EI v''
@@ -108,9 +108,9 @@ impl ContactLoad {
 }
 
 /// Their deflection by cells, on each `v(from + s)`; `breaks` besides those of the load and the forces. All in dimensionless
-/// numbers. Supports exert what balance and compatibility ask of them. A beam that they do not hold is held by two of the given
-/// forces, the strongest and what presses most about it, or about its support: it touches the ground there, and what
-/// balance asks of these two takes the place of what was given. [`None`] where there are no two.
+/// numbers. Support forces follow from equilibrium and compatibility. A beam that supports do not hold is held by two of the given
+/// forces, the largest one and that with the largest moment about it, or about its support: the beam touches the ground there, and
+/// the forces that equilibrium needs take the place of the given ones. [`None`] where there are no two.
 pub(super) fn deflection(
     forces: &ContactLoad,
     enclosed: &EnclosedScene<'_>,

@@ -8,7 +8,7 @@
 //! count from its beginning, where they are small, and from block to block both sums keep what rounding takes from them, as
 //! in Kahan's and Neumaier's sums; the slope passes its share on.
 
-/// A double sum on its way.
+/// A double sum so far.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct DoubleSum {
     height: Sum,
@@ -25,7 +25,7 @@ impl DoubleSum {
         Self { height: sum(height), slope: sum(slope) }
     }
 
-    /// Over the next nodes: what the slope loses at each of them gives way to the height there.
+    /// Over the next nodes: replaces the loss of slope at each of them by the height there.
     pub(super) fn along(&mut self, falls: &mut [f64]) {
         let (blocks, rest) = falls.as_chunks_mut::<BLOCK>();
         blocks.iter_mut().for_each(|block| self.block(block));
@@ -99,7 +99,7 @@ mod tests {
         let mut sums = DoubleSum { slope: Sum { value: 1e16, lost: 0.0 }, ..DoubleSum::default() };
         sums.along(&mut [1.0; 100]);
         sums.along(&mut [1e16]);
-        // 101 intervals with the steep slope; the k-th fall of one is felt in the 102 − k nodes behind it.
+        // 101 intervals with the steep slope; the k-th fall of one lowers the 102 − k nodes behind it.
         let ones: f64 = (1..=100_i32).map(|k| f64::from(102 - k)).sum();
         sums.along(&mut [0.0]);
         assert_eq!(sums.height().to_bits(), (101.0 * 1e16 - ones).to_bits());
@@ -107,7 +107,7 @@ mod tests {
     }
 
     /// Falls of a third between two supports: a parabola `y_i = f i (N − i)/2`, to a few units in the last place of its height,
-    /// on a grid of any size, with the slope `f (N − 1)/2` at the left support.
+    /// on a grid of any size, with the slope `f (N − 1)/2` at the left end.
     #[test]
     fn uniform_falls_make_a_parabola() {
         /// Of the slope that is found, of a sum of sixteen, of two products.

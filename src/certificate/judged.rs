@@ -32,7 +32,7 @@ impl Judged<'_> {
 }
 
 /// No part of the beam that is compared at once is wider than this share of it, and a cell that is wider has at least
-/// [`PARTS`]: of what its values between the ends of parts are too large by, a sixty-fourth remains.
+/// [`PARTS`]: its enclosure between their ends then exceeds the values by a sixty-fourth of what that of the whole cell does.
 pub(super) const NARROW: f64 = 1.0 / 2048.0;
 const PARTS: f64 = 8.0;
 
@@ -115,7 +115,7 @@ pub(super) fn parts(pieces: &[Piece], cells: impl Iterator<Item = Cell>, length:
 /// κ₀ = 3 (Δv − φ Δ)/Δ² − κ₁/2                                           where the beam is built in with the slope φ
 /// ```
 ///
-/// Supports that are none of the nodes are added: what they ask is known, and without moment but where the beam is built in.
+/// Supports that are none of the nodes are added: their deflection is known, and the moment is zero but where the beam is built in.
 /// [`None`] if that is no beam from end to end.
 pub(super) fn cubics<'a>(
     given: &Nodes,
@@ -155,7 +155,7 @@ pub(super) fn cubics<'a>(
             left = turned(slope, right);
         }
         if let Some(slope) = built_in(b) {
-            // Seen from there the beam goes the other way.
+            // From the right end, slopes and curvatures change their sign.
             right = -turned(slope, -left);
         }
         let values = [[Interval::exact(v0), left], [Interval::exact(v1), right]];
@@ -190,7 +190,7 @@ mod tests {
         })
     }
 
-    /// Asks value, slope and curvature of a cell at a share of its width.
+    /// Compares value, slope and curvature of a cell at a share of its width.
     #[track_caller]
     fn is(([from, to], v): &([f64; 2], Polynomial), share: f64, expected: [f64; 3]) {
         let s = Interval::exact(share * (to - from));

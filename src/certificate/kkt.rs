@@ -1,7 +1,7 @@
 //! The residual of a discrete problem: how far nodal values are from (4), (5) and (8), as five dimensionless numbers.
 //!
-//! The state says which forces act on the beam, those of the supports among them. Summed up they are moments, and these summed up
-//! deflections: no method and no solver is asked, and nothing is solved here either.
+//! The forces on the beam are taken from the state, those of the supports among them. Summed up they are moments, and these summed
+//! up deflections, which are compared with those of the state: no system is solved.
 
 use super::summed::{BATCH, Couple, Summed, Walked};
 use crate::scene::{Grid, Held, Scene, is_same_place};
@@ -28,7 +28,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 /// in a scene without loads not less than the way to the ground, and never by less than rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kkt {
-    /// Feasibility: `max(v_i − u_i) / D`, the deepest penetration at a node.
+    /// Feasibility: `max(v_i − g_i) / D`, the deepest penetration at a node.
     pub penetration: f64,
     /// Sign of the contact forces: `max(−p_i) / P`, the strongest tension.
     pub tension: f64,
@@ -37,7 +37,7 @@ pub struct Kkt {
     /// Equilibrium and elasticity: the deflection that the contact forces cause, against that of the state, over `D`;
     /// and the balance of forces and of moments with the reactions, over `P`.
     pub equilibrium: f64,
-    /// What the state says beside deflections and forces, against what follows from them: places over `l`, clearances over
+    /// The other values of the state against those that follow from its deflections and forces: places over `l`, clearances over
     /// `D`, bending moments over `P l`, forces of supports that only push over `P`.
     pub record: f64,
 }
@@ -47,22 +47,22 @@ impl Kkt {
     /// all supports among them: all nodes but the ends of the beam that have a support.
     #[must_use]
     pub fn of(scene: &Scene, state: &ContactState) -> Option<Self> {
-        let said = Said::by(scene, state)?;
-        let Said { nodes, ref grid, first, ref supports, ref summed, .. } = said;
+        let recorded = Recorded::by(scene, state)?;
+        let Recorded { nodes, ref grid, first, ref supports, ref summed, .. } = recorded;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
-        let ([force, depth], length, step) = (said.sizes(scene), scene.beam().length(), grid.spacing());
-        let nearer = |said: f64, moment: f64, jump: f64| (said - moment).abs().min((said - (moment + jump)).abs());
+        let ([force, depth], length, step) = (recorded.sizes(scene), scene.beam().length(), grid.spacing());
+        let nearer = |recorded: f64, moment: f64, jump: f64| (recorded - moment).abs().min((recorded - (moment + jump)).abs());
         let ground = scene.ground_stiffness();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
         let mut at_supports = [0.0; 2];
-        let mut left_to_see = supports.iter().peekable();
-        let [start, slope] = said.start()?;
+        let mut supports_ahead = supports.iter().peekable();
+        let [start, slope] = recorded.start()?;
         let tangents = summed.walk(start, slope, |walked| {
             let Walked { first: from, moments, jump, deflections } = walked;
-            while let Some(support) = left_to_see.next_if(|s| s.node < from + deflections.len()) {
+            while let Some(support) = supports_ahead.next_if(|s| s.node < from + deflections.len()) {
                 let off = (deflections[support.node - from] - support.held.deflection).abs();
-                let couple = support.said.moment.map_or(0.0, |said| nearer(said, moments[0] * step, jump * step));
+                let couple = support.recorded.moment.map_or(0.0, |recorded| nearer(recorded, moments[0] * step, jump * step));
                 at_supports = largest_each(at_supports, [[off, couple]].into_iter());
             }
             // An end of the beam that a support holds is no node of the state.
@@ -92,7 +92,7 @@ impl Kkt {
         let turned = supports.iter().filter_map(|support| support.held.slope).zip(tangents);
         let turned = turned.map(|(held, slope)| (slope - held).abs() * length);
         let [shear, remaining] = summed.left_over;
-        let [left, right, mistaken_forces] = said.of_supports(scene, state)?;
+        let [left, right, mistaken_forces] = recorded.of_supports(scene, state)?;
         let balance = [shear, remaining / length, left, right].map(f64::abs);
         Some(Self {
             penetration: penetration / depth,
@@ -121,13 +121,13 @@ impl Kkt {
     }
 }
 
-/// What a state says of the forces on a beam, summed up. What does not come out at the far end or at a support is a residual.
-struct Said<'a> {
+/// The forces on a beam as its state has them, summed up. Differences at the far end and at supports are residuals.
+struct Recorded<'a> {
     nodes: &'a Nodes,
     grid: Grid,
     /// The node of the grid that is the first of the state.
     first: usize,
-    supports: Vec<SaidOfSupport>,
+    supports: Vec<RecordedSupport>,
     /// The beam under `t = q − p − R`.
     summed: Summed,
     /// Sums of the magnitudes of all loads and of all contact forces \[force\].
@@ -135,16 +135,16 @@ struct Said<'a> {
     contact: f64,
 }
 
-/// A support: its node, what it asks of the beam, and what the state says of it.
-struct SaidOfSupport {
+/// A support: its node, what it prescribes, and its force and moment in the state.
+struct RecordedSupport {
     node: usize,
     held: Held,
-    said: SupportForce,
+    recorded: SupportForce,
 }
 
-impl<'a> Said<'a> {
-    /// [`None`] if the nodes of the state are not those of a grid with all supports among them, or if the state does not say of
-    /// each support what it exerts.
+impl<'a> Recorded<'a> {
+    /// [`None`] if the nodes of the state are not those of a grid with all supports among them, or if the state lacks the force of a
+    /// support.
     fn by(scene: &Scene, state: &'a ContactState) -> Option<Self> {
         let nodes = state.nodes.as_ref()?;
         let p = &nodes.contact_force;
@@ -155,15 +155,15 @@ impl<'a> Said<'a> {
         let [left, right] = [0.0, length].map(|end| usize::from(held.iter().any(|s| is_same_place(s.at, end, length))));
         let (grid, first) = (Grid::uniform(scene, (p.len() + left + right).checked_sub(1)?).ok()?, left);
         let support = |held: Held| {
-            Some(SaidOfSupport { node: grid.node_at(held.at)?, held, said: said_of(state, &held, length)? })
+            Some(RecordedSupport { node: grid.node_at(held.at)?, held, recorded: recorded_support(state, &held, length)? })
         };
         let supports: Vec<_> = held.into_iter().map(support).collect::<Option<_>>()?;
         let mut forces = grid.nodal_loads(scene.load());
         let [load, contact] = [&forces, p].map(|forces| forces.iter().map(|force| force.abs()).sum::<f64>());
         forces[first..].iter_mut().zip(p).for_each(|(q, p)| *q -= p);
-        supports.iter().for_each(|support| forces[support.node] -= support.said.force);
+        supports.iter().for_each(|support| forces[support.node] -= support.recorded.force);
         let built_in = supports.iter().filter(|support| support.held.slope.is_some());
-        let couples = built_in.map(|support| Couple { node: support.node, jump: support.said.couple }).collect();
+        let couples = built_in.map(|support| Couple { node: support.node, jump: support.recorded.couple }).collect();
         let stiffness = scene.beam().bending_stiffness();
         let summed = Summed::of(forces, couples, grid.spacing(), stiffness, nodes.discretisation);
         Some(Self { nodes, grid, first, supports, summed, load, contact })
@@ -177,11 +177,11 @@ impl<'a> Said<'a> {
             |at: f64| Some((at, *self.nodes.contact_force.get(self.grid.node_at(at)?.checked_sub(self.first)?)?));
         let pushed: Vec<_> = scene.bearings().map(|bearing| pushed(bearing.at)).collect::<Option<_>>()?;
         let of_end = |x: f64| {
-            let held = self.supports.iter().map(|s| (s.held.at, s.said.force));
+            let held = self.supports.iter().map(|s| (s.held.at, s.recorded.force));
             held.chain(pushed.iter().copied()).find(|(at, _)| is_same_place(*at, x, length)).map_or(0.0, |s| s.1)
         };
-        let said = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
-        let mistaken = pushed.iter().map(|&(at, p)| said(at).map_or(f64::NAN, |s| (s.force - p).abs()));
+        let recorded = |at: f64| state.supports.iter().find(|s| s.pushes_only && is_same_place(s.at, at, length));
+        let mistaken = pushed.iter().map(|&(at, p)| recorded(at).map_or(f64::NAN, |s| (s.force - p).abs()));
         let Reactions { left, right } = state.reactions;
         Some([left - of_end(0.0), right - of_end(length), largest(mistaken)])
     }
@@ -207,9 +207,10 @@ impl<'a> Said<'a> {
     }
 
     /// The outermost two nodes at which the deflection is known, or one if there is no other: supports; and of a beam that these do
-    /// not hold nodes that press, with what the state says: most of all, or most about the one that is there.
+    /// not hold nodes that press, with the deflection of the state: that with the largest force, or with the largest moment about the
+    /// one that is there.
     fn known(&self) -> Vec<(usize, f64)> {
-        let of_support = |support: &SaidOfSupport| (support.node, support.held.deflection);
+        let of_support = |support: &RecordedSupport| (support.node, support.held.deflection);
         let mut known: Vec<_> = self.supports.first().map(of_support).into_iter().collect();
         known.extend(self.supports[1.min(self.supports.len())..].last().map(of_support));
         let p = &self.nodes.contact_force;
@@ -264,13 +265,13 @@ fn largest_each<const COLUMNS: usize>(
     most
 }
 
-/// By how much a clearance is said wrong, beyond the rounding of the depth `u` that it was taken from.
-fn mistaken(said: f64, u: f64, clearance: f64) -> f64 {
+/// The error of a clearance in the state, beyond the rounding of the gap `u` that it was taken from.
+fn mistaken(recorded: f64, u: f64, clearance: f64) -> f64 {
     // Where there is no foundation both are infinite.
-    if u == f64::INFINITY && said == f64::INFINITY {
+    if u == f64::INFINITY && recorded == f64::INFINITY {
         return 0.0;
     }
-    (said - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
+    (recorded - clearance).abs() - 4.0 * f64::EPSILON * u.abs()
 }
 
 /// The magnitude of the least gap: how far the highest ground is from the unloaded beam. Zero where there is no ground.
@@ -284,10 +285,10 @@ fn nonzero(size: f64) -> f64 {
     if 0.0 < size { size } else { 1.0 }
 }
 
-/// What a state says of a support; [`None`] if nothing, or no moment where the beam is built in.
-fn said_of(state: &ContactState, held: &Held, length: f64) -> Option<SupportForce> {
-    let said = state.supports.iter().find(|said| is_same_place(said.at, held.at, length))?;
-    (said.moment.is_some() == held.slope.is_some()).then_some(*said)
+/// Force and moment of a support in a state; [`None`] if it has none, or no moment where the beam is built in.
+fn recorded_support(state: &ContactState, held: &Held, length: f64) -> Option<SupportForce> {
+    let recorded = state.supports.iter().find(|recorded| is_same_place(recorded.at, held.at, length))?;
+    (recorded.moment.is_some() == held.slope.is_some()).then_some(*recorded)
 }
 
 #[cfg(test)]

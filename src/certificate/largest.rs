@@ -1,4 +1,4 @@
-//! The extremes of a function by pieces, sharply: an answer is recognised by them.
+//! The extremes of a function by pieces, sharply: those of an answer are compared with those of its contacts.
 //!
 //! The coefficients of Bernstein enclose a polynomial on its cell, but generously: those of a beam that sags freely are a
 //! thirtieth too large, those of a cubic that vanishes at both ends up to 9/4 times. A concave polynomial is below its tangents, of

@@ -7,7 +7,7 @@
 //! q Δ² x (l − x) / (24 EI),      at mid-span q Δ² l² / (96 EI)
 //! ```
 //!
-//! where `q` is uniform. Whoever lumped the load means the deflection without that: it is the one to be bounded then.
+//! where `q` is uniform. A program that lumped the load computed the deflection without that: it is the one to be bounded then.
 
 use super::contact_load::{ContactLoad, NotAForce, deflection};
 use super::in_intervals;

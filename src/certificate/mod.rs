@@ -1,40 +1,39 @@
 //! The judge: how far an answer is from solving its discrete problem ([`Kkt`]), and how far from the truth ([`certify`]).
 //!
-//! The judge is no contestant: it uses no method and no solver, only the scene, the answer and a list of contacts from anybody.
+//! It uses no method and no solver, only the scene, the answer and a list of contacts, the witness, from any source.
 //!
 //! [`certify`] proves two-sided bounds for the continuous beam; [`Proof`] does it once for any number of answers.
-//! With the gap `g = u − w0` below the undeflected beam and supports that ask `v(x_s) = d_s`, and where the beam is built in
+//! With the gap `g = u − w0` below the undeflected beam and supports that prescribe `v(x_s) = d_s`, and where the beam is built in
 //! `v'(x_s) = φ_s`: for any deflection `v̂ ≤ g` that its supports hold, and any contact load `p ≥ 0` with support forces `R` of
 //! any sign and their moment field `M` (`M'' = p + Σ R_s δ − q`, couples where the beam is built in, `M = M' = 0` beyond both ends),
 //! with `J` of (17) (Prager and Synge 1947, Repin 2000):
 //!
 //! ```text
 //! D(p, R) ≤ J* ≤ J(v̂),     D(p, R) = −½ ∫ M²/EI dx − ∫ g dp − Σ R_s d_s [− Σ couples · φ_s]
-//! J(v̂) − D(p, R) = ½ ∫ (EI v̂'' + M)²/EI dx + ∫ (g − v̂) dp = gap        both terms ≥ 0: nothing cancels
+//! J(v̂) − D(p, R) = ½ ∫ (EI v̂'' + M)²/EI dx + ∫ (g − v̂) dp = gap        the duality gap: both terms ≥ 0, nothing cancels
 //! ½ ∫ EI (v̂'' − v*'')² dx + ∫ (g − v*) dp ≤ gap
 //! |v̂ − v*|(x) ≤ √( 2 gap c(x, x) ),     c = x² (l − x)² / (3 EI l) on two supports at the ends
 //! |v − v*| ≤ |v − v̂| + |v̂ − v*|                                          for the deflection v that is judged
 //! ```
 //!
-//! A support that only pushes is a point of the gap: `g` is less there than beside it, and its force is a part of `p`. Nothing above
-//! needs `g` to be continuous.
+//! A support that only pushes is a point of the ground: `g` is less there than beside it, and its force is a part of `p`. Nothing
+//! above needs `g` to be continuous.
 //!
-//! The flexibility `c` of other supports, and what takes their place where contact alone holds the beam, is said in `hold`.
+//! The flexibility `c` on other supports, and what takes its place where contact alone holds the beam, is in `kernel/hold.rs`.
 //!
 //! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
 //! penetration between the nodes, carried out.
 //!
-//! The pair `(v̂, M)` follows from a **witness**, a list of contacts from anybody: `v̂` is the gap in its zones and the
-//! exact beam between them, with slopes that one linear system gives (module `witness`). For the true list the gap is zero, and
-//! it grows with the square of what a place is off by. Nothing is looked for here. That `v̂` and `p` are admissible is proven in
-//! interval arithmetic, everywhere and for every kind of foundation, and what cannot be proven is corrected at its price (modules
-//! `proof`, `clearance`, `pressing` of the `kernel`). So a witness may be wrong: that makes the bounds wide, and never untrue.
+//! The pair `(v̂, M)` follows from the **witness**: `v̂` is `g` in its zones and the exact beam between them, with slopes that
+//! follow from the places, by one linear system (module `witness`). For the true list the duality gap is zero, and it grows with the
+//! square of the error of a place. No place is changed. That `v̂` and `p` are admissible is proven in interval arithmetic, everywhere
+//! and for every kind of foundation, and what cannot be proven is corrected, which adds to the duality gap (modules `proof`,
+//! `clearance`, `pressing` of the `kernel`). So a wrong witness makes the bounds wide, and never untrue.
 //!
-//! What is taken for given: a foundation is known to a few units in the last place of its terms. If its depth at a support is
+//! What is assumed: a foundation is known to a few units in the last place of its terms. If its depth at a support is
 //! the level of the support but for that, they are level, and the support stands where the ground is; if its slope there is the one
 //! at which the beam is built in but for that, the beam is built in along the ground; points of a polyline that are on one line but
-//! for that, are on one line. What a scene is up to rounding is said in `scene::pieces`, and whether its loads are in balance in
-//! `scene::balance`.
+//! for that, are on one line. `scene::pieces` decides what is equal but for rounding, `scene::balance` whether loads are in balance.
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
@@ -83,19 +82,19 @@ pub fn certify(scene: &Scene, judged: Judged<'_>, witness: &[Contact]) -> Result
     Ok(Proof::of(scene, witness)?.judge(judged))
 }
 
-/// What a witness proves of a scene, for any number of deflections that are judged by it.
+/// The pair that a witness proves for a scene, and the bounds from it on any number of deflections.
 #[derive(Debug)]
 pub struct Proof {
     scaled: Scaled,
-    /// With what the greatest and the least deflection that it has lie between.
+    /// With brackets of the greatest and the least deflection of `v̂`.
     pair: Option<(Pair, [Interval; 2])>,
-    /// What is known whatever deflection is judged.
+    /// The bounds that do not depend on the deflection that is judged.
     known: Certificate,
 }
 
 impl Proof {
-    /// From a witness: the contacts of the beam, from anybody. Only their places count, and where one of them has a length it
-    /// is a zone. A witness that is wrong makes the bounds wide, and never wrong.
+    /// From a witness: the contacts of the beam, from any source. Only their places count, and where one of them has a length it
+    /// is a zone. A witness that is wrong makes the bounds wide, and never untrue.
     ///
     /// # Errors
     ///
@@ -110,7 +109,7 @@ impl Proof {
     }
 
     /// The same on ground that gives, from stretches: where it presses, and how the beam is sunk into it. Those of a wrong answer
-    /// make the bounds wide, and never wrong.
+    /// make the bounds wide, and never untrue.
     ///
     /// # Errors
     ///
@@ -151,7 +150,7 @@ impl Proof {
     }
 }
 
-/// A pair with what the greatest and the least deflection that it has lie between, and what is known by it.
+/// A pair with brackets of the greatest and the least deflection of `v̂`, and the bounds on any deflection.
 fn of_pair(
     enclosed: &EnclosedScene<'_>,
     scaled: &Scaled,
@@ -190,13 +189,13 @@ fn of_witness(pair: &Pair, [greatest, least]: [Interval; 2], beam: &Beam) -> Opt
     Some((Error { most, at: 0.5 * length, size: greatest.hi().max(-least.lo()) }, at_least))
 }
 
-/// What `act` says of a scene that is made dimensionless and enclosed in intervals.
+/// The result of `act` on a scene that is made dimensionless and enclosed in intervals.
 fn enclosed<R>(scene: &Scene, act: impl FnOnce(&EnclosedScene<'_>, &Scaled) -> R) -> Result<R, SceneError> {
     let scaled = scene.scaled()?;
     Ok(in_intervals(&scaled.scene, scaled.balance, |enclosed| act(enclosed, &scaled)))
 }
 
-/// What `act` says of a scene that is enclosed in intervals as it is.
+/// The result of `act` on a scene that is enclosed in intervals as it is.
 fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedScene<'_>) -> R) -> R {
     /// Where there is no foundation it is out of reach.
     const NONE: Foundation = Foundation::Flat { depth: f64::INFINITY };
@@ -219,10 +218,10 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     act(&EnclosedScene { gap, load: &load, supports: &supports, balanced_at, stiffness, length })
 }
 
-/// The pair that a list of contacts proves, or that of a beam that touches nowhere if that is better. Whatever the list, there
-/// is a bound for a beam that its supports hold.
+/// The pair that a list of contacts proves; if that is not sharp, the best of it, of the list without contacts of no force, and of a
+/// beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
 ///
-/// A beam in balance above a corner may turn about it, but for what stops it: where the ground leaves it one position, that is known.
+/// A beam in balance above a corner may turn about it, unless the ground beside it leaves it one position: that is tried first.
 fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
     if enclosed.balanced_at.is_some() {
         let stopped = EnclosedScene { balanced_at: None, ..*enclosed };
@@ -273,7 +272,7 @@ pub struct Certificate {
     pub energy_lower: f64,
     /// At least `J*`: `J(v̂)` of an admissible deflection.
     pub energy_upper: f64,
-    /// At least `J(v̂) − D(p)`, without cancellation.
+    /// The duality gap: at least `J(v̂) − D(p)`, without cancellation.
     pub gap: f64,
     /// At least `max |v − v*|` over the whole beam; see [`up_to_a_turn`](Self::up_to_a_turn).
     pub deflection_error: f64,
@@ -289,7 +288,7 @@ pub struct Certificate {
     /// True if the beam is proven to be at rest and so is what was judged: in dimensionless numbers deflection and error are zero, but
     /// for the smallest normal number, by which bounds are rounded up.
     pub at_rest: bool,
-    /// The place about which the beam can turn without a force, if neither supports nor loads say how it stands: the true
+    /// The place about which the beam can turn without a force, if neither supports nor loads determine its position: the true
     /// deflection is known up to such a turn, and the errors of deflections are those after the best turn.
     pub up_to_a_turn: Option<f64>,
     /// What the forces of all supports lie between, from left to right; [`None`] where nothing could be shown.
@@ -304,7 +303,7 @@ pub struct Certificate {
     /// but the paper's: what a settlement takes up is not done by the load.
     pub stiffness: Option<[f64; 2]>,
     /// True if the true deflection is known to a millionth of its largest value: the contacts of the witness are those of the
-    /// beam, but for what cannot be felt. Otherwise the bounds are coarse.
+    /// beam, but for differences below that. Otherwise the bounds are coarse.
     pub contacts_proven: bool,
 }
 

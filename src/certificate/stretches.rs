@@ -1,4 +1,4 @@
-//! A witness on ground that gives: parts of the beam, and how the pressed ones are sunk, from anybody; cut for the kernel.
+//! A witness on ground that gives: parts of the beam, and how the pressed ones are sunk, from any source; cut for the kernel.
 
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::springs::MOST_TERMS;

@@ -7,8 +7,8 @@
 //!
 //! with the forces `t` downwards, those of the supports among them, and the curvature share `c_i = M_i` of finite differences or
 //! `(M_{i−1} + 4 M_i + M_{i+1})/6` of an exact beam. Both are the same [`DoubleSum`]. Where the beam is built in, `M` jumps by the
-//! couple that the support exerts. Nothing is solved: the force and the moment behind the right end are left over, and deflections
-//! start where the caller says.
+//! couple that the support exerts. No system is solved: the force and the moment behind the right end are left over, and deflections
+//! start at a given level and slope.
 
 use super::double_sum::DoubleSum;
 use crate::state::Discretisation;

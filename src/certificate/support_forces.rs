@@ -13,8 +13,8 @@
 //! Where the ground begins at the level of a support, the clearance and its bound both vanish there, and their quotients by the
 //! distance are compared. What ground and support exert at one place cannot be told apart: a force there is that of both.
 //!
-//! A support that only pushes is a place of the ground with a name. Where the beam is clear of the ground beside it, its force follows
-//! in the same way; where the beam is clear of it, it is zero.
+//! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
+//! same way; where the beam is clear of it, it is zero.
 //!
 //! Where the pair lies on the ground from a support on, the beam does so, too, and its shear is that of the ground, if the pressure
 //! `P = q − EI g''''` is not negative in a part of the width `w` beside the support, and
@@ -196,7 +196,7 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
     /// Parts of a piece; only how far a proof reaches depends on it.
     const PARTS: u32 = 16;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
-    // Looked at only as far as somebody asks.
+    // Evaluated only as far as the caller iterates.
     let mut left = pair.pieces.iter().filter(move |piece| from < piece.to && piece.from < to);
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
     let parts = pieces.flat_map(move |piece| {
@@ -252,7 +252,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
 
 /// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does.
 pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, side: usize) -> bool {
-    /// Halvings of the part in which the pressure is asked not to be negative.
+    /// Halvings of the part in which the pressure must not be negative.
     const HALVINGS: usize = 8;
     let Some(support) = enclosed.support(x) else { return false };
     let (stiffness, to_the_left) = (Interval::exact(enclosed.stiffness), side == 0);

@@ -1,7 +1,7 @@
-//! What a witness says, as contact nodes: its places as they are, and the slopes that follow from them.
+//! A witness as contact nodes: its places as they are, and the slopes that follow from them.
 //!
-//! Nothing is added to its contacts but the supports, and no place is moved: what is wrong stays wrong, and is paid for in
-//! [`proof`](super::kernel::proof). The slopes `θ` of the beam at supports and corners are the one thing that places leave open.
+//! Only the supports are added to its contacts, and no place is moved: an error stays, and makes the duality gap of
+//! [`proof`](super::kernel::proof) larger. Unknown are the slopes `θ` of the beam at supports and corners.
 //! With the places given they minimise the energy of the spans, and solve
 //!
 //! ```text
@@ -9,7 +9,9 @@
 //! ∂v''(a)/∂θ_a = −4/L,  ∂v''(a)/∂θ_b = −2/L,     ∂v''(b)/∂θ_a = 2/L,  ∂v''(b)/∂θ_b = 4/L     in a span from a to b
 //! ```
 //!
-//! a linear system with three diagonals. Nothing that is proven rests on its solution: a slope that is off costs sharpness.
+//! a linear system with three diagonals. Where the ground is level with a support it may hold the slope, which is decided by
+//! solving again; at a corner the slope is then limited to what the ground allows; a beam that may turn about one place gets the
+//! slope nearest to zero that is clear of the ground, by samples. No proof rests on these slopes: a wrong one makes bounds wide.
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
@@ -36,7 +38,7 @@ pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &
         if in_zone {
             nodes.extend([ContactNode::start(from), ContactNode::on_ground(to, true)]);
         } else if enclosed.support(from).is_some() {
-            // A point at a support says nothing that the support does not say.
+            // A point of contact at a support is the support.
         } else if from == 0.0 || from == enclosed.length || enclosed.gap.is_corner(from) {
             nodes.push(ContactNode::free(from));
         } else {
@@ -82,7 +84,7 @@ const INSIDE: f64 = 1e-14;
 
 /// The slopes for given places, within what the foundation allows.
 fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
-    // Of places that are not in order, or are none, nothing is asked.
+    // Places that are not in order, or not numbers, have no slopes.
     if !nodes.is_sorted_by(|a, b| a.x < b.x) {
         return;
     }
@@ -95,7 +97,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     balance(enclosed, nodes);
-    // Each of them may hold, let go because of another, and hold again.
+    // A slope may be held, freed because of another one, and held again.
     for _ in 0..3 {
         if !at_supports(enclosed, nodes) {
             break;
@@ -106,7 +108,7 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     at_corners(enclosed, nodes);
 }
 
-/// The slope nearest to zero at which a beam that may turn about a place is clear of the ground, as far as samples tell.
+/// The slope nearest to zero at which a beam that may turn about a place is clear of the ground at all samples.
 fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
     /// How far that slope stays off its limits, as a share of what is between them: more than samples miss.
     const FROM_LIMITS: f64 = 1e-6;
@@ -231,8 +233,8 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     }
 }
 
-/// A support that the foundation is level with holds a beam that would be steeper than the foundation beside it, and lets go of
-/// one that it would have to pull. True if one of them does.
+/// Where ground is level with a support, the slope of a beam that would be steeper than the ground beside it is held, and that of one
+/// which the ground would have to pull is freed. True if a slope has changed.
 fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool {
     let (mut changed, before) = (false, nodes.to_vec());
     for i in 0..nodes.len() {
