@@ -1,5 +1,5 @@
-//! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts by neighbourhood, extremes at and between the nodes,
-//! energy.
+//! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts as runs of nodes, extremes at and between the
+//! nodes, energy.
 
 use super::contact_set::ContactSet;
 use super::extremes::{BLOCK, Values, extremes, shifted};
@@ -9,7 +9,7 @@ use crate::qp::Sizes;
 use crate::scene::Grid;
 use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Pressure, Reactions, Regime, SupportForce};
 
-/// What an answer means for the nodes: all but supported ends.
+/// Deflections, clearances and contact forces at the nodes: all but supported ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Nodal {
     /// How the beam bends between the nodes.
@@ -108,8 +108,8 @@ impl Nodal {
 /// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
 const NO_FORCE: f64 = 1e-12;
 
-/// Clearances count from this share of the deflection `P l³/48 EI` that all forces together would cause: what the judge
-/// takes for the least that can be measured, sixteen units in the last place over the residual that it certifies.
+/// Clearances count from this share of the deflection `P l³/48 EI` that all forces together would cause: the least that the residual
+/// is measured by, sixteen units in the last place over the residual that is certified.
 const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
 
 /// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
@@ -293,8 +293,8 @@ fn placed(extremes: Extremes, grid: &Grid) -> Extremes {
 ///
 /// `place` is that of a node by its number among those of `nodal`; where a support `pushes` it is no contact with the ground.
 ///
-/// A node is in contact if its force, measured by all forces, is larger than its clearance, measured by the deflection:
-/// the natural reading of an answer in which both are small positive numbers.
+/// A node is in contact if its force, as a share of all forces, is larger than its clearance, as a share of the deflection: in the
+/// answer of an iterative method both are small positive numbers.
 fn contacts(
     nodal: &Nodal,
     &Sizes { x: depth, gradient: force }: &Sizes,

@@ -60,8 +60,8 @@ impl Discrete {
         below[1].map_or(bend, |below| bend + (below / before + below / behind))
     }
 
-    /// Whether the ground lies so far below one of three nodes with a support that slopes to its depth there, which the beam does
-    /// not feel, would cost more digits than the plain differences of the levels at which the nodes are held.
+    /// Whether the ground lies so far below one of three nodes with a support that slopes to its depth there, which have no effect
+    /// on the beam, would cost more digits than the plain differences of the levels at which the nodes are held.
     fn drops_off(&self, nodes: [usize; 3], below: [Option<f64>; 3], [before, behind]: [f64; 2]) -> bool {
         let [u0, u1, u2] = nodes.map(|i| self.level(i).abs());
         let plain = (u0 + u1) / before + (u1 + u2) / behind;

@@ -3,30 +3,31 @@
 //!
 //! ```text
 //! a M_{i−1} + 2 (a + b) M_i + b M_{i+1} = −(ϑ_right + ϑ_left) − (6 EI/Δ²) bend_i
-//! bend_i = (u_{i+1} − u_i)/(b Δ) − (u_i − u_{i−1})/(a Δ)                        the slope of the chord grows by that much
+//! bend_i = (d_{i+1} − d_i)/(b Δ) − (d_i − d_{i−1})/(a Δ)                        the change of slope from chord to chord
 //! ```
 //!
-//! at contact node `i`, for neighbouring spans of `a` and `b` intervals with the end rotations `ϑ` of a [`Span`]; moments
-//! count in `force · Δ`. Finite differences put all curvature at the nodes: a chain of rigid links with springs in its
-//! joints (Hencky 1920). Its equations have [`a − 1/a` for `a`, `b − 1/b` for `b` and `1/a + 1/b` more in the middle](links).
+//! at contact node `i` at the level `d_i`, its gap or that of its support, for neighbouring spans of `a` and `b` intervals with the
+//! end rotations `ϑ` of a [`Span`]; moments count in `force · Δ`. Finite differences put all curvature at the nodes: a chain of rigid
+//! links with springs in its joints (Hencky 1920). Its equations have
+//! [`a − 1/a` for `a`, `b − 1/b` for `b` and `1/a + 1/b` more in the middle](links).
 //! In dense contact, `a = b = 1`, neighbours drop out, and the difference equation itself is left, `M_i = −(EI/Δ²) bend_i`.
 //!
-//! Supports are nodes of this list like contacts, at their own levels and with forces of any sign. Two kinds of node have less
-//! to ask for. Beyond the *outermost* nodes the beam hangs over: its moment there is known from statics, zero at an end. A
+//! Supports are nodes of this list like contacts, at their own levels and with forces of any sign. Two kinds of node have another
+//! equation. Beyond the *outermost* nodes the beam hangs over: its moment there is known from statics, zero at an end. A
 //! *built-in* support stands in the list twice, with a span of no length between: on each of its sides one half of the equation
-//! is left, which says that the beam has the given slope there,
+//! is left, by which the beam has the given slope `φ` there,
 //!
 //! ```text
-//! (b − 1/b) M_{i+1} + (2b + 1/b) M_i = −ϑ_left − (6 EI/Δ²) ((u_{i+1} − u_i)/(b Δ) − φ)        1/b for finite differences only
+//! (b − 1/b) M_{i+1} + (2b + 1/b) M_i = −ϑ_left − (6 EI/Δ²) ((d_{i+1} − d_i)/(b Δ) − φ)        1/b for finite differences only
 //! ```
 //!
 //! so that finite differences have half a cell there. The deflection of an overhang follows from the slope at its node.
 //!
-//! What follows from the moments is in `held_beam.rs`. Eliminating them would give back `A x = b` on the free variables, (33), of each of the three methods. But the
-//! condition number of `A` grows like `n⁴`, and this matrix is strictly diagonally dominant: scaled by its diagonal it has
-//! a condition number of at most 3, whatever the number of contacts. What it is applied to is the bend of the foundation,
-//! which is asked for that bend itself ([`crate::scene::Foundation::bend`]): differences of rounded depths, divided by `Δ³`,
-//! would leave nothing of the contact forces on a fine grid. Deflections are summed up from moments and never differenced.
+//! What follows from the moments is in `held_beam.rs`. Eliminating them would give back `A x = b` on the free variables, (33), of
+//! each of the three methods. But the condition number of `A` grows like `n⁴`, and this matrix is strictly diagonally dominant:
+//! scaled by its diagonal it has a condition number of at most 3, whatever the number of contacts. The bend on its right-hand side
+//! is computed by a formula in which nothing cancels ([`crate::scene::Foundation::bend`]): differences of rounded depths, divided
+//! by `Δ³`, would leave nothing of the contact forces on a fine grid. Deflections are summed up from moments and never differenced.
 
 use std::ops::{Range, RangeInclusive};
 

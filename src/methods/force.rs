@@ -15,7 +15,7 @@
 //!
 //! with the flexibility `C₀` of the beam on any two more supports, and the two multipliers are its rigid motion.
 //!
-//! `C` (26) is there for whoever wants a matrix. On a given set of contacts the three-moment equations of `contact_set.rs`
+//! `C` (26) is for solvers that need a matrix. On a given set of contacts the three-moment equations of `contact_set.rs`
 //! give the same answer in O(n) and without the condition number of `C`, which grows like `n⁴`.
 
 // Discrepancy: quadratic-program

@@ -1,10 +1,10 @@
-//! A beam on nodes that hold it, with the moments there: what holds it, and where it is between them.
+//! A beam on nodes that hold it, with the moments there: the forces at these nodes, and the clearances between them.
 //!
 //! Contact forces and clearances follow from the moments:
 //!
 //! ```text
 //! p_i = q_i + (M_{i+1} − M_i)/b − (M_i − M_{i−1})/a + what the spans on both sides leave at their ends
-//! h = (u − chord) − sag,    −δ²sag_k = (Δ³/EI) c(M)_k   between two contacts                        (Mohr's analogy)
+//! h = (g − chord) − sag,    −δ²sag_k = (Δ³/EI) c(M)_k   between two contacts                        (Mohr's analogy)
 //! c(M)_k = M_k   by finite differences,   (M_{k−1} + 4 M_k + M_{k+1})/6   with beam elements
 //! ```
 
@@ -21,14 +21,13 @@ use crate::state::Discretisation;
 /// profile is evaluated, a chord drawn, sums of loads are taken in blocks.
 const UNITS: f64 = 16.0;
 
-/// Negative clearances below this share of their size are looked at twice.
+/// A negative clearance below this share of the deflection may be rounding, which is then computed.
 const NEAR_ZERO: f64 = 1e-12;
 
 /// Nodes of a stretch that needs no memory of its own.
 const SHORT: usize = 32;
 
-/// What an overhang leaves at the node from which it hangs: the sum of its loads, and their moment, negative where they bend it
-/// down.
+/// The resultant of an overhang at its node: the sum of its loads, and their moment, negative where they bend it down.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Overhang {
     pub(super) span: Span,
@@ -189,7 +188,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     fn open(&self, node: usize, chord: f64, sag: f64, bent: f64) -> f64 {
         let discrete = self.discrete;
         let open = (discrete.gap(node) - chord) - sag;
-        // Hardly any clearance is negative by so little; for those it is worth to know how far they can be trusted.
+        // Few clearances are negative by so little; only for those the rounding is computed.
         let small = NEAR_ZERO * discrete.sizes().x;
         let is_rounding =
             open < 0.0 && -small < open && -open <= UNITS * f64::EPSILON * (discrete.depth_rounding(node) + bent);
@@ -296,7 +295,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
     }
 }
 
-/// A node that is held: the force that does it, upwards, and the moments beside it.
+/// A support of the beam: its node, its force, upwards, and the moments beside it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HeldNode {
     pub(super) node: usize,
@@ -326,7 +325,7 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a.abs() < b.abs() { b } else { a }
 }
 
-/// What a span leaves at one of its ends.
+/// Force and moment of a span at one of its ends.
 #[derive(Default)]
 struct SpanEnd {
     /// A share of its loads, and a shear force.

@@ -1,5 +1,5 @@
 //! The three methods of the paper: each turns a scene on a grid into a quadratic program (32) and an answer of that program
-//! into a [`ContactState`](crate::state::ContactState). They know beams and no algorithm.
+//! into a [`ContactState`](crate::state::ContactState). No algorithm of optimisation is used here.
 //!
 //! | method | unknown `x` | `A` | `b` | gradient |
 //! |---|---|---|---|---|
@@ -7,9 +7,10 @@
 //! | [`Displacement`](Method::Displacement), (17)–(24) | clearance `h` | condensed stiffness `K` (20) | `K u − q` | nodal contact force |
 //! | [`Force`](Method::Force), (25)–(31) | nodal contact force `p` | flexibility `C` (26) | `C q − u` | clearance `h` |
 //!
-//! On a given set of contacts all three are one beam, or one chain of links, on supports at the depth of the foundation. It
-//! is solved in `contact_set.rs`, on ground that gives in `springs.rs`, without these matrices, and so each method keeps its discrete problem and its digits on
-//! any grid.
+//! The table is that of the paper's beam; with an own shape or supports at other levels the gap `g` takes the place of `u`.
+//!
+//! On a given set of contacts all three are one beam, or one chain of links, on supports at the level of the ground. It is solved
+//! in `contact_set.rs`, on ground that gives in `springs.rs`, without these matrices, so that no method loses digits on fine grids.
 
 mod answer;
 mod bend;

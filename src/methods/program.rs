@@ -59,7 +59,7 @@ impl Qp for Program<'_> {
             DVector::from_vec(Program { method: self.method, discrete: &bare }.gradient(&unit))
         };
         let matrix = DMatrix::from_columns(&(0..n).map(column).collect::<Vec<_>>());
-        // Symmetric up to rounding; whoever takes the matrix may rely on it.
+        // Symmetric but for rounding, and callers need it symmetric.
         let matrix = (&matrix + matrix.transpose()) * 0.5;
         match self.method {
             // What the open nodes between leave of the difference equations is full.

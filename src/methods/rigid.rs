@@ -6,8 +6,8 @@
 //! h = g − v ≥ 0 at all nodes       an interval of slopes, which may be without end on a side
 //! ```
 //!
-//! Where a smooth place of the ground carries it, the beam has the slope of the ground there: that it could turn by a part of an
-//! interval is a matter of the grid. At a corner the slopes of its two sides are limits as well.
+//! Where a smooth place of the ground carries it, the beam has the slope of the ground there: that it could turn until a neighbouring
+//! node touches is an effect of the grid. At a corner the slopes of its two sides are limits as well.
 
 use std::sync::Arc;
 

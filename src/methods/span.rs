@@ -1,7 +1,7 @@
 //! A stretch of the beam between two contacts as a simple beam under the loads on it.
 //!
-//! What the three-moment equations want to know of a span are four numbers: the shares of its loads that go to its ends, and
-//! its end rotations. Two neighbours, of `a` and `b` intervals, that share a node with the load `q` make one span:
+//! Four numbers of a span enter the three-moment equations: the shares of its loads that go to its ends, and its end rotations.
+//! Two neighbours, of `a` and `b` intervals, that share a node with the load `q` make one span:
 //!
 //! ```text
 //! F = right₁ + left₂ + q,    M = F a b/(a + b),    κ = (ϑ_right₁ + 2a M) + (ϑ_left₂ + 2b M)
@@ -14,7 +14,7 @@
 
 use crate::state::Discretisation;
 
-/// Loads of a stretch of the beam, as its two ends feel them when it is a simple beam. Positive rotations sag.
+/// The loads of a span by their effect on its ends, as those of a simple beam. Positive rotations sag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Span {
     /// Number of intervals.

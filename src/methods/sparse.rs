@@ -25,7 +25,7 @@
 //! - potential energy: `M₀ = √(EI X G/Δ)`, which makes the quadratic part `c` itself, and clearances in units of `X/√n`;
 //! - complementary energy: `M₀ = G Δ`, which makes equilibrium `δ²M − p = −q` in plain numbers, and forces in units of `G`.
 //!
-//! With other choices the libraries lose their way on 30 000 intervals, or on 3000.
+//! With other choices the libraries do not converge on 30 000 intervals, or on 3000.
 
 use super::{Discrete, Method};
 use crate::qp::{Sizes, SparseForm, UpperColumns};

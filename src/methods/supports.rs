@@ -9,7 +9,7 @@ use crate::scene::{Grid, Held, Scene, SceneError, Support};
 pub(crate) struct NodeSupport {
     /// Its node.
     pub(crate) node: usize,
-    /// What it asks of the beam.
+    /// What it prescribes.
     pub(crate) held: Held,
     /// How far the ground lies below the beam there, `g − d_s`; infinite where there is none.
     pub(crate) below: f64,
@@ -118,7 +118,7 @@ impl Supports {
         }
     }
 
-    /// Whether a range of nodes, the last one included, has none as far as can be told at once: most beams have none inside.
+    /// Whether a range of nodes, the last one included, certainly has none; a quick test, as most beams have none inside.
     #[inline]
     pub(crate) fn are_outside(&self, first: usize, last: usize) -> bool {
         self.inner.is_empty() && self.bearings.is_empty() && self.first() <= first && last < self.nodes().end

@@ -1,4 +1,4 @@
-//! The matrix `A` as numbers, for the solvers that want rows or a list of entries.
+//! The matrix `A` as numbers, for the solvers that need rows or a list of entries.
 
 use nalgebra::DMatrix;
 

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! `A` is symmetric and positive definite, so the optimum exists and is unique; in rare cases it is only semidefinite, and definite
-//! on the sets of free variables that are met. This room knows nothing of
-//! what a variable stands for; how the optimum is found is the business of [`crate::solvers`].
+//! on the sets of free variables that occur. Nothing here depends on what a variable stands for; the optimum is found by
+//! [`crate::solvers`].
 
 mod band;
 pub(crate) mod blocks;

@@ -29,7 +29,7 @@ pub struct SparseForm {
 }
 
 impl SparseForm {
-    /// The form without equations, `z = x/X`, `P = A X/G`, `c = −b/G`: what a program is to whom knows only its matrix.
+    /// The form without equations, from the matrix alone: `z = x/X`, `P = A X/G`, `c = −b/G`.
     #[must_use]
     pub fn of_matrix(qp: &dyn Qp) -> Self {
         let sizes = qp.sizes();

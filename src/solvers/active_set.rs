@@ -5,7 +5,7 @@
 //!
 //! **Exchanges.** From one set of free variables to the next all those that came out negative are dropped, and of each run of
 //! neighbours with a negative gradient the steepest one is released, as long as runs on the wrong side become fewer, or a few
-//! times in all. Ten exchanges settle most of a set. What is left goes round in circles, at a few places.
+//! times in all. Ten exchanges settle most of a set. The rest cycles, at a few places.
 //!
 //! **Descent.** From there on the objective falls from one minimum on a set of free variables, a face, to the next:
 //!
@@ -24,8 +24,8 @@
 //! solves ends it. The objective falls strictly from one round to the next: in 2 by comparison, and in 3 because the point
 //! before is the minimum on its own face, from which a released variable with a negative gradient leads down, and the last
 //! one that is left of them cannot come out negative. Each round ends at a feasible face minimum, no face is met twice, there
-//! are finitely many, and where no gradient is negative the optimum is reached. In floating-point arithmetic, where a strict
-//! descent can drown in rounding, a limit on the number of solves says so.
+//! are finitely many, and where no gradient is negative the optimum is reached. In floating-point arithmetic a descent may be
+//! smaller than rounding: then the limit on the number of solves ends it, and the answer is not called optimal.
 //!
 //! The two objectives are not computed, since their difference would cancel. On a face minimum `x_i g_i = 0`, so that
 //!
@@ -46,10 +46,10 @@
 use super::{Answer, MOST_WORK};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
-/// Exchanges help while the runs on the wrong side are fewer by this part than ever before.
+/// Exchanges go on while the runs on the wrong side are fewer by this part than ever before.
 const FEWER: usize = 10;
 
-/// Exchanges in all that need not help: the second one may undo part of the first.
+/// Exchanges in all that need not leave fewer runs on the wrong side: the second one may undo part of the first.
 pub(crate) const PATIENCE: usize = 5;
 
 /// Solves that only rounding can need: so many, and as many for each variable. Of the slowest known instances some take a few
@@ -109,9 +109,9 @@ pub(crate) fn answer(
     }
 }
 
-/// The optimum by exchanges. Where one does not help, `stalled` is told which variables are on the wrong side; it may change
-/// what is free, and says whether to go on with exchanges. If not, a descent follows. Returns the point, and whether nothing
-/// is on the wrong side, which it may not be after the most solves; `solves` counts.
+/// The optimum by exchanges. Where one does not leave fewer runs, `stalled` is called with the variables on the wrong side; it may
+/// change which are free, and returns whether to go on with exchanges. If not, a descent follows. Returns the point, and whether
+/// nothing is on the wrong side, which it may not be after the most solves; `solves` counts.
 pub(crate) fn optimum(
     reduced: &mut Reduced<'_>,
     free: &mut FreeSet,
@@ -150,8 +150,8 @@ pub(crate) fn exchange(free: &mut FreeSet, start: usize, wrong: &[usize], gradie
 /// Step 1° of the paper's algorithm, see [`Qp::stationary`].
 pub(crate) type PointOn<'a> = Box<dyn FnMut(&FreeSet) -> Result<Stationary, NotPositiveDefinite> + 'a>;
 
-/// All that is asked of a quadratic program here: the stationary point for some free variables. It may be a part of another one,
-/// of which only the variables of that part are known.
+/// The part of a quadratic program that is used here: the stationary point for some free variables. It may be a part of another
+/// one, with the variables of that part alone.
 pub(crate) struct Reduced<'a> {
     pub(crate) point: PointOn<'a>,
     /// As that of [`Qp`].
@@ -268,8 +268,8 @@ fn feasible(
     }
 }
 
-/// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way; or to
-/// where it aims after the most solves.
+/// Walks from a feasible point to the minimum on a larger face, leaving it where a variable reaches zero on the way. After the most
+/// solves it returns the minimum on the face, feasible or not.
 fn walk(
     reduced: &mut Reduced<'_>,
     from: Stationary,

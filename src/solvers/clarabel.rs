@@ -19,7 +19,7 @@ const REGULARISATION: f64 = 1e-10;
 /// Its own tolerance.
 ///
 /// The residual min(x, g) of a pair is bounded by the square root of its product, and the gap is a sum of products: the gap has
-/// to go below what is asked of the residual. 1e-15 is the least that the library reaches reliably.
+/// to go below the tolerance of the residual. 1e-15 is the least that the library reaches reliably.
 pub(super) fn own_tolerance(asked: f64) -> f64 {
     (1e-5 * asked).max(1e-15)
 }
@@ -91,8 +91,7 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     }
 }
 
-/// Whether a status says that the optimum was reached, to what was asked for; almost is not. Whatever it says, the judge looks at
-/// what came back.
+/// Whether a status is that of an optimum to the given tolerance; almost is not. The answer is checked whatever the status is.
 fn reports_success(status: SolverStatus) -> bool {
     match status {
         SolverStatus::Solved => true,

@@ -11,7 +11,7 @@
 //! set on which there is a solution.
 //!
 //! It ends after at most n + 1 rounds, at a point that is stationary on a face of the feasible set. That point is optimal
-//! only if no variable that was set to zero has a negative gradient, which the four steps do not ask.
+//! only if no variable that was set to zero has a negative gradient, which the four steps do not check.
 
 // Discrepancy: four-step-solution
 //

@@ -29,7 +29,7 @@ struct Step {
     longest: f64,
 }
 
-/// Which variables are free as far as steps through the interior tell: of each pair the member that vanishes faster is zero.
+/// The free variables by steps through the interior: of each pair the member that vanishes faster is zero.
 pub(super) fn free_set(qp: &Explicit) -> FreeSet {
     let (n, Sizes { x, gradient }) = (qp.dimension(), qp.sizes());
     let linear = qp.linear();

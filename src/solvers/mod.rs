@@ -1,5 +1,5 @@
-//! Solvers of the quadratic program (32): two of the paper and one of ours by hand, two libraries. They know algorithms, and
-//! of the program only what [`Qp`] says.
+//! Solvers of the quadratic program (32): two of the paper and one of ours by hand, two libraries. Of a program they use the trait
+//! [`Qp`] alone.
 
 pub(crate) mod active_set;
 #[cfg(feature = "clarabel")]
@@ -123,7 +123,7 @@ impl fmt::Display for Solver {
     }
 }
 
-/// What a solver hands back. None of it is believed before the judge has seen it.
+/// The result of a solver, which is not checked yet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
     /// The variables `x`, length n.
@@ -234,7 +234,7 @@ fn too_many(n: usize) -> Option<String> {
     (LARGEST_SPARSE < n).then(|| format!("not tried: {n} unknowns, {LARGEST_SPARSE} is the limit of this solver"))
 }
 
-/// What clarabel takes for infinite; osqp takes 1e30, and prints what it thinks of a factorisation that overflows.
+/// What clarabel takes for infinite; osqp takes 1e30, and prints a message where a factorisation overflows.
 #[cfg(any(feature = "clarabel", feature = "osqp"))]
 const INFINITE: f64 = 1e20;
 

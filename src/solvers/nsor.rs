@@ -6,11 +6,11 @@
 //! ```
 //!
 //! It converges for every symmetric positive definite `A` and `0 < ω < 2`. The best `ω` depends on the matrix and is found
-//! in a race: every candidate makes some sweeps, the one with the largest residual leaves, the others go on twice as long.
-//! The first to pass the convergence test wins; all sweeps count.
+//! by successive halving: every candidate makes some sweeps, the one with the largest residual is dropped, the others make twice as
+//! many. The first to pass the convergence test is taken; all sweeps count.
 //!
-//! Rounding may keep the residual above what is asked for. The sweeps then end in a cycle, mostly of a single point, and a
-//! candidate that has come round once without passing the test never will: it makes no more sweeps.
+//! Rounding may keep the residual above the tolerance. The sweeps then end in a cycle, mostly of a single point, and a candidate that
+//! has gone through the cycle without passing the test never will: it makes no more sweeps.
 
 // Discrepancy: nsor-relaxation
 //
@@ -20,7 +20,7 @@
 use super::{Answer, no_matrix, too_large};
 use crate::qp::{Matrix, Qp, residual};
 
-/// Relaxation factors that start.
+/// Relaxation factors of the first round.
 const FACTORS: [f64; 9] = [1.0, 1.2, 1.4, 1.6, 1.7, 1.8, 1.85, 1.9, 1.95];
 
 /// Sweeps of each candidate in the first round.
@@ -115,14 +115,14 @@ impl Candidate {
         Self { factor, cycle: Cycle { mark: x.clone(), looks: 0, closed: false }, x, residual: f64::INFINITY }
     }
 
-    /// Whether all that more sweeps could bring has been looked at.
+    /// Whether more sweeps would only repeat earlier points.
     fn cycles(&self) -> bool {
         self.cycle.closed
     }
 }
 
-/// Whether a sequence has come back to where it was, by Brent's method (Brent 1980): one point of it is kept, a later one whenever the number of looks has doubled. A sweep depends on `x`
-/// alone, so that equal bits now mean equal bits for ever.
+/// Whether a sequence has returned to an earlier point, by Brent's method (Brent 1980): one point of it is kept, a later one whenever
+/// the number of points has doubled. A sweep depends on `x` alone, so that a point that returns does so again and again.
 #[derive(Clone)]
 struct Cycle {
     mark: Vec<f64>,

@@ -1,5 +1,5 @@
 //! What a library leaves of the problem that it was given, in the norm by which it decides to stop, computed again from its
-//! answer. Whether it did what it was asked is one question; whether its answer passes our check is another.
+//! answer. Whether it meets its own tolerance is one question; whether its answer passes our check is another.
 
 #![cfg_attr(not(all(feature = "clarabel", feature = "osqp")), allow(dead_code, reason = "only libraries have one"))]
 
@@ -20,7 +20,7 @@ pub struct OwnResidual {
 const ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 impl OwnResidual {
-    /// Whether the library did what it was asked.
+    /// Whether the library meets its tolerance.
     #[must_use]
     pub fn is_met(&self) -> bool {
         self.residual <= self.asked + self.rounding
