@@ -5,10 +5,10 @@
 //! *Nested grids.* The active set starts from the contact of a coarser grid, so that only the neighbourhood of lift-off points
 //! has to change. Coarser grids only have to give a good guess. All methods are one beam on a set of contacts, or one chain
 //! of links, and what is exchanged here are its contact forces, as in the force method: they are free where there is contact.
-//! Of ground that is rough between the nodes of a coarser grid its contact says little; whoever knows a better one brings it.
+//! Where the ground is rough between the nodes of a coarser grid, its contact is a bad guess; a better one may be given.
 //!
 //! *Windows* (`windows.rs`) around the borders of contact, where a guess from a coarser grid is wrong as a rule, are solved for
-//! themselves before the whole. What is called optimal has passed a solve of the whole, which looks at every node.
+//! themselves before the whole. An optimum is only returned after a solve of the whole with all signs right.
 
 mod part;
 mod refined;
@@ -25,7 +25,7 @@ use part::Parts;
 use refined::refined;
 use windows::Windows;
 
-/// A coarser grid has so many intervals at least: on fewer, contact says little. Tuned on waves and rough polylines of 20 to 3000
+/// A coarser grid has so many intervals at least: on fewer, contact is a bad guess. *Tuned* on waves and rough polylines of 20 to 3000
 /// intervals: of 10, 15 and 30 it takes the least work on all of these grids, a third less than 30 on a hundred intervals.
 const COARSEST: usize = 10;
 
@@ -104,7 +104,7 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     let mut free = start(scene, method, &coarse, cost)?;
     let beam = Parts::new(&coarse, method.discretisation());
     if discrete.gives() {
-        // A solve that fails here fails again where it is reported.
+        // A solve that fails here fails again on the finest grid, where the error is returned.
         let _ = by_newton(&beam, &mut free, cost);
     } else {
         Windows { beam: &beam, cost }.guess(&mut free);
@@ -112,9 +112,8 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     Ok(refined(&free, intervals, discrete.held_ends()))
 }
 
-/// The optimum on ground that gives, where what happens at a contact is felt at others however far away, so that there are no
-/// windows: all variables on the wrong side change together, Newton's method for springs that cannot pull, and if that does not
-/// end, as elsewhere.
+/// The optimum on ground that gives, where a change at a contact changes the forces at all others, so that there are no windows: all
+/// variables on the wrong side change together, Newton's method for springs that cannot pull, and if that does not end, as elsewhere.
 fn by_newton(beam: &Parts<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
     /// A handful are the rule.
     const STEPS: usize = 60;
@@ -170,7 +169,7 @@ pub(super) mod tests {
         foundations.map(move |foundation| Scene::new(beam.clone(), load.clone(), Some(foundation)).expect("well posed"))
     }
 
-    /// Contact to start from says how long it takes and not what comes out: near the optimum, far from it, everywhere, nowhere.
+    /// The start changes the work and not the result: near the optimum, far from it, everywhere, nowhere.
     #[test]
     fn every_start_leads_to_the_optimum() {
         /// Of the sizes: one optimum, with the rounding of systems of condition number 3, and forces of rounding size at ties.
@@ -200,8 +199,8 @@ pub(super) mod tests {
         }
     }
 
-    /// Kinks between the nodes of a grid leave holes behind them that exchanges wander through: thousands of solves of the
-    /// whole beam, once. Windows take that upon themselves.
+    /// Behind a kink between the nodes of a grid is a hole, whose nodes exchanges change one after the other: thousands of solves of
+    /// the whole beam, without windows.
     #[test]
     fn the_whole_beam_is_solved_a_few_times_only() {
         /// One that confirms what windows have found, as a rule; the worst of two thousand scenes needs fifty.

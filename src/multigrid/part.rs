@@ -1,6 +1,6 @@
-//! Parts of a beam on its contacts. Of a moment at one contact at most half arrives at the next (0.268 of it between equal
-//! spans), so that what happens [`FAR`] contacts away is less than a unit in the last place here. A part of the beam is solved
-//! as a beam of its own, that begins and ends, free of moment, that many contacts outside.
+//! Parts of a beam on its contacts. Of a moment at one contact at most half is carried over to the next (0.268 of it between equal
+//! spans), so that a change [`FAR`] contacts away is less than a unit in the last place here. A part of the beam is solved as a beam
+//! of its own, that begins and ends, free of moment, that many contacts outside.
 
 use std::ops::Range;
 
@@ -37,8 +37,8 @@ impl<'a> Parts<'a> {
         Ok(Stationary { x: contact_force, gradient: clearance })
     }
 
-    /// The nodes that decide what happens to some variables: the contacts between them, [`FAR`] on both sides, and the supports
-    /// between all of these.
+    /// The nodes on which some variables depend: the contacts between them, [`FAR`] on both sides, and the supports between all of
+    /// these.
     fn contacts(&self, free: &FreeSet, range: Range<usize>) -> ContactSet {
         let first = self.discrete.nodes().start;
         let left: Vec<usize> = free.before(range.start).take(FAR).collect();
@@ -66,7 +66,7 @@ mod tests {
     use crate::multigrid::tests::{scenes, spread};
     use crate::qp::Sizes;
 
-    /// Of the sizes: systems of condition number 3, and the end of what is felt from far away.
+    /// Of the sizes: systems of condition number 3, and the part that is left out far away.
     const ROUNDED: f64 = 1e-11;
 
     /// On contact sets at random: parts of a beam, and of a chain of links, are those of the whole, by every method.

@@ -1,4 +1,4 @@
-//! Spans of any length at the price of a short one.
+//! Spans of any length in the time of a short one.
 
 use crate::methods::span::Span;
 

@@ -17,17 +17,16 @@ use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::solvers::MOST_WORK;
 use crate::solvers::active_set::{PATIENCE, Reduced, descend, exchange, optimum, solves_within, violators};
 
-/// Variables on both sides of a border or a violator that are looked at first: the spacing of one grid in the next, a few
-/// times.
+/// Variables on both sides of a border or a violator in its first window: the spacing of one grid in the next, a few times.
 const REACH: usize = 32;
 
-/// Rounds of windows by themselves. Most settle in one or two; distant windows are felt like terms of a geometric series.
+/// Rounds of windows by themselves. Most settle in one or two; the influence of a window falls geometrically with its distance.
 const ROUNDS: usize = 10;
 
 /// Windows are local where one solve of each costs less than this part of one of the whole.
 const LOCAL: usize = 2;
 
-/// What windows may cost, in solves of the whole: those around the borders, which may all be right, and the first ones around
+/// The most work of windows, in solves of the whole: those around the borders, which may all be right, and the first ones around
 /// places where exchanges do not end.
 const WORTH: [usize; 2] = [1, 8];
 
@@ -44,7 +43,7 @@ impl Windows<'_> {
     /// A guess of the contact from another one: optimal near its borders, or else everywhere.
     pub(super) fn guess(&mut self, free: &mut FreeSet) {
         if !self.solve_borders(free) {
-            // A solve that fails here fails again where it is reported.
+            // A solve that fails here fails again on the finest grid, where the error is returned.
             let _ = self.exchanged(free);
         }
     }
@@ -97,7 +96,7 @@ impl Windows<'_> {
     /// Whether all were settled.
     fn solve_windows(&mut self, free: &mut FreeSet, windows: Vec<Range<usize>>, worth: usize) -> bool {
         let settled = self.settle(free, windows, worth).unwrap_or(false);
-        // A window may have lost what keeps the beam from moving. What fails for another reason fails again where it is reported.
+        // A window may have dropped the contacts that hold the beam. Another failure is repeated by the solve of the whole, and returned.
         self.beam.hold(free);
         settled
     }
@@ -116,7 +115,7 @@ impl Windows<'_> {
         for round in 0..ROUNDS {
             let mut settled = Vec::new();
             for range in pending {
-                // What is far off on one side may be so because of a window that waits for its turn.
+                // A violator far off may be due to a window that is not solved yet: no wider in this round.
                 let longest = (4 * REACH).max(range.len()) << round;
                 settled.push(self.solve_window(free, range, longest)?);
                 if most < spent(self.cost) || self.left(n) == 0 {
@@ -139,7 +138,7 @@ impl Windows<'_> {
 
     /// Makes a range optimal, and widens it until nothing beside it is on the wrong side, or beyond a length.
     ///
-    /// The look beside it reaches `√n` variables: behind a place where contact ends, the discrete optimum has a hole of that
+    /// At least `√n` variables beside it are checked: behind a place where contact ends, the discrete optimum has a hole of that
     /// length.
     fn solve_window(
         &mut self,
@@ -149,7 +148,7 @@ impl Windows<'_> {
     ) -> Result<Range<usize>, NotPositiveDefinite> {
         let n = free.dimension();
         while range.len() <= longest && 0 < self.left(n) {
-            // A descent that rounding keeps from ending would not end the next time either.
+            // A descent that rounding keeps from ending would do so again.
             if !self.descended(free, &range)? {
                 break;
             }
@@ -171,7 +170,7 @@ impl Windows<'_> {
             free.replace(range.start, local);
             beam.point(free, range.clone())
         };
-        // Whether the beam is held is asked once all windows are solved.
+        // Whether contact holds the beam is checked once all windows are solved.
         let mut window = Reduced { point: Box::new(on_range), make_definite: Box::new(|_| {}), most_solves };
         let end = descend(&mut window, &mut local, &mut solves);
         drop(window);
