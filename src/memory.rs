@@ -1,9 +1,9 @@
-//! Memory for a grid. Whether there is enough is asked before it is filled: without it the program would be aborted, with no word of
-//! why.
+//! Memory for a grid. Whether there is enough is checked before it is filled: without it the program would be aborted, without a
+//! message.
 
 /// True if so many pieces of so many bytes can be had at once now. They are given back at once.
 ///
-/// A system that promises more memory than it has says yes to anything below its limits.
+/// On a system that overcommits memory this is true of anything below its limits.
 pub(crate) fn can_be_had(pieces: usize, bytes: usize) -> bool {
     /// Any machine that runs has so much, and asking is not worth its time.
     const LITTLE: usize = 1 << 20;

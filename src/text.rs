@@ -1,4 +1,4 @@
-//! Numbers as text: for a reader of figures and documents, with a real minus sign and powers of ten as such, and for tables
+//! Numbers as text: for a reader of figures and documents, with a minus sign for the hyphen and powers of ten as such, and for tables
 //! that another program may read as well.
 
 /// `value` to `digits` significant digits, without trailing zeros; `2.5·10⁻⁷` where that is shorter.
@@ -65,7 +65,7 @@ fn typeset(text: &str) -> String {
     }
 }
 
-/// Significant digits of [`Results`] where nobody asks for others: more than any load or depth is known to.
+/// Significant digits of [`Results`] by default: more than any load or depth is known to.
 pub const DIGITS: usize = 6;
 
 /// As many digits as two numbers of 64 bits may differ in.

@@ -6,16 +6,16 @@
 //!
 //! Grids are refined until the certificate of the answer is good enough. Which grid that will be is predicted from the
 //! observed order of convergence (module `plan`), nodes are put where the scene breaks (module `breaks`), and an iterative
-//! solver is asked for no more than is of use. The guaranteed error has everything in it: that of the grid, of its
-//! nodal loads, of the solver and of rounding.
+//! solver gets a tolerance no smaller than is of use. The guaranteed error contains that of the grid, of its nodal loads, of the
+//! solver and of rounding.
 //!
 //! ```text
-//! residual demanded     EPS/10, at least CERTIFIED_RESIDUAL     by the judge
-//! tolerance asked       EPS/100, at least DEFAULT_TOLERANCE     of an iterative solver
+//! residual              EPS/10, at least CERTIFIED_RESIDUAL     for the verdict
+//! tolerance             EPS/100, at least DEFAULT_TOLERANCE     of an iterative solver
 //! ```
 //!
-//! If the answer to such a loose question fails the judge, or if its own contacts have to serve as a witness and cannot be
-//! proven, the solver is asked more strictly on the same grid before a finer one is tried.
+//! If such an answer does not meet this residual, or if its own contacts are the witness and cannot be proven, the solver runs with
+//! a smaller tolerance on the same grid before a finer one is tried.
 //!
 //! ```
 //! use palkki::adaptive::{Request, adapt};
@@ -33,8 +33,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Grids are of equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but neither the
-//! methods nor the judge know them.
+//! Grids are of equal intervals. Grids graded towards lift-off would need fewer nodes for the same error, but methods and certificate
+//! have no such grids.
 
 mod breaks;
 mod order;
@@ -51,15 +51,15 @@ use self::plan::{Next, Plan};
 
 pub use self::order::observed_order;
 
-/// What is asked of a route.
+/// A route, and the error that is demanded of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
     /// Which of the paper's methods sets up the quadratic program.
     pub method: Method,
     /// Which solver solves it.
     pub solver: Solver,
-    /// `EPS`: the guaranteed error of the deflection and of each number of the summary, as a share of the largest of its kind. An answer is certified only if it
-    /// is usable, so that nothing is won by asking for more than [`USABLE`](crate::verdict::USABLE).
+    /// `EPS`: the guaranteed error of the deflection and of each number of the summary, as a share of the largest of its kind. More
+    /// than [`USABLE`](crate::verdict::USABLE) counts as that, since no answer with a larger error is certified.
     pub error: f64,
     /// The finest grid to be tried.
     pub most_intervals: usize,
@@ -72,12 +72,12 @@ impl Request {
         Self { method, solver, error, most_intervals: most_intervals(solver) }
     }
 
-    /// What the judge is asked.
+    /// The demand for the verdict.
     fn demand(&self) -> Demand {
         Demand::of_error(self.error)
     }
 
-    /// What an iterative solver is asked first: the same share of what is demanded as on a fixed grid.
+    /// The first tolerance of an iterative solver: the same share of the demanded residual as on a fixed grid.
     fn tolerance(&self) -> f64 {
         if iterates(self.solver) {
             self.demand().residual * (DEFAULT_TOLERANCE / CERTIFIED_RESIDUAL)
@@ -119,7 +119,7 @@ pub fn most_intervals(solver: Solver) -> usize {
 pub struct Trial {
     /// `N`, the number of equal intervals.
     pub intervals: usize,
-    /// What an iterative solver was asked for.
+    /// The tolerance of an iterative solver.
     #[cfg_attr(feature = "serde", serde(rename = "solver_tolerance"))]
     pub tolerance: f64,
     /// Unknowns of the quadratic program.
@@ -187,7 +187,7 @@ pub enum End {
 pub struct Adapted {
     /// Route, grid and tolerance of the answer.
     pub settings: Settings,
-    /// The answer: certified if and only if what was asked for is reached.
+    /// The answer: certified if and only if the demanded error is reached.
     pub solution: Solution,
     /// All grids, in the order in which they were tried.
     pub trials: Vec<Trial>,
@@ -212,7 +212,7 @@ pub fn adapt(scene: &Scene, request: &Request) -> Result<Adapted, SceneError> {
     }
 }
 
-/// The search step by step, for a caller who looks at a clock in between.
+/// The search step by step, for a caller that measures the time of each.
 #[derive(Debug)]
 pub struct Search<'a> {
     /// One for all grids.
@@ -246,7 +246,7 @@ impl<'a> Search<'a> {
         Settings { method: self.request.method, solver: self.request.solver, intervals, tolerance }
     }
 
-    /// Takes the answer for [`Search::settings`]; hands back the best one when the search has ended.
+    /// Takes the answer for [`Search::settings`]; returns the best one when the search has ended.
     pub fn record(&mut self, settings: Settings, raw: RawSolution) -> Option<Adapted> {
         let (work, reports_success) = (raw.work, raw.solver_reports_success);
         let solution = raw.judged(&self.witness, &self.request.demand());

@@ -24,16 +24,18 @@ const START: usize = 8;
 /// Order that is assumed while only one error is known: nodal loads for distributed ones.
 const ORDER: f64 = 2.0;
 
-/// Orders that are believed. A kink or a step between nodes has the first or less; nothing here has more than the fourth.
+/// Range to which a fitted order is limited. A kink or a step between nodes has the first or less; nothing here has more than the
+/// fourth.
 const ORDERS: [f64; 2] = [0.5, 4.0];
 
-/// Errors from which the order is fitted: three, because the place of a node beside a lift-off point is luck.
+/// Errors from which the order is fitted: three, because the distance of a lift-off point from the next node varies irregularly from
+/// grid to grid.
 const FITTED: usize = 3;
 
 /// How many more intervals than predicted.
 const MARGIN: f64 = 1.1;
 
-/// A grid is finer than the one before by at least this, or it tells nothing.
+/// A grid is finer than the one before by at least this, so that the errors of both give an order.
 const LEAST_STEP: f64 = 1.4;
 
 /// Refinement while nothing is known of the error.
@@ -51,13 +53,13 @@ const NESTED: usize = 8;
 /// How much larger than predicted a grid may be for that.
 const NEAR: f64 = 1.1;
 
-/// By how much a solver is asked more strictly.
+/// Factor from a tolerance to the next smaller one.
 const STRICTER: f64 = 1e-3;
 
 /// What comes next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Next {
-    /// A grid, and the tolerance that an iterative solver is asked for.
+    /// A grid, and the tolerance of an iterative solver.
     Solve { intervals: usize, tolerance: f64 },
     /// The end.
     End(End),
@@ -176,7 +178,7 @@ impl Plan {
         nested
     }
 
-    /// A solver that had to be asked more strictly, and was better for it, is asked like that from now on.
+    /// The tolerance of the next grid: the smaller one, if that reduced the error or the residual on the last grid.
     fn tolerance(&self, trials: &[Trial], last: &Trial) -> f64 {
         let first = trials.iter().find(|t| t.intervals == last.intervals).unwrap_or(last);
         let helped = last.error < 0.5 * first.error || self.demand.residual < first.residual;
@@ -245,7 +247,7 @@ mod tests {
 
     #[test]
     fn a_power_law_is_followed_without_waste() {
-        // The first step believes in the second order; with a higher one it goes too far.
+        // The first step assumes the second order; with a higher one it goes too far.
         for order in [1.0, ORDER] {
             for error in [1e-2, 1e-3, 1e-4] {
                 let (grids, end) = search(error, |n| libm::pow(n, -order));

@@ -1,4 +1,4 @@
-//! An answer with its verdict and its time, whichever way it was found.
+//! An answer with its verdict and its time: by theory, by a method on a grid, or on the grid that an error demands.
 
 use std::time::Instant;
 
@@ -12,10 +12,10 @@ use palkki::{Settings, Solution, Witness, left_out, solve_raw, solve_raw_near};
 use super::input::Input;
 use super::output::Failure;
 
-/// What solves the equations of theory: Newton's method for the free boundaries, under a search for the list of contacts.
+/// The solver of theory as it is printed: Newton's method for the free boundaries, and a search for the list of contacts.
 const FREE_BOUNDARY: &str = "free-boundary";
 
-/// A way to an answer.
+/// What is to be computed, from the arguments.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Route {
     /// Beam theory, with an error that may be demanded.
@@ -26,7 +26,7 @@ pub(super) enum Route {
     Adaptive(Request),
 }
 
-/// What is printed.
+/// An answer as it is printed.
 #[derive(Debug)]
 pub(super) struct Answer {
     /// Length of the beam.
@@ -37,13 +37,13 @@ pub(super) struct Answer {
     pub(super) intervals: Option<usize>,
     /// Time of the solve alone.
     pub(super) seconds: f64,
-    /// The answer, and what it is worth.
+    /// The answer with its verdict.
     pub(super) solution: Solution,
-    /// What it took to find the grid, if that was asked for.
+    /// The grids that were tried, if an error was demanded.
     pub(super) grids: Option<Grids>,
 }
 
-/// What it took to find a grid.
+/// The grids that were tried.
 #[derive(Debug)]
 pub(super) struct Grids {
     /// The error that was demanded, over the largest deflection.
@@ -91,7 +91,7 @@ impl Answer {
         Ok(Self::on_grid(input, settings, raw.judged(witness, &Demand::default()), seconds))
     }
 
-    /// The same for a comparison of all routes, which leaves out those that are not worth their cost on so fine a grid.
+    /// The same for a comparison of all routes, which leaves out those that take too long on so fine a grid.
     pub(super) fn compared(input: &Input, settings: &Settings, witness: &Witness<'_>) -> Result<Self, Failure> {
         let (intervals, most) = (settings.intervals, most_intervals(settings.solver));
         if intervals <= most {

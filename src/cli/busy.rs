@@ -5,8 +5,8 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-/// After this something is said.
-const PATIENCE: Duration = Duration::from_secs(2);
+/// The line is written after this time.
+const DELAY: Duration = Duration::from_secs(2);
 
 /// Does `work`; `what` says what that is.
 pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
@@ -14,7 +14,7 @@ pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
         return work();
     }
     let (end, ended) = mpsc::channel();
-    let teller = thread::Builder::new().spawn(move || tell(&ended, PATIENCE, &what, &mut io::stderr()));
+    let teller = thread::Builder::new().spawn(move || tell(&ended, DELAY, &what, &mut io::stderr()));
     let done = work();
     drop(end);
     // A line that cannot be written, or a thread that cannot be started, is no reason to lose the answer.
@@ -23,9 +23,9 @@ pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
 }
 
 /// Writes the line, unless the work ends before.
-fn tell(ended: &Receiver<()>, patience: Duration, what: &str, terminal: &mut dyn Write) {
-    if ended.recv_timeout(patience) == Err(RecvTimeoutError::Timeout) {
-        let _ = writeln!(terminal, "palkki: {what} takes more than {} seconds", PATIENCE.as_secs());
+fn tell(ended: &Receiver<()>, delay: Duration, what: &str, terminal: &mut dyn Write) {
+    if ended.recv_timeout(delay) == Err(RecvTimeoutError::Timeout) {
+        let _ = writeln!(terminal, "palkki: {what} takes more than {} seconds", DELAY.as_secs());
     }
 }
 
@@ -33,12 +33,12 @@ fn tell(ended: &Receiver<()>, patience: Duration, what: &str, terminal: &mut dyn
 mod tests {
     use super::*;
 
-    /// What is written of work that has or has not ended when the patience has.
-    fn written(has_ended: bool, patience: Duration) -> String {
+    /// What is written of work that has or has not ended after the given time.
+    fn written(has_ended: bool, delay: Duration) -> String {
         let (end, ended) = mpsc::channel();
         let end = (!has_ended).then_some(end);
         let mut terminal = Vec::new();
-        tell(&ended, patience, "solving scene.toml", &mut terminal);
+        tell(&ended, delay, "solving scene.toml", &mut terminal);
         drop(end);
         String::from_utf8(terminal).expect("text")
     }
@@ -46,7 +46,7 @@ mod tests {
     #[test]
     fn only_what_takes_long_is_told_and_once() {
         assert_eq!(written(false, Duration::ZERO), "palkki: solving scene.toml takes more than 2 seconds\n");
-        assert_eq!(written(true, Duration::from_secs(600)), "", "it does not wait for the end of its patience");
+        assert_eq!(written(true, Duration::from_secs(600)), "", "it does not wait for the delay");
     }
 
     #[test]

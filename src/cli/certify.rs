@@ -16,18 +16,18 @@ use super::output::Failure;
 use super::table::{Row, list, table};
 use super::text::{bounds, heading};
 
-/// What is to be said about some contact forces.
+/// What is known of some contact forces.
 #[derive(Debug)]
 pub(super) struct Finding {
     /// The forces.
     pub(super) load: ContactLoad,
     /// Equal intervals at whose nodes the load was lumped, if it was.
     pub(super) intervals: Option<usize>,
-    /// Equal intervals at whose nodes the load may have been lumped, which nobody said.
+    /// Equal intervals at whose nodes the load may have been lumped, though `--load` does not say so.
     pub(super) perhaps: Option<usize>,
     /// The bounds.
     pub(super) certificate: Certificate,
-    /// What they come to.
+    /// The verdict from them.
     pub(super) verdict: Verdict,
     /// What they violate, the worst first.
     pub(super) violations: Vec<Violation>,

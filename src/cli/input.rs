@@ -1,4 +1,4 @@
-//! Reading: a scene file and the survey that it may name.
+//! Reading: a scene file, the files that it names, and files of arguments.
 
 use std::fs::File;
 use std::io::{self, BufRead as _, BufReader, Read as _};

@@ -1,5 +1,4 @@
-//! The command line: arguments in, table or JSON out. With `xtask` the only room that reads files, writes files or looks
-//! at a clock.
+//! The command line: arguments in, table or JSON out. With `xtask` the only room that reads files, writes files or uses a clock.
 //!
 //! Exit codes: 0, an answer that is certified; 1, there is an answer and it is not; 2, bad input or usage, or
 //! output that cannot be written. With 2 there is nothing on standard output and no file is written, unless it is standard output,
@@ -86,17 +85,17 @@ pub(crate) fn run() -> ExitCode {
 }
 
 fn finish_with_message(message: &clap::Error) -> ExitCode {
-    // Nobody is left to tell if this does not reach anybody; help that was asked for and not given is no success.
+    // An error of standard error cannot be reported. Help that could not be printed is a failure.
     let printed = output::unless_closed(message.print());
     let code = if printed.is_ok() { u8::try_from(message.exit_code()).unwrap_or(FAILED) } else { FAILED };
     ExitCode::from(code)
 }
 
-/// What a subcommand comes to.
+/// The result of a subcommand.
 struct Outcome<'a> {
     /// What is printed.
     text: String,
-    /// The files that may be asked for.
+    /// The files of the options.
     files: Vec<Option<(&'a PathBuf, String)>>,
     /// Whether there is an answer that passed our own check; of a sweep, whether all did.
     is_certified: bool,
@@ -246,7 +245,7 @@ fn export(arguments: &arguments::Export) -> Result<u8, Failure> {
     let on_body = |_: &Input<Body>| Err(Failure::refused("export", "a scene with a [body] is one of matrices already"));
     let done = run_on_scene(&common.scene, common.format, what, &places_of_files, on_beam, on_body);
     if is_new && done.is_err() {
-        // Nothing is in it; where it stays it harms nobody.
+        // It is empty; an error of removing it changes nothing.
         let _ = std::fs::remove_dir(&arguments.to);
     }
     done

@@ -129,12 +129,12 @@ pub(super) fn write(stream: &mut impl io::Write, text: &str) -> io::Result<()> {
     unless_closed(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()))
 }
 
-/// What became of writing, with success where a reader closed the pipe.
+/// The result of writing, with success where a reader closed the pipe.
 pub(super) fn unless_closed(written: io::Result<()>) -> io::Result<()> {
     written.or_else(|error| if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) })
 }
 
-/// Says on standard error why there is no answer.
+/// Prints on standard error why there is no answer.
 pub(super) fn complain(failure: &Failure) {
     let mut err = io::stderr().lock();
     // As in the messages of clap: whether it is a terminal, TERM=dumb, NO_COLOR and CLICOLOR_FORCE decide.
@@ -143,6 +143,6 @@ pub(super) fn complain(failure: &Failure) {
         Failure::File(error) => error.render(colour),
         failure => format!("error: {failure}"),
     };
-    // Nobody is left to tell if this does not reach anybody.
+    // An error of standard error cannot be reported.
     let _ = writeln!(err, "{message}");
 }

@@ -10,7 +10,7 @@ use super::given::given;
 use super::input::Input;
 use super::table::{Label, Labels, MOST_ROWS, Row, first, list, table};
 
-/// What the answer is worth, in the first line, and the title of the scene, underlined.
+/// The status with its reason, in the first line, and the title of the scene, underlined.
 pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> String {
     let title = input.title();
     format!("{status}: {reason}\n\n{title}\n{}\n\n", "=".repeat(title.chars().count()))
@@ -19,7 +19,7 @@ pub(super) fn heading<M>(status: Status, reason: &str, input: &Input<M>) -> Stri
 /// Where the witness of a certificate is not the list of contacts of the beam.
 const COARSE: &str = "These bounds hold and are coarse: no list of contacts was proven to be that of the beam.\n";
 
-/// A bracket, rounded so that it stays one; without one, words that say so.
+/// A bracket, rounded outwards; `none` without one.
 fn bracket(of: Option<[f64; 2]>, labels: &Labels) -> [String; 2] {
     let words = || ["none", ""].map(str::to_owned);
     of.map_or_else(words, |[least, most]| [labels.results.at_least(least), labels.results.at_most(most)])
@@ -119,7 +119,7 @@ fn how(answer: &Answer) -> String {
     ])
 }
 
-/// What it took to find the grid.
+/// The grids that were tried.
 fn grids(answer: &Answer, found: &Grids) -> String {
     let rows: Vec<Row> = found
         .trials
