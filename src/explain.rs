@@ -1,4 +1,4 @@
-//! An exact answer as equations that are followed by hand: the three-moment equations on the contacts that were found, with their
+//! An exact answer as equations to be checked by hand: the three-moment equations on the contacts that were found, with their
 //! numbers.
 //!
 //! Nodes are the supports, the points of contact, the ends of the zones and the ends of the beam. Between two of them the beam is a
@@ -180,7 +180,7 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
         }
     }
     found.extend([0.0, length].map(|end| (end, What::End, 0.0)));
-    // Of several at one place the first one that was found says what it is, and their forces add up.
+    // Several at one place are one, of the kind of the first; their forces add up.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
         let same = (next.0 - kept.0).abs() <= 1e-12 * length;

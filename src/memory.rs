@@ -1,17 +1,17 @@
 //! Memory for a grid. Whether there is enough is checked before it is filled: without it the program would be aborted, without a
 //! message.
 
-/// True if so many pieces of so many bytes can be had at once now. They are given back at once.
+/// True if so many pieces of so many bytes can be allocated now. They are freed at once.
 ///
 /// On a system that overcommits memory this is true of anything below its limits.
 pub(crate) fn can_be_had(pieces: usize, bytes: usize) -> bool {
-    /// Any machine that runs has so much, and asking is not worth its time.
+    /// Bytes that are assumed to be free without a test.
     const LITTLE: usize = 1 << 20;
     let Some(sum) = pieces.checked_mul(bytes) else { return false };
     sum <= LITTLE || Vec::<u8>::new().try_reserve_exact(sum).is_ok()
 }
 
-/// So many zeros. Few come from memory that was just given back and is near, many from the system, which has them.
+/// So many zeros. Few come from memory that was freed a moment ago and is in the cache, many from the system, which zeroes them.
 pub(crate) fn zeros(count: usize) -> Vec<f64> {
     const FEW: usize = 4096;
     if FEW < count {

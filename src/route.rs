@@ -15,11 +15,11 @@ pub struct RawSolution {
     /// [`CERTIFIED_RESIDUAL`](crate::certificate::CERTIFIED_RESIDUAL), and all its numbers are finite. How far the beam may be
     /// off is another question, which the [verdict](crate::verdict::Verdict) answers.
     pub solved: bool,
-    /// What the solver says of itself, in its own words.
+    /// The solver's own message.
     pub solver_status: String,
-    /// True if the solver says that it solved the problem, to what it was asked for.
+    /// True if the solver reports that it solved the problem to its tolerance.
     pub solver_reports_success: bool,
-    /// True if it says that it almost did, as `AlmostSolved` of clarabel and `SolvedInaccurate` of osqp say. That is no success.
+    /// True if it reports that it almost did, as `AlmostSolved` of clarabel and `SolvedInaccurate` of osqp. That is no success.
     pub solver_reports_almost: bool,
     /// Of a library: what it left of its own problem, in the norm by which it stops.
     pub own_residual: Option<OwnResidual>,
@@ -29,7 +29,7 @@ pub struct RawSolution {
     pub unknowns: usize,
     /// Steps, pivots, sweeps or iterations, in the solver's own count.
     pub iterations: usize,
-    /// Unknowns that all of these went through: what they cost, without a clock and up to a factor for each solver.
+    /// Unknowns that all of these went through: a measure of cost without a clock, up to a factor for each solver.
     pub work: usize,
 }
 
@@ -41,7 +41,7 @@ impl RawSolution {
     }
 }
 
-/// `solved`, `not solved`, or `gave up` where the solver says of itself that it did not even almost succeed.
+/// `solved`, `not solved`, or `gave up` where the solver does not report even an approximate answer.
 pub(crate) fn ended(solved: bool, reports_an_answer: bool) -> &'static str {
     match (solved, reports_an_answer) {
         (true, _) => "solved",

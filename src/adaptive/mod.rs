@@ -99,8 +99,8 @@ fn iterates(solver: Solver) -> bool {
     }
 }
 
-/// The finest grid on which a solver is worth its cost. The active set needs seconds there; the libraries are no longer certified
-/// well before, and the four steps solve `n` times.
+/// The finest grid for a solver. The active set needs seconds there; answers of the libraries are no longer certified well before,
+/// and the four steps solve `n` times.
 #[must_use]
 pub fn most_intervals(solver: Solver) -> usize {
     match solver {
@@ -136,7 +136,7 @@ pub struct Trial {
     /// Whether the contacts of the beam were proven.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub contacts_proven: bool,
-    /// Whether the solver says that it succeeded.
+    /// Whether the solver reports success.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub reports_success: bool,
     /// Why it is not enough; none if it is.

@@ -120,7 +120,7 @@ impl Body {
     }
 
     /// Solves the program by a solver; `tolerance` is the scaled residual at which an iterative one may stop. The active set begins
-    /// with what steps through the interior tell.
+    /// with the free variables of an interior-point method.
     #[must_use]
     pub fn run(&self, solver: Solver, tolerance: f64) -> Answer {
         let n = self.program.dimension();
@@ -137,7 +137,7 @@ impl Body {
         answer
     }
 
-    /// What an answer says.
+    /// The state of the body by an answer.
     #[must_use]
     pub fn state(&self, answer: &Answer) -> State {
         let b = self.program.linear();
@@ -151,7 +151,7 @@ impl Body {
     }
 }
 
-/// What is said of clearances.
+/// The verdict on clearances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
     /// Certified or not.

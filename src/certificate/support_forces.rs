@@ -93,7 +93,7 @@ fn on_springs(enclosed: &EnclosedScene<'_>, ground: f64, pair: &Pair) -> Vec<Int
     supports_of(enclosed, pair).into_iter().enumerate().map(bracket).collect()
 }
 
-/// What the pair says of the forces of all supports; those that only push and that it does not touch exert none.
+/// The forces of all supports in the pair; those that only push and that it does not touch exert none.
 fn supports_of(enclosed: &EnclosedScene<'_>, pair: &Pair) -> Vec<Interval> {
     let at = |x: f64| pair.carried.iter().find(|(place, _)| place.total_cmp(&x).is_eq());
     enclosed.all_supports().into_iter().map(|x| at(x).map_or(Interval::ZERO, |carried| carried.1)).collect()

@@ -50,8 +50,8 @@ pub struct Violation {
     pub relative: f64,
 }
 
-/// The worst violation of each condition that is violated at all, the worst of them first. On ground that gives, forces at places say
-/// nothing of how deep the beam may be in it.
+/// The worst violation of each condition that is violated at all, the worst of them first. On ground that gives, forces at places do
+/// not limit how deep the beam may be in it.
 ///
 /// # Errors
 ///

@@ -8,7 +8,7 @@ use std::time::Duration;
 /// The line is written after this time.
 const DELAY: Duration = Duration::from_secs(2);
 
-/// Does `work`; `what` says what that is.
+/// Does `work`; the line has its name, `what`.
 pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
     if !io::stderr().is_terminal() {
         return work();
@@ -17,7 +17,7 @@ pub(super) fn telling<T>(what: String, work: impl FnOnce() -> T) -> T {
     let teller = thread::Builder::new().spawn(move || tell(&ended, DELAY, &what, &mut io::stderr()));
     let done = work();
     drop(end);
-    // A line that cannot be written, or a thread that cannot be started, is no reason to lose the answer.
+    // The answer does not depend on whether the line can be written, or the thread started.
     let _ = teller.map(thread::JoinHandle::join);
     done
 }

@@ -51,7 +51,7 @@ impl Finding {
             let verdict = Verdict::of_forces(certificate.clone());
             return Ok(Self { load: lumped.load, intervals, perhaps: None, certificate, verdict, violations });
         }
-        // The reader has refused whatever this refuses.
+        // Reading the forces has refused the same ones before.
         let load = ContactLoad::new(scene.beam().length(), rows).map_err(|_| {
             let name = forces.display().to_string();
             Failure::File(Box::new(FileError::whole(&name, Problem::ForcesWithoutHeader)))

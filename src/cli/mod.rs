@@ -102,7 +102,7 @@ struct Outcome<'a> {
 }
 
 /// Reads the scene, does the work, writes the files that go to `places` and prints the answer; the code is that of the answer.
-/// `what` is said if the work takes long.
+/// `what` is printed if the work takes long.
 fn run_on_scene<'a>(
     scene: &SceneArgument,
     format: Format,

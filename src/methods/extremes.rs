@@ -2,8 +2,8 @@
 
 use crate::state::{Discretisation, Extremes};
 
-/// Nodes that are looked at together. Most blocks of a fine grid are far from any extreme, and a sum over one has about as many
-/// terms as there are blocks.
+/// Nodes of a block. Most blocks of a fine grid are far from any extreme, and a sum over one has about as many terms as there are
+/// blocks.
 pub(super) const BLOCK: usize = 256;
 
 /// Values at neighbouring nodes: at those between two ends, and at these.

@@ -88,8 +88,8 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         visit(last, left.contact_force(&SpanEnd::default(), behind + self.discrete.loads[last]));
     }
 
-    /// Contact forces on ground so soft that the rounding of the jump of the shear force would be seen in how far it sinks: with the digits
-    /// of that.
+    /// Contact forces on ground so soft that the rounding of the jump of the shear force would change how far it sinks: computed from
+    /// that instead.
     pub(super) fn pressed(&self, mut visit: impl FnMut(usize, f64)) {
         if self.sunk.is_empty() {
             return;

@@ -13,7 +13,7 @@ use crate::state::Discretisation;
 /// `2^−FAR` is less than half a unit in the last place.
 const FAR: usize = 54;
 
-/// A beam, of which any part can be solved at a price that hardly depends on the rest.
+/// A beam, of which any part can be solved in a time that hardly depends on the rest.
 pub(super) struct Parts<'a> {
     discrete: &'a Discrete,
     discretisation: Discretisation,

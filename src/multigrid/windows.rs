@@ -6,8 +6,8 @@
 //!
 //! Windows around borders and violators are made optimal by themselves, by a [descent](crate::solvers::active_set), and widened
 //! as long as variables beside them are on the wrong side, but in the first rounds not far, as one window may disturb
-//! another. That takes a small part of the price of a solve of the whole. Windows reach twice as far each time that exchanges
-//! of the whole do not end, until only the one that holds all variables is left, whose optimum is that of (32).
+//! another. That takes a small part of the time of a solve of the whole. Windows reach twice as far each time that exchanges
+//! of the whole do not end, until one window has all variables; its optimum is that of (32).
 
 use std::ops::Range;
 
@@ -92,7 +92,7 @@ impl Windows<'_> {
         self.solve_windows(free, windows, WORTH[0])
     }
 
-    /// Makes windows optimal, and as much around them as changes with them, for the price of so many solves of the whole.
+    /// Makes windows optimal, and as much around them as changes with them, in the work of so many solves of the whole.
     /// Whether all were settled.
     fn solve_windows(&mut self, free: &mut FreeSet, windows: Vec<Range<usize>>, worth: usize) -> bool {
         let settled = self.settle(free, windows, worth).unwrap_or(false);
@@ -101,7 +101,7 @@ impl Windows<'_> {
         settled
     }
 
-    /// The same; an error if the beam has lost what holds it, or a number is not finite.
+    /// The same; an error if contact does not hold the beam any more, or a number is not finite.
     fn settle(
         &mut self,
         free: &mut FreeSet,

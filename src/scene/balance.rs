@@ -11,7 +11,7 @@
 //! with the resultant `W = ∫q` of the loads and its place `x_W = ∫q x / W` (Fichera 1964: a semi-coercive variational
 //! inequality). Each of these sums is an interval: loads and places are decimals, known to half a unit in their last place. The
 //! sums themselves are taken in twice the precision. Where zero lies in the interval, the loads are balanced within rounding,
-//! and nothing is said about the side to which the beam would turn.
+//! and to which side the beam would turn is left open.
 
 use std::cmp::Ordering;
 

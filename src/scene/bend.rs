@@ -6,7 +6,7 @@
 //!
 //! On a fine grid the three depths agree in almost all their digits, and their difference would be rounding alone. So each
 //! kind of profile has a formula of its own, in which nothing cancels. A polyline has two: over few points the sum of their
-//! kinks, over many the slopes of the two chords, at a price that does not grow with the points between.
+//! kinks, over many the slopes of the two chords, in a time that does not grow with the points between.
 
 use std::f64::consts::PI;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! Depths of the foundation at many places: the same bits as one by one, at a part of the price.
+//! Depths of the foundation at many places: the same bits as one by one, in less time.
 
 use super::Foundation;
 use super::foundation::between;

@@ -307,8 +307,8 @@ impl Scene {
         self.ground_stiffness().map_or(Ok(()), |_| Err(SceneError::NeedsRigidGround { what }))
     }
 
-    /// Whether contact forces say where the beam is: not of one that its supports do not hold, on ground that gives way below each of
-    /// them by an amount that depends on the length over which it acts.
+    /// Whether contact forces determine the position of the beam: not if supports do not hold it, on ground that gives way below each
+    /// force by an amount that depends on the length over which it acts.
     ///
     /// # Errors
     ///

@@ -88,7 +88,7 @@ impl Solver {
         }
     }
 
-    /// The solver's own tolerance, by the name that it has there, when it is asked for `tolerance`: of clarabel `tol_gap_abs`,
+    /// The solver's own tolerance, by the name that it has there, for `tolerance` here: of clarabel `tol_gap_abs`,
     /// `tol_gap_rel` and `tol_feas`, of osqp `eps_abs`, of NSOR the scaled residual; none of a solver that has no tolerance.
     #[must_use]
     pub fn own_tolerance(self, tolerance: f64) -> Option<f64> {
@@ -102,7 +102,7 @@ impl Solver {
         }
     }
 
-    /// What the solver is set to when it is asked for `tolerance`.
+    /// The solver's settings for `tolerance`.
     #[must_use]
     pub fn settings(self, tolerance: f64) -> String {
         match self {
@@ -130,11 +130,11 @@ pub struct Answer {
     pub x: Vec<f64>,
     /// The gradient `g`, or the multipliers of `x ≥ 0` where the solver has its own, length n.
     pub gradient: Vec<f64>,
-    /// True if the solver says that it reached the optimum, to what it was asked for.
+    /// True if the solver reports that it reached the optimum to its tolerance.
     pub reports_success: bool,
-    /// True if it says that it almost did: to something looser than it was asked for. That is no success.
+    /// True if it reports that it almost did: to a larger tolerance than the given one. That is no success.
     pub reports_almost: bool,
-    /// What the solver says of the end of its run.
+    /// The solver's message at the end of its run.
     pub message: String,
     /// Of a library that came to an end: what it left of its own problem.
     pub own_residual: Option<OwnResidual>,

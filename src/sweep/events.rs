@@ -35,17 +35,17 @@ fn is_zero(value: &f64) -> bool {
 pub struct Events {
     /// The events, in the order of the sweep.
     pub events: Vec<Event>,
-    /// The value up to which was looked, where the work was more than allowed.
+    /// The value up to which events were searched for, where the work was more than allowed.
     pub until: Option<f64>,
 }
 
-/// Beside an event the answer is looked at so far from it, as a share of the range.
+/// Beside an event the scene is solved so far from it, as a share of the range.
 pub(super) const BESIDE: f64 = 1e-10;
 
-/// Places at which answers are looked at, beside the rows.
+/// Values at which the scene is solved, beside the rows.
 const PLACES: u32 = 256;
 
-/// They lie at this share of an interval, so that they are no round numbers.
+/// They lie at this share of an interval, so that they are not round numbers.
 pub(super) const PAST: f64 = 0.382;
 
 /// Events nearer to each other than this share of the range are one.
@@ -101,7 +101,7 @@ impl Sweep<'_> {
         let search = Search { sweep: self, left: Cell::new(work) };
         let (mut roots, until) = search.all(rows);
         let [start, end] = self.range;
-        // Answers are looked at a little beyond both ends as well.
+        // The scene is also solved a little beyond both ends.
         let within = |value: f64| value.max(start.min(end)).min(start.max(end));
         roots.retain_mut(|root| {
             let inside = within(root.value);
@@ -110,14 +110,14 @@ impl Sweep<'_> {
             // One at an end may come out beyond it.
             outside <= BESIDE * (end - start).abs()
         });
-        // What is found is said in words whatever that takes.
+        // All that is found is described, whatever work that takes.
         search.left.set(u64::MAX);
         Events { events: search.described(roots), until: until.map(within) }
     }
 }
 
 impl Search<'_> {
-    /// All roots between rows, and the value up to which was looked, if that is not all.
+    /// All roots between rows, and the value up to which they were searched for, if that is not all.
     fn all(&self, rows: &[(f64, Pattern)]) -> (Vec<Root>, Option<f64>) {
         let mut roots = Vec::new();
         let [start, end] = self.sweep.range;

@@ -12,7 +12,7 @@ use super::GOLDEN;
 use super::events::{At, BESIDE, PAST, Root, Search};
 use crate::theory::{Exact, Margin};
 
-/// Farther from an event, by these factors, answers are looked at where its kind is not decided.
+/// Farther from an event, by these factors, the scene is solved again where its kind is not decided.
 const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
 
 /// Events between two rows, at most: more are no events but rounding.

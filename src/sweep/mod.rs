@@ -8,10 +8,10 @@
 //! What is guaranteed: the kinds of two rows lead from one to the other by the events between them. Events are searched for from one to
 //! the next of 256 values that depend on the range only, so that other numbers of rows have the same events. Between two of these
 //! values a condition that comes near to failing is followed to where it comes nearest; what appears and goes again without such a
-//! warning may be missed, and rows that show it find it. Events nearer to each other than `2·10⁻¹⁰` of the range are told as one, and
+//! warning may be missed, unless a row lies between. Events nearer to each other than `2·10⁻¹⁰` of the range are reported as one, and
 //! so are those between which one answer has several lists of contacts that all meet their conditions to 12 digits.
 //!
-//! Work is counted and not timed ([`Exact::work`](crate::theory::Exact::work)): who calls may stop a walk, or a search for events, at
+//! Work is counted and not timed ([`Exact::work`](crate::theory::Exact::work)): a caller may stop a walk, or a search for events, at
 //! [`MOST_WORK`].
 //!
 //! ```

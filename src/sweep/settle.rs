@@ -6,7 +6,7 @@
 
 use super::events::{At, Root, Search};
 
-/// An event is looked at from both sides so far from it, as a share of the range: nearer it is known well enough.
+/// The scene is solved on both sides of an event so far from it, as a share of the range: an event known better is left as it is.
 const KNOWN: f64 = 2e-10;
 
 impl Search<'_> {

@@ -65,7 +65,7 @@ fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
     assert!(left.is_none() && right.is_some(), "where the beam lies on the ground beside a support, nothing is known");
 }
 
-/// Of a witness that presses on soft ground where `v̂` is clear of it the moments of the pair say nothing beside a support.
+/// Where a witness presses on soft ground and `v̂` is clear of it, nothing follows from the moments of the pair beside a support.
 #[test]
 fn a_pair_that_presses_beside_a_support_is_not_clear_there() {
     const SOFT: f64 = 1e-6;

@@ -1,4 +1,4 @@
-//! What a scene file says, table by table; its numbers are not judged yet.
+//! The contents of a scene file, table by table; its numbers are not checked yet.
 
 use toml::de::DeTable;
 
@@ -38,7 +38,7 @@ pub(super) fn units(file: &Keys<'_>) -> Result<Units, Error> {
     Ok(Units { length: label("length")?, force: label("force")? })
 }
 
-/// What `[beam]` says.
+/// The keys of `[beam]`.
 #[derive(Debug)]
 pub(super) struct BeamKeys {
     pub(super) length: f64,
@@ -81,7 +81,7 @@ fn support(value: &Value<'_>) -> Result<Support, Error> {
     })
 }
 
-/// What `[load]` says; nothing at all if it is left out.
+/// The keys of `[load]`, none if it is left out.
 #[derive(Debug, Default)]
 pub(super) struct LoadKeys {
     pub(super) uniform: f64,
@@ -117,7 +117,7 @@ pub(super) const KINDS: &[&str] = &["depth", "polynomial", "cosine", "points", "
 /// The keys of `[foundation]`: the same, and how stiff it is.
 const GROUND: &[&str] = &["depth", "polynomial", "cosine", "points", "survey", "stiffness"];
 
-/// What the table says.
+/// The value of the table.
 #[derive(Debug)]
 pub(super) enum Given {
     /// The profile itself.

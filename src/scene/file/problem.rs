@@ -3,7 +3,7 @@
 use crate::body::BodyProblem;
 use crate::scene::{Profile, SceneError};
 
-/// Why a file could not be read as text. It is the caller that reads files; this is how it says what happened.
+/// Why a file could not be read as text: the error of the function that the caller passes for reading.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ReadProblem {
     /// There is no such file.
