@@ -51,7 +51,8 @@ impl Kkt {
         let Recorded { nodes, ref grid, first, ref supports, ref summed, .. } = recorded;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
         let ([force, depth], length, step) = (recorded.sizes(scene), scene.beam().length(), grid.spacing());
-        let nearer = |recorded: f64, moment: f64, jump: f64| (recorded - moment).abs().min((recorded - (moment + jump)).abs());
+        let nearer =
+            |recorded: f64, moment: f64, jump: f64| (recorded - moment).abs().min((recorded - (moment + jump)).abs());
         let ground = scene.ground_stiffness();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
@@ -62,7 +63,8 @@ impl Kkt {
             let Walked { first: from, moments, jump, deflections } = walked;
             while let Some(support) = supports_ahead.next_if(|s| s.node < from + deflections.len()) {
                 let off = (deflections[support.node - from] - support.held.deflection).abs();
-                let couple = support.recorded.moment.map_or(0.0, |recorded| nearer(recorded, moments[0] * step, jump * step));
+                let couple =
+                    support.recorded.moment.map_or(0.0, |recorded| nearer(recorded, moments[0] * step, jump * step));
                 at_supports = largest_each(at_supports, [[off, couple]].into_iter());
             }
             // An end of the beam that a support holds is no node of the state.
@@ -155,7 +157,11 @@ impl<'a> Recorded<'a> {
         let [left, right] = [0.0, length].map(|end| usize::from(held.iter().any(|s| is_same_place(s.at, end, length))));
         let (grid, first) = (Grid::uniform(scene, (p.len() + left + right).checked_sub(1)?).ok()?, left);
         let support = |held: Held| {
-            Some(RecordedSupport { node: grid.node_at(held.at)?, held, recorded: recorded_support(state, &held, length)? })
+            Some(RecordedSupport {
+                node: grid.node_at(held.at)?,
+                held,
+                recorded: recorded_support(state, &held, length)?,
+            })
         };
         let supports: Vec<_> = held.into_iter().map(support).collect::<Option<_>>()?;
         let mut forces = grid.nodal_loads(scene.load());
