@@ -27,14 +27,14 @@ const PER_NODE: usize = 20;
 pub struct Witness<'a> {
     scene: &'a Scene,
     /// The contacts of beam theory, if it has an answer.
-    theory: OnceLock<Option<Found>>,
+    theory: OnceLock<Option<ExactContacts>>,
     /// The proof that they give.
     proof: OnceLock<Option<Proof>>,
 }
 
-/// Contacts, on ground that gives with stretches from end to end.
+/// The contacts of beam theory, and on ground that gives the stretches from end to end.
 #[derive(Debug)]
-struct Found {
+struct ExactContacts {
     contacts: Vec<Contact>,
     stretches: Option<Vec<Stretch>>,
 }
@@ -68,7 +68,7 @@ impl<'a> Witness<'a> {
     ///
     /// Those of [`certify`].
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
-        let proof = |found: &Found| match &found.stretches {
+        let proof = |found: &ExactContacts| match &found.stretches {
             Some(stretches) => Proof::of_stretches(self.scene, stretches).ok(),
             None => Proof::of(self.scene, &found.contacts).ok(),
         };
@@ -87,7 +87,7 @@ impl<'a> Witness<'a> {
     }
 
     /// The contacts of theory, if it may be solved for so many nodes.
-    fn found(&self, nodes: usize) -> Option<&Found> {
+    fn found(&self, nodes: usize) -> Option<&ExactContacts> {
         let is_rigid = self.scene.ground_stiffness().is_none();
         match self.theory.get() {
             None if is_rigid && ALWAYS + PER_NODE * nodes < points(self.scene) => None,
@@ -97,9 +97,9 @@ impl<'a> Witness<'a> {
 }
 
 /// The contacts of an exact answer, if it is a solution or on ground that gives.
-fn found(exact: &Exact) -> Option<Found> {
+fn found(exact: &Exact) -> Option<ExactContacts> {
     let stretches = exact.stretches();
-    (exact.solved || stretches.is_some()).then(|| Found { contacts: exact.state.touched(), stretches })
+    (exact.solved || stretches.is_some()).then(|| ExactContacts { contacts: exact.state.touched(), stretches })
 }
 
 /// The number of points of a survey, by which the cost of theory is estimated.

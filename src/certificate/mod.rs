@@ -103,7 +103,7 @@ impl Proof {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
         let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
-            of_pair(enclosed, &scaled, pair(enclosed, witness, &scaled.scale))
+            of_pair(enclosed, &scaled, best_pair(enclosed, witness, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })
     }
@@ -222,10 +222,10 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
 /// beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
 ///
 /// A beam in balance above a corner may turn about it, unless the ground beside it leaves it one position: that is tried first.
-fn pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
+fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
     if enclosed.balanced_at.is_some() {
         let stopped = EnclosedScene { balanced_at: None, ..*enclosed };
-        let known = pair(&stopped, contacts, scale).filter(|pair| is_sharp(&stopped, pair));
+        let known = best_pair(&stopped, contacts, scale).filter(|pair| is_sharp(&stopped, pair));
         if known.is_some() {
             return known;
         }

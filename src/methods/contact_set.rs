@@ -1,5 +1,5 @@
-//! A beam on a set of contacts, by whichever method: Clapeyron's three-moment equations (1857) of a continuous beam over
-//! sinking supports.
+//! A beam on a set of contacts, by whichever method: Clapeyron's three-moment equations (1857) of a continuous beam whose
+//! supports settle.
 //!
 //! ```text
 //! a M_{i−1} + 2 (a + b) M_i + b M_{i+1} = −(ϑ_right + ϑ_left) − (6 EI/Δ²) bend_i

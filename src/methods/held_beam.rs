@@ -168,7 +168,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             self.clearances_in(&overhang, range, clearance, &mut buffer);
             if range.contains(&tip) {
                 let bent = self.bent(&overhang);
-                clearance[tip - range.start] = self.open(tip, overhang.levels[side], 0.0, bent);
+                clearance[tip - range.start] = self.clearance_of(tip, overhang.levels[side], 0.0, bent);
             }
         }
     }
@@ -185,7 +185,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
 
     /// The clearance of a node that hangs by `sag` below the level of its chord.
     #[inline]
-    fn open(&self, node: usize, chord: f64, sag: f64, bent: f64) -> f64 {
+    fn clearance_of(&self, node: usize, chord: f64, sag: f64, bent: f64) -> f64 {
         let discrete = self.discrete;
         let open = (discrete.gap(node) - chord) - sag;
         // Few clearances are negative by so little; only for those the rounding is computed.
@@ -236,7 +236,7 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
         // Clearances take the place of the sags.
         for (node, h) in inner.zip(sags) {
             let chord = from + (to - from) * ((node - first) as f64 / steps);
-            *h = self.open(node, chord, *h, bent);
+            *h = self.clearance_of(node, chord, *h, bent);
         }
     }
 

@@ -28,7 +28,7 @@ const LOCAL: usize = 2;
 
 /// The most work of windows, in solves of the whole: those around the borders, which may all be right, and the first ones around
 /// places where exchanges do not end.
-const WORTH: [usize; 2] = [1, 8];
+const BUDGET: [usize; 2] = [1, 8];
 
 /// What a solve of a window costs beside its variables, in variables.
 const SOLVE: usize = 200;
@@ -70,7 +70,7 @@ impl Windows<'_> {
             } else if n < LOCAL * price(&windows) && idle < PATIENCE {
                 idle += 1;
             } else if scale * REACH < n {
-                self.solve_windows(free, windows, scale * WORTH[1]);
+                self.solve_windows(free, windows, scale * BUDGET[1]);
                 scale *= 2;
             } else {
                 return Ok(false);
@@ -89,13 +89,13 @@ impl Windows<'_> {
         if windows.is_empty() || free.dimension() < price(&windows) {
             return false;
         }
-        self.solve_windows(free, windows, WORTH[0])
+        self.solve_windows(free, windows, BUDGET[0])
     }
 
     /// Makes windows optimal, and as much around them as changes with them, in the work of so many solves of the whole.
     /// Whether all were settled.
-    fn solve_windows(&mut self, free: &mut FreeSet, windows: Vec<Range<usize>>, worth: usize) -> bool {
-        let settled = self.settle(free, windows, worth).unwrap_or(false);
+    fn solve_windows(&mut self, free: &mut FreeSet, windows: Vec<Range<usize>>, budget: usize) -> bool {
+        let settled = self.settle(free, windows, budget).unwrap_or(false);
         // A window may have dropped the contacts that hold the beam. Another failure is repeated by the solve of the whole, and returned.
         self.beam.hold(free);
         settled
@@ -106,11 +106,11 @@ impl Windows<'_> {
         &mut self,
         free: &mut FreeSet,
         windows: Vec<Range<usize>>,
-        worth: usize,
+        budget: usize,
     ) -> Result<bool, NotPositiveDefinite> {
         let spent = |cost: &Cost| cost.work + SOLVE * cost.windows;
         let n = free.dimension();
-        let most = spent(self.cost) + worth * n;
+        let most = spent(self.cost) + budget * n;
         let mut pending = windows;
         for round in 0..ROUNDS {
             let mut settled = Vec::new();
