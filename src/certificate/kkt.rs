@@ -21,6 +21,17 @@ pub const CERTIFIED_RESIDUAL: f64 = 1e-9;
 /// less than that, a smaller measure would judge the representation of numbers, not the answer.
 const ROUNDING: f64 = 16.0 * f64::EPSILON / CERTIFIED_RESIDUAL;
 
+/// The least deflection by which others are measured: [`ROUNDING`] of the `P l³/48 EI` that a force causes on a beam of this length
+/// and bending stiffness.
+pub(crate) fn least_deflection(force: f64, length: f64, stiffness: f64) -> f64 {
+    ROUNDING * flexibility(length, stiffness) * force
+}
+
+/// `l³/48 EI`.
+fn flexibility(length: f64, stiffness: f64) -> f64 {
+    length * length * length / (48.0 * stiffness)
+}
+
 /// Violations of (4), (5), (8) by a state, all dimensionless.
 ///
 /// Forces are measured by `P`, the sum of all loads or of all contact forces, whichever is larger; in a scene without
@@ -235,17 +246,16 @@ impl<'a> Recorded<'a> {
 
     /// `P` and `D`, by which forces and lengths are measured.
     fn sizes(&self, scene: &Scene) -> [f64; 2] {
-        let length = scene.beam().length();
-        let flexibility = length * length * length / (48.0 * scene.beam().bending_stiffness());
+        let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
         let deepest = largest(self.nodes.deflection.iter().map(|v| v.abs()));
         let idle = if self.load == 0.0 {
             within_reach(&self.grid.gaps_at(scene, self.first..self.first + self.nodes.x.len())).max(deepest)
         } else {
             0.0
         };
-        let force = nonzero(self.load.max(self.contact).max(idle / flexibility));
+        let force = nonzero(self.load.max(self.contact).max(idle / flexibility(length, stiffness)));
         // Of the state alone: ground that the beam does not reach, however deep, must not loosen the measure.
-        [force, nonzero(deepest.max(idle).max(ROUNDING * flexibility * force))]
+        [force, nonzero(deepest.max(idle).max(least_deflection(force, length, stiffness)))]
     }
 }
 

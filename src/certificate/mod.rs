@@ -55,6 +55,7 @@ mod witness;
 pub use contact_load::{ContactLoad, NotAForce};
 pub use judged::Judged;
 pub use kernel::interval::Interval;
+pub(crate) use kkt::least_deflection;
 pub use kkt::{CERTIFIED_RESIDUAL, Kkt};
 pub use lumped::{Lumped, NotLumped};
 pub use quantities::stiffness;

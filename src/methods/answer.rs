@@ -5,6 +5,7 @@ use super::contact_set::ContactSet;
 use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
 use super::{Discrete, program};
+use crate::certificate::least_deflection;
 use crate::qp::Sizes;
 use crate::scene::Grid;
 use crate::state::{Contact, ContactState, Discretisation, Extremes, Nodes, Pressure, Reactions, Regime, SupportForce};
@@ -107,10 +108,6 @@ impl Nodal {
 
 /// A contact force below this share of all forces is rounding, not contact: a few thousand units in the last place.
 const NO_FORCE: f64 = 1e-12;
-
-/// Clearances count from this share of the deflection `P l³/48 EI` that all forces together would cause: the least that the residual
-/// is measured by, sixteen units in the last place over the residual that is certified.
-const AT_REST: f64 = 16.0 * f64::EPSILON / 1e-9;
 
 /// The beam that its supports hold under nodal loads with no foundation: `v = C q`, and no quadratic program to solve.
 #[must_use]
@@ -241,8 +238,7 @@ fn extremes_by_parts(
 /// Sizes of clearance and force by which contact is told. Where the ground is so close that the beam moves less than its forces are
 /// rounded, clearances are that rounding.
 fn sizes_of_contact(sizes: Sizes, stiffness: f64, length: f64) -> Sizes {
-    let rounded = AT_REST * sizes.gradient * length * length * length / (48.0 * stiffness);
-    Sizes { x: sizes.x.max(rounded), ..sizes }
+    Sizes { x: sizes.x.max(least_deflection(sizes.gradient, length, stiffness)), ..sizes }
 }
 
 /// Takes the contact forces from the loads, `t = q − p`, and returns `½ tᵀv − qᵀv`: since half the work of all forces and couples is
