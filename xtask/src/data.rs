@@ -53,7 +53,13 @@ pub(crate) fn rounded(value: f64, places: usize) -> Option<f64> {
 /// Median, least and most seconds of some runs, to four digits.
 pub(crate) fn spread(mut seconds: Vec<f64>) -> [Option<f64>; 3] {
     seconds.sort_by(f64::total_cmp);
-    [seconds.get(seconds.len() / 2), seconds.first(), seconds.last()].map(|seconds| rounded(*seconds?, 3))
+    [median(&seconds), seconds.first().copied(), seconds.last().copied()].map(|seconds| rounded(seconds?, 3))
+}
+
+/// Of sorted numbers the middle one, or the mean of the two in the middle.
+pub(crate) fn median(sorted: &[f64]) -> Option<f64> {
+    let below = sorted.get(sorted.len().checked_sub(1)? / 2)?;
+    Some(f64::midpoint(*below, *sorted.get(sorted.len() / 2)?))
 }
 
 #[cfg(test)]

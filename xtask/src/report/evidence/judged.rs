@@ -45,7 +45,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         sharp => SHARP,
         sharp_ones => ratios.iter().filter(|(ratio, _)| SHARP <= *ratio).count(),
         largest => ratios.last().map_or(0.0, |(ratio, _)| *ratio),
-        median => ratios.get(ratios.len() / 2).map_or(0.0, |(ratio, _)| *ratio),
+        median => data::median(&ratios.iter().map(|(ratio, _)| *ratio).collect::<Vec<_>>()).unwrap_or_default(),
         faults,
     };
     let evidence = Evidence::new(values).file("certificates", data::text(&rows)?);

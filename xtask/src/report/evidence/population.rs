@@ -34,7 +34,7 @@ impl Spread {
         let mut numbers: Vec<f64> = numbers.into_iter().collect();
         numbers.sort_by(f64::total_cmp);
         let (&least, &worst) = (numbers.first()?, numbers.last()?);
-        Some(Self { least, median: numbers[numbers.len() / 2], worst, count: numbers.len() })
+        Some(Self { least, median: data::median(&numbers)?, worst, count: numbers.len() })
     }
 
     /// `median / worst`, in per cent.
