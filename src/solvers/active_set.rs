@@ -59,8 +59,8 @@ const EXHAUSTED: [usize; 2] = [200, 20];
 /// What it is set to.
 pub(super) fn settings_text() -> String {
     format!(
-        "of each run of neighbours with the wrong sign the worst one changes; a sign counts if it is larger than the rounding of a \
-         solve; a budget of {} million unknowns in all solves together",
+        "exchanges, then a descent; a sign counts if it is larger than the rounding of a solve; a budget of {} million unknowns \
+         in all solves together",
         MOST_WORK / 1_000_000,
     )
 }
