@@ -27,7 +27,7 @@ pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cau
         context! {
             table => table(&grounds[k], exact[k]),
             one_digit => one_digit(&fronts[k][0]).map(|[time, intervals]| context! { time, intervals }),
-            exact_microseconds => exact[k].map(|ms| 1e3 * ms),
+            exact => exact[k],
         }
     });
     let rows = GROUNDS.iter().zip(&fronts).flat_map(|((scene, _), fronts)| {
