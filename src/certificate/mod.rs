@@ -73,6 +73,7 @@ use self::largest::{extremes, largest};
 use self::quantities::energy;
 use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError, Support};
 use crate::state::{Contact, ContactState, Nodes};
+pub(crate) use kernel::contact_node::Slope;
 
 /// Bounds for one deflection, proven from a witness: see [`Proof`].
 ///

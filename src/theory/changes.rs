@@ -3,7 +3,7 @@
 use super::derivatives::Missing;
 use super::exact::Exact;
 use super::forces::{force_beside, pulling_couple};
-use super::list::{Beside, Kind, Node};
+use super::list::Node;
 use super::margin::lowest;
 use super::piecewise::{AtSupport, Cell};
 use super::sensitivity::{Change, NodeChange, bend, standing};
@@ -53,14 +53,14 @@ impl Exact {
     pub(super) fn at_supports(&self, scene: &Scene) -> Vec<Ground> {
         let nodes = self.list.nodes.iter().enumerate();
         let held = scene.held();
-        let ground = |(i, node): (usize, &Node)| Some(self.at_support(scene, i, &held[node.support()?]));
+        let ground = |(i, node): (usize, &Node)| Some(self.at_support(scene, i, &held[node.support(&self.given)?]));
         nodes.filter_map(ground).collect()
     }
 
     fn at_support(&self, scene: &Scene, i: usize, held: &Held) -> Ground {
         let (given, length) = (&self.given, scene.beam().length());
         let node = &self.list.nodes[i];
-        let Kind::Support(index, beside) = node.kind else { return Ground::default() };
+        let Some(index) = node.support(given) else { return Ground::default() };
         let support = &given.supports[index];
         let bridged = self.bridged(support);
         let crowded = self.crowded(i);
@@ -69,7 +69,7 @@ impl Exact {
         let loaded = standing(given, &self.list, i) != 0.0;
         // A load that leaves the support for a stretch that lies on the ground presses there at once.
         let leaves = meets && loaded && self.lies();
-        let rests = (by_ground || leaves || beside != [Beside::Apart; 2] || crowded).then(|| {
+        let rests = (by_ground || leaves || node.is_held() || crowded).then(|| {
             let pushes = |zone: bool, cell: usize| zone && given.drive(cell, node.x) != 0.0;
             let pressed = pushes(self.list.in_zone_before(i), given.cell_to(node.x))
                 || pushes(self.list.in_zone_before(i + 1), given.cell_from(node.x));
@@ -100,8 +100,9 @@ impl Exact {
     pub(super) fn crowded(&self, i: usize) -> bool {
         let nodes = &self.list.nodes;
         let near = |[a, b]: [&Node; 2]| {
-            let support = a.support().or(b.support()).map(|index| &self.given.supports[index]);
-            a.support().is_some() != b.support().is_some()
+            let [left, right] = [a, b].map(|node| node.support(&self.given));
+            let support = left.or(right).map(|index| &self.given.supports[index]);
+            left.is_some() != right.is_some()
                 && (b.x - a.x).abs() <= AT_A_CHANGE.sqrt() * self.given.length
                 && support.is_some_and(|support| self.bridged(support))
         };
@@ -160,10 +161,11 @@ impl Exact {
         // The place of a lift-off follows from the force there; a tip or a support is where it is.
         let middle = 0.5 * (given.cells[cell].lo + given.cells[cell].hi);
         let pushes = [node.x, middle].into_iter().any(|x| least < given.drive(cell, x).abs() * given.length);
-        match node.kind {
-            Kind::Support(..) => pushes,
-            Kind::Tip => pushes || least < self.forces[end],
-            _ => least < self.forces[end],
+        let has_force = || least < self.forces[end];
+        match node.support(given) {
+            Some(_) => pushes,
+            None if node.can_move() => has_force(),
+            None => pushes || has_force(),
         }
     }
 
@@ -172,11 +174,11 @@ impl Exact {
     pub(super) fn jumps(&self, i: usize, of: Change, place: f64) -> bool {
         let node = &self.list.nodes[i];
         let loaded = standing(&self.given, &self.list, i) != 0.0;
-        match (of, node.kind) {
-            (Change::Move(at, _), _) if node.x <= at && at <= node.x => self.list.ends_zone(i),
-            (Change::Support(moved, _), Kind::Support(index, _)) if moved == index => loaded && self.list.ends_zone(i),
-            (_, Kind::ZoneStart) => loaded && place < 0.0,
-            (_, Kind::ZoneEnd) => loaded && 0.0 < place,
+        match of {
+            Change::Move(at, _) if node.x <= at && at <= node.x => self.list.ends_zone(i),
+            Change::Support(moved, _) if node.support(&self.given) == Some(moved) => loaded && self.list.ends_zone(i),
+            _ if node.starts_zone() => loaded && place < 0.0,
+            _ if node.ends_zone() => loaded && 0.0 < place,
             _ => false,
         }
     }
@@ -217,20 +219,20 @@ impl Exact {
         let mut weak = Vec::new();
         for (i, node) in nodes.iter().enumerate() {
             let mut add = |is: bool, conditions: &[Weak]| weak.extend(conditions.iter().filter(|_| is));
-            match node.kind {
-                Kind::Smooth | Kind::Edge(_) => {
+            match node.support(given) {
+                None if node.is_point(given) => {
                     add(small(self.forces[i], largest), &[Weak::Force(i)]);
                     add(node.can_move() && small(bend(&self.spans, i), bent(i)), &[Weak::Bend(i, 0), Weak::Bend(i, 1)]);
                 }
-                Kind::ZoneStart | Kind::ZoneEnd => {
-                    let outer = usize::from(node.kind == Kind::ZoneEnd);
+                None if node.can_move() => {
+                    let outer = usize::from(node.ends_zone());
                     add(small(self.forces[i], largest), &[Weak::Force(i), Weak::Bend(i, outer)]);
                     add(self.is_at_load(node.x), &[Weak::Place(i)]);
                 }
-                Kind::Support(index, beside) if beside != [Beside::Apart; 2] => {
+                Some(index) if node.is_held() => {
                     let [left, right] = self.bends(i);
                     add(small(right - left, bent(i).max(largest * given.length)), &[Weak::Couple(i)]);
-                    add(beside.contains(&Beside::Zone) && self.is_at_load(node.x), &[Weak::Place(i)]);
+                    add(self.list.ends_zone(i) && self.is_at_load(node.x), &[Weak::Place(i)]);
                     let ends = super::sensitivity::ends(&self.spans, i);
                     let clear = [ends[0].map(|span| span.at_b), ends[1].map(|span| span.at_a)];
                     let bridged = given.supports[index].clearance.map(|gap| gap <= AT_A_CHANGE * size);
@@ -240,11 +242,11 @@ impl Exact {
                         add(bridged[side] && level && straight, &[Weak::Bend(i, side)]);
                     }
                 }
-                Kind::Tip => {
+                None => {
                     let zone = if self.list.in_zone_before(i) { i } else { i + 1 };
                     add(!self.presses(i, zone), &[Weak::Force(i)]);
                 }
-                Kind::Support(..) => {}
+                Some(_) => {}
             }
         }
         let short = self.list.zones().any(|zone| small(zone.to - zone.from, given.length));
@@ -267,7 +269,7 @@ impl Exact {
     fn unpressed(&self, node: usize) -> Vec<Weak> {
         let (given, ends) = (&self.given, [node - 1, node].map(|i| &self.list.nodes[i]));
         let [from, to] = ends.map(|end| end.x);
-        let stays = |end: &Node| matches!(end.kind, Kind::Support(..) | Kind::Tip);
+        let stays = |end: &Node| !end.can_move();
         let least = AT_A_CHANGE * self.largest_node_force().max(given.total_load);
         let (first, last) = (given.cell_from(from), given.cell_to(to));
         let sides = (first..=last).flat_map(|cell| [(cell, cell), (cell + 1, cell)]);
@@ -289,10 +291,10 @@ impl Exact {
         match weak {
             Weak::Force(i) => Some(rounded(changes[i].force, changes[i].ends.third)),
             Weak::Couple(i) => {
-                let Kind::Support(index, beside) = self.list.nodes[i].kind else { return None };
+                let index = self.list.nodes[i].support(&self.given)?;
                 let [left, right] = changes[i].ends.bend;
                 let jump = rounded(left - right, [left, right]);
-                Some(-pulling_couple(&self.given, index, beside, jump).unwrap_or(0.0))
+                Some(-pulling_couple(&self.given, index, self.list.rests(i), jump).unwrap_or(0.0))
             }
             Weak::Bend(i, side) => {
                 let bends = changes[i].ends.bend;

@@ -1,7 +1,7 @@
 //! The check of all conditions, everywhere: no penetration, no tension, and the equations of the list.
 
 use super::forces::{force_beside, forces, moments, pulling_couple, unbalanced};
-use super::list::{Beside, Kind, List, Node, Unknown, Zone};
+use super::list::{List, Node, Unknown, Zone};
 use super::newton;
 use super::penetration::deepest;
 use super::piece::{Piece, derivatives, pieces_of, pieces_of_zone};
@@ -81,7 +81,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     // Where a span is too short to be resolved, what is near it has no digits, and only forces that are large anywhere are faults.
     let resolved = judge.equations(given, list, &spans, &scale);
     // A NaN is no force that presses.
-    let presses = |node: &Node, force: f64| node.support().is_some() || 0.0 <= force;
+    let presses = |node: &Node, force: f64| node.support(given).is_some() || 0.0 <= force;
     for (i, (node, &force)) in list.nodes.iter().zip(&forces).enumerate().filter(|(_, (n, f))| !presses(n, **f)) {
         let pulls = Violation::Tension { at: node.x, force: -force };
         let most = if resolved { force_beside(&spans, i).max(AT_REST * given.total_load) } else { scale.force };
@@ -102,22 +102,21 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     }
     for (i, (node, [left, right])) in list.nodes.iter().zip(&moments).enumerate() {
         let (at, jump) = (node.x, right - left);
-        if let Kind::Support(index, beside) = node.kind
-            && let Some(moment) = pulling_couple(given, index, beside, jump)
-        {
-            judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
-        }
-        // A beam that the ground holds on both sides of a support has one slope there, and so has the ground.
-        if let Kind::Support(index, beside) = node.kind
-            && !beside.contains(&Beside::Apart)
-        {
-            let kink = given.breakpoints[given.supports[index].breakpoint].kink.abs();
-            judge.measure(kink * given.length, scale.beside(given, index), i, Violation::Broken { at });
+        if let Some(index) = node.support(given) {
+            let rests = list.rests(i);
+            if let Some(moment) = pulling_couple(given, index, rests, jump) {
+                judge.measure(moment, scale.moment, i, Violation::Couple { at, moment });
+            }
+            // A beam that the ground holds on both sides of a support has one slope there, and so has the ground.
+            if rests == [true; 2] {
+                let kink = given.breakpoints[given.supports[index].breakpoint].kink.abs();
+                judge.measure(kink * given.length, scale.beside(given, index), i, Violation::Broken { at });
+            }
         }
         // Without a couple, a zone reaches a free end only on ground that is not bent there, and the beam rests on one hinge only
         // if its loads are balanced.
         let alone = list.nodes.len() == 1 && !node.can_move() && node.held_slope(given).is_none();
-        if node.kind == Kind::Tip || alone {
+        if node.is_tip(given) || alone {
             judge.measure(jump.abs(), scale.moment, i, Violation::Jump { jump });
         }
     }
@@ -175,7 +174,7 @@ impl Judge {
     /// Zones have a length and go over no break; contacts are on their piece of the profile.
     fn places(&mut self, given: &PiecewiseScene, list: &List) {
         for (start, pair) in list.nodes.windows(2).enumerate() {
-            if pair[0].kind == Kind::ZoneStart && pair[1].x < pair[0].x {
+            if pair[0].starts_zone() && pair[1].x < pair[0].x {
                 self.refuse(start, Violation::Inverted { from: pair[0].x, to: pair[1].x });
             }
         }
@@ -198,8 +197,7 @@ impl Judge {
     fn bends(&mut self, given: &PiecewiseScene, list: &List, i: usize, span: &Span) {
         let most = most_bent(given, span);
         for (node, bend) in [(i.checked_sub(1), span.at_a[2]), (Some(i), span.at_b[2])] {
-            let point =
-                node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.kind == Kind::Smooth);
+            let point = node.and_then(|i| list.nodes.get(i).map(|node| (i, node))).filter(|(_, n)| n.is_smooth());
             if let Some((i, node)) = point {
                 self.measure(-bend, most, i, Violation::CurvatureGap { at: node.x, moment: -bend });
             }
@@ -214,20 +212,20 @@ impl Judge {
         let ends = [(i.checked_sub(1), 1, 1.0, &span.a, &span.at_a), (Some(i), 0, -1.0, &span.b, &span.at_b)];
         for (node, side, outwards, end, at) in ends {
             let Some(node) = node.filter(|&node| node < list.nodes.len()) else { continue };
-            let Kind::Support(index, beside) = list.nodes[node].kind else { continue };
+            let Some(index) = list.nodes[node].support(given) else { continue };
             let support = &given.supports[index];
             if !support.grounded[side] {
                 continue;
             }
             let turn = -outwards * at[1];
             let size = scale.beside(given, index);
-            if beside == [Beside::Apart; 2] {
+            if !list.nodes[node].is_held() {
                 // As deep as the parabola `h = −turn t + h'' t²/2` goes.
                 let depth = turn * (turn / (2.0 * at[2].abs())).min(0.5 * span.length());
                 self.measure(turn * given.length, size, i, Violation::Penetration { at: end.x, depth });
             }
             // Ground that holds the slope holds it at its own.
-            let along = support.slope.is_some() || beside[side] != Beside::Apart;
+            let along = support.slope.is_some() || list.rests(node)[side];
             if !along && TOLERANCE * size < turn.abs() * given.length {
                 continue;
             }

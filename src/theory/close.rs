@@ -4,7 +4,7 @@
 //! it, by as much as the beam is too deep, and what that costs is of the size of the bend of so short a span.
 
 use super::check::{Checked, check};
-use super::list::{Kind, List, Node};
+use super::list::{List, Node};
 use super::newton;
 use super::normal::normalised;
 use super::penetration::deepest;
@@ -71,9 +71,9 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(us
         let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
         let Ok(index) = checked.spans.binary_search_by_key(i, |(node, _)| *node) else { continue };
         let (_, span) = &checked.spans[index];
-        let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(Node::is_edge));
+        let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(|node| node.is_edge(given)));
         if both && span.a.cell == span.b.cell {
-            nodes.splice(left..=*i, [Node::new(Kind::Smooth, *at, span.a.cell)]);
+            nodes.splice(left..=*i, [Node::touch(*at, span.a.cell)]);
         }
     }
     (nodes.len() < list.nodes.len()).then(|| normalised(given, &nodes))
@@ -122,7 +122,7 @@ fn turned(given: &PiecewiseScene, list: &List, checked: &Checked, i: usize, span
     let ends = [(i.checked_sub(1), 1.0, &span.a, &span.at_a), (Some(i), -1.0, &span.b, &span.at_b)];
     ends.into_iter().find_map(|(node, side, end, at)| {
         // Beside a support that only pushes the ground is farther down.
-        let node = node.filter(|&node| list.nodes.get(node).is_some_and(Node::is_edge) && at[0] <= 0.0)?;
+        let node = node.filter(|&node| list.nodes.get(node).is_some_and(|node| node.is_edge(given)) && at[0] <= 0.0)?;
         let (turn, bend) = (-side * at[1], at[2]);
         let cell = &given.cells[end.cell];
         let most = 0.5 * span.length().min(cell.hi - cell.lo);

@@ -2,12 +2,13 @@
 
 use super::check::check;
 use super::exact::Exact;
-use super::list::{Beside, Kind, List, Node};
+use super::list::{List, Node};
 use super::margin::{Margin, all, failing, stopped};
 use super::newton;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use super::springs::Springs;
+use crate::certificate::Slope;
 use crate::scene::{Scale, Scene};
 
 /// What an answer takes, however small its scene is, on two supports.
@@ -135,57 +136,50 @@ impl Exact {
         let unit = self.scale.length / scale.length;
         // v' is measured in U/L.
         let slope = self.scale.depth / scale.depth / unit;
-        let nodes = self.list.nodes.iter().map(|node| carried(node, from, to, [unit, slope]));
+        let nodes = (0..self.list.nodes.len()).map(|i| carried(&self.list, i, from, to, [unit, slope]));
         let list = List { nodes: nodes.collect::<Option<_>>()? };
         let ordered = list.nodes.windows(2).all(|pair| pair[0].x < pair[1].x);
         ordered.then_some(list)
     }
 }
 
-/// A node in another scene, with the units of places and slopes of the one in those of the other.
-fn carried(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope]: [f64; 2]) -> Option<Node> {
-    let turned =
-        |kind, x, cell| Node { slope: node.slope * slope, rest: node.rest * slope, ..Node::new(kind, x, cell) };
-    match node.kind {
-        Kind::Support(index, beside) => {
+/// Node `i` of a list in another scene, with the units of places and slopes of the one in those of the other.
+fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [unit, slope]: [f64; 2]) -> Option<Node> {
+    let node = &list.nodes[i];
+    let Some(breakpoint) = node.breakpoint else { return moved(node, from, to, unit) };
+    let at = match (node.support(from), breakpoint) {
+        (Some(index), _) => {
             let support = to.supports.get(index)?;
-            let grounded = (0..2).all(|side| beside[side] == Beside::Apart || support.grounded[side]);
-            let [_, cell] = to.cells_beside(support.breakpoint);
-            grounded.then(|| turned(node.kind, to.breakpoints[support.breakpoint].x, cell))
+            let grounded = list.rests(i).into_iter().zip(support.grounded).all(|(rests, grounded)| grounded || !rests);
+            grounded.then_some(support.breakpoint)?
         }
-        Kind::Edge(breakpoint) => {
-            let breakpoint = match breakpoint {
-                bearing if from.is_bearing(bearing) => to.bearings[from.bearings.binary_search(&bearing).ok()?],
-                0 => 0,
-                last if last == from.cells.len() => to.cells.len(),
-                inner => to.breakpoint_at(*to.ends.get(from.cells[inner].shape.checked_sub(1)?)?)?,
-            };
-            let [_, cell] = to.cells_beside(breakpoint);
-            to.is_edge(breakpoint).then(|| turned(Kind::Edge(breakpoint), to.breakpoints[breakpoint].x, cell))
-        }
-        Kind::Tip => {
-            let at_left = node.x <= 0.0;
-            Some(Node::new(
-                Kind::Tip,
-                if at_left { 0.0 } else { to.length },
-                if at_left { 0 } else { to.cells.len() - 1 },
-            ))
-        }
-        Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd => {
-            let shape = from.cells[node.cell].shape;
-            // The first cell of that piece to the right of the same support.
-            let supports = from.supports.partition_point(|support| support.breakpoint <= node.cell);
-            let support = supports.checked_sub(1).map_or(0, |i| to.supports[i].breakpoint);
-            let first = to.cells.partition_point(|cell| cell.shape < shape).max(support).min(to.cells.len() - 1);
-            let (lo, hi) = to.reach(first);
-            // A piece of the profile that has moved takes its contacts with it.
-            let was = from.reach(node.cell);
-            let x = node.x * unit;
-            let inside = lo <= x && x <= hi;
-            let x = if inside { x } else { lo + (node.x - was.0) / (was.1 - was.0) * (hi - lo) };
-            let cell = [to.cell_from(x), to.cell_to(x)].into_iter().find(|&cell| to.cells[cell].shape == shape)?;
-            let rest = if inside { node.rest * unit } else { 0.0 };
-            Some(Node { rest, ..Node::new(node.kind, x, cell) })
-        }
-    }
+        (None, bearing) if from.is_bearing(bearing) => to.bearings[from.bearings.binary_search(&bearing).ok()?],
+        (None, 0) => 0,
+        (None, last) if last == from.cells.len() => to.cells.len(),
+        (None, inner) => to.breakpoint_at(*to.ends.get(from.cells[inner].shape.checked_sub(1)?)?)?,
+    };
+    let turned = match node.slope {
+        Slope::Free(own) => Slope::Free(own * slope),
+        of_ground @ Slope::OfGround { .. } => of_ground,
+    };
+    let carried = Node { slope: turned, lies: node.lies, low: node.low * slope, ..Node::at(to, at) };
+    (!node.is_edge(from) || to.is_edge(at)).then_some(carried)
+}
+
+/// The same of one that moves along a smooth piece of the profile.
+fn moved(node: &Node, from: &PiecewiseScene, to: &PiecewiseScene, unit: f64) -> Option<Node> {
+    let shape = from.cells[node.cell].shape;
+    // The first cell of that piece to the right of the same support.
+    let supports = from.supports.partition_point(|support| support.breakpoint <= node.cell);
+    let support = supports.checked_sub(1).map_or(0, |i| to.supports[i].breakpoint);
+    let first = to.cells.partition_point(|cell| cell.shape < shape).max(support).min(to.cells.len() - 1);
+    let (lo, hi) = to.reach(first);
+    // A piece of the profile that has moved takes its contacts with it.
+    let was = from.reach(node.cell);
+    let x = node.x * unit;
+    let inside = lo <= x && x <= hi;
+    let x = if inside { x } else { lo + (node.x - was.0) / (was.1 - was.0) * (hi - lo) };
+    let cell = [to.cell_from(x), to.cell_to(x)].into_iter().find(|&cell| to.cells[cell].shape == shape)?;
+    let low = if inside { node.low * unit } else { 0.0 };
+    Some(Node { x, low, cell, ..*node })
 }

@@ -9,7 +9,7 @@
 
 use super::changes::{AT_A_CHANGE, Ground, Weak, curvature};
 use super::exact::Exact;
-use super::list::{Kind, Node};
+use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use crate::scene::{Quantity, Scene, Support};
 
@@ -238,17 +238,15 @@ impl Exact {
                 contacts.push(ContactDerivative { end_forces: ends, ..zone });
             }
             let Some(node) = nodes.get(i) else { continue };
-            match node.kind {
-                _ if node.is_ground(&self.given) => contacts.push(ContactDerivative {
+            if node.is_ground(&self.given) {
+                contacts.push(ContactDerivative {
                     from: scaled.place(changes[i].place),
                     to: scaled.place(changes[i].place),
                     force: certain(i, scaled.force(self.forces[i], changes[i].force)),
                     end_forces: None,
-                }),
-                Kind::Support(..) | Kind::Edge(_) => {
-                    supports.push((node.x, certain(i, scaled.force(self.exerted(i), changes[i].force))));
-                }
-                _ => {}
+                });
+            } else if node.any_support(&self.given).is_some() {
+                supports.push((node.x, certain(i, scaled.force(self.exerted(i), changes[i].force))));
             }
         }
         // The beam stays clear of a support that it has lifted off.
@@ -275,7 +273,7 @@ impl Exact {
 
     /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
     fn exerted(&self, i: usize) -> f64 {
-        self.forces[i] + self.list.nodes[i].support().map_or(0.0, |_| standing(&self.given, &self.list, i))
+        self.forces[i] + self.list.nodes[i].support(&self.given).map_or(0.0, |_| standing(&self.given, &self.list, i))
     }
 
     /// The derivative of `J / EI`, of `J` by the logarithm of `EI`.
@@ -351,7 +349,7 @@ impl Scaled<'_> {
         let ends = [i - 1, i].map(|end| {
             let node = &exact.list.nodes[end];
             let place = if exact.presses(end, i) { changes[end].place } else { f64::NAN };
-            match node.support() {
+            match node.support(given) {
                 // The support is said to take all of what is carried there.
                 Some(_) => (node.x, place, 0.0, 0.0),
                 None => (node.x, place, exact.forces[end], changes[end].force),

@@ -1,7 +1,7 @@
 //! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: it has no
 //! nodes of its own.
 
-use super::list::{Beside, Kind, List, Node};
+use super::list::{List, Node};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
@@ -66,7 +66,7 @@ impl Exact {
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples =
-            [0.0, given.length].map(|end| couple(&list, &checked.moments, end) * stiffness * scale.moment());
+            [0.0, given.length].map(|end| couple(&given, &list, &checked.moments, end) * stiffness * scale.moment());
         Self {
             state,
             solved,
@@ -251,10 +251,8 @@ impl Exact {
 }
 
 /// The moment that foundation and a simple support exert on the beam together at an end of it.
-fn couple(list: &List, moments: &[[f64; 2]], end: f64) -> f64 {
-    let at_end = |node: &Node| {
-        matches!(node.kind, Kind::Support(_, beside) if beside != [Beside::Apart; 2]) && node.x <= end && end <= node.x
-    };
+fn couple(given: &PiecewiseScene, list: &List, moments: &[[f64; 2]], end: f64) -> f64 {
+    let at_end = |node: &Node| node.is_held() && node.support(given).is_some() && node.x <= end && end <= node.x;
     let [left, right] = list.nodes.iter().position(at_end).map_or([0.0; 2], |i| moments[i]);
     if end <= 0.0 { right } else { left }
 }

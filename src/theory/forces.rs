@@ -1,6 +1,6 @@
 //! What a list makes of the beam: the forces of its nodes and zones, and the moments beside the nodes.
 
-use super::list::{Beside, Kind, List, Node};
+use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
 
@@ -12,11 +12,8 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
     let of_zone = |node: usize, cell: usize| given.derivative(cell, list.nodes[node].x, 3);
     let mut forces: Vec<f64> = Vec::with_capacity(list.nodes.len());
     for (i, node) in list.nodes.iter().enumerate() {
-        let in_beam = !node.can_move() && !node.is_edge();
-        let mut force = match node.kind {
-            Kind::Support(..) => 0.0,
-            _ => given.force_at(node.x, node.cell),
-        };
+        let in_beam = !node.can_move() && !node.is_edge(given);
+        let mut force = if node.support(given).is_some() { 0.0 } else { given.force_at(node.x, node.cell) };
         if in_beam {
             // Beside a zone the beam is the profile.
             if list.in_zone_before(i) {
@@ -31,13 +28,13 @@ pub(super) fn forces(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)
     for (i, span) in spans {
         if let Some(left) = i.checked_sub(1) {
             let node = &list.nodes[left];
-            forces[left] += match node.can_move() || node.is_edge() && span.a.x > 0.0 {
+            forces[left] += match node.can_move() || node.is_edge(given) && span.a.x > 0.0 {
                 true => span.at_a[3],
                 false => -span.beam_a[3],
             };
         }
         if let (Some(force), Some(node)) = (forces.get_mut(*i), list.nodes.get(*i)) {
-            *force -= match node.can_move() || node.is_edge() && span.b.x < given.length {
+            *force -= match node.can_move() || node.is_edge(given) && span.b.x < given.length {
                 true => span.at_b[3],
                 false => -span.beam_b[3],
             };
@@ -86,7 +83,7 @@ pub(super) fn zone_force(given: &PiecewiseScene, from: f64, to: f64) -> f64 {
 pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) -> f64 {
     let zones = list.zones().map(|zone| zone_force(given, zone.from, zone.to));
     let at_supports: f64 = given.supports.iter().map(|support| given.breakpoints[support.breakpoint].force).sum();
-    let of = |support: bool| move |(node, _): &(&Node, &f64)| node.support().is_some() == support;
+    let of = |support: bool| move |(node, _): &(&Node, &f64)| node.support(given).is_some() == support;
     let pairs = || list.nodes.iter().zip(forces);
     let carried = pairs().filter(of(true)).fold(given.resultant - at_supports, |rest, (_, force)| rest - force);
     carried - pairs().filter(of(false)).map(|(_, force)| force).sum::<f64>() - zones.sum::<f64>()
@@ -96,9 +93,9 @@ pub(super) fn unbalanced(given: &PiecewiseScene, list: &List, forces: &[f64]) ->
 /// support less that to its left. Ground on the right of a support pushes up there and the support down: a negative jump; ground
 /// on the left a positive one. [`None`] where ground holds the slope on neither side, or could on both, and where the beam is built
 /// in: that takes any moment.
-pub(super) fn pulling_couple(given: &PiecewiseScene, index: usize, beside: [Beside; 2], jump: f64) -> Option<f64> {
+pub(super) fn pulling_couple(given: &PiecewiseScene, index: usize, rests: [bool; 2], jump: f64) -> Option<f64> {
     let support = &given.supports[index];
-    let pinned = beside.iter().position(|&beside| beside != Beside::Apart)?;
+    let pinned = rests.iter().position(|&rests| rests)?;
     match pinned {
         _ if support.slope.is_some() => None,
         1 => Some(jump),

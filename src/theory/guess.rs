@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::chain::{Chain, ChainSample, Guess};
-use super::list::{Beside, Kind, List, Node, support_node};
+use super::list::{List, Node};
 use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
 use super::tension::zones_between;
@@ -285,11 +285,10 @@ impl Samples {
             if let Some(first) = first.take() {
                 builder.add(first..i);
             }
-            if let Some(breakpoint) = edge {
+            if let Some(breakpoint) = breakpoint.filter(|&breakpoint| given.support_at(breakpoint).is_some()) {
+                builder.add_support(breakpoint);
+            } else if let Some(breakpoint) = edge {
                 builder.nodes.push(edge_node(given, breakpoint));
-            }
-            if let Some(support) = breakpoint.and_then(|breakpoint| given.support_at(breakpoint)) {
-                builder.add_support(support);
             }
         }
         normalised(given, &builder.nodes)
@@ -314,10 +313,12 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    fn add_support(&mut self, index: usize) {
-        let left = if self.clamped { Beside::Clamped } else { Beside::Apart };
-        self.clamped = false;
-        self.nodes.push(support_node(self.given, index, [left, Beside::Apart]));
+    fn add_support(&mut self, breakpoint: usize) {
+        let mut node = Node::at(self.given, breakpoint);
+        if std::mem::take(&mut self.clamped) {
+            node.hold(true);
+        }
+        self.nodes.push(node);
     }
 
     /// Adds a point or a zone for a run of touching samples on one smooth piece of the profile.
@@ -343,8 +344,8 @@ impl Builder<'_> {
             };
             self.nodes.extend(zones_between(given, [start, end]));
         } else if left.is_some() {
-            if let Some(Node { kind: Kind::Support(_, [_, beside]), .. }) = self.nodes.last_mut() {
-                *beside = Beside::Clamped;
+            if let Some(support) = self.nodes.last_mut().filter(|last| last.support(given).is_some()) {
+                support.hold(false);
             }
         } else if right.is_some() {
             self.clamped = true;
@@ -354,7 +355,7 @@ impl Builder<'_> {
             self.nodes.push(edge_node(given, given.cells.len()));
         } else {
             let place = self.point(run);
-            self.nodes.push(Node::new(Kind::Smooth, place, given.cell_from(place)));
+            self.nodes.push(Node::touch(place, given.cell_from(place)));
         }
     }
 

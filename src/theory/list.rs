@@ -1,58 +1,31 @@
 //! The list of nodes from left to right, and the spans that they make: every beam is a free beam, and nodes hold it.
 //!
-//! | node | given | unknown | equation | force |
-//! |---|---|---|---|---|
-//! | support | `v` | slope | `v''` the same on both sides | of either sign |
-//! | built in | `v`, `v'` | – | – | of either sign, and a couple |
-//! | edge (kink, step, support that only pushes, a free end that touches) | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
-//! | smooth point | `h = h' = 0` | place | `h''` the same on both sides | ≥ 0 |
-//! | start or end of a zone | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
-//! | tip: a zone that reaches a free end | `h = h' = 0` | – | `g'' = 0` there, or it lifts | ≥ 0 |
+//! A node is a place at which the beam is held, with what it does to the slope, and whether the beam lies on the ground from there
+//! to the next node. What stands there, a support, an edge or a free end, is said by the scene.
+//!
+//! | node | slope | lies | given | unknown | equation | force |
+//! |---|---|---|---|---|---|---|
+//! | support | free | no | `v` | slope | `v''` the same on both sides | of either sign |
+//! | built in | of the support | no | `v`, `v'` | – | – | of either sign, and a couple |
+//! | support on ground at its level | of the ground | either | `v`, `v'` | – | – | of either sign, and a couple |
+//! | edge (kink, step, support that only pushes, a free end that touches) | free | no | `v = g` | slope | `v''` the same on both sides | ≥ 0 |
+//! | smooth point | of the ground | no | `h = h' = 0` | place | `h''` the same on both sides | ≥ 0 |
+//! | start of a zone | of the ground | yes | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
+//! | end of a zone | of the ground, from its left | no | `h = h' = 0` | place | `h'' = 0` in the span | ≥ 0 |
+//! | free end in a zone | of the ground | left: yes | `h = h' = 0` | – | `g'' = 0` there, or it lifts | ≥ 0 |
 //!
 //! Beyond the outermost nodes the beam hangs over: moment and shear force there follow from its loads. So the outermost node, if
-//! it leaves the slope free, is a hinge with a given moment and has no unknown either. A tip has none because beside a zone on
-//! straight ground the moment of an overhang vanishes doubly at the free end, and the equation of a place would be singular.
+//! it leaves the slope free, is a hinge with a given moment and has no unknown either. A free end in a zone has none because beside
+//! a zone on straight ground the moment of an overhang vanishes doubly at the free end, and the equation of a place would be
+//! singular.
 //!
-//! The ground may start at the level of a support, and then hold the slope of the beam there or carry a zone: [`Beside`].
+//! Ground at the level of a support may hold the slope of the beam there: it pushes up next to the support, which pulls down, and
+//! the two are a couple. Of the force at a zone that begins or ends there only the sum with that of the support is unique: the
+//! support is said to take all of it.
 
 use super::piecewise::PiecewiseScene;
 use super::span::{End, Hold, Overhang, Span};
-
-/// What the ground does beside a support, on one side of it. All but the first need ground at the level of the support.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Beside {
-    /// Nothing.
-    Apart,
-    /// It holds the slope of the beam, `h' = 0`: it pushes up next to the support, which pulls down. The two are a couple.
-    Clamped,
-    /// A zone of contact begins at the support; it holds the slope as well. Of the force there only the sum with that of the
-    /// support is unique: the support is said to take all of it.
-    Zone,
-}
-
-/// What kind of node it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// The support of that index, with what the ground does to its left and to its right.
-    Support(usize, [Beside; 2]),
-    /// A point on a smooth piece of the profile.
-    Smooth,
-    /// The breakpoint of that index, an edge of the profile or a free end of the beam.
-    Edge(usize),
-    /// Where a zone starts.
-    ZoneStart,
-    /// Where a zone ends.
-    ZoneEnd,
-    /// A free end of the beam, at which a zone starts or ends.
-    Tip,
-}
-
-impl Kind {
-    /// True if a zone starts, or ends, at such a node, and moves with it.
-    pub(super) fn is_of_zone(self) -> bool {
-        matches!(self, Self::ZoneStart | Self::ZoneEnd)
-    }
-}
+use crate::certificate::Slope;
 
 /// What is not known of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,20 +36,22 @@ pub(super) enum Unknown {
     Slope,
 }
 
-/// A node of the list.
+/// A place at which the beam is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Node {
-    /// What kind it is.
-    pub(super) kind: Kind,
     /// Where it is.
     pub(super) x: f64,
-    /// Slope `v'` of the beam at an edge or a support; not used elsewhere.
-    pub(super) slope: f64,
-    /// What its place is beyond `x`, and at an edge or a support its slope beyond `slope`, less than a unit in the last place:
-    /// where contacts lie close together, their forces feel it.
-    pub(super) rest: f64,
-    /// A cell of the smooth piece of the profile on which it lies; for an edge or a support the one to its right.
+    /// Slope `v'` of the beam. At a support at which the beam is built in it is that of the support.
+    pub(super) slope: Slope,
+    /// True where the beam lies on the ground from here to the next node.
+    pub(super) lies: bool,
+    /// What its place is beyond `x`, or of a free slope what that is beyond its number, less than a unit in the last place: where
+    /// contacts lie close together, their forces feel it.
+    pub(super) low: f64,
+    /// A cell of the smooth piece of the profile on which it lies; of one that stands at a breakpoint the one to its right.
     pub(super) cell: usize,
+    /// The breakpoint at which it stands; [`None`] if it moves along a smooth piece of the profile.
+    pub(super) breakpoint: Option<usize>,
 }
 
 /// The nodes from left to right, every support among them.
@@ -100,19 +75,17 @@ pub(super) struct Zone {
 impl List {
     /// The beam without contact.
     pub(super) fn free(given: &PiecewiseScene) -> Self {
-        Self { nodes: (0..given.supports.len()).map(|i| support_node(given, i, [Beside::Apart; 2])).collect() }
+        Self { nodes: given.supports.iter().map(|support| Node::at(given, support.breakpoint)).collect() }
     }
 
     /// What is not known of node `i`.
     pub(super) fn unknown(&self, given: &PiecewiseScene, i: usize) -> Option<Unknown> {
         let node = self.nodes.get(i)?;
-        let inner = 0 < i && i + 1 < self.nodes.len();
-        match node.kind {
-            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd => Some(Unknown::Place),
-            Kind::Edge(_) => inner.then_some(Unknown::Slope),
-            Kind::Support(..) => (inner && node.held_slope(given).is_none()).then_some(Unknown::Slope),
-            Kind::Tip => None,
+        if node.can_move() {
+            return Some(Unknown::Place);
         }
+        let inner = 0 < i && i + 1 < self.nodes.len();
+        (inner && node.held_slope(given).is_none()).then_some(Unknown::Slope)
     }
 
     /// The number of unknowns.
@@ -140,22 +113,21 @@ impl List {
             let is_span = 0 < i && i < self.nodes.len() && !self.in_zone_before(i);
             is_span.then(|| self.span(given, i)).map(|span| if at_left { span.beam_a[1] } else { span.beam_b[1] })
         };
-        let slope = match node.kind {
-            Kind::Edge(_) => beside().unwrap_or(node.slope),
-            Kind::Support(..) => node.held_slope(given).or_else(beside).unwrap_or(node.slope),
-            // Of the piece on which the node lies, which may end just there.
-            Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => given.derivative(node.cell, node.x, 1),
-        };
-        Span::overhang(given, node.end(given, cell, Hinged::No), slope, at_left)
+        let slope = node.held_slope(given).or_else(beside).unwrap_or(node.free_slope()[0]);
+        Span::overhang(given, node.span_end(given, cell), slope, at_left)
     }
 
     /// The span between node `i − 1` and node `i`.
     fn span(&self, given: &PiecewiseScene, i: usize) -> Span {
         let (left, right) = (&self.nodes[i - 1], &self.nodes[i]);
-        let hinged = |outermost: bool, side: Hinged| if outermost { side } else { Hinged::No };
         let ([from, _], [_, to]) = (left.cells(given), right.cells(given));
-        let a = left.end(given, from, hinged(i == 1, Hinged::Left));
-        let b = right.end(given, to, hinged(i + 1 == self.nodes.len(), Hinged::Right));
+        let (mut a, mut b) = (left.span_end(given, from), right.span_end(given, to));
+        if i == 1 {
+            left.hinge(given, &mut a, true);
+        }
+        if i + 1 == self.nodes.len() {
+            right.hinge(given, &mut b, false);
+        }
         Span::between(given, a, b)
     }
 
@@ -172,150 +144,205 @@ impl List {
 
     /// True if the stretch that ends at node `i` is a zone.
     pub(super) fn in_zone_before(&self, i: usize) -> bool {
-        let Some(left) = i.checked_sub(1).and_then(|left| self.nodes.get(left)) else { return false };
-        match left.kind {
-            Kind::ZoneStart | Kind::Support(_, [_, Beside::Zone]) => true,
-            Kind::Tip => i == 1 && i < self.nodes.len(),
-            _ => false,
-        }
+        i < self.nodes.len() && i.checked_sub(1).is_some_and(|left| self.nodes[left].lies)
     }
-}
 
-/// Whether a node that leaves the slope free is the outermost one on a side, and so a hinge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Hinged {
-    No,
-    Left,
-    Right,
+    /// On which sides of node `i` the ground holds the slope of the beam.
+    pub(super) fn rests(&self, i: usize) -> [bool; 2] {
+        let held = |left: bool| self.nodes[i].slope == Slope::OfGround { from_the_left: left };
+        [self.in_zone_before(i) || held(true), self.in_zone_before(i + 1) || held(false)]
+    }
 }
 
 impl Node {
-    /// True if it lies on a break of the profile and cannot move.
-    pub(super) fn is_edge(&self) -> bool {
-        matches!(self.kind, Kind::Edge(_))
+    /// A point of contact at `x`, on the smooth piece of the profile that `cell` belongs to.
+    pub(super) fn touch(x: f64, cell: usize) -> Self {
+        Self { x, slope: Slope::OfGround { from_the_left: false }, lies: false, low: 0.0, cell, breakpoint: None }
     }
 
-    /// The same, or the support that only pushes, which come after those.
-    pub(super) fn any_support(&self, given: &PiecewiseScene) -> Option<usize> {
-        match self.kind {
-            Kind::Edge(breakpoint) => given.bearing_index(breakpoint),
-            _ => self.support(),
-        }
+    /// Where a zone starts.
+    pub(super) fn start(x: f64, cell: usize) -> Self {
+        Self { lies: true, ..Self::touch(x, cell) }
     }
 
-    /// True for a contact with the ground at a single place.
-    pub(super) fn is_ground(&self, given: &PiecewiseScene) -> bool {
-        match self.kind {
-            Kind::Smooth => true,
-            Kind::Edge(breakpoint) => !given.is_bearing(breakpoint),
-            _ => false,
-        }
+    /// Where a zone ends.
+    pub(super) fn end(x: f64, cell: usize) -> Self {
+        Self { slope: Slope::OfGround { from_the_left: true }, ..Self::touch(x, cell) }
+    }
+
+    /// A node that stands at a breakpoint and leaves the slope free.
+    pub(super) fn at(given: &PiecewiseScene, breakpoint: usize) -> Self {
+        let [_, cell] = given.cells_beside(breakpoint);
+        let free = Self { slope: Slope::Free(0.0), ..Self::touch(given.breakpoints[breakpoint].x, cell) };
+        Self { breakpoint: Some(breakpoint), ..free }
+    }
+
+    /// A free end of the beam, at which a zone starts or ends.
+    pub(super) fn tip(given: &PiecewiseScene, at_left: bool) -> Self {
+        let breakpoint = if at_left { 0 } else { given.cells.len() };
+        Self { slope: Slope::OfGround { from_the_left: !at_left }, lies: at_left, ..Self::at(given, breakpoint) }
     }
 
     /// True if it lies on a smooth piece of the profile and can move on it.
     pub(super) fn can_move(&self) -> bool {
-        matches!(self.kind, Kind::Smooth | Kind::ZoneStart | Kind::ZoneEnd)
+        self.breakpoint.is_none()
+    }
+
+    /// True if a zone starts or ends there, and moves with it.
+    pub(super) fn is_of_zone(&self) -> bool {
+        self.starts_zone() || self.ends_zone()
+    }
+
+    /// True if a zone starts there, and moves with it.
+    pub(super) fn starts_zone(&self) -> bool {
+        self.can_move() && self.lies
+    }
+
+    /// True if a zone ends there, and moves with it.
+    pub(super) fn ends_zone(&self) -> bool {
+        self.can_move() && self.slope == Slope::OfGround { from_the_left: true }
+    }
+
+    /// True if the beam touches a smooth piece of the profile there at a single place.
+    pub(super) fn is_smooth(&self) -> bool {
+        self.can_move() && !self.is_of_zone()
+    }
+
+    /// True if it is an edge of the profile or a free end of the beam, on which the beam may turn.
+    pub(super) fn is_edge(&self, given: &PiecewiseScene) -> bool {
+        !self.can_move() && !self.is_held() && self.support(given).is_none()
+    }
+
+    /// True if it is a free end of the beam in a zone.
+    pub(super) fn is_tip(&self, given: &PiecewiseScene) -> bool {
+        !self.can_move() && self.is_held() && self.support(given).is_none()
+    }
+
+    /// True if the ground holds the slope of the beam.
+    pub(super) fn is_held(&self) -> bool {
+        matches!(self.slope, Slope::OfGround { .. })
+    }
+
+    /// True if it is a support at which the ground has the slope that the beam is held with.
+    pub(super) fn rests_at_support(&self, given: &PiecewiseScene) -> bool {
+        let support = self.support(given).map(|support| &given.supports[support]);
+        support.is_some_and(|support| self.is_held() || support.slope.is_some() && !support.built_in)
     }
 
     /// The support that it is, if it is one.
-    pub(super) fn support(&self) -> Option<usize> {
-        match self.kind {
-            Kind::Support(index, _) => Some(index),
-            _ => None,
+    pub(super) fn support(&self, given: &PiecewiseScene) -> Option<usize> {
+        given.support_at(self.breakpoint?)
+    }
+
+    /// The same, or the support that only pushes, which come after those.
+    pub(super) fn any_support(&self, given: &PiecewiseScene) -> Option<usize> {
+        self.support(given).or_else(|| given.bearing_index(self.breakpoint.filter(|_| !self.is_held())?))
+    }
+
+    /// True if the beam touches something at a single place: the ground, or a support that only pushes.
+    pub(super) fn is_point(&self, given: &PiecewiseScene) -> bool {
+        self.is_smooth() || self.is_edge(given)
+    }
+
+    /// True for a contact with the ground at a single place.
+    pub(super) fn is_ground(&self, given: &PiecewiseScene) -> bool {
+        self.is_point(given) && self.any_support(given).is_none()
+    }
+
+    /// Moves it to the sum of `x` and `low`, of which `x` is much the larger.
+    pub(super) fn move_to(&mut self, x: f64, low: f64) {
+        self.x = x + low;
+        self.low = low - (self.x - x);
+    }
+
+    /// Turns the beam where the slope is free.
+    pub(super) fn turn_by(&mut self, step: f64) {
+        let Slope::Free(before) = self.slope else { return };
+        let low = self.low + step;
+        let slope = before + low;
+        self.low = low - (slope - before);
+        self.slope = Slope::Free(slope);
+    }
+
+    /// Lets the ground on one side hold the slope, if that is free.
+    pub(super) fn hold(&mut self, from_the_left: bool) {
+        if !self.is_held() {
+            (self.slope, self.low) = (Slope::OfGround { from_the_left }, 0.0);
         }
     }
 
-    /// A node at `x`.
-    pub(super) fn new(kind: Kind, x: f64, cell: usize) -> Self {
-        Self { kind, x, slope: 0.0, rest: 0.0, cell }
+    /// A free slope and what it is beyond that.
+    fn free_slope(&self) -> [f64; 2] {
+        match self.slope {
+            Slope::Free(slope) => [slope, self.low],
+            Slope::OfGround { .. } => [0.0; 2],
+        }
     }
 
-    /// Moves it to the sum of `x` and `rest`, of which `x` is much the larger.
-    pub(super) fn move_to(&mut self, x: f64, rest: f64) {
-        self.x = x + rest;
-        self.rest = rest - (self.x - x);
-    }
-
-    /// Turns the beam at an edge or a support.
-    pub(super) fn turn_by(&mut self, step: f64) {
-        let rest = self.rest + step;
-        let slope = self.slope + rest;
-        self.rest = rest - (slope - self.slope);
-        self.slope = slope;
-    }
-
-    /// The slope of the beam at a support that does not leave it free, because the beam is built in or because of the ground.
+    /// The slope of the beam where it is not free, because the beam is built in or because of the ground.
     pub(super) fn held_slope(&self, given: &PiecewiseScene) -> Option<f64> {
-        let Kind::Support(index, beside) = self.kind else { return None };
-        given.supports[index].slope.or_else(|| {
-            let side = beside.iter().position(|&beside| beside != Beside::Apart)?;
-            let cell = given.cells_beside(given.supports[index].breakpoint)[side];
-            Some(given.derivative(cell, self.x, 1))
+        let own = self.support(given).and_then(|support| given.supports[support].slope);
+        own.or_else(|| match self.slope {
+            Slope::Free(_) => None,
+            // Of the piece on which the node lies, which may end just there.
+            Slope::OfGround { from_the_left } => {
+                let cell = self.breakpoint.map_or(self.cell, |i| given.cells_beside(i)[usize::from(!from_the_left)]);
+                Some(given.derivative(cell, self.x, 1))
+            }
         })
     }
 
     /// The cells to its right and to its left.
     fn cells(&self, given: &PiecewiseScene) -> [usize; 2] {
-        match self.kind {
-            Kind::Edge(breakpoint) => {
+        match self.breakpoint {
+            Some(breakpoint) => {
                 let [left, right] = given.cells_beside(breakpoint);
                 [right, left]
             }
-            Kind::Support(index, _) => {
-                let [left, right] = given.cells_beside(given.supports[index].breakpoint);
-                [right, left]
-            }
-            _ => given.cells_at(self.x, self.cell),
+            None => given.cells_at(self.x, self.cell),
         }
     }
 
     /// The end of a span that lies in `cell` beside the node.
-    fn end(&self, given: &PiecewiseScene, cell: usize, hinged: Hinged) -> End {
-        End { x: self.x, rest: self.rest, cell, hold: self.hold(given, cell, hinged) }
+    fn span_end(&self, given: &PiecewiseScene, cell: usize) -> End {
+        End { x: self.x, rest: self.low, cell, hold: self.end_condition(given, cell) }
+    }
+
+    /// Makes a hinge of the end of a span at the outermost node on a side, if that leaves the slope free.
+    fn hinge(&self, given: &PiecewiseScene, end: &mut End, at_left: bool) {
+        if let Hold::Edge { height, level, .. } = end.hold
+            && self.held_slope(given).is_none()
+        {
+            end.hold = Hold::Hinge { height, level, curvature: Overhang::of(given, self.x, at_left).moment };
+        }
     }
 
     /// How the node holds that span.
-    fn hold(&self, given: &PiecewiseScene, cell: usize, hinged: Hinged) -> Hold {
-        let free_slope = |height: f64, level: f64| match hinged {
-            Hinged::No => Hold::Edge { height, level, slope: [self.slope, self.rest] },
-            side => {
-                let curvature = Overhang::of(given, self.x, side == Hinged::Left).moment;
-                Hold::Hinge { height, level, curvature }
-            }
+    fn end_condition(&self, given: &PiecewiseScene, cell: usize) -> Hold {
+        let Some(breakpoint) = self.breakpoint else { return self.moving_end(given, cell) };
+        let [left, _] = given.cells_beside(breakpoint);
+        let on_the_right = cell != left || self.x <= 0.0;
+        if self.slope == (Slope::OfGround { from_the_left: !on_the_right }) {
+            return Hold::Resting;
+        }
+        let (height, level) = match self.support(given).map(|support| &given.supports[support]) {
+            Some(support) => (support.clearance[usize::from(on_the_right)], support.level),
+            // The lower side of a step lies below the beam, which rests on the upper one.
+            None => (given.height(breakpoint, cell), given.breakpoints[breakpoint].depth),
         };
-        match self.kind {
-            Kind::Edge(breakpoint) => {
-                // The lower side of a step lies below the beam, which rests on the upper one.
-                free_slope(given.height(breakpoint, cell), given.breakpoints[breakpoint].depth)
-            }
-            Kind::Support(index, beside) => {
-                let support = &given.supports[index];
-                let [left, _] = given.cells_beside(support.breakpoint);
-                let side = usize::from(cell != left || self.x <= 0.0);
-                let height = support.clearance[side];
-                match self.held_slope(given) {
-                    _ if beside[side] != Beside::Apart => Hold::Resting,
-                    Some(slope) => Hold::Edge { height, level: support.level, slope: [slope, 0.0] },
-                    None => free_slope(height, support.level),
-                }
-            }
-            // A node at the very end of its piece of the profile has the next one on its other side.
-            _ if given.cells[cell].shape != given.cells[self.cell].shape => {
-                let level = given.derivative(self.cell, self.x, 0);
-                Hold::Edge {
-                    height: given.derivative(cell, self.x, 0) - level,
-                    level,
-                    slope: [given.derivative(self.cell, self.x, 1), 0.0],
-                }
-            }
-            _ => Hold::Resting,
+        Hold::Edge {
+            height,
+            level,
+            slope: self.held_slope(given).map_or_else(|| self.free_slope(), |slope| [slope, 0.0]),
         }
     }
-}
 
-/// The node of the support of that index, with what the ground does beside it.
-pub(super) fn support_node(given: &PiecewiseScene, index: usize, beside: [Beside; 2]) -> Node {
-    let breakpoint = given.supports[index].breakpoint;
-    let [_, cell] = given.cells_beside(breakpoint);
-    Node::new(Kind::Support(index, beside), given.breakpoints[breakpoint].x, cell)
+    /// The same of one that can move: at the very end of its piece of the profile it has the next one on its other side.
+    fn moving_end(&self, given: &PiecewiseScene, cell: usize) -> Hold {
+        if given.cells[cell].shape == given.cells[self.cell].shape {
+            return Hold::Resting;
+        }
+        let [level, slope] = [0, 1].map(|order| given.derivative(self.cell, self.x, order));
+        Hold::Edge { height: given.derivative(cell, self.x, 0) - level, level, slope: [slope, 0.0] }
+    }
 }

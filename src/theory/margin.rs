@@ -3,7 +3,7 @@
 use super::bernstein::{sign_changes, value};
 use super::check::Checked;
 use super::forces::{forces, moments};
-use super::list::{Beside, Kind, List, Node};
+use super::list::{List, Node};
 use super::penetration::in_bearings;
 use super::piece::{derivatives, pieces_of};
 use super::piecewise::PiecewiseScene;
@@ -82,7 +82,7 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
         }
     }
     for (i, (node, force)) in list.nodes.iter().zip(&checked.forces).enumerate() {
-        if let Some(support) = node.support()
+        if let Some(support) = node.support(given)
             && let Some(&pulled) = pulls.get(support)
         {
             let force = force + given.breakpoints[given.supports[support].breakpoint].force;
@@ -111,13 +111,7 @@ pub(super) fn stopped(given: &PiecewiseScene, list: &List) -> Option<Margin> {
 
 /// True if the node is a support at which the ground has the slope that the beam is held with.
 fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
-    list.nodes.get(node).is_some_and(|node| match node.kind {
-        Kind::Support(index, beside) => {
-            let support = &given.supports[index];
-            beside != [Beside::Apart; 2] || (support.slope.is_some() && !support.built_in)
-        }
-        _ => false,
-    })
+    list.nodes.get(node).is_some_and(|node| node.rests_at_support(given))
 }
 
 impl Margin {
@@ -166,11 +160,11 @@ impl Margin {
             Condition::Clears(node) => lowest(given, before(node)?),
             Condition::Couple(node) => {
                 let [left, right] = *moments(given, list, spans).get(node)?;
-                let Kind::Support(_, beside) = list.nodes.get(node)?.kind else { return None };
-                Some(if beside[1] == Beside::Apart { right - left } else { left - right })
+                list.nodes.get(node)?.support(given)?;
+                Some(if list.rests(node)[1] { left - right } else { right - left })
             }
             Condition::Support(node, pulled) => {
-                let support = &given.supports[list.nodes.get(node)?.support()?];
+                let support = &given.supports[list.nodes.get(node)?.support(given)?];
                 let force = forces.get(node)? + given.breakpoints[support.breakpoint].force;
                 Some(if pulled { -force } else { force })
             }
@@ -182,11 +176,11 @@ impl Margin {
 pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(Margin, f64)> {
     let spans: Vec<(usize, Span)> = list.spans(given).collect();
     let forces = forces(given, list, &spans);
-    let of_node = |(i, node): (usize, &Node)| match node.kind {
-        Kind::Smooth => [Some(Condition::Presses(i)), Some(Condition::Bends(i))],
-        Kind::Edge(_) | Kind::Tip | Kind::ZoneEnd => [Some(Condition::Presses(i)), None],
-        Kind::ZoneStart => [Some(Condition::Presses(i)), Some(Condition::Length(i))],
-        Kind::Support(index, _) => [pulls.get(index).map(|&pulled| Condition::Support(i, pulled)), None],
+    let of_node = |(i, node): (usize, &Node)| match node.support(given) {
+        Some(index) => [pulls.get(index).map(|&pulled| Condition::Support(i, pulled)), None],
+        None if node.is_smooth() => [Some(Condition::Presses(i)), Some(Condition::Bends(i))],
+        None if node.starts_zone() => [Some(Condition::Presses(i)), Some(Condition::Length(i))],
+        None => [Some(Condition::Presses(i)), None],
     };
     let nodes = list.nodes.iter().enumerate().flat_map(of_node).flatten();
     let clearances = spans.iter().filter(|_| given.has_obstacle()).map(|(i, _)| Condition::Clears(*i));

@@ -11,25 +11,26 @@
 
 use super::bernstein::lowest_below;
 use super::check::{Checked, check};
-use super::list::{Beside, List, Node, support_node};
+use super::list::{List, Node};
 use super::normal::edge_node;
 use super::penetration::in_bearings;
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
+use crate::certificate::Slope;
 
 /// The beam in its position with the slope nearest to zero, and the interval of slopes if there is more than one; [`None`] if it does
 /// not rest on this place, `about`, alone.
 pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Option<[f64; 2]>)> {
     /// Slopes that differ by less than this share are one.
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
-    let node = match given.supports.len() {
-        0 => edge_node(given, given.breakpoint_at(about).filter(|&breakpoint| given.is_edge(breakpoint))?),
-        _ => support_node(given, 0, [Beside::Apart; 2]),
+    let node = match given.supports.first() {
+        None => edge_node(given, given.breakpoint_at(about).filter(|&breakpoint| given.is_edge(breakpoint))?),
+        Some(support) => Node::at(given, support.breakpoint),
     };
     if node.held_slope(given).is_some() {
         return None;
     }
-    let level = List { nodes: vec![Node { slope: 0.0, ..node }] };
+    let level = List { nodes: vec![Node { slope: Slope::Free(0.0), ..node }] };
     let slopes = if given.has_obstacle() { slopes(given, &level, about) } else { [f64::NEG_INFINITY, f64::INFINITY] };
     // Where the ground leaves one slope it is known to rounding, and its limits may lie on either side of each other.
     let rounding = ROUNDING * slopes[0].abs().max(slopes[1].abs());
@@ -38,7 +39,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Opt
     }
     let turns = slopes[1].is_infinite() || slopes[0].is_infinite() || rounding < slopes[1] - slopes[0];
     let slope = 0.0_f64.max(slopes[0]).min(slopes[1]);
-    let list = List { nodes: vec![Node { slope, ..node }] };
+    let list = List { nodes: vec![Node { slope: Slope::Free(slope), ..node }] };
     let checked = check(given, &list);
     let found = Found { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
     found.solved().then_some((found, turns.then_some(slopes)))

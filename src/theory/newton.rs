@@ -4,7 +4,7 @@
 //! `h''` is read; turning an edge by `δv'` turns the end by `δh' = −δv'`. The other end answers by the slope-deflection
 //! equations of [`super::span`].
 
-use super::list::{Kind, List, Node, Unknown};
+use super::list::{List, Node, Unknown};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
 
@@ -226,10 +226,10 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
         }
         let (mut lo, mut hi) = given.reach(node.cell);
         let x = node.x;
-        match node.kind {
-            Kind::ZoneStart => lo = lo.max(given.next_tension(x)[0]),
-            Kind::ZoneEnd => hi = hi.min(given.next_tension(x)[1]),
-            _ => {}
+        if node.starts_zone() {
+            lo = lo.max(given.next_tension(x)[0]);
+        } else if node.ends_zone() {
+            hi = hi.min(given.next_tension(x)[1]);
         }
         // Most of the way to a break of the profile, which is no place for a contact of this kind.
         (lo, hi) = (x + 0.9 * (lo - x), x + 0.9 * (hi - x));
@@ -247,7 +247,7 @@ fn apply(given: &PiecewiseScene, list: &mut List, rows: &[Row], brackets: &mut [
         if short {
             list.nodes[i].move_to(bounded, 0.0);
         } else {
-            list.nodes[i].move_to(x, node.rest + step);
+            list.nodes[i].move_to(x, node.low + step);
         }
         applied.size = applied.size.max(step.abs() / given.length);
     }

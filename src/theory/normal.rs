@@ -1,7 +1,8 @@
 //! Lists that make sense: repaired and guessed ones are brought into this form before they are solved.
 
-use super::list::{Beside, Kind, List, Node};
+use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
+use crate::certificate::Slope;
 
 /// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them. Supports stay.
@@ -14,14 +15,12 @@ pub(super) fn normalised(given: &PiecewiseScene, nodes: &[Node]) -> List {
         inside: false,
     };
     for &node in nodes {
-        match node.kind {
-            Kind::Support(index, beside) => normal.add_support(index, beside, node),
-            Kind::Tip if node.x <= 0.0 => {
-                normal.inside = normal.nodes.is_empty();
-                normal.nodes.extend(normal.inside.then_some(node));
-            }
-            Kind::Tip => normal.end_at_tip(node),
-            _ => normal.add_contact(node),
+        if let Some(index) = node.support(given) {
+            normal.add_support(index, node);
+        } else if node.is_tip(given) {
+            normal.add_tip(node);
+        } else {
+            normal.add_contact(node);
         }
     }
     normal.end_of_beam()
@@ -50,41 +49,31 @@ impl Normal<'_> {
         if self.joins_zone(&node) {
             return;
         }
-        match node.kind {
-            Kind::ZoneEnd if self.inside => {
-                self.inside = false;
-                match self.nodes.last_mut() {
-                    // Of a zone that has shrunk to nothing at a support the slope is left that the ground holds.
-                    Some(Node { kind: Kind::Support(_, [_, beside]), x, .. }) if node.x - *x <= self.least => {
-                        *beside = Beside::Clamped;
-                    }
-                    _ => self.nodes.push(node),
+        let support = self.nodes.last().and_then(|last| last.support(given));
+        if node.ends_zone() {
+            match (std::mem::take(&mut self.inside), self.nodes.last_mut()) {
+                (false, _) => {}
+                // Of a zone that has shrunk to nothing at a support the slope is left that the ground holds.
+                (true, Some(last)) if support.is_some() && node.x - last.x <= self.least => last.lies = false,
+                (true, _) => self.nodes.push(node),
+            }
+        } else if !self.inside && gap {
+            self.inside = node.lies;
+            self.nodes.push(node);
+        } else if !self.inside && node.lies {
+            self.inside = true;
+            match (support, self.nodes.last_mut()) {
+                // A zone that starts in the last digits beside a support where the ground starts as well.
+                (Some(index), Some(last)) if given.supports[index].grounded[1] => {
+                    last.lies = true;
+                    last.hold(false);
+                }
+                (Some(_), _) => self.nodes.push(node),
+                (None, _) => {
+                    self.nodes.pop();
+                    self.nodes.push(node);
                 }
             }
-            Kind::ZoneEnd => {}
-            _ if self.inside => {}
-            _ if gap => {
-                self.inside = node.kind == Kind::ZoneStart;
-                self.nodes.push(node);
-            }
-            Kind::ZoneStart => {
-                self.inside = true;
-                match self.nodes.last_mut() {
-                    // A zone that starts in the last digits beside a support where the ground starts as well.
-                    Some(Node { kind: Kind::Support(index, beside), .. }) => {
-                        if given.supports[*index].grounded[1] {
-                            beside[1] = Beside::Zone;
-                        } else {
-                            self.nodes.push(node);
-                        }
-                    }
-                    _ => {
-                        self.nodes.pop();
-                        self.nodes.push(node);
-                    }
-                }
-            }
-            _ => {}
         }
     }
 
@@ -93,63 +82,68 @@ impl Normal<'_> {
         let given = self.given;
         if !self.inside
             && node.can_move()
-            && node.kind != Kind::ZoneEnd
+            && !node.ends_zone()
             && let Some(last) = self.nodes.last_mut()
             && last.can_move()
             && given.cells[last.cell].shape == given.cells[node.cell].shape
             && given.tension_between(last.x, node.x).next().is_none()
         {
-            let ends = node.kind == Kind::Smooth && last.x < node.x;
-            if last.kind == Kind::ZoneEnd {
+            let ends = !node.lies && last.x < node.x;
+            if last.ends_zone() {
                 self.nodes.pop();
             } else {
-                last.kind = Kind::ZoneStart;
+                last.lies = true;
             }
             self.inside = !ends;
-            self.nodes.extend(ends.then_some(Node { kind: Kind::ZoneEnd, ..*node }));
+            let end = Node { low: node.low, ..Node::end(node.x, node.cell) };
+            self.nodes.extend(ends.then_some(end));
             return true;
         }
         false
     }
 
-    fn add_support(&mut self, index: usize, [left, right]: [Beside; 2], node: Node) {
+    fn add_support(&mut self, index: usize, mut node: Node) {
         let grounded = self.given.supports[index].grounded[0];
         let mut shrunk = false;
-        while self.nodes.last().is_some_and(|n| n.support().is_none() && node.x - n.x <= self.least) {
-            let kind = self.nodes.pop().map(|n| n.kind);
-            shrunk = grounded && self.inside && kind == Some(Kind::ZoneStart);
-            self.inside = kind == Some(Kind::ZoneEnd);
+        while let Some(last) =
+            self.nodes.pop_if(|last| last.support(self.given).is_none() && node.x - last.x <= self.least)
+        {
+            shrunk = grounded && self.inside && last.starts_zone();
+            self.inside = last.ends_zone();
         }
         if self.inside && !grounded {
             self.give_up();
         }
-        let left = match left {
-            _ if self.inside => Beside::Zone,
-            _ if shrunk => Beside::Clamped,
-            Beside::Zone => Beside::Apart,
-            other => other,
-        };
-        self.inside = right == Beside::Zone;
-        self.nodes.push(Node { kind: Kind::Support(index, [left, right]), ..node });
+        if self.inside || shrunk {
+            node.hold(true);
+        } else if node.lies {
+            node.hold(false);
+        }
+        self.inside = node.lies;
+        self.nodes.push(node);
     }
 
     /// A zone that begins and has no end does not begin.
     fn give_up(&mut self) {
         self.inside = false;
-        match self.nodes.last_mut() {
-            Some(Node { kind: Kind::Support(_, beside), .. }) => beside[1] = Beside::Apart,
-            Some(Node { kind: Kind::ZoneStart | Kind::Tip, .. }) => {
-                self.nodes.pop();
-            }
-            _ => {}
+        let given = self.given;
+        let Some(last) = self.nodes.last_mut().filter(|last| last.lies) else { return };
+        if last.support(given).is_none() {
+            self.nodes.pop();
+            return;
+        }
+        last.lies = false;
+        if last.slope == (Slope::OfGround { from_the_left: false }) {
+            last.slope = Slope::Free(0.0);
         }
     }
 
-    fn end_at_tip(&mut self, tip: Node) {
-        if !std::mem::take(&mut self.inside) {
-            return;
+    /// At the left end a zone starts, at the right one it ends.
+    fn add_tip(&mut self, tip: Node) {
+        if tip.lies && self.nodes.is_empty() || !tip.lies && self.inside {
+            self.nodes.push(tip);
+            self.inside = tip.lies;
         }
-        self.nodes.push(tip);
     }
 
     fn end_of_beam(mut self) -> List {
@@ -161,10 +155,7 @@ impl Normal<'_> {
             && end.can_move()
             && given.length - end.x <= self.least
         {
-            *end = match end.kind {
-                Kind::ZoneEnd => Node::new(Kind::Tip, given.length, end.cell),
-                _ => edge_node(given, last),
-            };
+            *end = if end.ends_zone() { Node::tip(given, false) } else { edge_node(given, last) };
             self.inside = false;
         }
         if self.inside {
@@ -175,10 +166,7 @@ impl Normal<'_> {
             && first.can_move()
             && first.x <= self.least
         {
-            *first = match first.kind {
-                Kind::ZoneStart => Node::new(Kind::Tip, 0.0, 0),
-                _ => edge_node(given, 0),
-            };
+            *first = if first.lies { Node::tip(given, true) } else { edge_node(given, 0) };
         }
         self.close_short_tips();
         List { nodes: self.nodes }
@@ -187,14 +175,18 @@ impl Normal<'_> {
     /// Of a zone that has shrunk to nothing at a free end the end itself is left.
     fn close_short_tips(&mut self) {
         let given = self.given;
-        if let [Node { kind: Kind::Tip, .. }, Node { kind: Kind::ZoneEnd, x, .. }, ..] = self.nodes[..]
-            && x <= self.least
+        if let [tip, end, ..] = self.nodes[..]
+            && tip.is_tip(given)
+            && end.ends_zone()
+            && end.x <= self.least
         {
             self.nodes[0] = edge_node(given, 0);
             self.nodes.remove(1);
         }
-        if let [.., Node { kind: Kind::ZoneStart, x, .. }, Node { kind: Kind::Tip, .. }] = self.nodes[..]
-            && given.length - x <= self.least
+        if let [.., start, tip] = self.nodes[..]
+            && start.starts_zone()
+            && tip.is_tip(given)
+            && given.length - start.x <= self.least
         {
             self.nodes.pop();
             self.nodes.pop();
@@ -209,9 +201,9 @@ pub(super) fn reaching_free_ends(given: &PiecewiseScene, list: &List) -> Option<
     let tip = |end: &Node, zone: &Node| {
         let [bend, rate] = [2, 3].map(|order| given.derivative(zone.cell, end.x, order).abs());
         let straight = bend <= STRAIGHT * STRAIGHT * given.length * rate;
-        let beside = zone.kind.is_of_zone() && (zone.x - end.x).abs() <= STRAIGHT * given.length;
-        let free = matches!(end.kind, Kind::Edge(breakpoint) if given.is_free_end(breakpoint) && !given.is_bearing(breakpoint));
-        (free && straight && beside).then(|| Node::new(Kind::Tip, end.x, zone.cell))
+        let beside = zone.is_of_zone() && (zone.x - end.x).abs() <= STRAIGHT * given.length;
+        let free = end.is_ground(given) && end.breakpoint.is_some_and(|i| given.is_free_end(i));
+        (free && straight && beside).then(|| Node::tip(given, end.x <= 0.0))
     };
     let mut nodes = list.nodes.clone();
     if let [end, zone, ..] = &list.nodes[..]
@@ -237,5 +229,5 @@ pub(super) fn edge_node(given: &PiecewiseScene, breakpoint: usize) -> Node {
     let x = given.breakpoints[breakpoint].x;
     let [left, right] = given.cells_beside(breakpoint);
     let slope = 0.5 * (given.derivative(left, x, 1) + given.derivative(right, x, 1));
-    Node { slope, ..Node::new(Kind::Edge(breakpoint), x, right) }
+    Node { slope: Slope::Free(slope), ..Node::at(given, breakpoint) }
 }

@@ -2,7 +2,7 @@
 
 use super::exact::Exact;
 use super::forces::force_beside;
-use super::list::{Beside, Kind, Node};
+use super::list::Node;
 use super::piecewise::PiecewiseScene;
 use super::shape::Wave;
 use crate::state::Contact;
@@ -106,13 +106,11 @@ impl Exact {
     #[must_use]
     pub fn pattern(&self) -> Pattern {
         let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
-        let supports = nodes.iter().enumerate().filter_map(|(i, node)| match node.kind {
-            Kind::Support(index, beside) => Some(self.clamped(i, index, beside, rest)),
-            _ => None,
-        });
+        let clamped = |(i, node): (usize, &Node)| Some(self.clamped(i, node.support(given)?, rest));
+        let supports = nodes.iter().enumerate().filter_map(clamped);
         let holding: Vec<_> = self.state.supports.iter().filter(|support| !support.pushes_only).collect();
         let pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
-            let support = holding.get(node.support()?)?;
+            let support = holding.get(node.support(given)?)?;
             Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
         });
         let (touches, contacts): (Vec<_>, Vec<_>) = self.touches().into_iter().unzip();
@@ -142,9 +140,9 @@ impl Exact {
                 touches.extend(contacts.next().into_iter().flat_map(|contact| self.pressed(i, *contact, rest)));
             }
             let Some(node) = nodes.get(i) else { continue };
-            let touch = match node.kind {
-                Kind::Smooth => Touch::Point(given.cells[node.cell].shape),
-                Kind::Edge(breakpoint) => match given.bearings.binary_search(&breakpoint) {
+            let touch = match node.breakpoint {
+                None if node.is_smooth() => Touch::Point(given.cells[node.cell].shape),
+                Some(breakpoint) if node.is_edge(given) => match given.bearings.binary_search(&breakpoint) {
                     Ok(bearing) => Touch::Bearing(bearing),
                     Err(_) => Touch::Edge(edge(given, breakpoint)),
                 },
@@ -198,7 +196,8 @@ impl Exact {
         let loads = given.breakpoints_inside(from, to).map(|i| &given.breakpoints[i]).filter(|b| b.force != 0.0);
         // Of the force at a support only the sum with that of the support is unique.
         let ends = [i - 1, i].into_iter().filter(|&end| {
-            self.list.nodes[end].support().is_none() && least < self.forces[end] * self.stiffness * self.scale.force
+            self.list.nodes[end].support(given).is_none()
+                && least < self.forces[end] * self.stiffness * self.scale.force
         });
         let mut pieces: Vec<[f64; 2]> = (first..=last).filter_map(presses).collect();
         pieces.extend(loads.map(|breakpoint| [breakpoint.x; 2]));
@@ -213,13 +212,12 @@ impl Exact {
         let end = |x: f64| nodes.into_iter().find(|node| (node.x - x).abs() <= AT_ONE_PLACE * given.length);
         let touch = |[from, to]: [f64; 2]| {
             if AT_ONE_PLACE * given.length < to - from {
-                let ends =
-                    [from, to].map(|x| end(x).map_or(ZoneEnd::LiftOff(shape(x)), |n| zone_end(given, n.kind, n.cell)));
+                let ends = [from, to].map(|x| end(x).map_or(ZoneEnd::LiftOff(shape(x)), |node| zone_end(given, node)));
                 return Touch::Zone(ends);
             }
-            match end(from).map(|node| node.kind) {
-                Some(Kind::Tip) => Touch::Edge(edge(given, if from <= 0.0 { 0 } else { given.cells.len() })),
-                _ => Touch::Point(shape(from)),
+            match end(from).filter(|node| node.is_tip(given)).and_then(|tip| tip.breakpoint) {
+                Some(breakpoint) => Touch::Edge(edge(given, breakpoint)),
+                None => Touch::Point(shape(from)),
             }
         };
         let piece = |ends: [f64; 2]| (touch(ends), Contact { from: ends[0] * unit, to: ends[1] * unit, ..contact });
@@ -227,7 +225,7 @@ impl Exact {
     }
 
     /// On which sides of a support the ground holds the slope of the beam, and takes a couple for it.
-    fn clamped(&self, i: usize, index: usize, beside: [Beside; 2], rest: f64) -> [bool; 2] {
+    fn clamped(&self, i: usize, index: usize, rest: f64) -> [bool; 2] {
         let support = &self.given.supports[index];
         if support.slope.is_some() && !support.built_in {
             return [true; 2];
@@ -236,7 +234,8 @@ impl Exact {
         let [left, right] = [sides[0].map_or(0.0, |span| span.beam_b[2]), sides[1].map_or(0.0, |span| span.beam_a[2])];
         let lever = NO_FORCE * left.abs().max(right.abs()).max(rest * self.given.length);
         let couple = lever < (right - left).abs();
-        beside.map(|side| side == Beside::Clamped && couple)
+        let rests = self.list.rests(i);
+        [0, 1].map(|side| rests[side] && !self.list.in_zone_before(i + side) && couple)
     }
 
     /// A force at node `i` that is no larger has no sign; `rest` is [`Self::rest`].
@@ -251,7 +250,7 @@ impl Exact {
 
     /// The load that stands on a support.
     fn load_on(&self, node: &Node) -> f64 {
-        let support = node.support().map(|index| &self.given.supports[index]);
+        let support = node.support(&self.given).map(|index| &self.given.supports[index]);
         let load = support.map_or(0.0, |support| self.given.breakpoints[support.breakpoint].force);
         load.abs() * self.stiffness * self.scale.force
     }
@@ -269,11 +268,11 @@ impl Exact {
     }
 }
 
-fn zone_end(given: &PiecewiseScene, kind: Kind, cell: usize) -> ZoneEnd {
-    match kind {
-        Kind::Support(index, _) => ZoneEnd::Support(index),
-        Kind::Tip => ZoneEnd::FreeEnd,
-        _ => ZoneEnd::LiftOff(given.cells[cell].shape),
+fn zone_end(given: &PiecewiseScene, node: &Node) -> ZoneEnd {
+    match node.support(given) {
+        Some(index) => ZoneEnd::Support(index),
+        None if node.can_move() => ZoneEnd::LiftOff(given.cells[node.cell].shape),
+        None => ZoneEnd::FreeEnd,
     }
 }
 

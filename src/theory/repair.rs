@@ -5,11 +5,12 @@
 //! What pulls inside a zone or at a support, the next guess of the chain leaves out.
 
 use super::check::Checked;
-use super::list::{Kind, List, Node};
+use super::list::{List, Node};
 use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
 use super::violation::Violation;
+use crate::certificate::Slope;
 
 /// The list with these faults repaired as far as each of them says how.
 pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(usize, Violation)]) -> List {
@@ -26,8 +27,16 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked, f
         }
     }
     let Repair { keep, added, .. } = repair;
-    let kept = list.nodes.iter().zip(keep).filter(|(node, kept)| *kept || node.support().is_some());
-    let mut nodes: Vec<Node> = kept.map(|(node, _)| *node).chain(added).collect();
+    let kept = |(i, node): (usize, &Node)| {
+        // What is left at a support of a zone whose start has gone holds no slope.
+        let lost = list.in_zone_before(i) && !keep[i - 1] && node.slope == (Slope::OfGround { from_the_left: true });
+        let slope = if lost { Slope::Free(0.0) } else { node.slope };
+        match node.support(given) {
+            Some(_) => Some(Node { slope, ..*node }),
+            None => keep[i].then_some(*node),
+        }
+    };
+    let mut nodes: Vec<Node> = list.nodes.iter().enumerate().filter_map(kept).chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
     normalised(given, &nodes)
 }
@@ -46,17 +55,17 @@ struct Repair<'a> {
 impl Repair<'_> {
     /// A point that pulls goes. The end of a zone moves by itself when others have changed.
     fn tension(&mut self, i: usize) {
-        match self.list.nodes[i].kind {
-            Kind::Tip => self.lift_tip(i),
-            Kind::ZoneStart | Kind::ZoneEnd => {}
-            _ => self.keep[i] = false,
+        if self.list.nodes[i].is_tip(self.given) {
+            self.lift_tip(i);
+        } else if !self.list.nodes[i].is_of_zone() {
+            self.keep[i] = false;
         }
     }
 
     /// The profile bulges into the beam from both sides of the point: it carries a zone, unless that would pull.
     fn curvature_gap(&mut self, i: usize) {
-        let Node { kind, x, cell, .. } = self.list.nodes[i];
-        if let Kind::Support(index, _) = kind {
+        let Node { x, cell, .. } = self.list.nodes[i];
+        if let Some(index) = self.list.nodes[i].support(self.given) {
             return self.bulge_at_support(i, index);
         }
         if !self.keep[i] || self.given.tension_between(x, x).next().is_some() {
@@ -68,8 +77,8 @@ impl Repair<'_> {
         let left = i.checked_sub(1).map_or(lo, |i| nodes[i].x.max(lo));
         let right = nodes.get(i + 1).map_or(hi, |n| n.x.min(hi));
         let half = 0.3 * (x - left).min(right - x);
-        self.added.push(Node::new(Kind::ZoneStart, x - half, cell));
-        self.added.push(Node::new(Kind::ZoneEnd, x + half, cell));
+        self.added.push(Node::start(x - half, cell));
+        self.added.push(Node::end(x + half, cell));
     }
 
     /// The profile bulges into the beam beside a support: it carries a zone up to it, or a point where a zone would pull. Beside
@@ -94,12 +103,12 @@ impl Repair<'_> {
             let place = x + outwards * reach;
             let cell = given.cell_from(place);
             if given.tension_between(x.min(place), x.max(place)).next().is_some() {
-                self.added.push(Node::new(Kind::Smooth, x + 2.0 * outwards * reach, cell));
+                self.added.push(Node::touch(x + 2.0 * outwards * reach, cell));
             } else if side == 0 {
-                self.added.push(Node::new(Kind::ZoneStart, place, cell));
+                self.added.push(Node::start(place, cell));
             } else {
-                self.added.push(Node::new(Kind::ZoneStart, x, cell));
-                self.added.push(Node::new(Kind::ZoneEnd, place, cell));
+                self.added.push(Node::start(x, cell));
+                self.added.push(Node::end(place, cell));
             }
         }
     }
@@ -108,8 +117,8 @@ impl Repair<'_> {
     fn unresolved(&mut self, i: usize) {
         let nodes = &self.list.nodes;
         let beside = [i.checked_sub(1), (i < nodes.len()).then_some(i)];
-        if beside.iter().flatten().any(|&node| nodes[node].kind.is_of_zone()) {
-            for node in beside.into_iter().flatten().filter(|&node| nodes[node].is_edge()) {
+        if beside.iter().flatten().any(|&node| nodes[node].is_of_zone()) {
+            for node in beside.into_iter().flatten().filter(|&node| nodes[node].is_edge(self.given)) {
                 self.keep[node] = false;
             }
         }
@@ -119,12 +128,13 @@ impl Repair<'_> {
     /// other way than the overhang, the end of the beam touches besides.
     fn lift_tip(&mut self, i: usize) {
         let (given, nodes) = (self.given, &self.list.nodes);
-        let Some(&tip) = nodes.get(i).filter(|node| node.kind == Kind::Tip) else { return };
+        let Some(&tip) = nodes.get(i).filter(|node| node.is_tip(given)) else { return };
         let left = tip.x <= 0.0;
         let far = if left { nodes.get(i + 1) } else { i.checked_sub(1).map(|i| &nodes[i]) };
         let place = tip.x + 0.25 * far.map_or(0.0, |far| far.x - tip.x);
         self.keep[i] = false;
-        self.added.push(Node::new(if left { Kind::ZoneStart } else { Kind::ZoneEnd }, place, given.cell_from(place)));
+        let cell = given.cell_from(place);
+        self.added.push(if left { Node::start(place, cell) } else { Node::end(place, cell) });
         if given.derivative(tip.cell, tip.x, 2) < 0.0 {
             self.added.push(edge_node(given, if left { 0 } else { given.cells.len() }));
         }
@@ -142,17 +152,16 @@ impl Repair<'_> {
         }
         // The beam leaves an edge beside it on the wrong side: it touches the slope there instead.
         let neighbours = [(i.checked_sub(1), span.a.x, span.at_a[1]), (Some(i), span.b.x, -span.at_b[1])];
-        let is_bearing = |node: &Node| self.given.breakpoint_at(node.x).is_some_and(|i| self.given.is_bearing(i));
+        let is_edge = |node: &Node| node.is_edge(self.given) && node.is_ground(self.given);
         for (node, x, turn) in neighbours {
-            if let Some(node) = node.filter(|&node| self.list.nodes.get(node).is_some_and(Node::is_edge))
-                && !is_bearing(&self.list.nodes[node])
+            if let Some(node) = node.filter(|&node| self.list.nodes.get(node).is_some_and(is_edge))
                 && (at - x).abs() < 0.5 * span.length()
                 && turn < 0.0
             {
                 self.keep[node] = false;
             }
         }
-        self.added.push(Node::new(Kind::Smooth, at, self.given.cell_from(at)));
+        self.added.push(Node::touch(at, self.given.cell_from(at)));
     }
 }
 

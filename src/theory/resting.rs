@@ -1,7 +1,7 @@
 //! On which supports that only push a rigid beam rests, above nothing else: where a chain of links is lost, because levels differ by
 //! far more than the beam bends, that is where to start.
 
-use super::list::{Beside, List, support_node};
+use super::list::List;
 use super::normal::{edge_node, normalised};
 use super::piecewise::PiecewiseScene;
 use super::span::Overhang;
@@ -9,8 +9,8 @@ use super::span::Overhang;
 /// Lists to start from: what a rigid beam touches, and all that there is.
 pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
     [rigid(given), given.bearings.clone()].map(|bearings| {
-        let supports = (0..given.supports.len()).map(|i| support_node(given, i, [Beside::Apart; 2]));
-        let mut nodes: Vec<_> = supports.chain(bearings.into_iter().map(|i| edge_node(given, i))).collect();
+        let mut nodes = List::free(given).nodes;
+        nodes.extend(bearings.into_iter().map(|i| edge_node(given, i)));
         nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
         normalised(given, &nodes)
     })

@@ -15,7 +15,7 @@
 //!
 //! So the slopes `w'` at the nodes solve one tridiagonal system, with Newton's matrix (module `newton`) in other unknowns.
 
-use super::list::{Beside, Kind, List};
+use super::list::List;
 use super::piecewise::PiecewiseScene;
 use super::span::{Overhang, Span, fixed_end_of_load};
 
@@ -198,10 +198,14 @@ impl<'a> Sensitivity<'a> {
                 let place = bend / third;
                 if 0.0 < inwards * towards * place { bend / (third - inwards * load) } else { place }
             };
-            let place = match node.kind {
-                Kind::Smooth => slopes[i][0] / bend(spans, i),
-                Kind::ZoneStart => end_of_zone(beside[i].bend[0], on_left.map_or(f64::NAN, |span| span.at_b[3]), 1.0),
-                Kind::ZoneEnd => end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0),
+            let place = match node {
+                _ if node.is_smooth() => slopes[i][0] / bend(spans, i),
+                _ if node.starts_zone() => {
+                    end_of_zone(beside[i].bend[0], on_left.map_or(f64::NAN, |span| span.at_b[3]), 1.0)
+                }
+                _ if node.ends_zone() => {
+                    end_of_zone(beside[i].bend[1], on_right.map_or(f64::NAN, |span| span.at_a[3]), -1.0)
+                }
                 _ if matches!(of, Change::Support(moved, _) if node.any_support(given) == Some(moved)) => 1.0,
                 _ => 0.0,
             };
@@ -301,52 +305,46 @@ fn ask(given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f
         _ => 0.0,
     };
     let fixed = |value: f64| Ask { value, slopes: Some([0.0; 2]), jump: [0.0; 2] };
-    match node.kind {
-        Kind::ZoneStart | Kind::ZoneEnd | Kind::Tip => fixed(ground),
-        Kind::Edge(breakpoint) => match (given.bearing_index(breakpoint), of) {
-            (None, _) => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
-            (Some(own), Change::Level(changed)) if changed == own => {
-                Ask { value: 1.0, slopes: None, jump: [-turned, 0.0] }
-            }
-            (Some(own), Change::Support(changed, [axis, _])) if changed == own => {
-                let [left, right] = ends(spans, i);
-                let slope = left.map(|span| span.beam_b[1]).or(right.map(|span| span.beam_a[1])).unwrap_or(0.0);
-                Ask { value: -(slope + axis), slopes: None, jump: [forces[i] - turned, 0.0] }
-            }
-            // It does not move with the ground.
-            (Some(_), _) => Ask { value: 0.0, slopes: None, jump: [-turned, 0.0] },
-        },
-        Kind::Smooth => {
-            let bend = bend(spans, i);
-            if bend == 0.0 {
-                fixed(ground)
-            } else {
-                Ask { value: ground, slopes: None, jump: [-turned, forces[i] / bend] }
-            }
-        }
-        Kind::Support(index, beside) => {
-            let beam = |span: Option<&Span>, left: bool| span.map(|s| if left { s.beam_b } else { s.beam_a });
-            let [on_left, on_right] = ends(spans, i);
-            let sides = [beam(on_left, true), beam(on_right, false)];
-            let (value, moved) = match of {
-                Change::Level(changed) if changed == index => (1.0, None),
-                Change::Support(changed, [own, bent]) if changed == index => {
-                    (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + own), Some(bent))
-                }
-                _ => (0.0, None),
-            };
-            if node.held_slope(given).is_some() {
-                // w' = −(v'' + w0'') on either side; where the ground holds the slope, w' = g'' − v''.
-                let support = &given.supports[index];
-                let held = given.cells_beside(support.breakpoint)[usize::from(beside[0] == Beside::Apart)];
-                let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
-                let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
-                return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
-            }
-            let force = if moved.is_some() { forces[i] + standing(given, list, i) } else { 0.0 };
-            Ask { value, slopes: None, jump: [force - turned, 0.0] }
-        }
+    if node.is_smooth() {
+        let bend = bend(spans, i);
+        return match bend {
+            0.0 => fixed(ground),
+            _ => Ask { value: ground, slopes: None, jump: [-turned, forces[i] / bend] },
+        };
     }
+    let [on_left, on_right] = ends(spans, i);
+    let sides = [on_left.map(|span| span.beam_b), on_right.map(|span| span.beam_a)];
+    // Of a support that moves: how its level changes along the beam, and the bend of the axis.
+    let moves = |own: usize| match of {
+        Change::Level(changed) if changed == own => (1.0, None),
+        Change::Support(changed, [axis, bent]) if changed == own => {
+            (-(sides.iter().flatten().next().map_or(0.0, |beam| beam[1]) + axis), Some(bent))
+        }
+        _ => (0.0, None),
+    };
+    let Some(index) = node.support(given) else {
+        let bearing = node.any_support(given);
+        return match bearing.map(moves) {
+            _ if !node.is_edge(given) => fixed(ground),
+            None => Ask { value: ground, slopes: None, jump: [-turned, 0.0] },
+            // It does not move with the ground.
+            Some((value, moved)) => {
+                let force = if moved.is_some() { forces[i] } else { 0.0 };
+                Ask { value, slopes: None, jump: [force - turned, 0.0] }
+            }
+        };
+    };
+    let (value, moved) = moves(index);
+    if node.held_slope(given).is_some() {
+        // w' = −(v'' + w0'') on either side; where the ground holds the slope, w' = g'' − v''.
+        let support = &given.supports[index];
+        let held = given.cells_beside(support.breakpoint)[usize::from(!list.rests(i)[0])];
+        let moved = moved.map(|bent| if support.built_in { bent } else { -given.derivative(held, node.x, 2) });
+        let slopes = sides.map(|beam| beam.zip(moved).map_or(0.0, |(beam, bent)| -(beam[2] + bent)));
+        return Ask { value, slopes: Some(slopes), jump: [0.0; 2] };
+    }
+    let force = if moved.is_some() { forces[i] + standing(given, list, i) } else { 0.0 };
+    Ask { value, slopes: None, jump: [force - turned, 0.0] }
 }
 
 /// Eliminates rows of `[left, middle, right]`: what each takes of the row before, its pivot, and what is to the right of it.

@@ -2,7 +2,6 @@
 
 use super::derivatives::{Asked, By};
 use super::exact::Exact;
-use super::list::{Beside, Kind, Node};
 use super::sensitivity::Change;
 
 /// How far forces may be off, by estimate: magnitudes \[force\].
@@ -26,20 +25,16 @@ impl Exact {
         let nodes = &self.list.nodes;
         let none =
             Spread { supports: vec![0.0; self.state.supports.len()], contacts: vec![0.0; self.state.contacts.len()] };
-        let stretches = (0..=nodes.len()).filter_map(|i| match nodes.get(i).map(|node| node.kind) {
+        let stretches = (0..=nodes.len()).filter_map(|i| match nodes.get(i) {
             _ if self.list.in_zone_before(i) => Some((i - 1, i)),
-            Some(Kind::Smooth | Kind::Edge(_)) => Some((i, i)),
+            Some(node) if node.is_point(&self.given) => Some((i, i)),
             _ => None,
         });
         // Where the ground parts from a support forces change as a root of the distance.
-        let rests = |(i, node): (usize, &Node)| match node.kind {
-            Kind::Support(index, beside) => {
-                let support = &self.given.supports[index];
-                beside != [Beside::Apart; 2] || support.slope.is_some() && !support.built_in || self.crowded(i)
-            }
-            _ => false,
+        let rests = |i: usize| {
+            nodes[i].rests_at_support(&self.given) || nodes[i].support(&self.given).is_some() && self.crowded(i)
         };
-        if nodes.iter().enumerate().any(rests) {
+        if (0..nodes.len()).any(rests) {
             return None;
         }
         let linear = self.sensitivity()?;

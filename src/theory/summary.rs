@@ -2,7 +2,7 @@
 
 use super::bernstein::{range, sign_changes};
 use super::forces::zone_force;
-use super::list::{Kind, List};
+use super::list::List;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
@@ -48,7 +48,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
 fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
-        let support = &given.supports[node.support()?];
+        let support = &given.supports[node.support(given)?];
         // Beside the support, on the side where there is a beam: of both the larger one.
         let [left, right] = *moments;
         let moment = if left.abs() < right.abs() { right } else { left };
@@ -60,7 +60,7 @@ fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64
             pushes_only: false,
         })
     });
-    let rests = |i: usize| found.list.nodes.iter().position(|node| node.kind == Kind::Edge(i));
+    let rests = |i: usize| found.list.nodes.iter().position(|node| node.is_edge(given) && node.breakpoint == Some(i));
     let bearings = given.bearings.iter().map(|&i| {
         let force = rests(i).map_or(0.0, |node| found.checked.forces[node]);
         SupportForce::pushing(given.breakpoints[i].x * scale.length, force * stiffness * scale.force)
@@ -79,7 +79,7 @@ fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
     for i in 0..=nodes.len() {
         if found.list.in_zone_before(i) {
             // Of what ground and support carry together at a support the support is said to take all.
-            let end = |i: usize| (place(i), if nodes[i].support().is_some() { 0.0 } else { forces[i] });
+            let end = |i: usize| (place(i), if nodes[i].support(given).is_some() { 0.0 } else { forces[i] });
             let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
             let force = force_from + force_to + zone_force(given, from, to);
             // At the border of two regimes a zone has no length: it is a point.

@@ -2,7 +2,7 @@
 //! it would pull, the beam lifts off a foundation that it follows on both sides.
 
 use super::bernstein::{lowest_below, sign_changes};
-use super::list::{Kind, Node};
+use super::list::Node;
 use super::piecewise::PiecewiseScene;
 use super::span::{End, Span};
 
@@ -87,8 +87,8 @@ pub(super) fn zones_between(given: &PiecewiseScene, [from, to]: [f64; 2]) -> Vec
     let mut nodes = Vec::new();
     let mut add = |start: f64, end: f64| {
         if start < end {
-            nodes.push(Node::new(Kind::ZoneStart, start, given.cell_from(start)));
-            nodes.push(Node::new(Kind::ZoneEnd, end, given.cell_to(end)));
+            nodes.push(Node::start(start, given.cell_from(start)));
+            nodes.push(Node::end(end, given.cell_to(end)));
         }
     };
     let mut start = from;
