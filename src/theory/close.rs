@@ -71,7 +71,9 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(us
         let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
         let Ok(index) = checked.spans.binary_search_by_key(i, |(node, _)| *node) else { continue };
         let (_, span) = &checked.spans[index];
-        let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(|node| node.is_edge(given)));
+        // A support that only pushes is no edge of the ground beside it.
+        let is_edge = |node: &Node| node.is_edge(given) && node.is_ground(given);
+        let both = nodes.get(left..=*i).is_some_and(|two| two.iter().all(is_edge));
         if both && span.a.cell == span.b.cell {
             nodes.splice(left..=*i, [Node::touch(*at, span.a.cell)]);
         }
@@ -132,4 +134,33 @@ fn turned(given: &PiecewiseScene, list: &List, checked: &Checked, i: usize, span
         let depth = 0.5 * turn * turn / bend;
         (is_beyond && turn < most * bend).then(|| Violation::Penetration { at: end.x + side * turn / bend, depth })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Beam, Foundation, Load, Scene, Support};
+    use crate::theory::normal::edge_node;
+
+    /// Between two edges of the ground the beam touches the straight piece that joins them; two supports that only push stay.
+    #[test]
+    fn supports_that_only_push_stay_where_edges_become_a_tangent() {
+        const AT: [f64; 2] = [4.0, 6.0];
+        let points = vec![[0.0, 1.0], [AT[0], 0.5], [AT[1], 0.5], [10.0, 1.0]];
+        let pushing = AT.map(|at| Support { level: 0.2, ..Support::pushing(at) });
+        for (supports, stay) in [(Vec::new(), false), (pushing.to_vec(), true)] {
+            let held = [0.0, 10.0].map(Support::simple);
+            let beam = Beam::new(10.0, 1.0).and_then(|beam| beam.with_supports([&held[..], &supports].concat()));
+            let beam = beam.expect("a beam");
+            let load = Load::uniform_on(&beam, 1.0).expect("a load");
+            let ground = Foundation::Polyline { points: points.clone() };
+            let given = PiecewiseScene::new(&Scene::new(beam, load, Some(ground)).expect("a scene"));
+            let edges = AT.map(|x| edge_node(&given, given.breakpoint_at(x).expect("a breakpoint")));
+            let mut list = List::free(&given);
+            list.nodes.splice(1..1, edges);
+            let fault = (2, Violation::Penetration { at: 5.0, depth: 1e-9 });
+            let found = tangent(&given, &list, &check(&given, &list), &[fault]);
+            assert_eq!(found.map(|list| list.nodes.len()), (!stay).then_some(3), "{supports:?}");
+        }
+    }
 }
