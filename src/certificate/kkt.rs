@@ -64,7 +64,7 @@ impl Kkt {
         let ([force, depth], length, step) = (recorded.sizes(scene), scene.beam().length(), grid.spacing());
         let nearer =
             |recorded: f64, moment: f64, jump: f64| (recorded - moment).abs().min((recorded - (moment + jump)).abs());
-        let ground = scene.ground_stiffness();
+        let gives = scene.ground_stiffness().is_some();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
         let mut at_supports = [0.0; 2];
@@ -87,7 +87,8 @@ impl Kkt {
                 let i = i + k;
                 let clearance = u[k] - v[i];
                 // Of the foot of a spring, on ground that gives.
-                let foot = ground.map_or(clearance, |_| clearance + grid.give(ground, from + k) * p[i]);
+                let give = || grid.give(scene.stiffness_at(places[k]), from + k);
+                let foot = if gives { clearance + give() * p[i] } else { clearance };
                 [
                     -foot,
                     -p[i],

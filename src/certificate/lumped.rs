@@ -96,7 +96,8 @@ impl Lumped {
         }
         let forces = inner.iter().map(|f| f.1.max(0.0)).collect();
         let nodes = bent(scene, &grid, first, forces)?;
-        let foot = |(i, (h, p)): (usize, (&f64, &f64))| h + grid.give(scene.ground_stiffness(), i + first) * p;
+        let below = |node: usize| grid.give(scene.stiffness_at(grid.place(node)), node);
+        let foot = |(i, (h, p)): (usize, (&f64, &f64))| h + below(i + first) * p;
         let feet = nodes.clearance.iter().zip(&nodes.contact_force).enumerate().map(foot).collect();
         Ok(Self { load: ContactLoad::new(length, inner)?, nodes, intervals: grid.intervals(), feet })
     }

@@ -17,7 +17,7 @@
 //! ```
 //!
 //! A support that only pushes is a point of the ground: `g` is less there than beside it, and its force is a part of `p`. Nothing
-//! above needs `g` to be continuous.
+//! above needs `g` to be continuous. Beside ground that gives it is a support that holds, or none (module `bearings`).
 //!
 //! The flexibility `c` on other supports, and what takes its place where contact alone holds the beam, is in `kernel/hold.rs`.
 //!
@@ -37,6 +37,7 @@
 //!
 //! All numbers are rounded outwards: the inequalities hold for what is printed.
 
+mod bearings;
 mod contact_load;
 mod double_sum;
 mod judged;
@@ -118,12 +119,16 @@ impl Proof {
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of_stretches(scene: &Scene, witness: &[Stretch]) -> Result<Self, SceneError> {
         let scaled = scene.scaled()?;
-        let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
-            let proven = scaled.scene.ground_stiffness().and_then(|ground| {
-                kernel::springs::pair(enclosed, ground, &stretches::cut(enclosed, ground, witness, &scaled.scale))
-            });
-            of_pair(enclosed, &scaled, proven)
+        let held = bearings::held(&scaled.scene, witness, &scaled.scale)?;
+        let proven = in_intervals(&held, scaled.balance, |enclosed| {
+            let ground = scaled.scene.ground_stiffness()?;
+            let cut = stretches::cut(enclosed, ground, witness, &scaled.scale);
+            let (pair, known) = of_pair(enclosed, &scaled, kernel::springs::pair(enclosed, ground, &cut));
+            let known = bearings::of_scene(&scaled.scene, enclosed, &pair.as_ref()?.0, &known)?;
+            Some((pair, known))
         });
+        let supports = scaled.scene.beam().all_supports().len();
+        let (pair, known) = proven.unwrap_or_else(|| (None, Certificate::unknown(supports)));
         Ok(Self { scaled, pair, known })
     }
 

@@ -267,7 +267,8 @@ fn pressed(discrete: &Discrete, nodal: &Nodal) -> f64 {
 /// The largest pressure of ground that gives.
 fn pressure(discrete: &Discrete, nodal: &Nodal) -> Option<Pressure> {
     let at = |(node, p): (usize, &f64)| {
-        let share = discrete.give(node) / discrete.give(1);
+        // Of half a spring at an end, and none in a support that only pushes.
+        let share = discrete.give(node) / discrete.give_inside();
         Pressure { max: share * p / discrete.spacing, at: discrete.grid.place(node) }
     };
     let all = discrete.nodes().zip(&nodal.contact_force).map(at);

@@ -99,10 +99,15 @@ impl Discrete {
         })
     }
 
-    /// How far the ground below a node gives under a unit force.
+    /// How far what is below a node gives under a unit force: a support that only pushes does not.
     #[must_use]
     pub fn give(&self, node: usize) -> f64 {
-        self.grid.give(self.ground, node)
+        if self.supports.pushing(node).is_some() { 0.0 } else { self.grid.give(self.ground, node) }
+    }
+
+    /// The same of the ground below a node inside.
+    pub(super) fn give_inside(&self) -> f64 {
+        self.grid.give(self.ground, 1)
     }
 
     /// Whether the ground gives at all.
@@ -236,7 +241,7 @@ impl Discrete {
         let offset = basic.nodes().start - self.nodes().start;
         let line = self.resting_line();
         // Ground that gives lets the beam down by what it settles under the load.
-        let settled = self.give(1) * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
+        let settled = self.give_inside() * self.loads.iter().sum::<f64>().abs() / as_float(self.intervals);
         let room = |(node, gap): (usize, &f64)| {
             if self.is_open_at(node) { f64::INFINITY } else { (gap - line(node)).abs() + settled }
         };

@@ -95,11 +95,15 @@ impl<S: Fn(usize, usize) -> Span> Beam<'_, S> {
             return;
         }
         let largest = self.moments.iter().fold(0.0, |most: f64, moment| most.max(moment.abs()));
-        if f64::EPSILON * largest * self.discrete.give(1) <= NEAR_ZERO * self.discrete.sizes().x {
+        if f64::EPSILON * largest * self.discrete.give_inside() <= NEAR_ZERO * self.discrete.sizes().x {
             return;
         }
         for (i, (&node, sunk)) in self.nodes.iter().zip(&self.sunk).enumerate() {
-            let (force, near) = (sunk / self.discrete.give(node), i.saturating_sub(1)..self.moments.len().min(i + 2));
+            let give = self.discrete.give(node);
+            if give <= 0.0 {
+                continue;
+            }
+            let (force, near) = (sunk / give, i.saturating_sub(1)..self.moments.len().min(i + 2));
             let bent: f64 = self.moments[near].iter().map(|moment| moment.abs()).sum();
             let is_rounding = -force <= UNITS * f64::EPSILON * (self.discrete.loads[node].abs() + bent);
             visit(node, if force < 0.0 && is_rounding { 0.0 } else { force });

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! a chain of [blocks] of two: no digit is lost by elimination, however soft or stiff the springs and however fine the grid.
-//! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support `κ = ∞`; at the outermost
+//! Eliminating `s` would give five-moment equations, whose condition number grows like `1/κ`. At a support, one that only pushes among them, `κ = ∞`; at the outermost
 //! nodes the moment is known.
 //!
 //! In dense contact on smooth ground, where `a = b = 1`, moments count from those of a beam that follows the ground, `M⁰ = −(EI/Δ²) bend`: on curved ground
@@ -75,7 +75,8 @@ pub(super) fn solve(
             let [moment, force] = outermost[usize::from(0 < i)];
             [PENALTY, -PENALTY * moment, force]
         };
-        let spring = if discrete.supports().at(node).is_some() { PENALTY } else { unit / discrete.give(node) };
+        let is_held = discrete.supports().below(node).is_some();
+        let spring = if is_held { PENALTY } else { unit / discrete.give(node) };
         let block = Block::new(if 0.0 < b { 1.0 / b } else { 0.0 }, w, (b - at_right) / 6.0);
         rows.push(Row { block, spring, right: [-((falls + rises) + (load + hangs)), bent] });
         left = right;

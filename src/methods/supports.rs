@@ -81,10 +81,14 @@ impl Supports {
         &self.bearings
     }
 
+    /// The one that only pushes at a node.
+    pub(super) fn pushing(&self, node: usize) -> Option<&NodeBearing> {
+        self.bearings.binary_search_by_key(&node, |bearing| bearing.node).ok().map(|i| &self.bearings[i])
+    }
+
     /// How far the ground lies below the beam where it is on the support at a node.
     pub(super) fn below(&self, node: usize) -> Option<f64> {
-        let bearing = || self.bearings.binary_search_by_key(&node, |bearing| bearing.node).ok();
-        self.at(node).map(|support| support.below).or_else(|| Some(self.bearings[bearing()?].below))
+        self.at(node).map(|support| support.below).or_else(|| Some(self.pushing(node)?.below))
     }
 
     /// All of them.

@@ -170,6 +170,9 @@ impl Balance {
                     (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: ends[0] }),
                     (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: ends[1] }),
                     (Ordering::Greater, Ordering::Greater) => {
+                        if gives && bearings.iter().any(|bearing| turn(bearing.at).sign() == Ordering::Equal) {
+                            return Err(Unheld::OnBorder { force: weight, at });
+                        }
                         // Ground that gives carries nothing at a single place.
                         let there = |x: f64| !gives && turn(x).sign() == Ordering::Equal;
                         let (resultant, about) = (resultant(), corner(scene, at, there));

@@ -166,16 +166,6 @@ pub enum SceneError {
         /// Where it is.
         at: f64,
     },
-    /// Ground that gives beside supports that only push.
-    #[error(
-        "a support with pushes_only needs rigid ground or none, but `{}` is given beside the one at x = {}",
-        Quantity::GroundStiffness,
-        shown(*at)
-    )]
-    BearingOnSprings {
-        /// Where the first of them is.
-        at: f64,
-    },
     /// A foundation that starts at the level of a built-in support and rises from the beam: the problem has no solution.
     #[error(
         "the foundation must not rise above a beam that is built in, but at the built-in support x = {}, where it is level with \
@@ -290,7 +280,7 @@ impl SceneError {
             | Self::RisesAtBuiltIn { .. }
             | Self::ValleyAtSupport { .. } => Some(Quantity::Profile(Profile::Foundation, ProfileKey::Whole)),
             Self::CornerAtBuiltIn { .. } => Some(Quantity::Profile(Profile::Shape, ProfileKey::Whole)),
-            Self::NeedsRigidGround { .. } | Self::BearingOnSprings { .. } => Some(Quantity::GroundStiffness),
+            Self::NeedsRigidGround { .. } => Some(Quantity::GroundStiffness),
             Self::Unheld(_) | Self::SupportBetweenNodes { .. } => Some(Quantity::Supports),
             Self::TooFewIntervals { .. } | Self::NoMemory { .. } => None,
         }

@@ -71,11 +71,8 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// [`SceneError::NotPositive`] unless `k` is positive and finite, and [`SceneError::BearingOnSprings`].
+    /// [`SceneError::NotPositive`] unless `k` is positive and finite.
     pub fn on_springs(&self, stiffness: f64) -> Result<Self, SceneError> {
-        if let (Some(_), Some(bearing)) = (&self.foundation, self.beam.bearings().first()) {
-            return Err(SceneError::BearingOnSprings { at: bearing.at });
-        }
         Ok(Self { stiffness: Some(error::positive(Quantity::GroundStiffness, stiffness)?), ..self.clone() })
     }
 
@@ -83,6 +80,24 @@ impl Scene {
     #[must_use]
     pub fn ground_stiffness(&self) -> Option<f64> {
         self.stiffness.filter(|_| self.foundation.is_some())
+    }
+
+    /// `k` of what is below a place: none where a support that only pushes stands, which does not give.
+    pub(crate) fn stiffness_at(&self, x: f64) -> Option<f64> {
+        let stands = |bearing: &Support| is_same_place(x, bearing.at, self.beam.length());
+        self.ground_stiffness().filter(|_| !self.beam.bearings().iter().any(stands))
+    }
+
+    /// The same scene on supports that hold in the places of those that only push and are `pressed`, without the others.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
+    pub(crate) fn held_where(&self, pressed: impl Fn(&Support) -> bool) -> Result<Self, SceneError> {
+        let holds = self.beam.bearings().iter().filter(|bearing| pressed(bearing));
+        let holds = holds.map(|bearing| Support { pushes_only: false, ..*bearing });
+        let beam = self.beam.clone().with_supports(self.beam.supports().iter().copied().chain(holds).collect())?;
+        Ok(Self { beam, ..self.clone() })
     }
 
     /// The same scene with a title and with labels for its units.

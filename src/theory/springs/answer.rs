@@ -1,7 +1,8 @@
 //! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
 
+use super::bearings::{force, search_with};
 use super::cells::Part;
-use super::{Found, deepest, search};
+use super::{Found, deepest};
 use crate::certificate::Stretch;
 use crate::scene::{Quantity, Scaled, SceneError};
 use crate::state::{Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce};
@@ -9,7 +10,7 @@ use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
 use crate::theory::list::List;
 use crate::theory::piece::Piece;
-use crate::theory::piecewise::{AtSupport, Breakpoint, PiecewiseScene};
+use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 use crate::theory::summary::{add_extremes, differentiated};
 use crate::theory::violation::Violation;
 
@@ -94,7 +95,8 @@ fn second(taylor: &[f64]) -> Vec<f64> {
 pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness: f64) -> Result<Exact, SceneError> {
     let springs = stiffness / scaled.scene.beam().bending_stiffness();
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
-    let found = search(&given, springs).ok_or(SceneError::Overflow { quantity, what, value: springs })?;
+    let found = search_with(&given, springs).ok_or(SceneError::Overflow { quantity, what, value: springs })?;
+    let (given, found) = found;
     let Found { parts, stretches, solves, settled } = found;
     let violated = parts.iter().map(violation).fold(0.0, f64::max);
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
@@ -149,7 +151,11 @@ fn state(
     springs: f64,
 ) -> ContactState {
     let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
-    let supports: Vec<SupportForce> = (0..given.supports.len()).map(|i| support(scaled, given, parts, i)).collect();
+    let lifted = given.bearings.iter().filter(|&&at| given.support_at(at).is_none());
+    let lifted = lifted.map(|&at| SupportForce::pushing(given.breakpoints[at].x * scale.length, 0.0));
+    let mut supports: Vec<SupportForce> =
+        (0..given.supports.len()).map(|i| support(scaled, given, parts, i)).chain(lifted).collect();
+    supports.sort_by(|a, b| a.at.total_cmp(&b.at));
     let force = |f: f64| f * stiffness * scale.force;
     let contact = |&[from, to]: &[f64; 2]| {
         let inside = parts.iter().filter(|part| part.pressed && from <= part.piece.lo && part.piece.hi <= to);
@@ -175,18 +181,23 @@ fn state(
     }
 }
 
-/// What a support carries: `EI (v'''(x+) − v'''(x−)) = P − R`.
+/// What a support carries.
 fn support(scaled: &Scaled, given: &PiecewiseScene, parts: &[Part], i: usize) -> SupportForce {
     let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
     let AtSupport { breakpoint, built_in, .. } = given.supports[i];
-    let Breakpoint { x, force, .. } = given.breakpoints[breakpoint];
+    let (x, unit) = (given.breakpoints[breakpoint].x, stiffness * scale.force);
+    let force = force(given, parts, breakpoint) * unit;
+    if given.is_bearing(breakpoint) {
+        // Less than nothing by rounding.
+        return SupportForce::pushing(x * scale.length, force.max(0.0));
+    }
     let left = parts.iter().rfind(|part| part.piece.hi <= x).map_or([0.0; 4], |part| part.beam(x));
     let right = parts.iter().find(|part| x <= part.piece.lo).map_or([0.0; 4], |part| part.beam(x));
     let moment = if left[2].abs() < right[2].abs() { -right[2] } else { -left[2] };
     SupportForce {
         pushes_only: false,
         at: x * scale.length,
-        force: (force - (right[3] - left[3])) * stiffness * scale.force,
+        force,
         moment: built_in.then_some(moment * stiffness * scale.moment()),
         couple: if built_in { (left[2] - right[2]) * stiffness * scale.moment() } else { 0.0 },
     }

@@ -328,6 +328,10 @@ impl Problem<'_> {
         match cell.kind {
             Kind::Deep => vec![part(ends, cell.lo, self.deep(cell, cell.lo))],
             Kind::Pressed => vec![part(ends, cell.lo, self.taylor(cell, cell.lo, states[i]))],
+            // Too short to have a middle.
+            Kind::Free if middle <= cell.lo || cell.hi <= middle => {
+                vec![part(ends, cell.lo, self.taylor(cell, cell.lo, states[i]))]
+            }
             Kind::Free => vec![
                 part([cell.lo, middle], cell.lo, self.taylor(cell, cell.lo, states[i])),
                 part([middle, cell.hi], cell.hi, self.taylor(cell, cell.hi, self.far_end(i, states))),

@@ -7,10 +7,12 @@
 //! S ← whole beam;    v ← the beam on springs that press on S,  S ← { v > g },    until S stays
 //! ```
 //!
-//! first for soft ground, then for ever stiffer one up to the given. `answer` is what is read off the polynomials.
+//! first for soft ground, then for ever stiffer one up to the given. Which supports that only push press is found around that
+//! (`bearings`). `answer` is what is read off the polynomials.
 
 mod answer;
 mod band;
+mod bearings;
 mod cells;
 
 pub(super) use self::answer::{Springs, exact};
@@ -47,9 +49,14 @@ struct Work {
 }
 
 impl Work {
+    /// Whether none is left.
+    fn is_done(&self) -> bool {
+        MOST_PARTS < self.parts
+    }
+
     /// One more solve; [`None`] where there is none, or no work is left.
     fn solve(&mut self, given: &PiecewiseScene, springs: f64, stretches: &[[f64; 2]]) -> Option<Vec<Part>> {
-        if MOST_PARTS < self.parts {
+        if self.is_done() {
             return None;
         }
         let parts = solve(given, springs, stretches)?;
@@ -61,9 +68,8 @@ impl Work {
 
 /// The stretches on which springs of a stiffness over `EI` press, and the beam on them. Where the set does not settle, the whole
 /// beam is pressed; [`None`] if numbers leave the range of `f64`.
-fn search(given: &PiecewiseScene, springs: f64) -> Option<Found> {
-    let mut work = Work::default();
-    let mut found = FACTORS.iter().filter_map(|factor| stiffening(given, springs, *factor, &mut work));
+fn search(given: &PiecewiseScene, springs: f64, work: &mut Work) -> Option<Found> {
+    let mut found = FACTORS.iter().filter_map(|factor| stiffening(given, springs, *factor, work));
     if let Some(settled) = found.find(|found| found.settled) {
         return Some(settled);
     }

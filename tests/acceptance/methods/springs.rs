@@ -15,11 +15,14 @@ fn scene(supports: Option<Vec<Support>>, point: Vec<PointLoad>, foundation: Foun
     Scene::new(beam, load, Some(foundation)).and_then(|scene| scene.on_springs(stiffness)).expect("a scene")
 }
 
-/// A simple beam, a wall inside with both overhangs, three supports, and a beam that merely lies there.
-fn scenes() -> [(&'static str, Scene); 4] {
+/// A simple beam, a wall inside with both overhangs, three supports, a beam that merely lies there, and one of which two supports only
+/// push: it lifts off one of them.
+fn scenes() -> [(&'static str, Scene); 5] {
     let support = |at: f64, level: f64, slope: Option<f64>| Support { slope, ..Support::simple(at).at_level(level) };
     let wall = vec![support(4.0, 0.1, Some(0.02))];
     let three = vec![support(0.0, 0.0, None), support(6.0, 0.4, None), support(10.0, 0.0, None)];
+    let push = |at: f64, level: f64| Support { pushes_only: true, ..support(at, level, None) };
+    let pushed = vec![push(0.0, 0.0), support(4.0, 0.1, None), push(8.0, 0.3)];
     let load = |at: f64| vec![PointLoad { at, force: 2.0 }];
     let waves = Foundation::Cosine { mean: 0.6, amplitude: 0.1, wavelength: 7.0, phase: 0.4 };
     [
@@ -27,6 +30,7 @@ fn scenes() -> [(&'static str, Scene); 4] {
         ("wall", scene(Some(wall), load(9.0), Foundation::Polynomial { coefficients: vec![0.5, 0.05] }, 30.0)),
         ("three", scene(Some(three), Vec::new(), Foundation::Flat { depth: 0.5 }, 10.0)),
         ("lying", scene(Some(Vec::new()), load(8.0), waves, 5.0)),
+        ("pushed", scene(Some(pushed), load(6.0), Foundation::Flat { depth: 0.5 }, 20.0)),
     ]
 }
 

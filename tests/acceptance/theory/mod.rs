@@ -1,6 +1,7 @@
 //! Beam theory with free lift-off points: closed forms first, then its own conditions on scenes without one.
 
 mod balance;
+mod bearings;
 mod beside;
 mod borders;
 mod clearance;

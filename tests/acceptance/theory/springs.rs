@@ -306,6 +306,25 @@ fn the_border_is_no_position_of_rest() {
     }
 }
 
+/// A support beside a point of the ground, nearer than a place is rounded: the beam between the two has no length and no say.
+#[test]
+fn a_support_stands_beside_a_point_of_the_ground() {
+    let forces = |at: f64| {
+        let supports = vec![Support::simple(at).at_level(0.1), Support::simple(2.1).at_level(0.13)];
+        let beam = Beam::new(6.0, 130.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+        let load = Load::new(&beam, 5.0, Vec::new(), vec![force(2.6, 14.0)]).expect("a load");
+        let points = vec![[0.0, 0.4], [1.2, 0.7], [2.4, 0.4], [6.0, 0.8]];
+        let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).and_then(|s| s.on_springs(800.0));
+        let solution = solve_exactly(&scene.expect("a scene")).expect("an answer");
+        assert_eq!(solution.verdict.status, Status::Certified, "{at}: {}", solution.verdict);
+        solution.state.supports.into_iter().map(|support| support.force).collect::<Vec<_>>()
+    };
+    for at in [1.2_f64.next_up(), 1.2_f64.next_down()] {
+        let alike = |(found, expected): (&f64, &f64)| (found - expected).abs() <= 1e-9 * expected.abs();
+        assert!(forces(at).iter().zip(&forces(1.2)).all(alike), "{:?} for {:?}", forces(at), forces(1.2));
+    }
+}
+
 /// Ground so stiff that the places where it begins to press have no digits left: a search ends after as many solves as its work allows,
 /// and does not go on through all stiffnesses up to the given one.
 #[test]

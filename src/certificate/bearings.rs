@@ -1,0 +1,69 @@
+//! Supports that only push beside ground that gives: what is proven of the beam on those that press is proven of the scene.
+//!
+//! Let `v°` be the deflection of the beam that some of them hold as supports do, without the others, and `R` their forces. If
+//!
+//! ```text
+//! R ≥ 0 at those that hold,      v° ≤ level at the others
+//! ```
+//!
+//! then `v°` is that of the scene: it is admissible, and with `R` and the pressure `k (v° − g)₊` it satisfies all conditions of the
+//! minimum of a convex `J`. Both follow from brackets. Which of them hold is said by the witness: where they are wrong, nothing is
+//! proven, and so it is where the brackets do not tell.
+
+use super::Certificate;
+use super::kernel::contact_node::EnclosedScene;
+use super::kernel::distance::{factor, on_part};
+use super::kernel::interval::Interval;
+use super::kernel::proof::Pair;
+use super::kernel::springs::Stretch;
+use crate::scene::{Bearing, Scale, Scene, SceneError, Support, is_same_place};
+
+/// A deflection that is less by this share of the largest one is that of a support: some thousand units in the last place.
+const SAME: f64 = 1e-12;
+
+/// A dimensionless scene on supports that hold where the beam of a witness is on those that only push.
+///
+/// # Errors
+///
+/// Those of [`Scene::new`].
+pub(super) fn held(scene: &Scene, witness: &[Stretch], scale: &Scale) -> Result<Scene, SceneError> {
+    let length = scene.beam().length();
+    let hanging = || witness.iter().filter(|stretch| stretch.sunk.is_empty());
+    let ends = || hanging().flat_map(|s| [(s.from, s.ends[0][0]), (s.to, s.ends[1][0])]);
+    let ends = || ends().map(|(x, v)| (x / scale.length, v / scale.depth));
+    let size = ends().fold(0.0, |most: f64, (_, v)| most.max(v.abs()));
+    let touches = |Bearing { at, gap }: Bearing| {
+        ends().any(|(x, v)| is_same_place(x, at, length) && gap - SAME * size.max(gap.abs()) <= v)
+    };
+    let touched: Vec<f64> = scene.bearings().filter(|bearing| touches(*bearing)).map(|bearing| bearing.at).collect();
+    scene.held_where(|bearing| touched.iter().any(|at| (bearing.at - at).abs() <= 0.0))
+}
+
+/// What is known of the beam on supports that hold as what is known of the scene; [`None`] if it may not be the same beam.
+pub(super) fn of_scene(
+    scene: &Scene,
+    enclosed: &EnclosedScene<'_>,
+    pair: &Pair,
+    known: &Certificate,
+) -> Option<Certificate> {
+    let all = scene.beam().all_supports();
+    let mut brackets = known.reactions.iter();
+    let mut bracket = |support: &Support| {
+        if enclosed.support(support.at).is_none() {
+            return clears(enclosed, pair, support).then_some(Some([0.0; 2]));
+        }
+        let bracket = *brackets.next()?;
+        (!support.pushes_only || 0.0 <= bracket?[0]).then_some(bracket)
+    };
+    let reactions = all.iter().map(&mut bracket).collect::<Option<_>>()?;
+    Some(Certificate { reactions, ..known.clone() })
+}
+
+/// Whether the beam is proven to be above a support that does not hold it.
+fn clears(enclosed: &EnclosedScene<'_>, pair: &Pair, support: &Support) -> bool {
+    let x = support.at;
+    let piece = &pair.pieces[pair.pieces.partition_point(|piece| piece.to < x).min(pair.pieces.len() - 1)];
+    let level = Interval::exact(support.level) - enclosed.gap.shape.depth(x);
+    let clearance = level - piece.v.at(Interval::length(piece.from, x));
+    on_part(pair, factor(pair.gap, enclosed.stiffness), [x, x]) <= clearance.lo()
+}

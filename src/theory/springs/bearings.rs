@@ -1,0 +1,87 @@
+//! Supports that only push beside ground that gives: which of them press is found by a loop on their set, around that on the stretches.
+//!
+//! ```text
+//! B ← all;    repeat  v ← the beam on springs that B holds as supports do;  B ← B − { R < 0 } + { v > level },    until B stays
+//! ```
+//!
+//! From all of them on, the beam is held by more than it needs, which stiff ground alone is slow to do; where that does not settle, from
+//! none.
+//!
+//! The force of a support grows as it is lifted, and more than by all others together: exchanging one at a time, always the last that
+//! is on the wrong side, comes to an end (Murty 1974). All of them at once is faster and nearly always does, too.
+
+use super::cells::Part;
+use super::{Found, ROUNDING, Work, search};
+use crate::theory::piecewise::{AtSupport, PiecewiseScene};
+
+/// All on the wrong side are exchanged so often without a better set than any before.
+const PATIENCE: usize = 3;
+
+/// A scene with those of the supports that only push as supports that press, and the beam on them.
+pub(super) fn search_with(given: &PiecewiseScene, springs: f64) -> Option<(PiecewiseScene, Found)> {
+    let mut work = Work::default();
+    let all = exchange(given, springs, true, &mut work);
+    let is_settled = all.as_ref().is_some_and(|(_, found)| found.settled);
+    if is_settled || given.bearings.is_empty() { all } else { exchange(given, springs, false, &mut work).or(all) }
+}
+
+/// The same from all of them, or from none.
+fn exchange(given: &PiecewiseScene, springs: f64, all: bool, work: &mut Work) -> Option<(PiecewiseScene, Found)> {
+    let mut presses = vec![all; given.bearings.len()];
+    let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
+    loop {
+        let held = holding(given, &presses);
+        let found = search(&held, springs, work)?;
+        let wrong: Vec<usize> = wrong(&held, &found.parts, &presses);
+        if wrong.is_empty() || !found.settled || work.is_done() {
+            let settled = found.settled && wrong.is_empty();
+            return Some((held, Found { settled, ..found }));
+        }
+        (fewest, patience) =
+            if wrong.len() < fewest { (wrong.len(), PATIENCE) } else { (fewest, patience.saturating_sub(1)) };
+        let exchanged = if 0 < patience { &wrong[..] } else { &wrong[wrong.len() - 1..] };
+        exchanged.iter().for_each(|&i| presses[i] = !presses[i]);
+    }
+}
+
+/// The scene on supports that hold in the places of those that press.
+fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
+    let mut held = given.clone();
+    let pressed = given.bearings.iter().zip(presses).filter(|(_, presses)| **presses);
+    held.supports.extend(pressed.map(|(&breakpoint, _)| AtSupport {
+        breakpoint,
+        level: given.breakpoints[breakpoint].depth,
+        slope: None,
+        built_in: false,
+        clearance: [f64::INFINITY; 2],
+        grounded: [false; 2],
+        size: 0.0,
+    }));
+    held.supports.sort_by_key(|support| support.breakpoint);
+    held
+}
+
+/// Those that would have to pull, and those that the beam would be below; what is so by rounding is not.
+fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> {
+    let forces = held.supports.iter().map(|support| force(held, parts, support.breakpoint).abs());
+    let force_size = forces.fold(held.total_load, f64::max);
+    let deflection = |x: f64| parts.iter().find(|part| x <= part.piece.hi).map_or(0.0, |part| part.beam(x)[0]);
+    let size = parts.iter().fold(0.0, |most: f64, part| most.max(part.beam(part.piece.lo)[0].abs()));
+    let is_wrong = |&i: &usize| {
+        let breakpoint = held.bearings[i];
+        if presses[i] {
+            return force(held, parts, breakpoint) < -ROUNDING * force_size;
+        }
+        let at = &held.breakpoints[breakpoint];
+        ROUNDING * size.max(at.depth.abs()) < deflection(at.x) - at.depth
+    };
+    (0..presses.len()).filter(is_wrong).collect()
+}
+
+/// What holds the beam at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`.
+pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -> f64 {
+    let at = &given.breakpoints[breakpoint];
+    let left = parts.iter().rfind(|part| part.piece.hi <= at.x).map_or(0.0, |part| part.beam(at.x)[3]);
+    let right = parts.iter().find(|part| at.x <= part.piece.lo).map_or(0.0, |part| part.beam(at.x)[3]);
+    at.force - (right - left)
+}
