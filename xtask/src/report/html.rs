@@ -23,8 +23,14 @@ pub(super) const PATH: &str = "index.html";
 /// Scenes with the answers that the beam of the page is tried against, below `report/`.
 pub(super) const SCENES: &str = "data/play.csv";
 
+/// The figure that the page shows round by round, and its data, below `report/`.
+const STEPS: [&str; 2] = ["figures/four-steps.svg", "data/four-steps.csv"];
+
 /// The beam to play with: its equations, and what one sees of it.
 const PLAY: &str = concat!(include_str!("html/beam.js"), include_str!("html/play.js"));
+
+/// The four steps round by round.
+const ROUNDS: &str = include_str!("html/steps.js");
 
 /// Nothing may be loaded, and nothing but what is in the page may run.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; \
@@ -49,7 +55,7 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
             title = document.headings.first().map(|heading| heading.text.clone()).unwrap_or_default();
         }
     }
-    let scenes = rendered.get(SCENES).ok_or_else(|| format!("{SCENES} is not made"))?;
+    let data = |path: &str| rendered.get(path).ok_or_else(|| format!("{path} is not made"));
     let articles = articles.replacen("</h1>\n", &format!("</h1>\n{}", include_str!("html/play.html")), 1);
     let values = context! {
         generated => super::GENERATED,
@@ -60,8 +66,9 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
         top => DOCUMENTS[0],
         navigation,
         articles,
-        scenes,
-        script => [include_str!("html/page.js"), PLAY, include_str!("html/selftest.js")].concat(),
+        scenes => data(SCENES)?,
+        steps => data(STEPS[1])?,
+        script => [include_str!("html/page.js"), PLAY, ROUNDS, include_str!("html/selftest.js")].concat(),
     };
     let page = template::filled(include_str!("html/page.html"), values)?;
     check::check(&page)?;
@@ -197,7 +204,8 @@ impl Document<'_> {
         let svg = self.rendered.get(&path).filter(|_| path.ends_with(".svg"));
         let svg = svg.ok_or_else(|| format!("{link} is no drawing of the report and would have to be loaded"))?;
         self.drawings += 1;
-        Ok(drawing::inlined(svg, &format!("f{}", self.drawings)))
+        let steps = if path == STEPS[0] && self.name == DOCUMENTS[0] { include_str!("html/steps.html") } else { "" };
+        Ok(drawing::inlined(svg, &format!("f{}", self.drawings)) + steps)
     }
 
     /// The entry of the document, with its sections.

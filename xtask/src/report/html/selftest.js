@@ -2,15 +2,7 @@
 // long a frame of the beam takes.
 
 /// Scenes and their exact answers, which this program wrote.
-const exactScenes = () => {
-  const cells = [...document.getElementById("data-play").textContent.trim().matchAll(/("(?:[^"]|"")*"|[^,\n]*)(,|\n|$)/g)];
-  const [header, ...rows] = cells.reduce((rows, [, cell, end]) => {
-    rows[rows.length - 1].push(cell.startsWith('"') ? cell.slice(1, -1).replaceAll('""', '"') : cell);
-    if (end === "\n") rows.push([]);
-    return rows;
-  }, [[]]);
-  return rows.map((row) => Object.fromEntries(header.map((name, i) => [name, i ? Number(row[i]) : row[i]])));
-};
+const exactScenes = () => tableOf("data-play");
 /// A scene file as the beam to play with has it.
 const sceneOf = (text) => {
   const number = (key) => Number(text.match(new RegExp(`${key} = ([-.0-9]+)`))[1]);
@@ -180,6 +172,37 @@ if (location.hash === "#selftest") {
     expect(spread((beam) => forces(beam).reduce((sum, f) => sum + f)) < 0.02, "the sum of the forces stays");
     form.copy.click();
     expect(form.elements.text.value === sceneText(scene), "the scene is copied");
+
+    // The four steps, by keys alone: what is drawn in each round is what the data say.
+    const press = (element, key) => { element.focus(); element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })); };
+    const [before, after] = steps.querySelectorAll("button");
+    const drawnBoxes = (style) => [...steps.querySelector(`path.${style}`).getAttribute("d").matchAll(/M([^,]+),([^h]+)h[^v]+v([^h]+)h/g)].map((box) => box.slice(1).map(Number));
+    const cell = (steps.querySelector("svg").viewBox.baseVal.width - LEFT - 4) / nodes;
+    const nodeAt = (x) => Math.round((x - LEFT) / cell) + 1;
+    expect(turn.value === String(rounds) && rounds > 1, `the last round is shown first, ${turn.value} of ${rounds}`);
+    press(turn, "Home");
+    for (let round = 1; round <= rounds; round += 1) {
+      expect(turn.value === String(round), `round ${turn.value} is shown and not ${round}`);
+      const found = Object.values(CLASSES).flatMap((style) => drawnBoxes(style).map(([x, y]) => `${style} ${nodeAt(x)} ${Math.round((y - ABOVE) / ROUND) + 1}`)).sort();
+      const meant = signs.filter((row) => row.round <= round).map((row) => `${CLASSES[row.sign]} ${row.node} ${row.round}`).sort();
+      expect(found.join() === meant.join(), `round ${round}: the signs are not those of the data`);
+      const bars = ["axis ~ .force", "axis ~ .pulls"].flatMap(drawnBoxes)
+        .map(([x, y, high]) => [nodeAt(x), (y < ZERO - 0.01 ? high : -high) / UNIT]).sort(([a], [b]) => a - b);
+      const pressed = signs.filter((row) => row.round === round && row.force !== "");
+      expect(bars.length === pressed.length && bars.every(([node, force], i) => node === pressed[i].node && Math.abs(force - pressed[i].force) < 1e-3),
+        `round ${round}: the forces are not those of the data`);
+      expect(steps.querySelector(".said").textContent.startsWith(`Round ${round} of ${rounds}: `) && turn.ariaValueText.includes(`${pressed.length} node`), `round ${round} is said`);
+      if (round % 2) press(after, "ArrowRight"); else after.click();
+    }
+    expect(turn.value === String(rounds), "behind the last round there is none");
+    press(before, "ArrowLeft");
+    before.click();
+    expect(turn.value === String(rounds - 2), "buttons and keys go back, too");
+    turn.value = 3;
+    turn.dispatchEvent(new Event("input", { bubbles: true }));
+    expect(steps.querySelector(".said").textContent.startsWith("Round 3 "), "and so does the slider");
+    press(turn, "End");
+    expect(!visible(steps.parentElement.querySelector("svg[role=img]")) && visible(steps), "the player stands for its figure");
   };
   run().catch((error) => failures.push(String(error))).then(() => {
     const said = failures.length ? failures.slice(0, 20).join("; ") : "passed";

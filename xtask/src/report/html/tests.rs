@@ -12,7 +12,7 @@ fn report(name: &str, text: &str) -> Rendered {
     let mut rendered: Rendered =
         DOCUMENTS.iter().map(|document| (path_of(document), format!("# {document}: words\n\n## Part\n"))).collect();
     rendered.insert(path_of(name), text.to_owned());
-    for (path, text) in [("figures/f.svg", SVG), (SCENES, "x\n")] {
+    for (path, text) in [("figures/f.svg", SVG), (STEPS[0], SVG), (SCENES, "x\n"), (STEPS[1], "round\n")] {
         rendered.insert(path.to_owned(), text.to_owned());
     }
     rendered
@@ -110,12 +110,23 @@ fn options_and_numbers_stay_on_one_line() {
     assert!(html.contains("1 %"), "code is to be copied: {html}");
 }
 
-/// What a reader has to go through who wants to know how the beam of the page is solved.
+/// What a reader has to go through who wants to know how the beam of the page is solved, and how the four steps are shown.
 #[test]
-fn the_beam_to_play_with_is_short() {
-    let code = PLAY.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"));
-    let (count, longest) = code.fold((0, 0), |(count, longest), line| (count + 1, longest.max(line.chars().count())));
-    assert!(count <= 300 && longest <= 160, "{count} lines of code, of at most {longest} characters");
+fn the_scripts_that_play_are_short() {
+    for (script, most) in [(PLAY, 300), (ROUNDS, 100)] {
+        let code = script.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"));
+        let (count, longest) =
+            code.fold((0, 0), |(count, longest), line| (count + 1, longest.max(line.chars().count())));
+        assert!(count <= most && longest <= 160, "{count} lines of code, of at most {longest} characters");
+    }
+}
+
+#[test]
+fn the_four_steps_are_played_in_the_report_alone() {
+    let link = "# T\n\n![f](figures/four-steps.svg)";
+    assert_eq!(article("report", link).map(|html| html.matches("class=\"steps\"").count()), Ok(1));
+    let link = "# T\n\n![f](../figures/four-steps.svg)";
+    assert_eq!(article("teaching", link).map(|html| html.matches("class=\"steps\"").count()), Ok(0));
 }
 
 #[test]
