@@ -13,8 +13,8 @@ use super::{PlotError, finite};
 
 /// Width of the shaft of an arrow.
 pub(super) const SHAFT: u32 = 7;
-/// Size of ordinary text \[drawing units\]: 8 pixels on a telephone, 18 where the drawing is 900 pixels wide.
-pub(super) const TEXT: f64 = 48.0;
+/// Size of ordinary text \[drawing units\]: 9 pixels where the drawing is as wide as a telephone, 19 where it is 800 pixels wide.
+pub(super) const TEXT: f64 = 58.0;
 
 /// The backend divides a font size by this before it writes it; we multiply, so that sizes are as we say.
 const BACKEND_FONT_FACTOR: f64 = 1.24;
@@ -30,7 +30,7 @@ pub(super) struct Type {
 impl Type {
     pub(super) const PLAIN: Self = Self { size: TEXT, color: Color::BLACK, bold: false };
     pub(super) const BOLD: Self = Self { bold: true, ..Self::PLAIN };
-    pub(super) const TITLE: Self = Self { size: 58.0, ..Self::BOLD };
+    pub(super) const TITLE: Self = Self { size: 66.0, ..Self::BOLD };
 }
 
 /// What is drawn on.

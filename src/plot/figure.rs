@@ -100,7 +100,7 @@ struct Words {
 impl Words {
     /// The title in as many lines as it needs.
     fn title(title: &str) -> Self {
-        const LINE: f64 = 74.0;
+        const LINE: f64 = 1.28 * Type::TITLE.size;
         let lines = wrapped(title, f64::from(WIDTH) - 2.0 * MARGIN, Type::TITLE);
         let bottom = MARGIN + LINE * count(lines.len());
         let place = |i: usize| [MARGIN, MARGIN + LINE * (count(i) + 0.5)];
@@ -112,9 +112,9 @@ impl Words {
     fn notes(notes: &[String], top: f64) -> Self {
         /// More notes than this stand in two columns.
         const ONE_COLUMN: usize = 8;
-        const LINE: f64 = 1.3 * NOTE.size;
+        const LINE: f64 = 1.3 * TEXT;
         /// Of all lines of a note but the first.
-        const INDENT: f64 = 2.0 * NOTE.size;
+        const INDENT: f64 = 2.0 * TEXT;
         let columns = if notes.len() <= ONE_COLUMN { 1 } else { 2 };
         let width = (f64::from(WIDTH) - MARGIN) / count(columns);
         let (mut lines, mut bottom) = (Vec::new(), top);
@@ -122,7 +122,7 @@ impl Words {
             let left = MARGIN + width * count(column);
             let mut y = top;
             for note in notes {
-                for (i, line) in wrapped(note, width - MARGIN - INDENT, NOTE).into_iter().enumerate() {
+                for (i, line) in wrapped(note, width - MARGIN - INDENT, Type::PLAIN).into_iter().enumerate() {
                     let indent = if i == 0 { 0.0 } else { INDENT };
                     lines.push((line, [left + indent, y + 0.5 * LINE]));
                     y += LINE;
@@ -130,16 +130,13 @@ impl Words {
             }
             bottom = bottom.max(y);
         }
-        Self { kind: NOTE, lines, bottom: if notes.is_empty() { top } else { bottom + MARGIN } }
+        Self { kind: Type::PLAIN, lines, bottom: if notes.is_empty() { top } else { bottom + MARGIN } }
     }
 
     fn draw(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
         self.lines.iter().try_for_each(|(line, at)| canvas.text(line, *at, Align::Left, self.kind))
     }
 }
-
-/// Words of notes.
-const NOTE: Type = Type { size: 38.0, ..Type::PLAIN };
 
 /// A height in whole drawing units.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what a u32 holds")]

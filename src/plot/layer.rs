@@ -80,11 +80,12 @@ pub struct Divisions {
 impl Divisions {
     /// Rows of labels: in two rows there is room for more of them.
     pub(super) fn rows(&self) -> usize {
-        /// More labels than this take two rows.
-        const ONE_ROW: usize = 12;
-        match self.lines.iter().filter(|line| !line.1.is_empty()).count() {
+        /// More characters than this, with one between labels, take two rows: a frame of 1700 drawing units has room for them.
+        const ONE_ROW: usize = 52;
+        let labels = self.lines.iter().filter(|line| !line.1.is_empty());
+        match labels.map(|line| line.1.chars().count() + 1).sum() {
             0 => 0,
-            labels if labels <= ONE_ROW => 1,
+            characters if characters <= ONE_ROW => 1,
             _ => 2,
         }
     }

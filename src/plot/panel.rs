@@ -35,7 +35,7 @@ const MARGIN: f64 = 40.0;
 /// Between the frame and the numbers of a vertical axis.
 const CLEAR: f64 = 24.0;
 /// Height of the numbers below the frame, of a line of words, and below the panel.
-const NUMBERS: f64 = 78.0;
+const NUMBERS: f64 = 1.6 * TEXT;
 const LINE: f64 = 1.25 * TEXT;
 const GAP: f64 = 50.0;
 /// At most this part of the width is for names beside the frame.

@@ -239,7 +239,7 @@ fn clearance(scene: &Scene, curves: &Curves, units: &UnitLabels) -> Result<Vec<P
         let touching = touching(&points, curves);
         let mut panel = Panel::new(along(scene, units), y)
             .tall(380.0)
-            .room(84.0, 20.0)
+            .room(1.75 * TEXT, 20.0)
             .with(Layer::line(points, Style::solid(Color::BLUE)));
         panel.layers.extend(touching);
         // A beam that lies on the ground from end to end has no clearance to name.
@@ -314,7 +314,7 @@ fn diagram(
     units: &UnitLabels,
 ) -> Result<Panel, PlotError> {
     let unit = y.unit.clone();
-    let mut panel = Panel::new(along(scene, units), y.including(&[0.0])).tall(470.0).room(84.0, 84.0);
+    let mut panel = Panel::new(along(scene, units), y.including(&[0.0])).tall(470.0).room(1.75 * TEXT, 1.75 * TEXT);
     panel = panel.with(Layer::zero_line([0.0, scene.beam().length()])).with(Layer::Area { points, level: 0.0, color });
     panel.layers.extend(extremes(name, e, &unit, units)?);
     Ok(panel)

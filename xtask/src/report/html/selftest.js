@@ -44,6 +44,10 @@ if (location.hash === "#selftest") {
     expect(root.scrollWidth <= innerWidth, `the page is ${root.scrollWidth} px wide on a screen of ${innerWidth}`);
     const small = [...document.querySelectorAll("main :is(p, li, td, th, code, dt, dd), nav a")].filter((e) => visible(e) && parseFloat(paint(e).fontSize) < 14.9);
     expect(small.length === 0, `${small.length} texts are smaller than 15 px, <${small[0]?.localName}> ${small[0]?.textContent.slice(0, 40)}`);
+    // Letters of drawings, as large as they are seen.
+    const drawnLetters = [...document.querySelectorAll("article svg text")].filter(visible).map((text) => [parseFloat(paint(text).fontSize) * text.ownerSVGElement.getScreenCTM().a, text]);
+    const [tiny, tinyText] = drawnLetters.reduce((a, b) => (b[0] < a[0] ? b : a));
+    expect(drawnLetters.length > 1000 && tiny >= 9, `letters of drawings are ${tiny.toFixed(2)} px at least, ${tinyText.textContent}`);
     // Letters against what is behind them, WCAG 2.2, 1.4.3; letters of drawings against their paper.
     const parts = (color) => color.match(/[-.\d]+/g).map(Number);
     const light = (color) => parts(color).slice(0, 3).map((part) => (part <= 10.31 ? part / 3294.6 : ((part / 255 + 0.055) / 1.055) ** 2.4))

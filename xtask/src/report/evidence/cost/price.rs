@@ -40,7 +40,7 @@ pub(super) fn of(study: &Study<'_>, store: &Store) -> Result<(Value, Drawn), Cau
     });
     let header = ["scene", "route", "intervals", "tolerance", "digits", "milliseconds"];
     let data = Table::new(header).rows(rows);
-    let figure = study.drawn("price", context! {}, 2, panels(&fronts, exact), data)?;
+    let figure = study.drawn("price", context! {}, 1, panels(&fronts, exact), data)?;
     let tried = format!("{}, …", GRIDS.iter().take(4).map(count).collect::<Vec<_>>().join(", "));
     Ok((context! { flat, uneven, tried }, figure))
 }
@@ -106,7 +106,7 @@ fn one_digit(front: &[&Line]) -> Option<[f64; 2]> {
     Some([factor(&milliseconds)?, factor(&|line| as_number(line.intervals))?])
 }
 
-/// Two panels side by side on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
+/// Two panels on the same axes: time over correct digits, a line for each solver, a star for the exact solution.
 fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> {
     let exact = exact.map(|ms| [EXACT, ms.unwrap_or(f64::NAN)]);
     let all: Vec<Place> = fronts.iter().flatten().flatten().map(|line| place(line)).chain(exact).collect();
@@ -114,7 +114,7 @@ fn panels(fronts: &[[Vec<&Line>; 5]; 2], exact: [Option<f64>; 2]) -> Vec<Panel> 
     let panels = fronts.iter().zip(exact).zip(GROUNDS).map(|((fronts, exact), (_, ground))| {
         let x = Axis::new("correct digits").including(&digits).including(&[0.0]);
         let y = Axis::new(format!("{ground}: time")).unit(Some("ms".to_owned()));
-        let mut panel = Panel::new(x, y.log().including(&times)).tall(1000.0).room(40.0, 70.0);
+        let mut panel = Panel::new(x, y.log().including(&times)).tall(800.0).room(40.0, 70.0);
         for (k, (front, solver)) in fronts.iter().zip(SOLVERS).enumerate() {
             let style = Style { dash: Some(Dash::Solid), ..Style::of_series(k) };
             let factor = one_digit(front).map(|[time, _]| format!(" × {}", significant(time, 2))).unwrap_or_default();

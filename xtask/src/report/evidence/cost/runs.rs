@@ -52,13 +52,13 @@ fn outcome(line: Option<&Line>) -> (Tone, &'static str) {
     }
 }
 
-/// A number of intervals in few characters: `3000`, `3·10⁴`.
+/// A number of intervals in few characters: `300`, `10³`, `3·10⁴`.
 fn short(intervals: usize) -> String {
     let exponent = intervals.checked_ilog10().unwrap_or(0);
     let mantissa = intervals / 10_usize.pow(exponent);
     match i32::try_from(exponent) {
-        Ok(exponent) if 4 <= exponent && mantissa == 1 => power_of_ten(exponent),
-        Ok(exponent) if 4 <= exponent => format!("{mantissa}·{}", power_of_ten(exponent)),
+        Ok(exponent) if 3 <= exponent && mantissa == 1 => power_of_ten(exponent),
+        Ok(exponent) if 3 <= exponent => format!("{mantissa}·{}", power_of_ten(exponent)),
         _ => intervals.to_string(),
     }
 }
@@ -94,7 +94,9 @@ fn map(study: &Study<'_>, store: &Store) -> Result<(String, Drawn), Cause> {
     }
     let finest: Vec<String> = finest.into_iter().map(|grid| grid.map_or_else(|| "none".to_owned(), short)).collect();
     let words = study.words("runs", context! { finest })?;
-    let columns = grids.iter().map(|grid| short(*grid)).collect();
+    // Between powers of ten there is no room for names of many characters.
+    let named = |grid: usize| if short(grid).chars().count() < 4 { short(grid) } else { String::new() };
+    let columns = grids.iter().map(|grid| named(*grid)).collect();
     let svg = verdict_map::drawn(&words, columns, rows)?;
     Ok((words.title, ("runs", svg, data)))
 }

@@ -80,7 +80,7 @@ fn forces_panel(theory: &Theory, (method, nodes): Nodal<'_>, step: f64, window: 
         if all { format!("beam theory: q₀Δ = {} and T", significant(level, DIGITS)) } else { "q₀Δ".to_owned() };
     let mut panel = Panel::new(Axis::along("x", [from, to]), axis)
         .tall(620.0)
-        .room(70.0, 10.0)
+        .room(85.0, 10.0)
         .with(Layer::zero_line([from, to]))
         .with(arrows(theory_arrows, Color::GRAY, Dash::Dashed))
         .with(arrows(forces, Color::BLUE, Dash::Solid))
