@@ -73,6 +73,7 @@ const SUBJECTS: &[Subject] = &[
     ("solvers", problem::solvers),
     ("teaching", teaching::evidence),
     ("figures", paper::figures::evidence),
+    ("flexibility", paper::flexibility::evidence),
     ("moment", moment::evidence),
     ("first_force", paper::figures::first_force),
     ("agreement", paper::agreement::evidence),

@@ -4,3 +4,4 @@ pub(super) mod agreement;
 pub(super) mod claims;
 mod drawings;
 pub(super) mod figures;
+pub(super) mod flexibility;
