@@ -4,6 +4,7 @@ mod brackets;
 mod closed;
 mod conditions;
 mod faults;
+mod fractions;
 mod given;
 mod interval;
 mod judge;

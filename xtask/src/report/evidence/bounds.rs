@@ -10,6 +10,7 @@ use palkki::plot::{Axis, Layer, Panel, Style};
 use palkki::qp::{Explicit, Profile};
 use palkki::state::Nodes;
 use palkki::verdict::{USABLE, Verdict};
+use palkki_evidence::authority::pair::RANDOM;
 use palkki_evidence::faults::Truth;
 use palkki_evidence::paper;
 
@@ -51,6 +52,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         scenes => count,
         runs => data.len(),
         held,
+        random => RANDOM,
         accepted => USABLE,
         sags => sags()?,
         forces => of_forces(of_the_paper()?.iter().chain(beside(&springs, first_stiff))),
