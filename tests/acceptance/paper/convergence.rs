@@ -93,7 +93,11 @@ const OCTAVES: u32 = 6;
 /// first or the last octave moves its slope by up to this much.
 const SCATTER_OF_OCTAVES: f64 = 0.3;
 
-/// The slope of the worst error in each octave is at least that of `expected`, for end reaction, energy, deflection.
+/// A first order ends half way to the second. The reactions of the wave fall with 1.19.
+const FIRST_ORDER_AT_MOST: f64 = 1.5;
+
+/// The slope of the worst error in each octave is at least that of `expected`, for end reaction, energy, deflection; and if it is one
+/// for the end reaction, no more.
 #[track_caller]
 fn check_scene(name: &str, expected: [f64; 3]) {
     let scene = scene(name);
@@ -109,8 +113,9 @@ fn check_scene(name: &str, expected: [f64; 3]) {
                 .map(|octave| (1.0 / places(octave[0].0), octave.iter().fold(0.0, |most, e| e.1.max(most))))
                 .collect();
             let order = observed_order(&worst);
+            let first = expected < 2.0 && series.quantity == Quantity::EndReaction;
             assert!(
-                expected - SCATTER_OF_OCTAVES <= order,
+                expected - SCATTER_OF_OCTAVES <= order && (!first || order <= FIRST_ORDER_AT_MOST),
                 "{name}, {method}, {}: order {order:.2} instead of {expected}, {worst:?}",
                 series.quantity.name()
             );
