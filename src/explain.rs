@@ -13,11 +13,20 @@
 //!
 //! so that `S = q L³/4` for a uniform load. Where two spans meet their slopes are the same: the equation of three moments (Clapeyron
 //! 1857). Where a slope is given, by a built-in end or by ground that the beam follows, each side has an equation of its own; where the
-//! place is not given as well, that is the equation for it.
+//! place is not given as well, that is the equation for it. Beyond the outermost nodes that hold it the beam hangs over, and statics
+//! give its moment there. Forces follow from moments: with the reactions `A` of a span to its own load
+//!
+//! ```text
+//! V_l = (M_r − M_l)/L + A_l,    V_r = (M_r − M_l)/L − A_r,    R = V(x+) − V(x−) + P
+//! ```
 
 use crate::scene::{Foundation, Scene};
+use crate::state::SupportForce;
 use crate::theory::Exact;
 use crate::theory::gauss::Gauss;
+
+/// Places that are one, as a share of the length of the beam.
+const SAME: f64 = 1e-12;
 
 /// What stands at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +37,9 @@ pub enum What {
     Support,
     /// A support that holds the slope.
     BuiltIn,
-    /// A point of contact whose place is a corner of the ground or an end of the beam.
+    /// An end of the beam that touches.
+    Tip,
+    /// A point of contact whose place is a corner of the ground.
     Corner,
     /// A point of contact at which the beam follows the slope of the ground: its place is an unknown.
     Point,
@@ -44,6 +55,7 @@ impl What {
             Self::End => "end of the beam",
             Self::Support => "support",
             Self::BuiltIn => "built-in support",
+            Self::Tip => "end of the beam in contact",
             Self::Corner => "contact at a corner",
             Self::Point => "contact at a point",
             Self::ZoneEnd => "end of a zone",
@@ -64,6 +76,10 @@ pub struct Node {
     pub slope: Option<f64>,
     /// The bending moments just left and just right of it \[force · length\].
     pub moments: [f64; 2],
+    /// The shear forces there, zero beyond an end of the beam \[force\].
+    pub shears: [f64; 2],
+    /// The point load on it \[force\].
+    pub load: f64,
     /// The force there, upwards on the beam \[force\].
     pub force: f64,
 }
@@ -77,8 +93,25 @@ pub struct Span {
     pub length: f64,
     /// `S_l` and `S_r` \[force · length²\].
     pub load: [f64; 2],
+    /// `A_l` and `A_r` \[force\].
+    pub reactions: [f64; 2],
     /// What the parts of the load contribute to both without their signs: they may cancel.
     load_size: f64,
+}
+
+/// What hangs over beyond a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overhang {
+    /// The node.
+    pub root: usize,
+    /// The one at its free end.
+    pub tip: usize,
+    /// Its length \[length\].
+    pub length: f64,
+    /// The load beyond the node, without what is on it \[force\].
+    pub load: f64,
+    /// Its moment about the node: the bending moment beside it is minus that \[force · length\].
+    pub moment: f64,
 }
 
 /// An equation at a node: `Σ coefficient · M = settlement − load`.
@@ -103,8 +136,12 @@ pub struct Explanation {
     pub nodes: Vec<Node>,
     /// From left to right.
     pub spans: Vec<Span>,
+    /// Those on the left before those on the right.
+    pub overhangs: Vec<Overhang>,
     /// From left to right.
     pub equations: Vec<Equation>,
+    /// Where supports are off which the beam has lifted: no nodes \[length\].
+    pub lifted: Vec<f64>,
     /// `6 EI`.
     pub stiffness: f64,
 }
@@ -114,10 +151,32 @@ impl Explanation {
     #[must_use]
     pub fn of(scene: &Scene, exact: &Exact) -> Self {
         let nodes = nodes(scene, exact);
-        let spans = spans(scene, exact, &nodes);
+        let (spans, overhangs) = (spans(scene, exact, &nodes), overhangs(scene, exact, &nodes));
         let stiffness = 6.0 * scene.beam().bending_stiffness();
         let equations = (0..nodes.len()).flat_map(|i| equations(&nodes, &spans, i, stiffness)).collect();
-        Self { nodes, spans, equations, stiffness }
+        let lifted = exact.state.supports.iter().filter(|support| has_lifted(support)).map(|support| support.at);
+        Self { lifted: lifted.collect(), nodes, spans, overhangs, equations, stiffness }
+    }
+
+    /// What the equations are for, as many as there are equations: places, and moments with whether they are right of their node. Other
+    /// moments are those of overhangs, of the ground along which the beam lies, or zero at an end.
+    #[must_use]
+    pub fn unknowns(&self) -> Vec<(usize, Option<bool>)> {
+        let mut unknowns = Vec::new();
+        for (i, node) in self.nodes.iter().enumerate() {
+            let [before, behind] =
+                [self.spans.iter().any(|span| span.left + 1 == i), self.spans.iter().any(|span| span.left == i)];
+            let is_place = matches!(node.what, What::Point | What::ZoneEnd);
+            if node.slope.is_some() && !is_place {
+                unknowns.extend([(before, false), (behind, true)].iter().filter(|(is, _)| *is).map(|s| (i, Some(s.1))));
+            } else if before && behind {
+                unknowns.push((i, Some(false)));
+            }
+            if is_place && (before || behind) {
+                unknowns.push((i, None));
+            }
+        }
+        unknowns
     }
 
     /// The left side of an equation with the moments of the answer, less its right side \[force · length²\].
@@ -159,87 +218,131 @@ fn nodes(scene: &Scene, exact: &Exact) -> Vec<Node> {
     let length = beam.length();
     let is_corner = |x: f64| {
         let at_vertex = |profile: &Foundation| match profile {
-            Foundation::Polyline { points } => points.iter().any(|point| (point[0] - x).abs() <= 1e-12 * length),
+            Foundation::Polyline { points } => points.iter().any(|point| (point[0] - x).abs() <= SAME * length),
             _ => false,
         };
-        x <= 0.0 || length <= x || scene.foundation().into_iter().chain(beam.shape()).any(at_vertex)
+        scene.foundation().into_iter().chain(beam.shape()).any(at_vertex)
     };
-    let mut found: Vec<(f64, What, f64)> = Vec::new();
-    // One off which the beam has lifted is none.
-    for support in state.supports.iter().filter(|support| !support.pushes_only || 0.0 < support.force) {
+    // What it is, its force, and whether the beam follows the ground there.
+    let mut found: Vec<(f64, What, f64, bool)> = Vec::new();
+    for support in state.supports.iter().filter(|support| !has_lifted(support)) {
         let what = if support.moment.is_some() { What::BuiltIn } else { What::Support };
-        found.push((support.at, what, support.force));
+        found.push((support.at, what, support.force, what == What::BuiltIn));
     }
     for contact in &state.contacts {
         match contact.end_forces {
             Some([left, right]) if contact.from < contact.to => {
-                found.extend([(contact.from, What::ZoneEnd, left), (contact.to, What::ZoneEnd, right)]);
+                found.extend([(contact.from, left), (contact.to, right)].map(|(x, f)| (x, What::ZoneEnd, f, true)));
             }
-            _ if is_corner(contact.from) => found.push((contact.from, What::Corner, contact.force)),
-            _ => found.push((contact.from, What::Point, contact.force)),
+            _ if contact.from <= 0.0 || length <= contact.from => {
+                found.push((contact.from, What::Tip, contact.force, false));
+            }
+            _ if is_corner(contact.from) => found.push((contact.from, What::Corner, contact.force, false)),
+            _ => found.push((contact.from, What::Point, contact.force, true)),
         }
     }
-    found.extend([0.0, length].map(|end| (end, What::End, 0.0)));
+    found.extend([0.0, length].map(|end| (end, What::End, 0.0, false)));
     // Several at one place are one, of the kind of the first; their forces add up.
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.dedup_by(|next, kept| {
-        let same = (next.0 - kept.0).abs() <= 1e-12 * length;
+        let same = (next.0 - kept.0).abs() <= SAME * length;
         if same {
             // A support or a contact rather than an end of the beam.
             let what = if kept.1 == What::End { next.1 } else { kept.1 };
-            *kept = (kept.0, what, kept.2 + next.2);
+            *kept = (kept.0, what, kept.2 + next.2, kept.3 || next.3);
         }
         same
     });
-    let node = |(x, what, force)| {
-        let given = matches!(what, What::BuiltIn | What::Point | What::ZoneEnd);
+    let node = |(x, what, force, follows): (f64, What, f64, bool)| {
         let (deflection, moments) = (exact.deflection(x), exact.moments(x));
-        Node { what, x, deflection, slope: given.then(|| exact.slope(x)), moments, force }
+        // Beyond whatever acts at this place.
+        let [left, right] = [x - SAME * length, x + SAME * length];
+        let shears = [
+            if 0.0 < left { exact.shear(left)[0] } else { 0.0 },
+            if right < length { exact.shear(right)[1] } else { 0.0 },
+        ];
+        let here = scene.load().point().iter().filter(|load| (load.at - x).abs() <= SAME * length);
+        let load = here.fold(0.0, |sum, load| sum + load.force);
+        Node { what, x, deflection, slope: follows.then(|| exact.slope(x)), moments, shears, load, force }
     };
     found.into_iter().map(node).collect()
 }
 
+/// Whether it is a support that the beam has lifted off.
+fn has_lifted(support: &SupportForce) -> bool {
+    support.pushes_only && support.force <= 0.0
+}
+
+fn is_in_zone(exact: &Exact, from: f64, to: f64) -> bool {
+    let middle = 0.5 * (from + to);
+    exact.state.contacts.iter().any(|contact| contact.from < middle && middle < contact.to)
+}
+
 fn spans(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Span> {
-    let in_zone = |from: f64, to: f64| {
-        let middle = 0.5 * (from + to);
-        exact.state.contacts.iter().any(|contact| contact.from < middle && middle < contact.to)
-    };
     let span = |(left, pair): (usize, &[Node])| {
         let [from, to] = [pair[0].x, pair[1].x];
-        let (load, load_size) = load_terms(scene, from, to);
-        (!in_zone(from, to)).then_some(Span { left, length: to - from, load, load_size })
+        let (load, reactions, load_size) = load_terms(scene, from, to);
+        (!is_in_zone(exact, from, to)).then_some(Span { left, length: to - from, load, reactions, load_size })
     };
-    // Beyond the outermost supports and contacts the beam is held at one end only, and statics give its moment there.
     let overhang = |span: &Span| [span.left, span.left + 1].iter().any(|&node| nodes[node].what == What::End);
     nodes.windows(2).enumerate().filter_map(span).filter(|span| !overhang(span)).collect()
 }
 
-/// `S_l` and `S_r` of the load between two places, and the sum of both without signs.
-fn load_terms(scene: &Scene, from: f64, to: f64) -> ([f64; 2], f64) {
+/// The parts between an end of the beam where nothing is and the next node.
+fn overhangs(scene: &Scene, exact: &Exact, nodes: &[Node]) -> Vec<Overhang> {
+    let last = nodes.len() - 1;
+    let hangs = |&(tip, root): &(usize, usize)| {
+        nodes[tip].what == What::End && nodes[root].what != What::End && !is_in_zone(exact, nodes[tip].x, nodes[root].x)
+    };
+    let of = |(tip, root): (usize, usize)| {
+        let [tip_at, at] = [nodes[tip].x, nodes[root].x];
+        let (from, to) = (tip_at.min(at), tip_at.max(at));
+        let (mut load, mut moment) = (0.0, 0.0);
+        let here = SAME * scene.beam().length();
+        each_force(scene, from, to, |x, force| {
+            let lever = (x - at).abs();
+            load += if here < lever && here < (x - tip_at).abs() { force } else { 0.0 };
+            moment += if here < (x - tip_at).abs() { force * lever } else { 0.0 };
+        });
+        let length = to - from;
+        let tip_load = nodes[tip].load;
+        Overhang { root, tip, length, load: load + tip_load, moment: moment + tip_load * length }
+    };
+    [(0, 1), (last, last.saturating_sub(1))].into_iter().filter(|_| 0 < last).filter(hangs).map(of).collect()
+}
+
+/// The load strictly between two places as forces that have its resultant and its next three moments.
+fn each_force(scene: &Scene, from: f64, to: f64, mut visit: impl FnMut(f64, f64)) {
     /// Of these integrals under a linear load.
     const DEGREE: usize = 4;
-    let rule = Gauss::exact_to(DEGREE);
-    let (load, length) = (scene.load(), to - from);
-    let of_force = |at: f64, force: f64| {
-        let xi = at - from;
-        let common = force * xi * (length - xi) / length;
-        [common * (2.0 * length - xi), common * (length + xi)]
-    };
-    let (mut sum, mut size) = ([0.0; 2], 0.0);
-    let mut add = |[left, right]: [f64; 2]| {
-        sum = [sum[0] + left, sum[1] + right];
-        size += left.abs() + right.abs();
-    };
+    let (rule, load) = (Gauss::exact_to(DEGREE), scene.load());
     let inside = load.point().iter().filter(|point| from < point.at && point.at < to);
-    inside.for_each(|point| add(of_force(point.at, point.force)));
+    inside.for_each(|point| visit(point.at, point.force));
     let whole = crate::scene::LinearLoad { from, to, start: load.uniform(), end: load.uniform() };
     for part in load.linear().iter().chain(std::iter::once(&whole)) {
         let [start, end] = [part.from.max(from), part.to.min(to)];
         if start < end {
-            rule.points(start, end).for_each(|(x, weight)| add(of_force(x, part.intensity(x) * weight)));
+            rule.points(start, end).for_each(|(x, weight)| visit(x, part.intensity(x) * weight));
         }
     }
-    (sum, size)
+}
+
+/// `S` and `A` at both ends of the load between two places, and the sum of both `S` without signs.
+fn load_terms(scene: &Scene, from: f64, to: f64) -> ([f64; 2], [f64; 2], f64) {
+    let (length, here) = (to - from, SAME * scene.beam().length());
+    let (mut sum, mut reactions, mut size) = ([0.0; 2], [0.0; 2], 0.0);
+    each_force(scene, from, to, |at, force| {
+        let (xi, rest) = (at - from, to - at);
+        let common = force * xi * rest / length;
+        let [left, right] = [common * (length + rest), common * (length + xi)];
+        sum = [sum[0] + left, sum[1] + right];
+        // What is so near to a node is a load on it, with a lever for moments.
+        if here < xi && here < rest {
+            reactions = [reactions[0] + force * rest / length, reactions[1] + force * xi / length];
+        }
+        size += left.abs() + right.abs();
+    });
+    (sum, reactions, size)
 }
 
 /// The equations at a node: one for each side with a given slope, one for both where the slope is not given.

@@ -1,7 +1,7 @@
 //! `explain`: the equations of the exact answer, with their numbers, as text or as Markdown with formulas.
 
 use clap::{Args, ValueEnum};
-use palkki::explain::{Equation, Explanation, Node, Span, What};
+use palkki::explain::{Equation, Explanation, Node, Overhang, Span, What};
 use palkki::text::magnitude;
 
 use super::answer::Answer;
@@ -65,7 +65,8 @@ pub(super) fn text(input: &Input, answer: &Answer, form: Explained) -> String {
         }
     };
     let page = Page { moment: found.moment(), found, labels, form };
-    head + &page.nodes() + &page.spans() + &page.equations()
+    let shaped = input.scene.beam().shape().is_some();
+    head + &page.nodes(shaped) + &page.spans() + &page.overhangs() + &page.equations() + &page.forces()
 }
 
 /// An explanation that is written.
@@ -94,54 +95,107 @@ impl Page {
         self.number(if value.abs() <= ROUNDING * size { 0.0 } else { value })
     }
 
-    fn nodes(&self) -> String {
+    fn nodes(&self, shaped: bool) -> String {
+        let found = &self.found;
+        let deepest = found.nodes.iter().fold(0.0, |most: f64, node| most.max(node.deflection.abs()));
+        let last = found.nodes.len() - 1;
         let row = |(i, node): (usize, &Node)| {
-            let Node { what, x, deflection, slope, moments: [left, right], force } = *node;
+            let Node { what, x, deflection, slope, moments: [left, right], .. } = *node;
+            // Beyond an end there is no beam.
+            let moment =
+                |is_beam: bool, value| if is_beam { self.beside(value, self.moment) } else { "none".to_owned() };
             vec![
                 (i + 1).to_string(),
                 what.name().to_owned(),
                 self.number(x),
-                self.number(deflection),
-                slope.map_or_else(|| "found".to_owned(), |slope| self.number(slope)),
-                self.beside(left, self.moment),
-                self.beside(right, self.moment),
-                self.number(force),
+                self.beside(deflection, deepest),
+                slope.map_or_else(|| "not given".to_owned(), |slope| self.number(slope)),
+                moment(0 < i, left),
+                moment(i < last, right),
             ]
         };
-        let header = ["node", "what it is", "x", "deflection v", "slope v'", "M left", "M right", "force upwards"];
-        self.table("Nodes", &header, &self.found.nodes.iter().enumerate().map(row).collect::<Vec<_>>())
+        let header = ["node", "what it is", "x", "deflection v", "slope v'", "M left", "M right"];
+        let mut text = self.table("Nodes", &header, &found.nodes.iter().enumerate().map(row).collect::<Vec<_>>());
+        for x in &found.lifted {
+            text += &format!("\nThe beam has lifted off the support at x = {}, which is no node.\n", self.number(*x));
+        }
+        if shaped {
+            text += "\nv counts from the own shape w0: it is level - w0 at a support and u - w0 on the ground.\n";
+        }
+        text
     }
 
     fn spans(&self) -> String {
         if self.found.spans.is_empty() {
-            return "\nNo part of the beam is between two nodes and off the ground: there is no equation.\n".to_owned();
+            return String::new();
         }
         let row = |(i, span): (usize, &Span)| {
-            let Span { left, length, load: [a, b], .. } = *span;
-            let [length, a, b] = [length, a, b].map(|value| self.number(value));
-            vec![letter(i), (left + 1).to_string(), (left + 2).to_string(), length, a, b]
+            let Span { left, length, load: [a, b], reactions: [left_end, right_end], .. } = *span;
+            let [length, a, b, left_end, right_end] =
+                [length, a, b, left_end, right_end].map(|value| self.number(value));
+            vec![letter(i), (left + 1).to_string(), (left + 2).to_string(), length, a, b, left_end, right_end]
         };
-        let header = ["span", "from node", "to node", "length L", "S at its left end", "S at its right end"];
+        let header = ["span", "from node", "to node", "length L", "S left", "S right", "A left", "A right"];
         self.table("Spans", &header, &self.found.spans.iter().enumerate().map(row).collect::<Vec<_>>())
-            + "\nS is the load term of a span, q L^3 / 4 under a uniform load q; M(i-) and M(i+) are the moments just left and just right of node i.\n"
+            + "\nOf the load of a span: A are the reactions of a simple beam, S the terms of the equations, q L^3 / 4 under a uniform load q.\n"
+    }
+
+    fn overhangs(&self) -> String {
+        if self.found.overhangs.is_empty() {
+            return String::new();
+        }
+        let row = |overhang: &Overhang| {
+            let Overhang { root, tip, length, load, moment } = *overhang;
+            let [length, load, moment] = [length, load, moment].map(|value| self.number(value));
+            vec![(root + 1).to_string(), (tip + 1).to_string(), length, load, moment]
+        };
+        let header = ["from node", "to its end, node", "length", "its load", "moment of that about the node"];
+        self.table("Overhangs", &header, &self.found.overhangs.iter().map(row).collect::<Vec<_>>())
+            + "\nStatics give M beside the node: minus the moment of the load beyond it.\n"
     }
 
     fn equations(&self) -> String {
         let found = &self.found;
-        if found.spans.is_empty() {
-            return String::new();
+        if found.equations.is_empty() {
+            return "\nNo moment is unknown: there is no equation to solve.\n".to_owned();
         }
         let title = match self.form {
             Explained::Text => "Equations",
             Explained::Markdown => "## Equations",
         };
         let mut text = format!("\n{title}\n\n6 EI = {}\n", self.number(found.stiffness));
+        let unknown = |&(node, right): &(usize, Option<bool>)| match right {
+            Some(right) => name(&found.nodes, node, right, self.moment),
+            None => format!("x{}", node + 1),
+        };
+        let unknowns = found.unknowns().iter().map(unknown).collect::<Vec<_>>().join(", ");
+        text += &format!("\nUnknown: {unknowns}. M = 0 at an end of the beam that is not built in.");
+        let has_sides = found.equations.iter().any(|equation| equation.spans.contains(&None));
+        text += if has_sides { " M(i-) and M(i+) are the moments just left and just right of node i.\n" } else { "\n" };
         text.extend(found.equations.iter().map(|equation| self.equation(equation)));
         if found.nodes.iter().any(|node| matches!(node.what, What::Point | What::ZoneEnd)) {
-            text += "\nWhere the beam follows the ground its slope is given and its place is not: there the equations of both sides also give the place x. \
+            text += "\nWhere the beam follows the ground its slope is given and its place x is not. \
                      At the end of a zone the moment is that of the ground, -EI (u - w0)''.\n";
         }
-        text + "\nThe force of a node is the jump of the shear force there: V = (M(right) - M(left))/L and the reactions of each span to its own load.\n"
+        text
+    }
+
+    fn forces(&self) -> String {
+        let found = &self.found;
+        let row = |(i, node): (usize, &Node)| {
+            let Node { shears: [left, right], load, force, .. } = *node;
+            let size = left.abs().max(right.abs()).max(load.abs());
+            let [left, right, load, force] = [left, right, load, force].map(|value| self.beside(value, size));
+            vec![(i + 1).to_string(), left, right, load, force]
+        };
+        let rows: Vec<Row> = found.nodes.iter().enumerate().map(row).collect();
+        self.table("Forces", &["node", "V left", "V right", "load P", "force upwards"], &rows)
+            + if found.spans.is_empty() {
+                ""
+            } else {
+                "\nV is (M right - M left)/L + A left at the left end of a span, and (M right - M left)/L - A right at its right end.\n"
+            }
+            + "\nThe force is V right - V left + P.\n"
     }
 
     /// An equation with its formula, its numbers, and what the two sides differ by.
@@ -184,17 +238,20 @@ impl Page {
 fn terms(equation: &Equation, nodes: &[Node], size: f64) -> Vec<(String, f64)> {
     let mut found: Vec<(String, f64)> = Vec::new();
     for &(node, right, factor) in &equation.terms {
-        let [left, behind] = nodes[node].moments;
-        // A node at which both sides have one moment has no sides.
-        let is_one = (left - behind).abs() <= ROUNDING * size;
-        let side = if is_one { "" } else { ["-", "+"][usize::from(right)] };
-        let name = format!("M{}{side}", node + 1);
+        let name = name(nodes, node, right, size);
         match found.last_mut().filter(|last| last.0 == name) {
             Some(last) => last.1 += factor,
             None => found.push((name, factor)),
         }
     }
     found
+}
+
+/// The name of a moment: a node at which both sides have one has no sides.
+fn name(nodes: &[Node], node: usize, right: bool, size: f64) -> String {
+    let [left, behind] = nodes[node].moments;
+    let is_one = (left - behind).abs() <= ROUNDING * size;
+    format!("M{}{}", node + 1, if is_one { "" } else { ["-", "+"][usize::from(right)] })
 }
 
 /// Spans are a, b, c, …, then 27, 28, ….

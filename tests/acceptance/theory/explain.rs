@@ -42,10 +42,10 @@ fn a_triangular_load_has_the_terms_of_the_textbook() {
     }
 }
 
-/// Every equation of random scenes with supports, own shapes, points and zones holds.
+/// Every equation of random scenes with supports, own shapes, points and zones holds; there are as many as unknowns, and statics hold.
 #[test]
 fn equations_of_random_scenes_hold() {
-    let (mut equations, mut kinds) = (0, [0; 6]);
+    let (mut equations, mut kinds) = (0, [0; 7]);
     for seed in hostile::seeds(0..1500) {
         let Ok(scene) = hostile::draft(seed).scene() else { continue };
         let Ok(exact) = theory::solve(&scene) else { continue };
@@ -53,13 +53,36 @@ fn equations_of_random_scenes_hold() {
             continue;
         }
         let found = Explanation::of(&scene, &exact);
-        let what = [What::End, What::Support, What::BuiltIn, What::Corner, What::Point, What::ZoneEnd];
+        let what = [What::End, What::Tip, What::Support, What::BuiltIn, What::Corner, What::Point, What::ZoneEnd];
         for node in &found.nodes {
             kinds[what.iter().position(|kind| *kind == node.what).expect("one of them")] += 1;
         }
         // Moments and deflections of one answer are rounded beside the largest of them.
         let largest = found.nodes.iter().flat_map(|node| node.moments).fold(0.0, |most: f64, m| most.max(m.abs()));
         let deepest = found.nodes.iter().fold(0.0, |most: f64, node| most.max(node.deflection.abs()));
+        assert_eq!(found.unknowns().len(), found.equations.len(), "{seed}: {:?}", found.nodes);
+        let load = scene.load().magnitude(scene.beam().length());
+        let forces = found.nodes.iter().map(|node| node.force.abs()).fold(load, f64::max);
+        for (i, node) in found.nodes.iter().enumerate() {
+            let [left, right] = node.shears;
+            let jump = right - left + node.load;
+            assert!((jump - node.force).abs() <= 1e-9 * forces, "{seed}: {node:?}");
+            for span in found.spans.iter().filter(|span| span.left == i) {
+                let next = &found.nodes[i + 1];
+                let rise = (next.moments[0] - node.moments[1]) / span.length;
+                let off = [rise + span.reactions[0] - right, rise - span.reactions[1] - next.shears[0]];
+                let rounding = 1e-9 * forces + 1e-12 * largest / span.length;
+                assert!(off.iter().all(|off| off.abs() <= rounding), "{seed}: {node:?} {span:?} {off:?}");
+            }
+        }
+        for overhang in &found.overhangs {
+            let root = &found.nodes[overhang.root];
+            let side = usize::from(overhang.root < overhang.tip);
+            let (moment, size) = (root.moments[side], scene.beam().length() * load);
+            assert!((moment + overhang.moment).abs() <= 1e-9 * size, "{seed}: {root:?} {overhang:?}");
+            let shear = if side == 0 { -overhang.load } else { overhang.load };
+            assert!((root.shears[side] - shear).abs() <= 1e-9 * forces, "{seed}: {root:?} {overhang:?}");
+        }
         for equation in &found.equations {
             let (residual, size) = (found.residual(equation).abs(), found.size(equation));
             let lengths = equation.spans.iter().flatten().map(|&span| found.spans[span].length);
