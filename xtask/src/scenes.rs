@@ -14,6 +14,8 @@ use crate::report::files;
 pub(crate) const GALLERY: &str = "report/scenes";
 /// Where those are that are held otherwise than by two simple supports at the ends.
 pub(crate) const HELD: &str = "report/scenes/held";
+/// Where those on ground that gives are.
+pub(crate) const SOFT: &str = "report/scenes/soft";
 
 /// Names (without `.toml`) and scenes of the gallery, in the order of their names.
 pub(crate) fn all(root: &Path) -> Result<Vec<(String, Scene)>, Cause> {

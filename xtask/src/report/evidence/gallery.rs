@@ -20,6 +20,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         let link = format!("[{}](#{name}){unit}", scene.title());
         row![link, state.regime.name(), exact.unknowns, left, right, contact, within]
     }));
+    let soft = shown(study, scenes::SOFT, "soft")?;
     let unknowns = || all.iter().map(|shown| shown.exact.unknowns);
     let context = context! {
         count => all.len(),
@@ -29,6 +30,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         residual => bound(all.iter().map(|shown| shown.exact.residual).fold(0.0, f64::max)),
         overview,
         cards => all.iter().map(|shown| shown.card.clone()).collect::<Value>(),
+        soft => soft.iter().map(|shown| shown.card.clone()).collect::<Value>(),
     };
     let pictures = all.iter().map(|shown| (shown.name.as_str(), &shown.scene, &shown.curves));
     let Words { title, description, .. } = study.words("sheet", context! {})?;
@@ -37,7 +39,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         curves.point_forces.iter().map(move |force| row![name, fixed(force.at, 5), fixed(force.force, 5)])
     });
     let forces = Table::new(["scene", "x", "contact_force"]).rows(forces);
-    Evidence::new(context).figure("sheet", svg, forces)?.figures(all.into_iter().map(|shown| shown.figure))
+    Evidence::new(context).figure("sheet", svg, forces)?.figures(all.into_iter().chain(soft).map(|shown| shown.figure))
 }
 
 /// A scene that is solved and judged, with its card and its figure.
