@@ -6,6 +6,7 @@ use std::fs;
 
 use super::steady::steady;
 use super::{EXAMPLE, Folder, Run, SURVEYED};
+use crate::scenes;
 use crate::support::{assert_table, assert_text};
 
 /// Beam, supports, own shape and ground, in this order; all others are left out.
@@ -123,6 +124,16 @@ fn sweeps_are_shown() {
 fn explanations_are_shown() {
     let explained = ["explain example.toml", "explain three.toml", "explain cantilever.toml --format markdown"];
     assert_table!("shown@explain", "Equations with their numbers", page(&folder("shown_explain"), &explained));
+}
+
+/// The page *Teaching* takes them from here.
+#[test]
+fn taught_explanations_are_shown() {
+    let folder = folder("shown_taught");
+    folder.write("spans.toml", scenes::text("taught/spans"));
+    folder.write("hump.toml", scenes::text("hump"));
+    let explained = ["explain spans.toml", "explain hump.toml"];
+    assert_table!("shown@taught", "Equations of the exercises", page(&folder, &explained));
 }
 
 #[test]

@@ -24,6 +24,7 @@ mod scene_file;
 mod stability;
 mod stiff;
 mod sweeps;
+mod taught;
 mod teaching;
 mod verdict_map;
 pub(super) mod words;

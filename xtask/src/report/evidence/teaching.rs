@@ -9,6 +9,7 @@ use palkki_evidence::paper::convergence::{Quantity, of_scene};
 use palkki_evidence::paper::{INTERVALS, example, theory};
 
 use super::prelude::*;
+use super::taught;
 
 /// Intervals of the grid on which the four steps are done by hand: n = 5 interior nodes.
 const BY_HAND: usize = UNKNOWNS.len() + 1;
@@ -23,6 +24,7 @@ const CREST: [usize; 6] = [30, 60, 120, 240, 480, 960];
 pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     let scene = example()?;
     let (failure, figure) = failure(study, &scene)?;
+    let (taught, figures) = taught::evidence(study)?;
     Evidence::new(context! {
         lift_off => lift_off(&scene),
         four_steps => four_steps(&scene)?,
@@ -30,8 +32,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         jumps => jumps(&scene)?,
         crest => crest(&scenes::read(study.root, "hump")?)?,
         bounds => bounds(&scene)?,
+        taught,
     })
-    .figures([figure])
+    .figures(std::iter::once(figure).chain(figures))
 }
 
 /// Exercise 1: the closed form for the example.
