@@ -23,7 +23,7 @@ pub struct RawSolution {
     pub solver_reports_almost: bool,
     /// Of a library: what it left of its own problem, in the norm by which it stops.
     pub own_residual: Option<OwnResidual>,
-    /// Dimensionless KKT residual of the discrete problem, by our judge; NaN is never "small".
+    /// Dimensionless KKT residual of the discrete problem, by our check; NaN is never "small".
     pub residual: f64,
     /// Unknowns of the quadratic program that was solved.
     pub unknowns: usize,

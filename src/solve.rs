@@ -32,7 +32,7 @@ pub struct Settings {
     pub tolerance: f64,
 }
 
-/// Default of [`Settings::tolerance`]: a tenth of what the judge demands.
+/// Default of [`Settings::tolerance`]: a tenth of what our check demands.
 pub const DEFAULT_TOLERANCE: f64 = 1e-10;
 
 impl Settings {
@@ -71,7 +71,7 @@ impl Solution {
     }
 }
 
-/// Solves `scene` by one route, and judges the answer.
+/// Solves `scene` by one route, and checks the answer.
 ///
 /// ```
 /// use palkki::route::{Method, Solver, Status};
@@ -95,7 +95,7 @@ pub fn solve(scene: &Scene, settings: &Settings) -> Result<Solution, SceneError>
     Ok(solve_raw_near(&witness, settings)?.judged(&witness, &Demand::default()))
 }
 
-/// Solves `scene` by beam theory, without a grid, and judges the answer: the places where the beam lifts off are unknowns.
+/// Solves `scene` by beam theory, without a grid, and checks the answer: the places where the beam lifts off are unknowns.
 ///
 /// ```
 /// use palkki::scene::{Beam, Foundation, Load, Scene};
@@ -169,7 +169,7 @@ impl Exact {
     }
 }
 
-/// Solves `scene` by one route, and does not judge the answer.
+/// Solves `scene` by one route, and does not check the answer.
 ///
 /// A scene with nothing to touch needs no quadratic program and no solver.
 ///

@@ -1,7 +1,7 @@
 //! What `certified` means, in one place: which conditions an answer has to meet, and the message on how far it may be off,
 //! certified or not.
 //!
-//! The judge ([`crate::certificate`]) measures and does not decide: it computes a residual of the discrete problem, and bounds for
+//! The check ([`crate::certificate`]) measures and does not decide: it computes a residual of the discrete problem, and bounds for
 //! the continuous beam. An answer is **certified** if all of this holds.
 //!
 //! | | a method on a grid | beam theory |

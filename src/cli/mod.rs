@@ -1,4 +1,4 @@
-//! The command line: arguments in, table or JSON out. With `xtask` the only room that reads files, writes files or uses a clock.
+//! The command line: arguments in, table or JSON out. With `xtask` the only part that reads files, writes files or uses a clock.
 //!
 //! Exit codes: 0, an answer that is certified; 1, there is an answer and it is not; 2, bad input or usage, or
 //! output that cannot be written. With 2 there is nothing on standard output and no file is written, unless it is standard output,

@@ -31,10 +31,10 @@ fn the_map_is_the_territory() {
     }
 
     for path in rust_files("src").keys().chain(rust_files("tests").keys()) {
-        // `src/scene/beam.rs` is in the room `src/scene`, `src/solve.rs` is a room of its own.
-        let room: Vec<&str> = path.split('/').take(2).collect();
-        let room = room.join("/");
-        assert!(spans.contains(&room.as_str()), "ARCHITECTURE.md does not name {room}");
+        // `src/scene/beam.rs` is in the part `src/scene`, `src/solve.rs` is a part of its own.
+        let part: Vec<&str> = path.split('/').take(2).collect();
+        let part = part.join("/");
+        assert!(spans.contains(&part.as_str()), "ARCHITECTURE.md does not name {part}");
     }
 
     let tests = rust_files("tests/acceptance").into_values().collect::<String>();
