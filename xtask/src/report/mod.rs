@@ -46,6 +46,7 @@ const DOCUMENTS: [&str; 20] = [
     "stability",
     "claims",
     "teaching",
+    "promises",
     "provenance",
 ];
 
@@ -129,6 +130,8 @@ fn of_documents(root: &Path, wanted: impl Fn(&str) -> bool) -> Result<Rendered, 
         if name == sentences::DOCUMENT {
             let list = sentences::list(&environment, template, &Value::from(context.clone()))?;
             rendered.insert(sentences::LIST.to_owned(), list.csv()?);
+        } else {
+            sentences::check_page(template).map_err(|error| format!("{name}.md: {error}"))?;
         }
     }
     Ok(rendered)

@@ -10,6 +10,7 @@
 //! ```
 //!
 //! and a sentence with a quantifier and without one of these is refused. A sentence that only prints values is held by them.
+//! On the pages that is asked where a reader decides: of what is in bold, and in the sections that give advice.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -23,6 +24,15 @@ use crate::table::{Table, row};
 /// The document whose sentences are listed, and the list.
 pub(super) const DOCUMENT: &str = "report";
 pub(super) const LIST: &str = "data/sentences.csv";
+
+/// The sections of pages by which a reader decides what to do.
+const DECISIONS: &[&str] = &[
+    "The paper's recommendation, point by point",
+    "Promised",
+    "What follows",
+    "When to stop",
+    "Which route for which case",
+];
 
 /// The words by which a sentence speaks of more than it shows.
 const QUANTIFIERS: &[&str] = &[
@@ -90,20 +100,13 @@ pub(super) fn without_marks(text: &str) -> String {
 /// The sentences of a template that say something about data, with their values and what holds them, one in a line.
 pub(super) fn list(environment: &Environment<'_>, text: &str, values: &Value) -> Result<Table, Cause> {
     let mut table = Table::new(["sentence", "over", "check"]);
-    let (mut in_code, mut unbound) = (false, Vec::new());
-    for line in text.lines().map(str::trim) {
-        in_code ^= line.starts_with("```");
-        let is_sentence = !in_code && !["```", "#", "![", "{%", "<"].iter().any(|start| line.starts_with(start));
-        let Some(Spoken { words, calls }) =
-            is_sentence.then(|| Spoken::of(line)).filter(|spoken| !spoken.words.is_empty())
-        else {
-            continue;
-        };
+    let mut unbound = Vec::new();
+    for (_, line, Spoken { words, calls }) in sentences(text) {
         let [checks, printed] = [true, false].map(|of| calls.iter().filter(move |call| call.is_check() == of));
         let (checks, printed): (Vec<&Call<'_>>, Vec<&Call<'_>>) = (checks.collect(), printed.collect());
-        match words.iter().find(|word| quantifies(word)) {
-            Some(word) if checks.is_empty() => unbound.push(format!("`{word}` in: {line}")),
-            _ if checks.is_empty() && printed.is_empty() => {}
+        match unheld(line, &words, &calls) {
+            Some(without) => unbound.push(without),
+            None if checks.is_empty() && printed.is_empty() => {}
             _ => {
                 let sentence = template::line(environment, line, values)?;
                 let [over, check]: [Vec<String>; 2] = if checks.is_empty() {
@@ -118,8 +121,39 @@ pub(super) fn list(environment: &Environment<'_>, text: &str, values: &Value) ->
             }
         }
     }
+    all_bound(&unbound).map(|()| table)
+}
+
+/// An error if a sentence of a page by which a reader decides has a quantifier and nothing that holds it.
+pub(super) fn check_page(text: &str) -> Result<(), Cause> {
+    let decides = |section: &str, line: &str| line.contains("**") || DECISIONS.contains(&section);
+    let asked = sentences(text).filter(|(section, line, _)| decides(section, line));
+    let unbound: Vec<String> =
+        asked.filter_map(|(_, line, Spoken { words, calls })| unheld(line, &words, &calls)).collect();
+    all_bound(&unbound)
+}
+
+/// The lines of a template that say something, each with the section that it is in.
+fn sentences(text: &str) -> impl Iterator<Item = (&str, &str, Spoken<'_>)> {
+    let (mut in_code, mut section) = (false, "");
+    text.lines().map(str::trim).filter_map(move |line| {
+        in_code ^= line.starts_with("```");
+        section = line.strip_prefix("## ").filter(|_| !in_code).unwrap_or(section);
+        let is_sentence = !in_code && !["```", "#", "![", "{%", "<"].iter().any(|start| line.starts_with(start));
+        let spoken = is_sentence.then(|| Spoken::of(line)).filter(|spoken| !spoken.words.is_empty());
+        spoken.map(|spoken| (section, line, spoken))
+    })
+}
+
+/// The quantifier of a sentence that nothing holds.
+fn unheld(line: &str, words: &[String], calls: &[Call<'_>]) -> Option<String> {
+    let word = words.iter().find(|word| quantifies(word)).filter(|_| !calls.iter().any(Call::is_check));
+    word.map(|word| format!("`{word}` in: {line}"))
+}
+
+fn all_bound(unbound: &[String]) -> Result<(), Cause> {
     if unbound.is_empty() {
-        return Ok(table);
+        return Ok(());
     }
     let advice = "end the sentence with checked(…), tested(…) or defined(…)";
     Err(format!("sentences without a check; {advice}:\n  {}", unbound.join("\n  ")).into())
@@ -229,6 +263,21 @@ mod tests {
             ["A beam is long.", "## All of it", "```\nall\n```", "![All](a.svg)", "`all`", "{{ found.count }}"]
         {
             assert_eq!(listed(silent).expect(silent), "sentence,over,check\n", "{silent}");
+        }
+    }
+
+    #[test]
+    fn what_a_page_advises_is_held() {
+        let said = |text: &str| check_page(text).map_err(|error| error.to_string());
+        for held in [
+            "All are good.",
+            "**All are good.** {{ tested(\"it_is_so\") }}",
+            "## What follows\nUse a grid.\n```\nall\n```\n## Data\nAll of them.",
+        ] {
+            assert_eq!(said(held), Ok(()), "{held}");
+        }
+        for unheld in ["**All are good.**", "## What follows\n- Use any grid.", "## When to stop\n### Later\nNever."] {
+            assert!(said(unheld).is_err_and(|error| error.contains("sentences without a check")), "{unheld}");
         }
     }
 
