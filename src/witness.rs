@@ -99,7 +99,7 @@ impl<'a> Witness<'a> {
 /// The contacts of an exact answer, if it is a solution or on ground that gives.
 fn found(exact: &Exact) -> Option<ExactContacts> {
     let stretches = exact.stretches();
-    (exact.solved || stretches.is_some()).then(|| ExactContacts { contacts: exact.state.touched(), stretches })
+    (exact.solved || stretches.is_some()).then(|| ExactContacts { contacts: exact.touched(), stretches })
 }
 
 /// The number of points of a survey, by which the cost of theory is estimated.
