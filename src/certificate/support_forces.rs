@@ -33,6 +33,7 @@ use super::kernel::distance::{factor, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::hold::{OUTWARDS, Place, near};
 use super::kernel::interval::Interval;
+use super::kernel::load::cells;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
 use super::largest::least_magnitude;
@@ -240,6 +241,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
                 factor * reach.sqrt() * OUTWARDS
             });
             off.fold(f64::INFINITY, f64::min) < part.clearance.divided(1).range(part.width).lo()
+                || bends_away(enclosed, x, end, part.ends)
         } else {
             on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo()
         };
@@ -248,6 +250,34 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
     };
     let clear = parts(enclosed, pair, x, end).take_while(is_clear).last();
     clear.map_or(x, |part| part.ends[towards])
+}
+
+/// Whether the ground bends away from the beam in a part beside a support at its level, from which the beam goes on to a free end: contact
+/// pushes up, wherever it is, and at a distance `s` from the support
+///
+/// ```text
+/// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
+/// ```
+fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) -> bool {
+    let beyond = |place: f64| x.min(end) <= place && place <= x.max(end) && (place - x).abs() > 0.0;
+    let is_free = end <= 0.0 || enclosed.length <= end;
+    if !is_free || enclosed.supports.iter().any(|support| beyond(support.x)) {
+        return false;
+    }
+    let load = enclosed.load;
+    let (from, to) = (x.min(end), x.max(end));
+    let spread = cells(from, to, load.breaks(from, to)).into_iter().map(|cell| {
+        let most = cell.map(|x| load.line(x, cell)[0].magnitude()).into_iter().fold(0.0, f64::max);
+        let far = cell.map(|place| (place - x).abs()).into_iter().fold(0.0, f64::max);
+        Interval::exact(most) * Interval::length(cell[0], cell[1]) * Interval::exact(far * OUTWARDS)
+    });
+    let points = load.points.iter().filter(|(place, _)| beyond(*place));
+    let points =
+        points.map(|(place, force)| Interval::exact(force.magnitude()) * Interval::exact((place - x).abs() * OUTWARDS));
+    let bent = spread.chain(points).fold(Interval::ZERO, |sum, part| sum + part);
+    let width = Interval::length(part[0], part[1]);
+    let ground = enclosed.gap.about(part[0], part).derivative().derivative().times(Interval::exact(enclosed.stiffness));
+    bent.hi() < ground.range(width).lo()
 }
 
 /// Whether the beam lies on the ground beside a support, on its left or on its right side, as the pair does.

@@ -2,7 +2,7 @@
 
 use palkki::route::Status;
 use palkki::scene::{Foundation, PointLoad, Scene, Support};
-use palkki::solve_exactly;
+use palkki::{solve_exactly, theory};
 use palkki_evidence::draft::Draft;
 use palkki_evidence::extremes::chebyshev;
 use palkki_evidence::random::Random;
@@ -166,7 +166,7 @@ fn the_largest_deflection_is_the_largest_of_all() {
     for draft in scenes {
         let scene = draft.scene().expect("well posed");
         certified(&scene, "two hollows");
-        let exact = palkki::theory::solve(&scene).expect("an answer");
+        let exact = theory::solve(&scene).expect("an answer");
         let extremes = exact.state.deflection;
         for k in 0..=1000 {
             let v = exact.deflection(0.001 * f64::from(k) * scene.beam().length());
@@ -228,4 +228,34 @@ fn loads_next_to_a_support() {
             }
         }
     }
+}
+
+/// Ground that the beam lies on to the left of an inner support, and that bends away from its unloaded end to the right of it: the force
+/// of the support is that of the pair.
+#[test]
+fn ground_beside_an_inner_support_of_an_unloaded_end() {
+    let mut random = Random::new(21);
+    let mut lies = 0;
+    for _ in 0..200 {
+        let (length, right) = (random.pick(&[10.0, 1.0, 7.3]), random.between(0.76, 0.9));
+        let height = 0.005 * length * random.between(0.5, 1.5);
+        let shape = Foundation::Cosine { mean: 0.0, amplitude: height, wavelength: length, phase: 0.0 };
+        let supports = vec![
+            Support { level: -random.between(0.08, 0.1) * length, ..Support::simple(0.2 * length) },
+            Support::simple(right * length),
+        ];
+        let stiffness = random.pick(&[20.0, 1.3, 500.0]);
+        let ground = Some(Foundation::Flat { depth: 0.0 });
+        let draft =
+            Draft { length, stiffness, shape: Some(shape), supports: Some(supports), ground, ..Draft::default() };
+        let force = 15.0 * stiffness / (length * length) * random.between(0.9, 1.1);
+        let Ok(scene) = draft.with_points(&[(0.5 * length, force)]).scene() else { continue };
+        let contacts = theory::solve(&scene).expect("an answer").state.contacts;
+        if contacts.last().is_some_and(|zone| zone.from < zone.to && (zone.to - right * length).abs() < 1e-12 * length)
+        {
+            certified(&scene, "an unloaded end");
+            lies += 1;
+        }
+    }
+    assert!(20 < lies, "{lies}");
 }
