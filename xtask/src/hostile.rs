@@ -17,9 +17,6 @@ pub(crate) const PATH: &str = "report/data/hostile.csv";
 /// Runs of one piece of work.
 const PIECE: u64 = 1000;
 
-/// Messages that are shown at the most.
-const SHOWN: usize = 200;
-
 /// The counts of all families, a row each. How many were compared in other units is for the suite, which asks that there are some.
 fn table(tally: &Tally) -> Table {
     let header = "family runs refused theory_solved theory_not_solved theory_none theory_bounded theory_certified \
@@ -45,7 +42,11 @@ pub(crate) fn run(root: &Path, runs: Range<u64>) -> Result<(), Cause> {
     let parts = pieces.par_iter().with_max_len(1).map(|piece| {
         let mut tally = Tally::default();
         let start = first + piece * PIECE;
-        seeds(start..runs.end.min(start + PIECE)).for_each(|seed| tally.run(seed));
+        for seed in seeds(start..runs.end.min(start + PIECE)) {
+            let known = tally.wrong.len();
+            tally.run(seed);
+            tally.wrong[known..].iter().for_each(|(seed, what)| tell(&format!("seed {seed}: {what}")));
+        }
         tell(&format!("piece {} of {}", piece + 1, pieces.len()));
         tally
     });
@@ -53,10 +54,6 @@ pub(crate) fn run(root: &Path, runs: Range<u64>) -> Result<(), Cause> {
     drop(std::panic::take_hook());
     let mut tally = Tally::default();
     parts.into_iter().for_each(|part| tally.join(part));
-    tally.wrong.sort();
-    for (seed, what) in tally.wrong.iter().take(SHOWN) {
-        tell(&format!("seed {seed}: {what}"));
-    }
     if first == 0 {
         files::replace(&root.join(PATH), &table(&tally).csv()?)?;
         tell(&format!("the counts are in {PATH}"));
