@@ -183,6 +183,7 @@ if (location.hash === "#selftest") {
     const drawnBoxes = (style) => [...steps.querySelector(`path.${style}`).getAttribute("d").matchAll(/M([^,]+),([^h]+)h[^v]+v([^h]+)h/g)].map((box) => box.slice(1).map(Number));
     const cell = (steps.querySelector("svg").viewBox.baseVal.width - LEFT - 4) / nodes;
     const nodeAt = (x) => Math.round((x - LEFT) / cell) + 1;
+    expect(Math.abs(steps.querySelector("svg").getScreenCTM().a - 1) < 0.01, "a unit of the player is a pixel");
     expect(turn.value === String(rounds) && rounds > 1, `the last round is shown first, ${turn.value} of ${rounds}`);
     press(turn, "Home");
     for (let round = 1; round <= rounds; round += 1) {

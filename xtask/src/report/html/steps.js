@@ -26,7 +26,7 @@ const turn = steps.querySelector("input");
 const showRound = (chosen) => {
   const round = Math.min(Math.max(chosen, 1), rounds);
   const drawn = steps.querySelector("svg");
-  const width = Math.max(280, drawn.parentElement.clientWidth);
+  const width = Math.max(280, drawn.getBoundingClientRect().width);
   const cell = (width - LEFT - 4) / nodes;
   const at = (node) => LEFT + cell * (node - 1);
   const box = (x, y, wide, high) => `M${x.toFixed(2)},${y.toFixed(2)}h${wide.toFixed(2)}v${high.toFixed(2)}h${(-wide).toFixed(2)}z`;
