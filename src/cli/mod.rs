@@ -147,10 +147,8 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
     let what = format!("solving {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
-        let of_rigid_ground =
-            [("--derivatives", arguments.derivatives), ("--depth-tolerance", arguments.depth_tolerance.is_some())];
-        for (option, _) in of_rigid_ground.into_iter().filter(|(_, asked)| *asked) {
-            input.scene.on_rigid_ground(option).map_err(|error| input.error(error))?;
+        if arguments.depth_tolerance.is_some() {
+            input.scene.on_rigid_ground("--depth-tolerance").map_err(|error| input.error(error))?;
         }
         let answer = Answer::of(input, arguments.route()?)?;
         let local = Local::of(&input.scene, &answer, arguments);

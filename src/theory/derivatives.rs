@@ -132,7 +132,10 @@ impl Exact {
     /// not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
-        let Some(linear) = self.sensitivity().filter(|_| self.springs.is_none()) else { return Vec::new() };
+        if let Some(springs) = &self.springs {
+            return self.derivatives_on_springs(springs, scene);
+        }
+        let Some(linear) = self.sensitivity() else { return Vec::new() };
         let (weak, lies) = (self.weak(), self.lies());
         let of = |asked: Asked| {
             // More load presses all of a stretch that lies on the ground, less of it none.

@@ -1,7 +1,7 @@
 //! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
 
 use super::bearings::{force, search_with};
-use super::cells::Part;
+use super::part::Part;
 use super::{Found, deepest};
 use crate::certificate::Stretch;
 use crate::scene::{Quantity, Scaled, SceneError};
@@ -21,9 +21,11 @@ const MOST_VIOLATED: f64 = 1e-9;
 /// The functions of `x` of a solution, dimensionless.
 #[derive(Debug, Clone)]
 pub(in crate::theory) struct Springs {
-    parts: Vec<Part>,
+    pub(super) parts: Vec<Part>,
+    /// Where it is pressed, from left to right.
+    pub(super) stretches: Vec<[f64; 2]>,
     /// `k` over `EI`.
-    stiffness: f64,
+    pub(super) stiffness: f64,
 }
 
 impl Springs {
@@ -106,10 +108,11 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
     let resultant = scaled.balance.in_units_of(&scaled.scale).resultant();
     state.standing = resultant.map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, None));
     let solved = settled && residual <= MOST_VIOLATED && state.is_finite();
-    let functions = Springs { parts, stiffness: springs };
+    let unknowns = 2 * stretches.len();
+    let functions = Springs { parts, stretches, stiffness: springs };
     let stiffness = scaled.scene.beam().bending_stiffness();
     Ok(Exact {
-        unknowns: 2 * stretches.len(),
+        unknowns,
         solved,
         converged: settled,
         iterations: solves,
@@ -206,15 +209,20 @@ fn support(scaled: &Scaled, given: &PiecewiseScene, parts: &[Part], i: usize) ->
 
 /// `∫₀^w` of a polynomial.
 #[expect(clippy::cast_precision_loss, reason = "an order is a small number")]
-fn integral(taylor: &[f64], width: f64) -> f64 {
+pub(super) fn integral(taylor: &[f64], width: f64) -> f64 {
     taylor.iter().enumerate().rev().fold(0.0, |sum, (j, c)| sum * width + c / (j + 1) as f64) * width
+}
+
+/// Exact for squares of what is on a part.
+pub(super) fn rule(given: &PiecewiseScene) -> Gauss {
+    /// Over a length of `1/λ` squares of what decays and turns over it are exact to rounding.
+    const PRESSED_DEGREE: usize = 29;
+    Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE))
 }
 
 /// `J / EI = ∫ ½ v''² + ½ K (v − g)₊² − q v dx − Σ P v`.
 fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
-    /// Over a length of `1/λ` squares of what decays and turns over it are exact to rounding.
-    const PRESSED_DEGREE: usize = 29;
-    let rule = Gauss::exact_to((2 * given.terms).max(PRESSED_DEGREE));
+    let rule = rule(given);
     let mut sum = 0.0;
     for part in parts {
         let Piece { lo, hi, cell, .. } = part.piece;

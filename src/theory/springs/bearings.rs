@@ -10,7 +10,7 @@
 //! The force of a support grows as it is lifted, and more than by all others together: exchanging one at a time, always the last that
 //! is on the wrong side, comes to an end (Murty 1974). All of them at once is faster and nearly always does, too.
 
-use super::cells::Part;
+use super::part::Part;
 use super::{Found, ROUNDING, Work, search};
 use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 

@@ -12,6 +12,7 @@
 //! and beside it, `v` elsewhere. Between cells `v, v', v''` are continuous, and `v'''` jumps by the force that acts there.
 
 use super::band::{self, Row, STATE};
+use super::part::Part;
 use crate::theory::piece::{Piece, derivatives};
 use crate::theory::piecewise::PiecewiseScene;
 
@@ -38,36 +39,40 @@ struct Cell {
     kind: Kind,
     /// Whether its unknowns are those of `w` and not of `v`.
     from_ground: bool,
-}
-
-/// A part of the beam with its polynomials about the anchor of its piece.
-#[derive(Debug, Clone)]
-pub(in crate::theory) struct Part {
-    pub(in crate::theory) piece: Piece,
-    /// Whether the springs press on it.
-    pub(in crate::theory) pressed: bool,
-    /// Taylor coefficients of `v`.
-    pub(in crate::theory) deflection: Vec<f64>,
-    /// Taylor coefficients of `w = v − g`.
-    pub(in crate::theory) penetration: Vec<f64>,
-}
-
-impl Part {
-    /// `v, v', v'', v'''` at a place of it.
-    pub(in crate::theory) fn beam(&self, x: f64) -> [f64; 4] {
-        derivatives(&self.deflection, x - self.piece.anchor)
-    }
-
-    /// `w, w', w'', w'''` at a place of it.
-    pub(in crate::theory) fn sunk(&self, x: f64) -> [f64; 4] {
-        derivatives(&self.penetration, x - self.piece.anchor)
-    }
+    /// Taylor coefficients about its left end of what drives it besides the load, where the ground presses.
+    drive: Vec<f64>,
 }
 
 /// The beam on springs that press on stretches, from left to right; [`None`] if nothing holds it there.
 pub(super) fn solve(given: &PiecewiseScene, springs: f64, stretches: &[[f64; 2]]) -> Option<Vec<Part>> {
-    let problem = Problem { given, springs, decay: (0.25 * springs).sqrt().sqrt(), cells: Vec::new() };
-    let problem = Problem { cells: problem.cells(stretches), ..problem };
+    solve_driven(given, springs, stretches, &Drive::default())
+}
+
+/// What else acts on a beam.
+#[derive(Debug, Default)]
+pub(super) struct Drive<'a> {
+    /// A breakpoint at which `v''` jumps, and by how much.
+    pub(super) couple: Option<(usize, f64)>,
+    /// The penetration of a beam that is pressed on the same stretches, times a factor: a load.
+    pub(super) sunk: Option<(&'a [Part], f64)>,
+}
+
+/// The same under more than its load.
+pub(super) fn solve_driven(
+    given: &PiecewiseScene,
+    springs: f64,
+    stretches: &[[f64; 2]],
+    drive: &Drive<'_>,
+) -> Option<Vec<Part>> {
+    let decay = (0.25 * springs).sqrt().sqrt();
+    let problem = Problem { given, springs, decay, couple: drive.couple, cells: Vec::new() };
+    let mut problem = Problem { cells: problem.cells(stretches), ..problem };
+    if let Some((parts, factor)) = drive.sunk {
+        let pressed = problem.cells.iter_mut().filter(|cell| cell.kind != Kind::Free);
+        for (cell, part) in pressed.zip(parts.iter().filter(|part| part.pressed)) {
+            cell.drive = part.penetration.iter().map(|c| factor * c).collect();
+        }
+    }
     let states = band::solve(&problem.rows(), &problem.sizes())?;
     Some((0..problem.cells.len()).flat_map(|i| problem.parts(i, &states)).collect())
 }
@@ -78,6 +83,8 @@ struct Problem<'a> {
     springs: f64,
     /// `λ`.
     decay: f64,
+    /// See [`Drive`].
+    couple: Option<(usize, f64)>,
     cells: Vec<Cell>,
 }
 
@@ -95,7 +102,7 @@ impl Problem<'_> {
                 if pressed {
                     self.cut([lo, hi], of, &mut cells);
                 } else {
-                    cells.push(Cell { lo, hi, of, kind: Kind::Free, from_ground: false });
+                    cells.push(Cell { lo, hi, of, kind: Kind::Free, from_ground: false, drive: Vec::new() });
                 }
             }
         }
@@ -117,7 +124,8 @@ impl Problem<'_> {
     fn cut(&self, [lo, hi]: [f64; 2], of: usize, cells: &mut Vec<Cell>) {
         let mut push = |[lo, hi]: [f64; 2], parts: u32, kind| {
             let end = |k: u32| if k < parts { lo + (hi - lo) * (f64::from(k) / f64::from(parts)) } else { hi };
-            cells.extend((0..parts).map(|k| Cell { lo: end(k), hi: end(k + 1), of, kind, from_ground: true }));
+            let cell = |k| Cell { lo: end(k), hi: end(k + 1), of, kind, from_ground: true, drive: Vec::new() };
+            cells.extend((0..parts).map(cell));
         };
         let lengths = (hi - lo) * self.decay;
         if lengths <= 2.5 * REACH {
@@ -148,6 +156,11 @@ impl Problem<'_> {
     /// The point load at node `i`.
     fn force(&self, i: usize) -> f64 {
         self.breakpoint(i).map_or(0.0, |breakpoint| self.given.breakpoints[breakpoint].force)
+    }
+
+    /// By how much `v''` jumps at node `i`.
+    fn couple(&self, i: usize) -> f64 {
+        self.couple.filter(|(at, _)| self.breakpoint(i) == Some(*at)).map_or(0.0, |(_, couple)| couple)
     }
 
     /// What a support at node `i` asks of `v`, and of `v'` if the beam is built in.
@@ -193,7 +206,7 @@ impl Problem<'_> {
         let load = [self.given.load(cell.of, x), self.given.cells[cell.of].load_slope];
         for n in 0..terms - 4 {
             let springs = if pressed { self.springs * taylor[n] } else { 0.0 };
-            let drive = load.get(n).unwrap_or(&0.0) - springs;
+            let drive = load.get(n).unwrap_or(&0.0) + cell.drive.get(n).unwrap_or(&0.0) - springs;
             taylor[n + 4] += drive / ((n + 1) * (n + 2) * (n + 3) * (n + 4)) as f64;
         }
         taylor
@@ -204,7 +217,8 @@ impl Problem<'_> {
         let mut profile = vec![0.0; self.given.terms];
         self.given.profile(cell.of, x, &mut profile);
         let mut drive: Vec<f64> = fourth(&profile).iter().map(|c| -c).collect();
-        drive.resize(drive.len().max(2), 0.0);
+        drive.resize(drive.len().max(2).max(cell.drive.len()), 0.0);
+        drive.iter_mut().zip(&cell.drive).for_each(|(sum, c)| *sum += c);
         drive[0] += self.given.load(cell.of, x);
         drive[1] += self.given.cells[cell.of].load_slope;
         let mut sum = vec![0.0; self.given.terms.max(drive.len())];
@@ -226,7 +240,7 @@ impl Problem<'_> {
         rows
     }
 
-    /// The two conditions at an end of the beam; a force on a free one is on the right of the left end, on the left of the right end.
+    /// The two conditions at an end of the beam; a force or a couple on one is on the right of the left end, on the left of the right end.
     fn end(&self, node: usize, side: f64) -> Vec<Row> {
         let cell = &self.cells[node.min(self.cells.len() - 1)];
         let base = self.base(cell, if node == 0 { cell.lo } else { cell.hi });
@@ -237,8 +251,8 @@ impl Problem<'_> {
         };
         match self.support(node) {
             Some((level, Some(slope))) => vec![one(0, level), one(1, slope)],
-            Some((level, None)) => vec![one(0, level), one(2, 0.0)],
-            None => vec![one(2, 0.0), one(3, side * self.force(node))],
+            Some((level, None)) => vec![one(0, level), one(2, side * self.couple(node))],
+            None => vec![one(2, side * self.couple(node)), one(3, side * self.force(node))],
         }
     }
 
@@ -267,7 +281,7 @@ impl Problem<'_> {
         let (matrix, own) = self.across(cell);
         let inner = self.cells.get(next).map(|right| (self.jump(next), right));
         let jump = inner.as_ref().map_or([0.0; 4], |(jump, _)| *jump);
-        let force = if inner.is_some() { self.force(next) } else { 0.0 };
+        let acts = if inner.is_some() { [0.0, 0.0, self.couple(next), self.force(next)] } else { [0.0; 4] };
         let left = |j: usize| {
             let mut entries = [0.0; 2 * STATE];
             entries[..STATE].copy_from_slice(&matrix[j]);
@@ -276,7 +290,7 @@ impl Problem<'_> {
         let continuous = |j: usize| {
             let mut entries = left(j);
             entries[STATE + j] = -1.0;
-            Row { node: i, entries, right: -own[j] - jump[j] - if j == 3 { force } else { 0.0 } }
+            Row { node: i, entries, right: -own[j] - jump[j] - acts[j] }
         };
         let Some(((level, slope), (_, right))) = self.support(next).zip(inner) else {
             return (0..4).map(continuous).collect();
@@ -347,6 +361,7 @@ impl Problem<'_> {
         }
         let (jump, force) = (self.jump(next), self.force(next));
         let mut end = [0, 1, 2, 3].map(|j| states[next][j] - jump[j]);
+        end[2] -= self.couple(next);
         match self.support(next) {
             None => end[3] -= force,
             Some((level, slope)) => {

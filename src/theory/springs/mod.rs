@@ -8,15 +8,19 @@
 //! ```
 //!
 //! first for soft ground, then for ever stiffer one up to the given. Which supports that only push press is found around that
-//! (`bearings`). `answer` is what is read off the polynomials.
+//! (`bearings`). `answer` is what is read off the
+//! polynomials, and `change` how that changes with the numbers of the scene.
 
 mod answer;
 mod band;
 mod bearings;
 mod cells;
+mod change;
+mod part;
 
 pub(super) use self::answer::{Springs, exact};
-use self::cells::{Part, solve};
+use self::cells::solve;
+use self::part::Part;
 use super::bernstein::sign_changes;
 use super::piecewise::PiecewiseScene;
 

@@ -4,6 +4,7 @@ use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::{Settings, Solution, solve, solve_exactly};
+use palkki_evidence::differences::Trial;
 use palkki_evidence::draft::Draft;
 use palkki_evidence::random::Random;
 
@@ -205,4 +206,17 @@ fn stiff_ground_is_rigid_ground() {
             break;
         }
     }
+}
+
+/// By what a support that only pushes stands at, too.
+#[test]
+fn derivatives_agree_with_differences() {
+    const COUNT: usize = 40;
+    let mut trial = Trial::default();
+    for (seed, draft) in (0..).filter_map(|seed| Some((seed, draft(seed)?))).take(COUNT) {
+        let scene = draft.scene().and_then(|scene| scene.on_springs(stiffness(seed))).expect("a scene");
+        trial.compare(&format!("scene {seed}"), &scene);
+    }
+    assert!(trial.wrong.is_empty(), "{:#?}", trial.wrong);
+    assert!(COUNT - 4 <= trial.scenes && 6 * COUNT <= trial.both, "{trial:?}");
 }

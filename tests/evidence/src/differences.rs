@@ -95,6 +95,7 @@ impl Difference<'_> {
         let load = self.scene.load().magnitude(length);
         match self.derivative.by {
             By::Number(Quantity::BendingStiffness) => self.scene.beam().bending_stiffness(),
+            By::Number(Quantity::GroundStiffness) => self.scene.ground_stiffness().unwrap_or(f64::NAN),
             By::Number(Quantity::Uniform) => load / length,
             By::Number(Quantity::PointForce(_)) => load,
             By::Depth | By::Number(Quantity::SupportLevel(_)) => {
