@@ -82,8 +82,11 @@ impl DepthTolerance {
     }
 }
 
-/// True of a beam that its supports do not hold: the ground carries part of its loads, whatever its depth.
+/// True of a beam that no supports hold, nor carry where they only push: the ground carries part of its loads, whatever its depth.
 fn leans(scene: &Scene) -> bool {
+    if !scene.beam().bearings().is_empty() {
+        return false;
+    }
     match scene.scaled().map(|scaled| scaled.balance) {
         Ok(Balance::Stands(_)) => true,
         Ok(Balance::Neutral { .. }) => scene.beam().supports().is_empty(),
@@ -126,6 +129,18 @@ mod tests {
             for tolerance in [9.0, 90.0, 900.0] {
                 assert_eq!(DepthTolerance::of(&scene, &exact, tolerance).contact, Touches::Certainly);
             }
+        }
+        // Supports that only push may carry it alone.
+        let on_bearings = |depth: f64| {
+            let scene = scene(depth);
+            let supports = vec![Support::pushing(0.0), Support::pushing(10.0)];
+            let beam = scene.beam().clone().with_supports(supports).expect("a beam");
+            Scene::new(beam, scene.load().clone(), scene.foundation().cloned()).expect("a scene")
+        };
+        for (depth, expected) in [(90.0, Touches::Certainly), (100.0, Touches::Perhaps), (110.0, Touches::Nowhere)] {
+            let scene = on_bearings(depth);
+            let exact = theory::solve(&scene).expect("an answer");
+            assert_eq!(DepthTolerance::of(&scene, &exact, 9.0).contact, expected);
         }
         // Ground above the supports has no energy.
         assert_eq!(of(1.0, 2.0).energy[1], None);
