@@ -76,8 +76,10 @@ impl DepthTolerance {
             _ => Touches::Perhaps,
         };
         let estimates = exact.spread(tolerance);
-        let left_out =
-            estimates.is_none().then_some("no estimates: the forces do not follow from the depths to first order");
+        let left_out = estimates.is_none().then_some(match scene.ground_stiffness() {
+            Some(_) => "no estimates: they are for rigid ground",
+            None => "no estimates: the forces do not follow from the depths to first order",
+        });
         Self { tolerance, energy: [lower, upper], contact, estimates, left_out }
     }
 }
@@ -144,6 +146,19 @@ mod tests {
         }
         // Ground above the supports has no energy.
         assert_eq!(of(1.0, 2.0).energy[1], None);
+    }
+
+    /// On ground that gives the energy falls with every depth as well.
+    #[test]
+    fn ground_that_gives_is_bounded_too() {
+        let soft = |depth: f64| scene(depth).on_springs(0.03).expect("ground");
+        let found = DepthTolerance::of(&soft(50.0), &theory::solve(&soft(50.0)).expect("an answer"), 0.5);
+        let [Some(lower), Some(upper)] = found.energy else { panic!("{found:?}") };
+        assert_eq!((found.contact, found.estimates), (Touches::Certainly, None));
+        for depth in [49.6, 50.0, 50.4] {
+            let energy = theory::solve(&soft(depth)).expect("an answer").state.energy;
+            assert!(lower <= energy && energy <= upper, "{depth}: {energy} from {lower} to {upper}");
+        }
     }
 
     /// Energies of any ground within the tolerance lie between the bounds, and forces are off by what is estimated.

@@ -147,9 +147,6 @@ fn solve(arguments: &Solve) -> Result<u8, Failure> {
     let Solve { common, csv, plot, nodes, .. } = arguments;
     let what = format!("solving {}", input::called(&common.scene.path));
     let on_beam = |input: &Input| {
-        if arguments.depth_tolerance.is_some() {
-            input.scene.on_rigid_ground("--depth-tolerance").map_err(|error| input.error(error))?;
-        }
         let answer = Answer::of(input, arguments.route()?)?;
         let local = Local::of(&input.scene, &answer, arguments);
         let csv = csv.as_ref().map(|path| (path, csv::table(&input.scene, &answer)));

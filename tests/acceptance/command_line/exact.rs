@@ -72,6 +72,7 @@ fn ground_that_gives_is_solved_and_otherwise_refused() {
         "solve soft.toml --method force --plot figure.svg",
         "solve soft.toml --method force --tolerance 1e-2",
         "compare soft.toml",
+        "solve soft.toml --depth-tolerance 0.01",
         "sweep soft.toml --vary foundation.stiffness --from 1 --to 2 --steps 3 --envelope",
     ] {
         assert_eq!(folder.json(command).0, Some(0), "{command}");
