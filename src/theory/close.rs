@@ -19,9 +19,9 @@ use super::violation::Violation;
 /// Lists at most that come from a close look. Each has one contact more in a span: it takes four at a hundred thousand points of smooth
 /// ground, and more where many contacts lie close together that a coarse guess took for one.
 const ROUNDS: usize = 16;
-/// What a span may penetrate by, as a share of its bow `v'' ℓ²`, and its slope beside an edge may be beyond, as a share of its turn
-/// `v'' ℓ`. The bound on the deflection is a few times the largest share: with this one it is a hundredth of the millionth of the
-/// deflection that is asked for.
+/// What a span may penetrate by at the distance `d` from its nearer end, as a share of `v'' d²`, and its slope beside an edge may be
+/// beyond, as a share of its turn `v'' ℓ`. The bound on the deflection is a few times the largest share: with this one it is a
+/// hundredth of the millionth of the deflection that is asked for.
 const SHARE: f64 = 1e-9;
 /// Of fewer equal cells the shortest span has so large a bow that no more than this share of it escapes the check: of `n` of them
 /// `n²/32` times [`TOLERANCE`](super::check::TOLERANCE).
@@ -81,22 +81,21 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(us
     (nodes.len() < list.nodes.len()).then(|| normalised(given, &nodes))
 }
 
-/// What a close look finds: penetration of short spans of straight ground as a share of their own bow, and slopes beside edges.
+/// What a close look finds: penetration of straight ground as a share of the bow as far as the next contact, and slopes beside edges.
 fn closely(given: &PiecewiseScene, list: &List, checked: &Checked) -> Vec<(usize, Violation)> {
     let mut faults = Vec::new();
     if !given.founded || !given.is_straight(0) || given.cells.len() < MANY {
         return faults;
     }
     for (i, span) in &checked.spans {
-        let most = |order: usize| span.beam_a[order].abs().max(span.beam_b[order].abs());
-        let bow = SHARE * most(2) * span.length() * span.length();
-        // Where that is more than the check allows nothing is left to find.
-        let found = if bow < checked.allowed(given, span, span.a.x) {
-            let allowed = bow.max(rounding(given, span));
-            deepest(given, &checked.pieces, span, |_| allowed)
-        } else {
-            None
+        let bent = span.beam_a[2].abs().max(span.beam_b[2].abs());
+        let rounding = rounding(given, span);
+        // Near an end the lift that clears it bends the whole span by as much as if that were so everywhere.
+        let allowed = |x: f64| {
+            let near = (x - span.a.x).abs().min((span.b.x - x).abs());
+            (SHARE * bent * near * near).min(checked.allowed(given, span, x)).max(rounding)
         };
+        let found = deepest(given, &checked.pieces, span, allowed);
         match found {
             Some((at, depth)) => faults.push((*i, Violation::Penetration { at, depth })),
             None => faults.extend(turned(given, list, checked, *i, span).map(|fault| (*i, fault))),

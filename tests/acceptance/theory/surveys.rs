@@ -32,12 +32,16 @@ fn rough_surveys_of_a_hundred_thousand_points_are_certified() {
     }
 }
 
+/// Surveys in which a contact beside another one was missing that costs nothing but the proof: two segments that the beam touches beside
+/// the hollow between them, two points of which one is nearly clear.
+const TWO_BESIDE_EACH_OTHER: [u64; 3] = [36, 51, 68];
+
 /// Waves that a light load presses the beam onto at a few crests, of which two neighbouring points are the top: where the beam sags
 /// between these, it touches the segment between them and none of the two.
 #[test]
 fn surveys_of_smooth_waves_are_certified_under_a_light_load() {
     const SEGMENTS: u32 = 100_000;
-    for seed in 15..25 {
+    for seed in (15..25).chain(TWO_BESIDE_EACH_OTHER) {
         let mut random = Random::new(seed);
         let waves: Vec<[f64; 3]> = (1..40)
             .map(|k: u32| {
