@@ -1,9 +1,12 @@
 //! From nodal values to a [`ContactState`]: reactions and moments by statics, contacts as runs of nodes, extremes at and between the
 //! nodes, energy.
 
+use std::ops::Range;
+
 use super::contact_set::ContactSet;
 use super::extremes::{BLOCK, Values, extremes, shifted};
 use super::held_beam::{self, HeldNode};
+use super::supports::NodeSupport;
 use super::{Discrete, program};
 use crate::certificate::least_deflection;
 use crate::qp::Sizes;
@@ -139,7 +142,7 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
         |_| (HeldNode::unknown(&discrete), vec![f64::NAN; intervals + 1]),
         |carried| (carried.supports(), carried.moments()),
     );
-    let (forces, of_supports) = support_forces(&discrete, &nodal, &held);
+    let (forces, of_supports) = support_forces(&discrete, &supports, (&nodal, &nodes), &held);
     energy += of_supports;
     let (bearings, end) = (discrete.supports().bearings(), grid.place(intervals));
     let reactions = Reactions::of(&forces, end);
@@ -179,12 +182,17 @@ pub fn contact_state(mut discrete: Discrete, nodal: Nodal) -> ContactState {
 }
 
 /// What every support exerts, from left to right, and the energy of settled and turned supports: half of their work, less half of that
-/// of loads at supports beyond the nodes of the state.
-fn support_forces(discrete: &Discrete, nodal: &Nodal, held: &[HeldNode]) -> (Vec<SupportForce>, f64) {
-    let (nodes, supports) = (discrete.nodes(), discrete.supports());
+/// of loads at supports beyond the nodes of the state. The discrete beam may have more supports than those of the scene.
+fn support_forces(
+    discrete: &Discrete,
+    supports: &[NodeSupport],
+    (nodal, nodes): (&Nodal, &Range<usize>),
+    held: &[HeldNode],
+) -> (Vec<SupportForce>, f64) {
+    let bearings = discrete.supports().bearings();
     let mut energy = 0.0;
-    let mut forces = Vec::with_capacity(supports.all().len() + supports.bearings().len());
-    for support in supports.all() {
+    let mut forces = Vec::with_capacity(supports.len() + bearings.len());
+    for support in supports {
         let Some(found) = held.iter().find(|held| held.node == support.node) else { continue };
         let (force, [left, right]) = (found.force, found.moments);
         let moment = support.held.slope.map(|_| held_beam::larger(left, right));
@@ -195,7 +203,7 @@ fn support_forces(discrete: &Discrete, nodal: &Nodal, held: &[HeldNode]) -> (Vec
             energy -= 0.5 * discrete.loads[support.node] * support.held.deflection;
         }
     }
-    forces.extend(supports.bearings().iter().map(|bearing| {
+    forces.extend(bearings.iter().map(|bearing| {
         let force = nodal.contact_force[bearing.node - nodes.start];
         (bearing.node, SupportForce::pushing(bearing.at, force))
     }));
