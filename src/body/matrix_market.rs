@@ -178,6 +178,7 @@ fn header(text: &str) -> Result<[bool; 2], Mark> {
 }
 
 fn size(text: &str, coordinate: bool, symmetric: bool) -> Result<[usize; 2], Mark> {
+    /// More rows than any memory holds, and few enough for their numbers to be counted in 64 bits.
     const MOST: usize = u32::MAX as usize;
     let whole_line = |problem| Err((0..text.len(), problem));
     let (rows, columns, entries) = if coordinate {

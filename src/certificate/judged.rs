@@ -32,8 +32,9 @@ impl Judged<'_> {
 }
 
 /// No part of the beam that is compared at once is wider than this share of it, and a cell that is wider has at least
-/// [`PARTS`]: its enclosure between their ends then exceeds the values by a sixty-fourth of what that of the whole cell does.
+/// [`PARTS`].
 pub(super) const NARROW: f64 = 1.0 / 2048.0;
+/// The enclosure of a cell exceeds its values by the square of its length: with eight parts, by a sixty-fourth of that of the whole.
 const PARTS: f64 = 8.0;
 
 /// A cell of a deflection: `v` and `v''` at both ends and inside, [`None`] for the cubic that the ends make.

@@ -266,6 +266,7 @@ fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) 
 
 /// Whether a pair bounds the deflection to a millionth of its largest value.
 fn is_sharp(enclosed: &EnclosedScene<'_>, pair: &Pair) -> bool {
+    /// What an exact answer has to be certain to ([`EXACT`](crate::verdict::EXACT)), which the judge does not ask.
     const SHARP: f64 = 1e-6;
     let width = |p: &Piece| Interval::exact(p.to) - Interval::exact(p.from);
     let size = pair.pieces.iter().fold(0.0, |most: f64, p| most.max(p.v.range(width(p)).magnitude()));

@@ -146,6 +146,7 @@ fn turn(enclosed: &EnclosedScene<'_>, about: f64) -> f64 {
 /// The least of a function for `0 ≤ s ≤ width` if that is below `bound`, and otherwise that: from samples, about the least of which
 /// more are taken as long as it may be below. Where it is infinite or no number it counts for nothing.
 fn least_sample(function: impl Fn(f64) -> f64, width: f64, bound: f64) -> f64 {
+    /// Of each round: what is left is a quarter of the part before.
     const PARTS: usize = 8;
     /// A least value is flat: half of the digits of its place are enough.
     const ROUNDS: usize = 16;

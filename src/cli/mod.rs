@@ -45,8 +45,11 @@ use self::input::{Input, Read};
 use self::local::Local;
 use self::output::Failure;
 
+/// Exit codes: what was asked for is certified,
 const CERTIFIED: u8 = 0;
+/// there is an answer that is not,
 const NOT_CERTIFIED: u8 = 1;
+/// and there is none.
 const FAILED: u8 = 2;
 
 /// Runs the program on the arguments that it was started with.

@@ -66,6 +66,7 @@ fn number(node: usize) -> f64 {
 
 /// Greatest and least of some values, which may be no numbers. Each of four lanes depends on itself only.
 fn range(values: &[f64]) -> [f64; 2] {
+    /// As many numbers of 64 bits as common processors add at once.
     const LANES: usize = 4;
     let (mut max, mut min) = ([f64::NEG_INFINITY; LANES], [f64::INFINITY; LANES]);
     let (all, rest) = values.as_chunks::<LANES>();

@@ -92,6 +92,7 @@ fn string(f: &[f64], length: f64, mut slope: f64, ends: [f64; 2], unit: f64, y: 
 /// Shares of forces at 1, 2, 3 … that go to the ends of a simple beam of the given length, in lanes that do not depend on each other.
 #[inline]
 fn lever(f: &[f64], length: f64) -> [f64; 2] {
+    /// As many numbers of 64 bits as common processors add at once.
     const LANES: usize = 4;
     let (mut left, mut right) = ([0.0; LANES], [0.0; LANES]);
     let (fours, rest) = f.as_chunks::<LANES>();

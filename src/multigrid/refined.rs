@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use crate::qp::FreeSet;
 
-/// The longest run of nodes in contact that is an edge, and the longest hole behind an edge.
+/// The longest run of nodes in contact that is an edge: the one or two nodes of a force, and one beside them.
 const EDGE: usize = 3;
+/// The longest hole behind an edge: the one or two nodes that press next to nothing, twice for what a coarse grid gets wrong.
 const HOLE: usize = 4;
 
 /// Contact on a grid of `intervals`, from contact on a coarser one: contact forces that are free, of all nodes but the ends that

@@ -14,6 +14,7 @@ pub struct Grid {
 
 /// Whether two places on a beam are one but for rounding: nearer than some units in the last place of its length.
 pub(crate) fn is_same_place(x: f64, other: f64, length: f64) -> bool {
+    /// 45 units in the last place: of a place that went through a division and back, and through another unit of length.
     const ROUNDING: f64 = 1e-14;
     (x - other).abs() <= ROUNDING * length
 }

@@ -90,6 +90,7 @@ impl Scene {
 
 /// The power of two at or below a positive number; for subnormal numbers the least normal one.
 fn power_of_two(value: f64) -> f64 {
+    /// The bits of the exponent of a number of 64 bits.
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     f64::from_bits(value.max(f64::MIN_POSITIVE).to_bits() & EXPONENT)
 }

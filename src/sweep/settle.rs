@@ -40,7 +40,9 @@ impl Search<'_> {
     fn lasts(&self, at: &At, value: f64, step: f64) -> f64 {
         /// By so much each step is longer than the one before: the last one is a hundredth of the range or so.
         const LONGER: f64 = 4.0;
+        /// From [`KNOWN`] on: `4¹²` times as far.
         const STEPS: usize = 13;
+        /// The end is then known to a thousandth of the last step.
         const HALVINGS: usize = 12;
         let steps = std::iter::successors(Some(step), |step| Some(LONGER * step)).take(STEPS);
         let meets = |step: &f64| self.kept(at, value + step).is_some();

@@ -128,6 +128,7 @@ impl Side<'_> {
 
 /// `φ` about the left end of the span, with its powers at both ends; and with these exchanged, seen from the right end.
 fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
+    /// Of Pascal's triangle, with the signs of `(1 − s)ⁿ`.
     const BINOMIALS: [&[f64]; 3] = [&[1.0], &[1.0, -1.0], &[1.0, -2.0, 1.0]];
     let mut coefficients = vec![Interval::ZERO; powers[0]];
     coefficients.extend(BINOMIALS[powers[1]].iter().copied().map(Interval::exact));

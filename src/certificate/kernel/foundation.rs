@@ -20,8 +20,9 @@ const MOST_CELLS: f64 = 1e5;
 /// Cells in a wave: Taylor's remainder is then `(2π/32)^10 / 10! < 3e-14` of the amplitude.
 const CELLS_IN_A_WAVE: f64 = 32.0;
 /// Cells on the beam for each degree of a long polynomial: over one of them Taylor's remainder changes by less than
-/// `(π/16)^10 / 10! < 3e-14` of the largest depth. Beyond the last limit enclosures are wider.
+/// `(π/16)^10 / 10! < 3e-14` of the largest depth.
 const CELLS_PER_DEGREE: usize = 16;
+/// Beyond this enclosures are wider: those of 64 degrees.
 const MOST_CELLS_OF_A_POLYNOMIAL: usize = 1024;
 /// Coefficients of a long polynomial that are expanded to enclose the remainder of [`TERMS`] of them.
 const EXPANDED: usize = 24;

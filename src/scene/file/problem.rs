@@ -297,6 +297,7 @@ fn in_words_of_the_file(error: &SceneError, quantity: Option<&'static str>) -> S
 
 /// A field, or a key, as a message repeats it.
 pub(super) fn excerpt(text: &str) -> String {
+    /// Characters, so that a message stays on a line of a terminal or two.
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),

@@ -4,6 +4,7 @@ mod arithmetic;
 mod dependencies;
 mod documents;
 mod examples;
+mod inventory;
 mod layers;
 mod snapshots;
 mod text;
