@@ -134,22 +134,36 @@ impl Profile {
     ///
     /// [`NotPositiveDefinite`] if a pivot is not positive.
     pub fn cholesky(mut self) -> Result<Self, NotPositiveDefinite> {
-        for i in 0..self.dimension() {
-            let first = self.first[i];
-            let (done, rest) = self.values.split_at_mut(self.start[i]);
-            let row = &mut rest[..=i - first];
-            for j in first..i {
-                let from = first.max(self.first[j]);
-                let other = &done[self.start[j]..self.start[j + 1]];
-                let taken = dot(&row[from - first..j - first], &other[from - self.first[j]..]);
-                row[j - first] = (row[j - first] - taken) / other[j - self.first[j]];
+        /// Rows that go together, so that each row above them is read from memory once for all: half of the nearest cache for
+        /// thousands of columns.
+        const ROWS: usize = 4;
+        let (n, first, start) = (self.dimension(), &self.first, &self.start);
+        for from in (0..n).step_by(ROWS) {
+            let rows = from..n.min(from + ROWS);
+            let (done, rest) = self.values.split_at_mut(start[from]);
+            let entry = |row: &mut [f64], i: usize, other: &[f64], j: usize| {
+                let common = first[i].max(first[j]);
+                let taken = dot(&row[common - first[i]..j - first[i]], &other[common - first[j]..]);
+                row[j - first[i]] = (row[j - first[i]] - taken) / other[j - first[j]];
+            };
+            for j in rows.clone().map(|i| first[i]).min().unwrap_or(from)..from {
+                for i in rows.clone().filter(|i| first[*i] <= j) {
+                    entry(&mut rest[start[i] - start[from]..], i, &done[start[j]..start[j + 1]], j);
+                }
             }
-            let pivot = row[i - first] - dot(&row[..i - first], &row[..i - first]);
-            // Also refuses NaN.
-            if !(0.0 < pivot && pivot < f64::INFINITY) {
-                return Err(NotPositiveDefinite { index: i, pivot });
+            for i in rows {
+                let (above, row) = rest.split_at_mut(start[i] - start[from]);
+                for j in first[i].max(from)..i {
+                    entry(row, i, &above[start[j] - start[from]..start[j + 1] - start[from]], j);
+                }
+                let (before, pivot) = row[..=i - first[i]].split_at_mut(i - first[i]);
+                pivot[0] -= dot(before, before);
+                // Also refuses NaN.
+                if !(0.0 < pivot[0] && pivot[0] < f64::INFINITY) {
+                    return Err(NotPositiveDefinite { index: i, pivot: pivot[0] });
+                }
+                pivot[0] = pivot[0].sqrt();
             }
-            row[i - first] = pivot.sqrt();
         }
         Ok(self)
     }
