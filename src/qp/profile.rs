@@ -134,8 +134,8 @@ impl Profile {
     ///
     /// [`NotPositiveDefinite`] if a pivot is not positive.
     pub fn cholesky(mut self) -> Result<Self, NotPositiveDefinite> {
-        /// Rows that go together, so that each row above them is read from memory once for all: half of the nearest cache for
-        /// thousands of columns.
+        /// Rows that go together: each row above them is read from memory once for all of them. Four of 3000 numbers are 96 kB,
+        /// which stay in the cache of a core.
         const ROWS: usize = 4;
         let (n, first, start) = (self.dimension(), &self.first, &self.start);
         for from in (0..n).step_by(ROWS) {
