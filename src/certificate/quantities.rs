@@ -53,3 +53,15 @@ pub(super) fn resultant(load: &Load, length: f64) -> Interval {
     let point = load.point().iter().map(|p| exact(p.force));
     linear.chain(point).fold(exact(load.uniform()) * exact(length), |sum, part| sum + part)
 }
+
+/// `∫ q (x − c)`, the moment of a load about a place.
+pub(super) fn moment(load: &Load, length: f64, about: f64) -> Interval {
+    let exact = Interval::exact;
+    let (lever, l) = (|x: f64| exact(x) - exact(about), exact(length));
+    let linear = load.linear().iter().map(|q| {
+        let (width, start, end) = (exact(q.to) - exact(q.from), exact(q.start), exact(q.end));
+        exact(0.5) * (start + end) * width * lever(q.from) + (start + end + end) * width * width / exact(6.0)
+    });
+    let point = load.point().iter().map(|p| exact(p.force) * lever(p.at));
+    linear.chain(point).fold(exact(load.uniform()) * l * (exact(0.5) * l - exact(about)), |sum, part| sum + part)
+}

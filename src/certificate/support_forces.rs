@@ -13,6 +13,8 @@
 //! Where the ground begins at the level of a support, the clearance and its bound both vanish there, and their quotients by the
 //! distance are compared. What ground and support exert at one place cannot be told apart: a force there is that of both.
 //!
+//! Where no more than two supports and no ground can carry a beam, its forces follow from statics alone.
+//!
 //! A support that only pushes is a point of the ground. Where the beam is clear of the ground beside it, its force follows in the
 //! same way; where the beam is clear of it, it is zero.
 //!
@@ -37,7 +39,7 @@ use super::kernel::load::cells;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
 use super::largest::least_magnitude;
-use super::quantities::resultant;
+use super::quantities::{moment, resultant};
 use crate::scene::Scene;
 
 /// The forces of the supports from left to right, and that of all contacts: what the supports leave of the load, and never less than
@@ -48,7 +50,7 @@ pub(super) fn forces(
     pair: &Pair,
 ) -> (Vec<Option<Interval>>, Option<Interval>) {
     let load = resultant(scene.load(), enclosed.length);
-    let mut supports = supports(enclosed, pair, load);
+    let mut supports = by_statics(scene, enclosed, pair).unwrap_or_else(|| supports(enclosed, pair, load));
     if let Some(ground) = scene.ground_stiffness() {
         let width = |of: &Interval| of.hi() - of.lo();
         for (bracket, sprung) in supports.iter_mut().zip(on_springs(enclosed, ground, pair)) {
@@ -129,6 +131,28 @@ fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
         }
         _ => None,
     }
+}
+
+/// Without ground, where the beam is proven to be clear of all supports but two, and is built in at none: whatever the deflection is
+/// rounded by, statics say what they carry.
+fn by_statics(scene: &Scene, enclosed: &EnclosedScene<'_>, pair: &Pair) -> Option<Vec<Option<Interval>>> {
+    let (all, factor) = (enclosed.all_supports(), factor(pair.gap, enclosed.stiffness));
+    let is_free = scene.foundation().is_none()
+        && pair.turns_about.is_none()
+        && enclosed.supports.iter().all(|support| support.slope.is_none());
+    let touches = |x: &f64| !enclosed.pushes_at(*x) || !is_clear_of(enclosed, pair, factor, *x);
+    let touched: Vec<f64> = all.iter().copied().filter(|x| is_free && touches(x)).collect();
+    let [a, b] = touched[..] else { return None };
+    let apart = Interval::length(a, b);
+    let force = |x: f64| {
+        let force = match x {
+            _ if x <= a && a <= x => -moment(scene.load(), enclosed.length, b) / apart,
+            _ if x <= b && b <= x => moment(scene.load(), enclosed.length, a) / apart,
+            _ => return Interval::ZERO,
+        };
+        if enclosed.pushes_at(x) { force.not_negative() } else { force }
+    };
+    Some(all.into_iter().map(|x| Some(force(x))).collect())
 }
 
 fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Option<Interval>> {

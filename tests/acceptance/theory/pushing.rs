@@ -223,6 +223,33 @@ fn a_support_that_only_pushes_is_the_tip_of_a_tooth() {
     assert!(50 <= lifted && 300 <= pressed && 100 <= zones, "{lifted} lifted, {pressed} press, {zones} with zones");
 }
 
+/// Levels up to 1e11 times the sag: of the deflection no digit of the sag is left, and of a beam on two of its supports the forces are
+/// certain all the same, by statics.
+#[test]
+fn levels_far_beyond_the_sag_leave_forces_certain() {
+    let (mut on_two, mut lifted) = (0, 0);
+    for i in 0..150 {
+        let mut random = Random::new(0x1e_0000 + i);
+        let q = random.between(0.1, 10.0);
+        let sag = 5.0 * q * (2.0 * L).powi(4) / (384.0 * EI);
+        let ends = random.once_in(2);
+        let mut supports: Vec<Support> =
+            [0.0, 2.0 * L].map(|at| if ends { pushing(at, 0.0) } else { Support::simple(at) }).to_vec();
+        for k in 1..2 + random.below(3) {
+            let level = sag * random.between(-1.0, 1.0) * libm::pow(10.0, random.between(8.0, 11.0));
+            supports.push(pushing([2.0, 5.0, 7.5, 11.0][k], level));
+        }
+        let scene = scene(supports, q, &[], None);
+        let found = forces(&scene);
+        let carried: f64 = found.iter().sum();
+        let size = found.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+        assert!((carried - 2.0 * L * q).abs() <= 1e-12 * size, "{i}: {found:?}");
+        on_two += usize::from(found.iter().filter(|force| **force != 0.0).count() == 2);
+        lifted += usize::from(found.contains(&0.0));
+    }
+    assert!(60 <= on_two && on_two < 150 && 60 <= lifted, "{on_two} on two, {lifted} off one");
+}
+
 /// By places and levels of all supports, loads, stiffness and depth.
 #[test]
 fn derivatives_agree_with_differences() {
