@@ -139,6 +139,10 @@ impl Balance {
         };
         let force = || Sum::of_forces(load, length);
         let turn = |about: f64| Sum::of_moments(load, length, about);
+        // A support that only pushes on either side may keep the beam from turning about a place.
+        let braced = |about: f64| {
+            bearings.iter().any(|bearing| bearing.at < about) && bearings.iter().any(|bearing| about < bearing.at)
+        };
         let resultant = || {
             let force = force().value();
             Resultant { force, at: turn(0.0).value() / force }
@@ -170,7 +174,8 @@ impl Balance {
                     (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: ends[0] }),
                     (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: ends[1] }),
                     (Ordering::Greater, Ordering::Greater) => {
-                        if gives && bearings.iter().any(|bearing| turn(bearing.at).sign() == Ordering::Equal) {
+                        let is_border = |at: f64| turn(at).sign() == Ordering::Equal && !braced(at);
+                        if gives && bearings.iter().any(|bearing| is_border(bearing.at)) {
                             return Err(Unheld::OnBorder { force: weight, at });
                         }
                         // Ground that gives carries nothing at a single place.
@@ -183,6 +188,7 @@ impl Balance {
             [support] if support.slope.is_none() => {
                 let turn = turn(support.at);
                 match turn.sign() {
+                    Ordering::Equal if gives && braced(support.at) => Ok(Self::Stands(resultant())),
                     Ordering::Equal if gives => Err(Unheld::OnBorder { force: force().value(), at: support.at }),
                     Ordering::Equal => Ok(Self::Neutral { resultant: resultant(), about: support.at }),
                     Ordering::Greater if ends.is_some_and(|ends| support.at < ends[1]) => Ok(Self::Stands(resultant())),

@@ -4,7 +4,7 @@ use super::bearings::{force, search_with};
 use super::part::Part;
 use super::{Found, deepest};
 use crate::certificate::Stretch;
-use crate::scene::{Quantity, Scaled, SceneError};
+use crate::scene::{Quantity, Resultant, Scaled, SceneError, Unheld};
 use crate::state::{Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce};
 use crate::theory::exact::Exact;
 use crate::theory::gauss::Gauss;
@@ -93,12 +93,17 @@ fn second(taylor: &[f64]) -> Vec<f64> {
 ///
 /// # Errors
 ///
-/// [`SceneError::Overflow`] for a stiffness beyond the range in which the beam on it can be computed.
+/// [`SceneError::Overflow`] for a stiffness beyond the range in which the beam on it can be computed, and [`Unheld::OnBorder`] where
+/// nothing presses beside the one support above which the loads are.
 pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness: f64) -> Result<Exact, SceneError> {
     let springs = stiffness / scaled.scene.beam().bending_stiffness();
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
-    let found = search_with(&given, springs).ok_or(SceneError::Overflow { quantity, what, value: springs })?;
-    let (given, found) = found;
+    let none = || match scaled.balance.in_units_of(&scaled.scale).resultant() {
+        // Nothing presses on either side of the one place that carries the beam.
+        Some(Resultant { force, at }) if !given.bearings.is_empty() => Unheld::OnBorder { force, at }.into(),
+        _ => SceneError::Overflow { quantity, what, value: springs },
+    };
+    let (given, found) = search_with(&given, springs).ok_or_else(none)?;
     let Found { parts, stretches, solves, settled } = found;
     let violated = parts.iter().map(violation).fold(0.0, f64::max);
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);

@@ -61,6 +61,34 @@ fn a_long_beam_is_lifted_in_its_middle() {
     }
 }
 
+/// A symmetric beam on three supports, of which the middle one is just below the resultant: the others keep it from turning as long as
+/// they press. Where they stand too deep to be touched nothing does, and no position is known to be the one.
+#[test]
+fn a_symmetric_beam_is_kept_from_turning() {
+    let (l, q, bending) = (6.0, 0.8, 70.0);
+    for middle in [Support::simple(l), Support::pushing(l)] {
+        let of = |deep: f64| {
+            let ends = [0.0, 2.0 * l].map(|at| Support::pushing(at).at_level(deep));
+            let supports = vec![ends[0], middle, ends[1]];
+            let beam = Beam::new(2.0 * l, bending).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+            let load = Load::new(&beam, q, Vec::new(), Vec::new()).expect("a load");
+            let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 50.0 })).expect("a scene");
+            scene.on_springs(20.0).expect("ground")
+        };
+        let found = certified(&of(0.0)).state.supports;
+        for (found, expected) in found.iter().zip([0.375, 1.25, 0.375]) {
+            assert!((found.force - expected * q * l).abs() <= DIGITS * q * l, "{found:?}");
+        }
+        for method in Method::ALL {
+            let grid = solve(&of(0.0), &Settings::new(method, Solver::ActiveSet, 60)).expect("an answer");
+            assert_eq!(grid.verdict.status, Status::Certified, "{method}: {}", grid.verdict);
+        }
+        // The ends of a beam on its middle hang down by q l⁴/8 EI.
+        let refused = solve_exactly(&of(1.01 * q * l.powi(4) / (8.0 * bending)));
+        assert!(refused.map_or(true, |solution| solution.verdict.status != Status::Certified));
+    }
+}
+
 /// A beam with one to four supports that only push above its ground, which is flat, a line of points or a wave; some have an own shape,
 /// and some are held by nothing else.
 fn draft(seed: u64) -> Option<Draft> {
