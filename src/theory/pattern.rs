@@ -119,7 +119,13 @@ impl Exact {
     /// Its contacts and the supports that only push and carry something, each with what it is.
     pub(crate) fn touches(&self) -> Vec<(Touch, Contact)> {
         if self.springs.is_some() {
-            return self.state.contacts.iter().map(|contact| (self.sunk(contact), *contact)).collect();
+            let sunk = self.state.contacts.iter().map(|contact| (self.sunk(contact), *contact));
+            let bearings = self.state.supports.iter().filter(|support| support.pushes_only).enumerate();
+            let pressed = bearings.filter(|(_, support)| 0.0 < support.force);
+            let pushed = pressed.map(|(i, support)| (Touch::Bearing(i), Contact::at(support.at, support.force)));
+            let mut touches: Vec<_> = sunk.chain(pushed).collect();
+            touches.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
+            return touches;
         }
         let contact = |carried: &Carried| (carried.touch, carried.contact(&self.scale, self.stiffness));
         self.carried.iter().map(contact).collect()

@@ -3,6 +3,7 @@
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::sweep::Sweep;
 use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::differences::Trial;
 use palkki_evidence::draft::Draft;
@@ -247,4 +248,23 @@ fn derivatives_agree_with_differences() {
     }
     assert!(trial.wrong.is_empty(), "{:#?}", trial.wrong);
     assert!(COUNT - 4 <= trial.scenes && 6 * COUNT <= trial.both, "{trial:?}");
+}
+
+/// More load on the right span of two: the left end lifts off, once, and a sweep has the value at which it does so.
+#[test]
+fn a_sweep_sees_a_support_lift_off() {
+    let scene = |force: f64| {
+        let supports = vec![Support::pushing(0.0), Support::simple(6.0), Support::pushing(12.0)];
+        let beam = Beam::new(12.0, 70.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+        let load = Load::new(&beam, 0.8, Vec::new(), vec![PointLoad { at: 9.0, force }]).expect("a load");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.5 }));
+        scene.and_then(|scene| scene.on_springs(20.0)).expect("a scene")
+    };
+    let first = scene(10.0);
+    let sweep = Sweep::new(&first, "load.point[0].force", [10.0, 60.0], 6).expect("a sweep");
+    let events = sweep.events(&sweep.rows().expect("answers"));
+    let lifts: Vec<f64> = events.iter().filter(|e| e.what.contains("lifts off")).map(|e| e.value).collect();
+    let [at] = lifts[..] else { panic!("{events:?}") };
+    let left = |force: f64| certified(&scene(force)).state.supports[0].force;
+    assert!(0.0 < left(0.999 * at) && left(1.001 * at) == 0.0, "{at}");
 }
