@@ -7,8 +7,9 @@
 //! ```
 //!
 //! then `v°` is that of the scene: it is admissible, and with `R` and the pressure `k (v° − g)₊` it satisfies all conditions of the
-//! minimum of a convex `J`. Both follow from brackets. Which of them hold is said by the witness: where they are wrong, nothing is
-//! proven, and so it is where the brackets do not tell.
+//! minimum of a convex `J`. No other deflection does: with `R > 0` it would be on the same supports, where `v°` is the only one, and a
+//! beam that supports hold has one in any case. Both conditions follow from brackets. Which of them hold is said by the witness: where
+//! they are wrong, nothing is proven, and so it is where the brackets do not tell.
 
 use super::Certificate;
 use super::kernel::contact_node::EnclosedScene;
@@ -47,13 +48,18 @@ pub(super) fn of_scene(
     known: &Certificate,
 ) -> Option<Certificate> {
     let all = scene.beam().all_supports();
+    let is_held = scene.beam().is_held();
     let mut brackets = known.reactions.iter();
     let mut bracket = |support: &Support| {
         if enclosed.support(support.at).is_none() {
             return clears(enclosed, pair, support).then_some(Some([0.0; 2]));
         }
         let bracket = *brackets.next()?;
-        (!support.pushes_only || 0.0 <= bracket?[0]).then_some(bracket)
+        if support.pushes_only {
+            let [least, _] = bracket?;
+            return (0.0 < least || is_held && 0.0 <= least).then_some(bracket);
+        }
+        Some(bracket)
     };
     let reactions = all.iter().map(&mut bracket).collect::<Option<_>>()?;
     Some(Certificate { reactions, ..known.clone() })

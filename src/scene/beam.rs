@@ -102,6 +102,12 @@ impl Beam {
         &self.supports
     }
 
+    /// Whether they hold it against moving and turning: two of them, or one that is built in.
+    #[must_use]
+    pub fn is_held(&self) -> bool {
+        2 <= self.supports.len() || self.supports.iter().any(|support| support.slope.is_some())
+    }
+
     /// The supports that only push, from left to right.
     #[must_use]
     pub fn bearings(&self) -> &[Support] {

@@ -304,12 +304,7 @@ impl Scene {
     ///
     /// [`SceneError::NeedsRigidGround`] if not.
     pub fn is_placed_by_forces(&self) -> Result<(), SceneError> {
-        let holds = self.beam.supports().iter().map(|support| if support.slope.is_some() { 2 } else { 1 });
-        if 2 <= holds.sum::<usize>() {
-            Ok(())
-        } else {
-            self.on_rigid_ground("a check of forces that alone hold a beam")
-        }
+        if self.beam.is_held() { Ok(()) } else { self.on_rigid_ground("a check of forces that alone hold a beam") }
     }
 }
 
