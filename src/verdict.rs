@@ -269,7 +269,7 @@ impl Verdict {
         let contacts = &exact.touched();
         let certificate = match exact.stretches() {
             Some(stretches) => Proof::of_stretches(scene, &stretches).map(|proof| proof.judge(Judged::Witness)),
-            None => certify(scene, Judged::Witness, contacts),
+            None => Proof::of_held(scene, contacts, &exact.held()).map(|proof| proof.judge(Judged::Witness)),
         }
         .ok();
         let own = if exact.solved {

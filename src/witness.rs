@@ -32,10 +32,11 @@ pub struct Witness<'a> {
     proof: OnceLock<Option<Proof>>,
 }
 
-/// The contacts of beam theory, and on ground that gives the stretches from end to end.
+/// Contacts, with the supports at which the ground holds the slope; on ground that gives with stretches from end to end.
 #[derive(Debug)]
 struct ExactContacts {
     contacts: Vec<Contact>,
+    held: Vec<(f64, bool)>,
     stretches: Option<Vec<Stretch>>,
 }
 
@@ -70,7 +71,7 @@ impl<'a> Witness<'a> {
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
         let proof = |found: &ExactContacts| match &found.stretches {
             Some(stretches) => Proof::of_stretches(self.scene, stretches).ok(),
-            None => Proof::of(self.scene, &found.contacts).ok(),
+            None => Proof::of_held(self.scene, &found.contacts, &found.held).ok(),
         };
         let found = self.found(judged.places());
         let proven = found.and_then(|found| self.proof.get_or_init(|| proof(found)).as_ref());
@@ -99,7 +100,8 @@ impl<'a> Witness<'a> {
 /// The contacts of an exact answer, if it is a solution or on ground that gives.
 fn found(exact: &Exact) -> Option<ExactContacts> {
     let stretches = exact.stretches();
-    (exact.solved || stretches.is_some()).then(|| ExactContacts { contacts: exact.touched(), stretches })
+    let found = |stretches| ExactContacts { contacts: exact.touched(), held: exact.held(), stretches };
+    (exact.solved || stretches.is_some()).then(|| found(stretches))
 }
 
 /// The number of points of a survey, by which the cost of theory is estimated.

@@ -103,10 +103,19 @@ impl Proof {
     ///
     /// A [`SceneError`] if the scene leaves the range of `f64` when it is scaled.
     pub fn of(scene: &Scene, witness: &[Contact]) -> Result<Self, SceneError> {
+        Self::of_held(scene, witness, &[])
+    }
+
+    /// The same with the places of supports at which the ground holds the slope, and whether it does so from the left.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Proof::of`].
+    pub(crate) fn of_held(scene: &Scene, witness: &[Contact], held: &[(f64, bool)]) -> Result<Self, SceneError> {
         scene.on_rigid_ground("a certificate from a list of contacts")?;
         let scaled = scene.scaled()?;
         let (pair, known) = in_intervals(&scaled.scene, scaled.balance, |enclosed| {
-            of_pair(enclosed, &scaled, best_pair(enclosed, witness, &scaled.scale))
+            of_pair(enclosed, &scaled, best_pair(enclosed, witness, held, &scaled.scale))
         });
         Ok(Self { scaled, pair, known })
     }
@@ -229,16 +238,16 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
 /// beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
 ///
 /// A beam in balance above a corner may turn about it, unless the ground beside it leaves it one position: that is tried first.
-fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Option<Pair> {
+fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], held: &[(f64, bool)], scale: &Scale) -> Option<Pair> {
     if enclosed.balanced_at.is_some() {
         let stopped = EnclosedScene { balanced_at: None, ..*enclosed };
-        let known = best_pair(&stopped, contacts, scale).filter(|pair| is_sharp(&stopped, pair));
+        let known = best_pair(&stopped, contacts, held, scale).filter(|pair| is_sharp(&stopped, pair));
         if known.is_some() {
             return known;
         }
     }
     let of = |contacts: &[Contact]| {
-        let nodes = witness::nodes(enclosed, contacts, scale);
+        let nodes = witness::nodes(enclosed, contacts, held, scale);
         let mut pair = proof::pair(enclosed, &nodes)?;
         let mut sharp = is_sharp(enclosed, &pair);
         if !sharp {

@@ -1,7 +1,8 @@
 //! A witness as contact nodes: its places as they are, and the slopes that follow from them.
 //!
 //! Only the supports are added to its contacts, and no place is moved: an error stays, and makes the duality gap of
-//! [`proof`](super::kernel::proof) larger. Unknown are the slopes `θ` of the beam at supports and corners.
+//! [`proof`](super::kernel::proof) larger. At which supports the ground, level with them, holds the slope is given with the witness.
+//! Unknown are the slopes `θ` of the beam at other supports and at corners.
 //! With the places given they minimise the energy of the spans, and solve
 //!
 //! ```text
@@ -21,9 +22,15 @@ use crate::state::Contact;
 
 /// The contact nodes of a list of contacts in the units of the scene, in its order, and of the supports, with the slopes that
 /// follow from their places. A contact at a single place is a corner of the gap if there is one, or the end of the beam, and
-/// otherwise a point of tangency.
+/// otherwise a point of tangency. Of the supports at which the ground holds the slope `held` has the places, and whether it does so
+/// from the left.
 #[expect(clippy::float_cmp, reason = "a contact from a place to the same place is a point")]
-pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &Scale) -> Vec<ContactNode> {
+pub(super) fn nodes(
+    enclosed: &EnclosedScene<'_>,
+    contacts: &[Contact],
+    held: &[(f64, bool)],
+    scale: &Scale,
+) -> Vec<ContactNode> {
     let mut nodes: Vec<ContactNode> = Vec::with_capacity(2 * contacts.len() + enclosed.supports.len());
     let mut in_zone = false;
     for contact in contacts {
@@ -50,7 +57,9 @@ pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &
         let at = nodes.iter().position(|node| support.x <= node.x).unwrap_or(nodes.len());
         if nodes.get(at).is_none_or(|node| node.x != support.x) {
             let lies = 0 < at && nodes[at - 1].lies;
-            nodes.insert(at, if lies { ContactNode::start(support.x) } else { ContactNode::free(support.x) });
+            let side =
+                held.iter().find(|(x, _)| x / scale.length == support.x).map(|(_, from_the_left)| *from_the_left);
+            nodes.insert(at, ContactNode::at_support(support.x, lies, support.held_side(side)));
         }
     }
     if nodes.is_empty() {
@@ -58,6 +67,15 @@ pub(super) fn nodes(enclosed: &EnclosedScene<'_>, contacts: &[Contact], scale: &
     }
     find_slopes(enclosed, &mut nodes);
     nodes
+}
+
+impl EnclosedSupport {
+    /// From which side the ground holds the slope: from that which is said if it is level with a simple support there, and where no
+    /// other slope is possible from either.
+    fn held_side(&self, said: Option<bool>) -> Option<bool> {
+        let is_level = |from_the_left: &bool| self.grounded[usize::from(!from_the_left)];
+        said.or(self.is_fixed.then_some(true)).filter(is_level).filter(|_| self.slope.is_none())
+    }
 }
 
 impl ContactNode {
@@ -69,6 +87,15 @@ impl ContactNode {
     /// Where the slope is that of the gap, from one of its sides.
     pub(super) fn on_ground(x: f64, from_the_left: bool) -> Self {
         Self { x, slope: Slope::OfGround { from_the_left }, lies: false }
+    }
+
+    /// At a support, in a zone or not, with the side from which the ground holds the slope if it does.
+    fn at_support(x: f64, lies: bool, side: Option<bool>) -> Self {
+        match side {
+            _ if lies => Self::start(x),
+            Some(from_the_left) => Self::on_ground(x, from_the_left),
+            None => Self::free(x),
+        }
     }
 
     /// The start of a zone.
@@ -97,13 +124,6 @@ fn find_slopes(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
         return;
     }
     balance(enclosed, nodes);
-    // A slope may be held, freed because of another one, and held again.
-    for _ in 0..3 {
-        if !at_supports(enclosed, nodes) {
-            break;
-        }
-        balance(enclosed, nodes);
-    }
     along_level_ground(enclosed, nodes);
     at_corners(enclosed, nodes);
 }
@@ -234,42 +254,6 @@ fn at_corners(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
     }
 }
 
-/// Where ground is level with a support, the slope of a beam that would be steeper than the ground beside it is held, and that of one
-/// which the ground would have to pull is freed. True if a slope has changed.
-fn at_supports(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) -> bool {
-    let (mut changed, before) = (false, nodes.to_vec());
-    for i in 0..nodes.len() {
-        let ContactNode { x, slope, lies } = before[i];
-        let Some(EnclosedSupport { slope: None, grounded, is_fixed, .. }) = enclosed.support(x) else { continue };
-        if lies || (0 < i && before[i - 1].lies) {
-            continue;
-        }
-        match slope {
-            Slope::Free(slope) => {
-                let steeper = |left: bool| {
-                    let below = enclosed.gap.jet(x, left)[1].middle();
-                    let by = if left { below - slope } else { slope - below };
-                    grounded[usize::from(!left)] && ROUNDING * (slope.abs() + below.abs()) < by
-                };
-                if let Some(left) = [true, false].into_iter().find(|left| steeper(*left)) {
-                    nodes[i] = ContactNode::on_ground(x, left);
-                    changed = true;
-                }
-            }
-            // Ground on both sides pushes whichever way the beam would turn.
-            Slope::OfGround { .. } if *is_fixed => {}
-            Slope::OfGround { from_the_left } => {
-                let jump = curvature(enclosed, &before, i, true) - curvature(enclosed, &before, i, false);
-                if if from_the_left { 0.0 < jump } else { jump < 0.0 } {
-                    nodes[i] = ContactNode::free(x);
-                    changed = true;
-                }
-            }
-        }
-    }
-    changed
-}
-
 /// Where the slope at a support is that of the level ground beside it but for rounding, the beam follows the ground: of no other
 /// can be proven that it is clear of it.
 fn along_level_ground(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
@@ -286,16 +270,6 @@ fn along_level_ground(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
 fn level_slopes(enclosed: &EnclosedScene<'_>, x: f64) -> [Option<f64>; 2] {
     let grounded = enclosed.support(x).filter(|s| s.slope.is_none()).map_or([false; 2], |s| s.grounded);
     [0, 1].map(|side| grounded[side].then(|| enclosed.gap.jet(x, side == 0)[1].middle()))
-}
-
-/// `v''` of the beam on one side of a node, zero where there is none.
-fn curvature(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], i: usize, on_the_right: bool) -> f64 {
-    let span = if on_the_right {
-        enclosed.span(nodes.get(i), nodes.get(i + 1))
-    } else {
-        enclosed.span(i.checked_sub(1).map(|i| &nodes[i]), nodes.get(i))
-    };
-    span.map_or(0.0, |span| if on_the_right { span.start[2] } else { span.end[2] }.middle())
 }
 
 impl EnclosedGap<'_> {

@@ -10,7 +10,7 @@ use super::span::Span;
 use super::springs::Springs;
 use super::summary;
 use super::violation::Violation;
-use crate::certificate::Stretch;
+use crate::certificate::{Slope, Stretch};
 use crate::scene::{Balance, Foundation, Scale, Scene};
 use crate::state::{Contact, ContactState, Extremes, Motion, Standing};
 
@@ -217,6 +217,18 @@ impl Exact {
             .forces()
             .map(|j| (j.x * self.scale.length, j.force * self.stiffness * self.scale.force))
             .filter(move |&(x, _)| inside(x))
+    }
+
+    /// The supports at which the ground holds the slope of the beam, each with whether it does so from the left: what a certificate has
+    /// to know of them beside the places of contacts.
+    pub(crate) fn held(&self) -> Vec<(f64, bool)> {
+        let held = |node: &Node| match node.slope {
+            Slope::OfGround { from_the_left } => {
+                node.support(&self.given).map(|_| (node.x * self.scale.length, from_the_left))
+            }
+            Slope::Free(_) => None,
+        };
+        self.list.nodes.iter().filter_map(held).collect()
     }
 
     /// Of ground that gives, the stretches of the beam: the witness of a certificate.
