@@ -31,3 +31,11 @@ fn solved(scene: &Scene) -> Exact {
 
 /// What an answer may be off by the definition: ten times what the check of beam theory allows.
 const OFF: f64 = 1e-11;
+
+/// Of a closed form a handful of operations leaves some digits to spare.
+const DIGITS: f64 = 1e-12;
+
+#[track_caller]
+fn close(what: &str, found: f64, expected: f64) {
+    assert!((found - expected).abs() <= DIGITS * expected.abs().max(1.0), "{what}: {found} instead of {expected}");
+}

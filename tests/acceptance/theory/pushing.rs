@@ -7,7 +7,8 @@ use palkki::{Solution, solve_exactly};
 use palkki_evidence::differences::Trial;
 use palkki_evidence::random::Random;
 
-const DIGITS: f64 = 1e-12;
+use super::{DIGITS, close};
+
 const L: f64 = 6.0;
 const EI: f64 = 70.0;
 
@@ -42,11 +43,6 @@ fn forces(scene: &Scene) -> Vec<f64> {
         assert!(least - rounding <= support.force && support.force <= most + rounding, "{least} … {most}");
     }
     state.supports.iter().map(|support| support.force).collect()
-}
-
-#[track_caller]
-fn close(what: &str, found: f64, expected: f64) {
-    assert!((found - expected).abs() <= DIGITS * expected.abs().max(1.0), "{what}: {found} instead of {expected}");
 }
 
 /// Two spans under a uniform load `q` and a load `P` in the middle of the right one: the left end carries `3qL/8 − 3P/32`, and lifts

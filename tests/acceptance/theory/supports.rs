@@ -4,9 +4,8 @@
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError, Support};
 use palkki::theory::Exact;
 
-use super::solved;
+use super::{close, solved};
 
-const DIGITS: f64 = 1e-12;
 const L: f64 = 10.0;
 const EI: f64 = 1.3;
 const Q: f64 = 0.7;
@@ -24,11 +23,6 @@ fn beam(supports: Vec<Support>) -> Beam {
 fn uniform(beam: Beam, ground: Option<Foundation>) -> Exact {
     let load = Load::uniform_on(&beam, Q).expect("a load");
     solved(&Scene::new(beam, load, ground).expect("a scene"))
-}
-
-#[track_caller]
-fn close(what: &str, found: f64, expected: f64) {
-    assert!((found - expected).abs() <= DIGITS * expected.abs().max(1.0), "{what}: {found} instead of {expected}");
 }
 
 /// Over an edge with an overhang `b` the beam lifts off behind it over `s`: with `T` at lift-off `v(s) = 0` gives `T = q s/4`, and
