@@ -1,6 +1,5 @@
 //! The methods against each other and against exact arithmetic: matrices, loads, digits, properties.
 
-mod agreement;
 mod closed;
 mod digits;
 mod exact;

@@ -1,8 +1,8 @@
-//! Properties that hold for any scene: superposition, equilibrium, monotonicity.
+//! Properties that hold for any scene: complementarity, superposition, monotonicity.
 //!
 //! Random scenes come from a generator with a fixed seed, so that a failure is the same on every machine.
 
-mod equilibrium;
+mod complementarity;
 mod superposition;
 mod uneven;
 

@@ -57,19 +57,6 @@ fn the_lift_off_point_is_found_within_one_interval() {
     }
 }
 
-/// Displacement and force method are the same method: so are their errors, as far as rounding lets them.
-#[test]
-fn the_energy_methods_have_the_same_errors() {
-    /// Rounding with 400 intervals, relative to the quantities themselves: rotations here, moments there.
-    const ROUNDING: f64 = 1e-13;
-    for quantity in Quantity::OF_THE_EXAMPLE {
-        let (a, b) = (measured(Method::Displacement, quantity), measured(Method::Force, quantity));
-        for ((n, a), (_, b)) in a.errors.iter().zip(&b.errors) {
-            assert!((a - b).abs() <= ROUNDING, "{}, {n} intervals: {a:e} and {b:e}", quantity.name());
-        }
-    }
-}
-
 /// What must not be believed: the first contact force does not approach `T`, and nodal forces do not approach `q₀Δ`.
 #[test]
 fn nodal_contact_forces_do_not_converge() {
