@@ -3,8 +3,40 @@
 use palkki::route::{Method, Solver};
 use serde_json::Value;
 
-use super::json::{KEYS, check_keys};
 use super::{Folder, number};
+
+/// Keys of each route of a comparison.
+const KEYS: [&str; 21] = [
+    "method",
+    "solver",
+    "intervals",
+    "status",
+    "reason",
+    "solver_status",
+    "residual",
+    "regime",
+    "unknowns",
+    "iterations",
+    "seconds",
+    "reactions",
+    "supports",
+    "contacts",
+    "contact_force",
+    "deflection",
+    "moment",
+    "energy",
+    "certificate",
+    "solver_error",
+    "model_error",
+];
+
+#[track_caller]
+fn check_keys(object: &Value, keys: &[&str]) {
+    let mut expected = keys.to_vec();
+    expected.sort_unstable();
+    let found: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
+    assert_eq!(found, expected);
+}
 
 /// A route that would cost too much on a fine grid has a row, and the reason stands below the table. On level ground at the
 /// level of the supports the routes that are tried end soon.

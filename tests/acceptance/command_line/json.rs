@@ -6,39 +6,6 @@ use serde_json::Value;
 
 use super::{EXAMPLE, Folder, scene};
 
-/// Keys of each route of a comparison.
-pub(super) const KEYS: [&str; 21] = [
-    "method",
-    "solver",
-    "intervals",
-    "status",
-    "reason",
-    "solver_status",
-    "residual",
-    "regime",
-    "unknowns",
-    "iterations",
-    "seconds",
-    "reactions",
-    "supports",
-    "contacts",
-    "contact_force",
-    "deflection",
-    "moment",
-    "energy",
-    "certificate",
-    "solver_error",
-    "model_error",
-];
-
-#[track_caller]
-pub(super) fn check_keys(object: &Value, keys: &[&str]) {
-    let mut expected = keys.to_vec();
-    expected.sort_unstable();
-    let found: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
-    assert_eq!(found, expected);
-}
-
 #[test]
 fn json_numbers_read_back_as_the_same_bits() {
     let folder = Folder::new("json_bits");

@@ -2,7 +2,6 @@
 
 use serde_json::Value;
 
-use super::json::check_keys;
 use super::{EXAMPLE, Folder, RIDGE, number};
 
 #[test]
@@ -16,11 +15,8 @@ fn the_grid_follows_from_the_error() {
         let error = number(&json["certificate"]["deflection_error"]) / number(&json["deflection"]["max"]);
         assert!(error <= demanded, "{error} for {eps}");
         let refinement = &json["refinement"];
-        check_keys(refinement, &["tolerance", "reached", "end", "error", "seconds", "grids"]);
         assert_eq!((&refinement["reached"], &refinement["end"]), (&Value::from(true), &Value::from("reached")));
         let grids = refinement["grids"].as_array().expect("a list");
-        let keys = ["intervals", "solver_tolerance", "unknowns", "iterations", "residual", "error", "seconds"];
-        grids.iter().for_each(|grid| check_keys(grid, &keys));
         let last = grids.last().expect("a grid");
         assert_eq!(last["intervals"], json["intervals"]);
         assert_eq!(last["seconds"], json["seconds"], "`seconds` is the solve alone");
