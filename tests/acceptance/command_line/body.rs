@@ -76,7 +76,7 @@ fn a_sparse_form_is_whole() {
 }
 
 /// Six freedoms of the five-diagonal matrix: three are lifted off by 1, one just touches, two are pressed by 1.
-fn known(folder: &Folder) {
+pub(super) fn known(folder: &Folder) {
     folder.write(
         "K.mtx",
         "%%MatrixMarket matrix coordinate real symmetric\n6 6 15\n1 1 6\n2 2 6\n3 3 6\n4 4 6\n5 5 6\n6 6 6\n2 1 -4\n3 2 -4\n4 3 -4\n5 4 -4\n6 5 -4\n3 1 1\n4 2 1\n5 3 1\n6 4 1\n",

@@ -137,6 +137,15 @@ fn taught_explanations_are_shown() {
 }
 
 #[test]
+fn bodies_are_shown() {
+    let folder = folder("shown_body");
+    super::body::known(&folder);
+    folder.write("answer.csv", "i,clearance\n1,1\n2,1.25\n3,1\n");
+    let commands = ["solve body.toml --nodes", "certify body.toml answer.csv", "solve body.toml -f json"];
+    assert_table!("shown@body", "A body that a matrix gives", page(&folder, &commands));
+}
+
+#[test]
 fn json_is_shown() {
     let scenes = [
         "solve ridge.toml -f json",
