@@ -6,10 +6,10 @@
 
 use std::collections::BTreeMap;
 
-use palkki::certificate::{Certificate, Judged, certify};
+use palkki::certificate::{Judged, certify};
 use palkki::scene::Scene;
-use palkki::state::Contact;
-use palkki::theory;
+use palkki::theory::{self, Exact};
+use palkki::verdict::{Demand, Verdict};
 use palkki_evidence::authority::RBig;
 use palkki_evidence::authority::energies::Unsaid;
 use palkki_evidence::authority::number::Number;
@@ -36,16 +36,11 @@ fn random(i: u64) -> [(String, Scene); 3] {
         .map(|(kind, scene)| (format!("{kind} {i}"), scene))
 }
 
-#[track_caller]
-fn both(scene: &Scene, contacts: &[Contact]) -> (Result<Pair, Unsaid>, Certificate) {
-    (pair(scene, contacts), certify(scene, Judged::Witness, contacts).expect("the scene can be scaled"))
-}
-
 /// The bracket of the kernel has the energies of the pair in it, and is wider by rounding only; or why fractions say nothing.
 #[track_caller]
-fn by_its_own_list(name: &str, scene: &Scene, contacts: &[Contact]) -> Result<(), Unsaid> {
-    let (pair, proven) = both(scene, contacts);
-    let pair = pair?;
+fn by_its_own_list(name: &str, scene: &Scene, exact: &Exact) -> Result<(), Unsaid> {
+    let pair = pair(scene, &exact.touched())?;
+    let proven = Verdict::of_exact(scene, exact, &Demand::default()).certificate.expect("the scene can be scaled");
     let bracket = [proven.energy_lower, proven.energy_upper];
     assert!(bracket.iter().all(|energy| energy.is_finite()), "{name}: {bracket:?}");
     let ([lower, upper], energies) = (bracket.map(RBig::of), [&pair.lower, &pair.upper].map(Number::to_double));
@@ -64,7 +59,7 @@ fn scenes_of_the_report_in_fractions() {
     let mut left_out = Vec::new();
     for (name, scene) in scenes::report().into_iter().chain(other) {
         let exact = theory::solve(&scene).expect("beam theory has an answer");
-        if let Err(why) = by_its_own_list(&name, &scene, &exact.state.contacts) {
+        if let Err(why) = by_its_own_list(&name, &scene, &exact) {
             left_out.push(format!("{name}: {why}"));
         }
     }
@@ -77,7 +72,7 @@ fn a_thousand_random_scenes_in_fractions() {
     let (mut said, mut unsaid) = (0, BTreeMap::<Unsaid, usize>::new());
     for (name, scene) in (0..).flat_map(random) {
         let Ok(exact) = theory::solve(&scene) else { continue };
-        match by_its_own_list(&name, &scene, &exact.state.contacts) {
+        match by_its_own_list(&name, &scene, &exact) {
             Ok(()) => said += 1,
             Err(why) => *unsaid.entry(why).or_default() += 1,
         }
@@ -102,7 +97,8 @@ fn gaps_of_wrong_lists_in_fractions() {
                 let far = if contact.from < contact.to { 0.5 } else { 1.0 };
                 (contact.from, contact.to) = (contact.from * (1.0 - off), contact.to * (1.0 - far * off));
             }
-            let (Ok(pair), proven) = both(&scene, &list) else { continue };
+            let Ok(pair) = pair(&scene, &list) else { continue };
+            let proven = certify(&scene, Judged::Witness, &list).expect("the scene can be scaled");
             lists += 1;
             // Both have the energy of the beam between them, whatever the kernel corrects.
             let [lower, upper] = [proven.energy_lower, proven.energy_upper];
