@@ -1,6 +1,6 @@
 //! A first idea of where the beam touches: a chain of stiff links with elastic hinges above sampled places of the profile.
 //!
-//! Unknown are the clearances `s = u − v ≥ 0`, the contact forces `p ≥ 0` and the moments `m = −v''` at the samples. With the
+//! Unknown are the clearances `s = g − v ≥ 0`, the contact forces `p ≥ 0` and the moments `m = −v''` at the samples. With the
 //! second difference `(B y)_i = (y_{i+1} − y_i)/Δ_i − (y_i − y_{i−1})/Δ_{i−1}` and the lumped loads `f`,
 //!
 //! ```text
@@ -80,7 +80,7 @@ struct Row {
     m: f64,
     /// Residuals of both linear equations.
     rest: [f64; 2],
-    /// True at a support, where `s` is given and `p` is nobody's.
+    /// True at a support, where `s` is given and `p` is not used.
     held: bool,
     /// True where nothing touches, and `p` stays zero.
     open: bool,
@@ -133,7 +133,7 @@ fn direction(rows: &mut [Row], mu: f64, count: f64, soft: f64) -> f64 {
     }
     let ahead = rows.iter().map(|r| (r.s + longest * r.block.step[0]) * (r.p + longest * r.dp)).sum::<f64>() / count;
     let sigma = (ahead / mu) * (ahead / mu) * (ahead / mu);
-    // From here on `dp` holds what the contact condition asks for, over `s`.
+    // From here on `dp` holds what the contact condition needs, over `s`.
     for row in rows.iter_mut().filter(|row| row.may_touch()) {
         row.dp = (sigma * mu - row.block.step[0] * row.dp) / row.s - row.p;
     }

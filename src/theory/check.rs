@@ -9,6 +9,7 @@ use super::piecewise::PiecewiseScene;
 use super::span::Span;
 use super::tension::mean_pull;
 use super::violation::Violation;
+use crate::certificate::CERTIFIED_RESIDUAL;
 
 /// A list with everything that follows from it.
 #[derive(Debug, Clone)]
@@ -63,10 +64,10 @@ const PLACE: f64 = 4e-15;
 /// the load.
 const CROWDED: f64 = 1e-3;
 
-/// What a force out of balance counts as a violation: a thousand-millionth of the forces may be, which is what the judge of a
-/// discretised answer allows. A force between contacts that are close together is the difference of far larger ones, and has
-/// fewer digits than the moments: up to 8·10⁻¹⁰ is lost on surveys like saws with a hundred contacts.
-const BALANCE: f64 = TOLERANCE / 1e-9;
+/// What a force out of balance counts as a violation: a thousand-millionth of the forces may be, which is what
+/// [`CERTIFIED_RESIDUAL`] allows a discretised answer. A force between contacts that are close together is the difference of far
+/// larger ones, and has fewer digits than the moments: up to 8·10⁻¹⁰ is lost on surveys like saws with a hundred contacts.
+const BALANCE: f64 = TOLERANCE / CERTIFIED_RESIDUAL;
 
 /// Checks `list`.
 pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {

@@ -127,7 +127,7 @@ fn turned(given: &PiecewiseScene, list: &List, checked: &Checked, i: usize, span
         let (turn, bend) = (-side * at[1], at[2]);
         let cell = &given.cells[end.cell];
         let most = 0.5 * span.length().min(cell.hi - cell.lo);
-        // The moments of the spans on both sides feel what the slope is off by.
+        // The moments of the spans on both sides depend on the error of the slope.
         let allowed = SHARE * bend * checked.shortest_beside(node).min(span.length());
         let is_beyond = 0.0 < bend && allowed.max(ROUNDED * steepest(given, end.cell..=end.cell)) < turn;
         let depth = 0.5 * turn * turn / bend;

@@ -1,5 +1,5 @@
-//! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: it has no
-//! nodes of its own.
+//! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: there is no
+//! grid.
 
 use super::carried::{Carried, carried, idle};
 use super::list::{List, Node};
@@ -23,7 +23,7 @@ pub struct Exact {
     pub solved: bool,
     /// True if Newton's method converged for its list of contacts.
     pub converged: bool,
-    /// Unknowns of the exact model: lift-off positions, and slopes at edges of the profile.
+    /// Unknowns of the exact model: lift-off positions, and slopes at edges of the profile and at inner supports.
     pub unknowns: usize,
     /// Newton steps, those of lists that failed their check included.
     pub iterations: usize,
@@ -143,7 +143,7 @@ impl Exact {
         [false, true].map(|right| -self.beam(x, right)[3] * self.stiffness * self.scale.force + 0.0)
     }
 
-    /// Clearance `h = u − v` \[length\]; at a step the smaller one, above a support that only pushes that from it; infinite where there
+    /// Clearance `h = g − v` \[length\]; at a step the smaller one, above a support that only pushes that from it; infinite where there
     /// is nothing to touch.
     #[must_use]
     pub fn clearance(&self, x: f64) -> f64 {
@@ -286,7 +286,7 @@ pub struct Sample {
     pub deflection: f64,
     /// `v'`.
     pub slope: f64,
-    /// `h = u − v` \[length\]; infinite without a foundation.
+    /// `h = g − v` \[length\]; infinite without a foundation.
     pub clearance: f64,
     /// Contact pressure, without concentrated forces \[force / length\].
     pub pressure: f64,

@@ -46,7 +46,7 @@ pub(super) struct Node {
     /// True where the beam lies on the ground from here to the next node.
     pub(super) lies: bool,
     /// What its place is beyond `x`, or of a free slope what that is beyond its number, less than a unit in the last place: where
-    /// contacts lie close together, their forces feel it.
+    /// contacts lie close together, their forces depend on it.
     pub(super) low: f64,
     /// A cell of the smooth piece of the profile on which it lies; of one that stands at a breakpoint the one to its right.
     pub(super) cell: usize,
@@ -234,7 +234,7 @@ impl Node {
         given.support_at(self.breakpoint?)
     }
 
-    /// The same, or the support that only pushes, which come after those.
+    /// The support that it is, those that only push counted after the others.
     pub(super) fn any_support(&self, given: &PiecewiseScene) -> Option<usize> {
         self.support(given).or_else(|| given.bearing_index(self.breakpoint.filter(|_| !self.is_held())?))
     }

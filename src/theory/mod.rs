@@ -10,12 +10,11 @@
 //!    beam rests.
 //! 3. `list`, `span`, `cosine`, `newton`: the equations of a list and Newton's method for them.
 //! 4. `check`, `forces`, `violation`, `piece`, `bernstein`, `gauss`: all conditions, everywhere and not at samples.
-//! 5. `repair`, `normal`, `search`: what fails its check changes the list; where that ends, the chain gets more samples.
-//!    `neutral` has the beams that rest on one place and may turn there.
+//! 5. `search`, `repair`, `penetration`, `normal`: what fails its check changes the list; where that ends, the chain gets more samples.
+//!    `close` looks once more at a list that passes; `neutral` has the beams that rest on one place and may turn there.
 //! 6. `solve`, `exact`, `carried`, `summary`: the answer in the units of the scene; `room`: whether there is memory for it.
-//! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and where its kind changes.
-//! 8. `sensitivity`, `derivatives`, `changes`, `spread`: how the answer changes with the numbers of the scene, and where its kind does.
-//!
+//! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
+//! 8. `sensitivity`, `derivatives`, `changes`, `spread`: derivatives by the numbers of the scene, and where they are one-sided.
 //! 9. `springs`: ground that gives, which needs no list.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.

@@ -1,10 +1,10 @@
-//! Lists that make sense: repaired and guessed ones are brought into this form before they are solved.
+//! Lists that are valid: repaired and guessed ones are brought into this form before they are solved.
 
 use super::list::{List, Node};
 use super::piecewise::PiecewiseScene;
 use crate::certificate::Slope;
 
-/// The list without nodes that make no sense: starts and ends of zones that have lost their partner, and neighbours that
+/// The list without nodes that are not valid: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them. Supports stay.
 pub(super) fn normalised(given: &PiecewiseScene, nodes: &[Node]) -> List {
     let mut normal = Normal {

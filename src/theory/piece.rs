@@ -30,7 +30,7 @@ pub(super) struct State {
     pub(super) clearance: [f64; 4],
 }
 
-/// Over so many breaks of straight ground the clearance is carried; farther away its rounding is not felt.
+/// Over so many breaks of straight ground the clearance is carried; farther away its rounding has no effect.
 pub(super) const NEAR: usize = 64;
 
 impl Piece {

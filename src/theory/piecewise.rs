@@ -17,7 +17,7 @@ pub(super) struct Cell {
     pub(super) shape: usize,
     /// Load at `lo`.
     pub(super) load: f64,
-    /// Load per length.
+    /// Derivative of the load.
     pub(super) load_slope: f64,
 }
 
@@ -60,7 +60,7 @@ pub(super) struct AtSupport {
 pub(super) struct PiecewiseScene {
     /// Length of the beam.
     pub(super) length: f64,
-    /// From support to support.
+    /// From end to end.
     pub(super) cells: Vec<Cell>,
     /// One more than cells: breakpoint `i` is the left end of cell `i`.
     pub(super) breakpoints: Vec<Breakpoint>,
@@ -190,12 +190,12 @@ impl PiecewiseScene {
         self.shapes[self.cells[cell].shape].fourth_without_waves(lo + t) - self.load_beyond(cell, lo, t)
     }
 
-    /// The cell in which `x` lies; at a breakpoint the one to its right, at the right support the last one.
+    /// The cell in which `x` lies; at a breakpoint the one to its right, at the right end the last one.
     pub(super) fn cell_from(&self, x: f64) -> usize {
         self.breakpoints.partition_point(|j| j.x <= x).saturating_sub(1).min(self.cells.len() - 1)
     }
 
-    /// The cell in which `x` lies; at a breakpoint the one to its left, at the left support the first one.
+    /// The cell in which `x` lies; at a breakpoint the one to its left, at the left end the first one.
     pub(super) fn cell_to(&self, x: f64) -> usize {
         self.breakpoints.partition_point(|j| j.x < x).saturating_sub(1).min(self.cells.len() - 1)
     }

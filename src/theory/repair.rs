@@ -1,4 +1,4 @@
-//! What to try next when a list of contacts fails its check: each fault says what it changes.
+//! What to try next when a list of contacts fails its check: each fault has its repair.
 //!
 //! A point that pulls goes, one at which the beam bends more than the profile becomes a zone, and where the beam penetrates
 //! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::normal::normalised`]).

@@ -1,9 +1,9 @@
 //! Finding the list of contacts.
 //!
-//! A chain of links above samples of the profile says where the beam touches, more or less; Newton's method settles the
-//! places; the check of all conditions has the last word. What fails its check changes the list. Where that ends without
-//! an answer, the chain gets more samples near its contacts and where the check failed, and says it again: a chain never
-//! cycles, and no scene needs another kind of search. A list that passes is looked at closely ([`super::close`]).
+//! A chain of links above samples of the profile proposes contacts, Newton's method computes their places, and all conditions are
+//! checked. What fails its check changes the list. Where that ends without an answer, the chain gets more samples near its contacts
+//! and where the check failed. Lists of a scene near by, of a rigid beam at rest and without contact are tried besides. A list that
+//! passes is looked at once more ([`super::close`]).
 
 use super::check::{Checked, check};
 use super::close::closer;
@@ -78,8 +78,8 @@ fn free(given: &PiecewiseScene) -> Found {
 
 /// The exact solution, looked for from lists `near` it first, in turn.
 ///
-/// The work is bounded by `GUESSES · ROUNDS` lists and a multiple of the samples of the first guess, which are a few for each
-/// piece of the scene.
+/// The work is bounded by `GUESSES · ROUNDS` lists, [`ROUNDS_FROM_NEAR`] more for each list `near`, those of a beam at rest and those
+/// of the closer look, and by a multiple of the samples of the first guess, which are a few for each piece of the scene.
 ///
 /// # Errors
 ///

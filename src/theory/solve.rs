@@ -11,7 +11,7 @@ use super::search::{Found, search};
 use super::springs;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
-/// Why there is no exact solution at all; one that fails its check is an [`Exact`] whose status says so.
+/// Why there is no exact solution at all; one that fails its check is an [`Exact`] that is not `solved`.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum TheoryError {
     /// The scene leaves the range of `f64` when it is made dimensionless.
@@ -58,11 +58,12 @@ const MOST_PHASE: f64 = 1000.0;
 
 /// The exact solution of `scene`.
 ///
-/// A beam that touches nothing is a simple beam, and no contact model is built for it.
+/// The list without contacts is tried first; on a long profile it is tried last.
 ///
 /// # Errors
 ///
-/// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: its status says so.
+/// [`TheoryError`] if the numbers do not allow a solution. An answer that fails its check is no error: it is not
+/// `solved`, and has its violations.
 pub fn solve(scene: &Scene) -> Result<Exact, TheoryError> {
     solve_near(scene, &[])
 }

@@ -1,11 +1,11 @@
 //! A span: the beam between two neighbouring nodes, or between a node and a free end, in closed form.
 //!
-//! It is computed in the clearance `h = u − v`, not in `v`: at a contact `h` and, where the profile is smooth, `h'` vanish
-//! exactly, so that even a tiny gap between two contacts is resolved to its last digits. With `g = u'''' − q`,
+//! It is computed in the clearance `h = g − v`, not in `v`: at a contact `h` and, where the profile is smooth, `h'` vanish
+//! exactly, so that even a tiny gap between two contacts is resolved to its last digits. With `f = g'''' − q`,
 //!
 //! ```text
-//! h'''' = g + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the breakpoints inside
-//! h''(a) = −(4 φ_a + 2 φ_b)/ℓ + G_a,     G_a = ∫ g w_a + Σ (−S w_a''' + J w_a'' − P w_a)
+//! h'''' = f + Σ (S_k δ''' + J_k δ'' − P_k δ)       steps S, kinks J and point loads P at the breakpoints inside
+//! h''(a) = −(4 φ_a + 2 φ_b)/ℓ + G_a,     G_a = ∫ f w_a + Σ (−S w_a''' + J w_a'' − P w_a)
 //! h''(b) =  (2 φ_a + 4 φ_b)/ℓ + G_b,     w_a = t (ℓ − t)²/ℓ²,  w_b = t² (ℓ − t)/ℓ²
 //! ```
 //!
@@ -27,8 +27,8 @@ pub(super) enum Hold {
         height: f64,
         /// `v`.
         level: f64,
-        /// `v'` is the sum of these two numbers. Contacts that are close together feel digits of it beyond the last one of
-        /// the first number.
+        /// `v'` is the sum of these two numbers. The forces of contacts that are close together depend on digits of it beyond the
+        /// last one of the first number.
         slope: [f64; 2],
     },
     /// A support, or a break of the profile, that leaves the slope free beside an overhang, or beside nothing at an end of the
@@ -333,7 +333,7 @@ pub(super) fn fixed_end_of_load(given: &PiecewiseScene, a: &End, b: &End) -> ([f
     (moment, shear)
 }
 
-/// `G_a`, `G_b` and `∫ g (ℓ − t)/ℓ`, `∫ g t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
+/// `G_a`, `G_b` and `∫ f (ℓ − t)/ℓ`, `∫ f t/ℓ`, point loads included; kinks and steps turn the beam but carry no force.
 fn fixed_end(given: &PiecewiseScene, a: &End, b: &End, of: Drive) -> FixedEnd {
     let l = b.x - a.x;
     let (mut moment, mut shear, mut clamped) = ([0.0; 2], [0.0; 2], [0.0; 2]);

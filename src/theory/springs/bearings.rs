@@ -7,14 +7,16 @@
 //! From all of them on, the beam is held by more than it needs, which stiff ground alone is slow to do; where that does not settle, from
 //! none.
 //!
-//! The force of a support grows as it is lifted, and more than by all others together: exchanging one at a time, always the last that
-//! is on the wrong side, comes to an end (Murty 1974). All of them at once is faster and nearly always does, too.
+//! Of a linear problem whose matrix is positive definite, exchanging one at a time, always the last that is on the wrong side, comes to
+//! an end (Murty 1974). With ground that gives the problem is linear by parts only, and that is not proven: work has a limit. All of
+//! them are exchanged at once as long as fewer become wrong.
 
 use super::part::Part;
 use super::{Found, ROUNDING, Work, search};
 use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 
-/// All on the wrong side are exchanged so often without a better set than any before.
+/// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
+/// time follows.
 const PATIENCE: usize = 3;
 
 /// A scene with those of the supports that only push as supports that press, and the beam on them.

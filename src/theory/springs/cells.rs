@@ -18,7 +18,7 @@ use crate::theory::piecewise::PiecewiseScene;
 
 /// Coefficients of a pressed polynomial: over `1/λ` the next ones are less than `4⁷/28! < 10⁻²⁵` of it.
 const PRESSED_TERMS: usize = 28;
-/// Decay lengths `1/λ` from an end of a zone to where it is not felt: `e⁻⁴⁴ < 10⁻¹⁹`.
+/// Decay lengths `1/λ` from an end of a zone to where its effect is below rounding: `e⁻⁴⁴ < 10⁻¹⁹`.
 const REACH: f64 = 44.0;
 
 /// What a cell is.
@@ -163,7 +163,7 @@ impl Problem<'_> {
         self.couple.filter(|(at, _)| self.breakpoint(i) == Some(*at)).map_or(0.0, |(_, couple)| couple)
     }
 
-    /// What a support at node `i` asks of `v`, and of `v'` if the beam is built in.
+    /// What a support at node `i` prescribes for `v`, and of `v'` if the beam is built in.
     fn support(&self, i: usize) -> Option<(f64, Option<f64>)> {
         let support = &self.given.supports[self.given.support_at(self.breakpoint(i)?)?];
         Some((support.level, support.slope.filter(|_| support.built_in)))
