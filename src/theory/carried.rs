@@ -186,13 +186,8 @@ fn pressed(given: &PiecewiseScene, list: &List, checked: &Checked, i: usize) -> 
         }
         let tip = ends[0].map(at).filter(|node| node.is_tip(given)).and_then(|tip| tip.breakpoint);
         let touch = tip.map_or_else(|| Touch::Point(shape(from)), |tip| Touch::Edge(edge(given, tip)));
-        let contact = if is_short {
-            let [from, to] = both.map(|end| on_the_beam(at(end).x, given.length));
-            Contact { from, to, force: whole, end_forces: (from < to).then(|| both.map(held)) }
-        } else {
-            Contact::at(left, ends[0].map_or(0.0, held) + inside(piece[0], piece[1]))
-        };
-        Carried { touch, contact, node: i, in_zone: true, whole: is_short }
+        let force = if is_short { whole } else { ends[0].map_or(0.0, held) + inside(piece[0], piece[1]) };
+        Carried { touch, contact: Contact::at(left, force), node: i, in_zone: true, whole: is_short }
     };
     pieces.into_iter().map(carried).collect()
 }
