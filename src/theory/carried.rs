@@ -43,49 +43,26 @@ impl Carried {
 }
 
 impl Exact {
-    /// Where the beam rests without being held, whether that carries something or not: the witness of a certificate.
+    /// Where the beam rests without being held, whether that carries something or not: the witness of a certificate. A zone is said to
+    /// have no force.
     #[must_use]
     pub fn touched(&self) -> Vec<Contact> {
-        let mut all = self.state.touched();
-        let length = self.scale.length;
-        all.extend(self.idle.iter().map(|idle| Contact { from: idle.from * length, to: idle.to * length, ..*idle }));
-        all.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.to.total_cmp(&b.to)));
-        // What carries and the rest of its zone are one contact.
-        all.dedup_by(|next, last| {
-            let joined = !self.idle.is_empty() && next.from <= last.to;
-            if joined {
-                (last.to, last.force) = (last.to.max(next.to), last.force + next.force);
+        if self.springs.is_some() {
+            return self.state.touched();
+        }
+        let (given, nodes) = (&self.given, &self.list.nodes);
+        let place = |i: usize| on_the_beam(nodes[i].x, given.length) * self.scale.length;
+        let mut all = Vec::with_capacity(nodes.len());
+        for i in 0..=nodes.len() {
+            if self.list.in_zone_before(i) {
+                all.push(Contact { to: place(i), ..Contact::at(place(i - 1), 0.0) });
             }
-            joined
-        });
+            let rests = |node: &Node| node.is_ground(given) || node.is_point(given) && 0.0 < self.forces[i];
+            let contact = |_| Contact::at(place(i), self.forces[i] * self.stiffness * self.scale.force);
+            all.extend(nodes.get(i).filter(|node| rests(node)).map(contact));
+        }
         all
     }
-}
-
-/// Where the beam touches the ground and nothing is carried: contacts without a force, and the rest of zones. Dimensionless.
-pub(super) fn idle(given: &PiecewiseScene, list: &List, carried: &[Carried]) -> Vec<Contact> {
-    let place = |i: usize| on_the_beam(list.nodes[i].x, given.length);
-    let (mut all, mut carried) = (Vec::new(), carried.iter().peekable());
-    let mut add = |from: f64, to: f64| all.push(Contact { to, ..Contact::at(from, 0.0) });
-    for i in 0..=list.nodes.len() {
-        if list.in_zone_before(i) {
-            let mut from = place(i - 1);
-            while let Some(Carried { contact, .. }) = carried.next_if(|next| next.in_zone && next.node == i) {
-                if from < contact.from {
-                    add(from, contact.from);
-                }
-                from = from.max(contact.to);
-            }
-            if from < place(i) {
-                add(from, place(i));
-            }
-        }
-        let carries = carried.next_if(|next| !next.in_zone && next.node == i).is_some();
-        if !carries && list.nodes.get(i).is_some_and(|node| node.is_ground(given)) {
-            add(place(i), place(i));
-        }
-    }
-    all
 }
 
 /// A force that is smaller than this share of the forces beside it has no sign. Forces elsewhere say nothing of it: behind a support a

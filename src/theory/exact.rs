@@ -1,7 +1,7 @@
 //! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: there is no
 //! grid.
 
-use super::carried::{Carried, carried, idle};
+use super::carried::{Carried, carried};
 use super::list::{List, Node};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
@@ -12,7 +12,7 @@ use super::summary;
 use super::violation::Violation;
 use crate::certificate::{Slope, Stretch};
 use crate::scene::{Balance, Foundation, Scale, Scene};
-use crate::state::{Contact, ContactState, Extremes, Motion, Standing};
+use crate::state::{ContactState, Extremes, Motion, Standing};
 
 /// The exact solution of a scene; made by [`super::solve`].
 #[derive(Debug, Clone)]
@@ -43,8 +43,6 @@ pub struct Exact {
     pub(super) list: List,
     /// What of the list carries something.
     pub(super) carried: Vec<Carried>,
-    /// Where it touches without that, dimensionless.
-    pub(super) idle: Vec<Contact>,
     pub(super) spans: Vec<(usize, Span)>,
     /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
@@ -88,7 +86,6 @@ impl Exact {
             springs: None,
             spans: checked.spans,
             forces: checked.forces,
-            idle: idle(&given, &list, &carried),
             list,
             carried,
             given,

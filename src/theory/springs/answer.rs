@@ -130,7 +130,6 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         springs: Some(functions),
         list: List { nodes: Vec::new() },
         carried: Vec::new(),
-        idle: Vec::new(),
         spans: Vec::new(),
         forces: Vec::new(),
         pieces: Vec::new(),
