@@ -266,7 +266,7 @@ impl Verdict {
     /// On the answer of beam theory, whose contacts are its own witness.
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
-        let contacts = &exact.touched();
+        let contacts = &exact.state.touched();
         let certificate = match exact.stretches() {
             Some(stretches) => Proof::of_stretches(scene, &stretches).map(|proof| proof.judge(Judged::Witness)),
             None => Proof::of_held(scene, contacts, &exact.held()).map(|proof| proof.judge(Judged::Witness)),

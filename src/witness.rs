@@ -100,7 +100,7 @@ impl<'a> Witness<'a> {
 /// The contacts of an exact answer, if it is a solution or on ground that gives.
 fn found(exact: &Exact) -> Option<ExactContacts> {
     let stretches = exact.stretches();
-    let found = |stretches| ExactContacts { contacts: exact.touched(), held: exact.held(), stretches };
+    let found = |stretches| ExactContacts { contacts: exact.state.touched(), held: exact.held(), stretches };
     (exact.solved || stretches.is_some()).then(|| found(stretches))
 }
 

@@ -1,6 +1,6 @@
 //! What an event is, in words: the contacts on its two sides side by side.
 
-use crate::state::Contact;
+use crate::state::{Contact, Regime};
 use crate::text::significant;
 use crate::theory::{Exact, Touch, ZoneEnd};
 
@@ -38,7 +38,7 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
             _ => {}
         }
     }
-    let [from, to] = [before, after].map(|exact| exact.state.regime);
+    let [from, to] = [&old, &new].map(|pattern| regime(&pattern.touches));
     if from != to {
         sentences.push(format!("the regime changes from {} to {}", from.name(), to.name()));
     }
@@ -48,6 +48,15 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
 /// Whether it is a contact with the ground.
 fn is_ground(touch: &Touch) -> bool {
     !matches!(touch, Touch::Bearing(_))
+}
+
+/// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.
+fn regime(touches: &[Touch]) -> Regime {
+    match touches {
+        _ if !touches.iter().any(is_ground) => Regime::None,
+        _ if touches.iter().any(|touch| matches!(touch, Touch::Zone(_))) => Regime::Zone,
+        _ => Regime::Points,
+    }
 }
 
 /// The contacts of two answers that lie at one place, and whether they are the same on both sides.

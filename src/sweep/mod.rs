@@ -256,8 +256,15 @@ impl Walk<'_> {
     /// [`SweepError::Invalid`].
     pub fn solve(&mut self, value: f64) -> Result<Step, SweepError> {
         let near = self.last.as_ref().map(|(_, exact)| exact);
+        // Of several lists of contacts a row has the one that its scene has by itself, whatever the row before it is.
+        let alone = |exact: &Exact| {
+            near.filter(|_| exact.touches_without_load()).and_then(|_| self.sweep.answer(value, &[]).ok())
+        };
         match self.sweep.answer(value, near.as_slice()) {
-            Ok((scene, exact)) => Ok(Step { value, scene, exact }),
+            Ok((scene, exact)) => {
+                let exact = alone(&exact).map(|(_, alone)| alone).filter(|alone| alone.solved).unwrap_or(exact);
+                Ok(Step { value, scene, exact })
+            }
             Err(error) => Err(SweepError::Invalid {
                 quantity: self.sweep.quantity,
                 value,

@@ -1,15 +1,15 @@
 //! Where the kind of an answer changes: what vanishes, ground that is level with supports, loads at the ends of zones.
 
-use super::carried::rest;
 use super::derivatives::Missing;
 use super::exact::Exact;
 use super::forces::{force_beside, pulling_couple};
 use super::list::Node;
 use super::margin::lowest;
-use super::piecewise::AtSupport;
+use super::piecewise::{AtSupport, Cell};
 use super::sensitivity::{Change, NodeChange, bend, standing};
 use super::span::Span;
 use crate::scene::{Foundation, Held, Scene};
+use crate::state::Contact;
 
 /// The ground at a support.
 #[derive(Debug, Clone, Copy, Default)]
@@ -140,6 +140,19 @@ impl Exact {
         at(span.at_a, span.length()) && at(span.at_b, span.length())
     }
 
+    /// True if a contact begins, lies or ends where no load drives the beam onto the ground: one answer has several lists of contacts
+    /// there. On ground that gives there is no list.
+    pub(crate) fn touches_without_load(&self) -> bool {
+        let given = &self.given;
+        let straight = |shape: usize| given.shapes[shape].degree().is_some_and(|degree| degree < 4);
+        let idle = |cell: &Cell| cell.load == 0.0 && cell.load_slope == 0.0 && straight(cell.shape);
+        self.springs.is_none()
+            && self.state.contacts.iter().any(|contact| {
+                let [from, to] = [contact.from, contact.to].map(|x| x / self.scale.length);
+                given.cells.get(given.cell_to(from)..=given.cell_from(to)).is_some_and(|cells| cells.iter().any(idle))
+            })
+    }
+
     /// True if the ground presses at node `end`, an end of the zone before node `i`.
     pub(super) fn presses(&self, end: usize, i: usize) -> bool {
         let (given, node) = (&self.given, &self.list.nodes[end]);
@@ -199,7 +212,7 @@ impl Exact {
         let bent = |i: usize| {
             let spans = super::sensitivity::ends(&self.spans, i).into_iter().flatten();
             let beside = force_beside(&self.spans, i) * spans.fold(0.0, |most: f64, span| most.max(span.length()));
-            beside.max(rest(given) * given.length)
+            beside.max(self.rest() * given.length)
         };
         let size = self.state.deflection.magnitude() / self.scale.depth;
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
@@ -239,10 +252,12 @@ impl Exact {
         let short = self.list.zones().any(|zone| small(zone.to - zone.from, given.length));
         weak.extend(short.then_some(Weak::Length));
         // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
-        let whole = self.carried.iter().filter(|carried| carried.in_zone && carried.whole);
-        let whole: Vec<usize> = whole.map(|carried| carried.node).collect();
-        let unloaded = self.list.zones().filter(|zone| whole.binary_search(&zone.node).is_err());
-        weak.extend(unloaded.map(|zone| Weak::Zone(zone.node)));
+        let carried = self.touches();
+        let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
+        let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
+        let contacts = &self.state.contacts;
+        let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
+        weak.extend(self.list.zones().filter(|_| unloaded).map(|zone| Weak::Zone(zone.node)));
         weak.extend(self.list.zones().flat_map(|zone| self.unpressed(zone.node)));
         let touches = |span| given.has_obstacle() && lowest(given, span).is_some_and(|least| small(least, size));
         let spans = (0..self.spans.len()).filter(|&j| touches(&self.spans[j].1));

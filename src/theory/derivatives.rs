@@ -7,11 +7,9 @@
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
 //! ```
 
-use super::carried::Carried;
 use super::changes::{AT_A_CHANGE, Ground, Weak, curvature};
 use super::exact::Exact;
 use super::list::Node;
-use super::pattern::Touch;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use crate::scene::{Quantity, Scene, Support};
 
@@ -235,28 +233,25 @@ impl Exact {
         let scaled = Scaled { exact: self, of, unit, towards };
         let jumping = |i: usize| self.jumps(i, of, towards * changes[i].place);
         let certain = |i: usize, value: f64| if self.crowded(i) || jumping(i) { f64::NAN } else { value };
-        let contact = |&Carried { node: i, touch, in_zone, whole, .. }: &Carried| match (whole, in_zone) {
-            (true, true) => {
+        let (mut supports, mut contacts) = (Vec::new(), Vec::new());
+        for i in 0..=nodes.len() {
+            if self.list.in_zone_before(i) {
                 let zone = scaled.zone(&changes, i);
                 let ends = zone.end_forces.map(|[from, to]| [certain(i - 1, from), certain(i, to)]);
-                ContactDerivative { end_forces: ends, ..zone }
+                contacts.push(ContactDerivative { end_forces: ends, ..zone });
             }
-            (true, false) => ContactDerivative {
-                from: scaled.place(changes[i].place),
-                to: scaled.place(changes[i].place),
-                force: certain(i, scaled.force(self.forces[i], changes[i].force)),
-                end_forces: None,
-            },
-            // Where the zone goes on without pressure nothing is said of the border of what presses.
-            _ => ContactDerivative::none(matches!(touch, Touch::Zone(_))),
-        };
-        let ground = self.carried.iter().filter(|carried| !matches!(carried.touch, Touch::Bearing(_)));
-        let mut contacts: Vec<_> = ground.map(contact).collect();
-        let is_support = |node: &Node| node.any_support(&self.given).is_some();
-        let mut supports: Vec<_> = (0..nodes.len())
-            .filter(|&i| is_support(&nodes[i]))
-            .map(|i| (nodes[i].x, certain(i, scaled.force(self.exerted(i), changes[i].force))))
-            .collect();
+            let Some(node) = nodes.get(i) else { continue };
+            if node.is_ground(&self.given) {
+                contacts.push(ContactDerivative {
+                    from: scaled.place(changes[i].place),
+                    to: scaled.place(changes[i].place),
+                    force: certain(i, scaled.force(self.forces[i], changes[i].force)),
+                    end_forces: None,
+                });
+            } else if node.any_support(&self.given).is_some() {
+                supports.push((node.x, certain(i, scaled.force(self.exerted(i), changes[i].force))));
+            }
+        }
         // The beam stays clear of a support that it has lifted off.
         let lifted = self.given.bearings.iter().map(|&at| self.given.breakpoints[at].x);
         let lifted = lifted.filter(|at| nodes.iter().all(|node| node.x.total_cmp(at).is_ne()));
@@ -318,18 +313,12 @@ impl Exact {
     }
 }
 
-impl ContactDerivative {
-    /// None is known, of a zone or a point.
-    fn none(is_zone: bool) -> Self {
-        Self { from: f64::NAN, to: f64::NAN, force: f64::NAN, end_forces: is_zone.then_some([f64::NAN; 2]) }
-    }
-}
-
 impl Derivative {
     fn without_numbers(mut self) -> Self {
         self.supports.fill(f64::NAN);
         for contact in &mut self.contacts {
-            *contact = ContactDerivative::none(contact.end_forces.is_some());
+            let end_forces = contact.end_forces.map(|_| [f64::NAN; 2]);
+            *contact = ContactDerivative { from: f64::NAN, to: f64::NAN, force: f64::NAN, end_forces };
         }
         self.energy = f64::NAN;
         self

@@ -1,7 +1,6 @@
 //! The exact solution as data, in the units of the scene, and at places along the beam for a table or a figure: there is no
 //! grid.
 
-use super::carried::{Carried, carried};
 use super::list::{List, Node};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
@@ -41,8 +40,6 @@ pub struct Exact {
     pub support_couples: [f64; 2],
     pub(super) given: PiecewiseScene,
     pub(super) list: List,
-    /// What of the list carries something.
-    pub(super) carried: Vec<Carried>,
     pub(super) spans: Vec<(usize, Span)>,
     /// Of the nodes of the list, over `EI`; of a support without the load that stands on it.
     pub(super) forces: Vec<f64>,
@@ -62,8 +59,7 @@ impl Exact {
 
     /// From the search's result.
     pub(super) fn new(given: PiecewiseScene, found: Found, scale: Scale, stiffness: f64) -> Self {
-        let carried = carried(&given, &found.list, &found.checked);
-        let state = summary::state(&given, &found, &carried, &scale, stiffness);
+        let state = summary::state(&given, &found, &scale, stiffness);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
         let Found { list, checked, steps, lists, samples, converged } = found;
@@ -87,7 +83,6 @@ impl Exact {
             spans: checked.spans,
             forces: checked.forces,
             list,
-            carried,
             given,
             scale,
             stiffness,

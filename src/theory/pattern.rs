@@ -1,8 +1,9 @@
 //! What an answer is made of, without its numbers: between two scenes with the same pattern nothing happens.
 
-use super::carried::{AT_ONE_PLACE, Carried, NO_FORCE, no_force, rest};
 use super::exact::Exact;
+use super::forces::force_beside;
 use super::list::Node;
+use super::piecewise::PiecewiseScene;
 use super::shape::Wave;
 use crate::state::Contact;
 
@@ -66,6 +67,17 @@ pub enum ZoneEnd {
     FreeEnd,
 }
 
+/// A force that is smaller than this share of the forces beside it has no sign. Forces elsewhere say nothing of it: behind a support a
+/// load of any size may stand.
+const NO_FORCE: f64 = 1e-12;
+
+/// Forces are compared with this share of all loads at least, but for those that stand on supports: beside a stretch without a load
+/// there are none.
+const AT_REST: f64 = 1e-3;
+
+/// Places that are nearer to each other than this share of the beam are one.
+const AT_ONE_PLACE: f64 = 1e-12;
+
 impl Pattern {
     /// True if nothing happens between two scenes that differ in numbers only, and by little, and have these patterns: their contacts
     /// are of the same kinds, and lie on the same crests.
@@ -93,14 +105,13 @@ impl Exact {
     /// Its pattern.
     #[must_use]
     pub fn pattern(&self) -> Pattern {
-        let (given, nodes) = (&self.given, &self.list.nodes);
-        let clamped = |(i, node): (usize, &Node)| Some(self.clamped(i, node.support(given)?));
+        let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
+        let clamped = |(i, node): (usize, &Node)| Some(self.clamped(i, node.support(given)?, rest));
         let supports = nodes.iter().enumerate().filter_map(clamped);
         let holding: Vec<_> = self.state.supports.iter().filter(|support| !support.pushes_only).collect();
         let pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
             let support = holding.get(node.support(given)?)?;
-            let no_force = no_force(given, &self.spans, i) * self.stiffness * self.scale.force;
-            Some(support.force < -no_force.max(NO_FORCE * self.load_on(node)))
+            Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
         });
         let (touches, contacts): (Vec<_>, Vec<_>) = self.touches().into_iter().unzip();
         let forces = || self.state.supports.iter().map(|support| support.force);
@@ -116,7 +127,7 @@ impl Exact {
         }
     }
 
-    /// Its contacts and the supports that only push and carry something, each with what it is.
+    /// What carries something, with its contact: a contact without a force is none, and a zone goes no farther than its pressure.
     pub(crate) fn touches(&self) -> Vec<(Touch, Contact)> {
         if self.springs.is_some() {
             let sunk = self.state.contacts.iter().map(|contact| (self.sunk(contact), *contact));
@@ -127,8 +138,33 @@ impl Exact {
             touches.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
             return touches;
         }
-        let contact = |carried: &Carried| (carried.touch, carried.contact(&self.scale, self.stiffness));
-        self.carried.iter().map(contact).collect()
+        let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
+        let mut contacts = self.state.contacts.iter();
+        let mut touches = Vec::with_capacity(contacts.len());
+        for i in 0..=nodes.len() {
+            if self.list.in_zone_before(i) {
+                touches.extend(contacts.next().into_iter().flat_map(|contact| self.pressed(i, *contact, rest)));
+            }
+            let Some(node) = nodes.get(i) else { continue };
+            let touch = match node.breakpoint {
+                None if node.is_smooth() => Touch::Point(given.cells[node.cell].shape),
+                Some(breakpoint) if node.is_edge(given) => match given.bearings.binary_search(&breakpoint) {
+                    Ok(bearing) => Touch::Bearing(bearing),
+                    Err(_) => Touch::Edge(edge(given, breakpoint)),
+                },
+                _ => continue,
+            };
+            let pushed = |bearing: usize| {
+                let support = self.state.supports.iter().filter(|support| support.pushes_only).nth(bearing)?;
+                Some(Contact::at(support.at, support.force))
+            };
+            touches.extend(
+                if let Touch::Bearing(bearing) = touch { pushed(bearing) } else { contacts.next().copied() }
+                    .filter(|contact| self.no_force(i, rest) < contact.force)
+                    .map(|contact| (touch, contact)),
+            );
+        }
+        touches
     }
 
     /// A contact on ground that gives.
@@ -149,18 +185,73 @@ impl Exact {
         }))
     }
 
+    /// What carries something of the zone before node `i`: the stretches with a pressure, and the places with a force.
+    fn pressed(&self, i: usize, contact: Contact, rest: f64) -> Vec<(Touch, Contact)> {
+        let (given, unit) = (&self.given, self.scale.length);
+        let nodes = [&self.list.nodes[i - 1], &self.list.nodes[i]];
+        let [from, to] = nodes.map(|node| node.x);
+        let within = |x: f64| x.max(from).min(to);
+        let least = self.no_force(i - 1, rest).max(self.no_force(i, rest)).max(NO_FORCE * contact.force.abs());
+        let presses = |cell: usize| {
+            let [lo, hi] = [given.cells[cell].lo, given.cells[cell].hi].map(within);
+            let places = [lo, 0.5 * (lo + hi), hi].into_iter();
+            let most = places.fold(0.0, |most: f64, x| most.max(given.drive(cell, x).abs()));
+            (lo < hi && least < most * given.length * self.stiffness * self.scale.force).then_some([lo, hi])
+        };
+        let (first, last) = (given.cell_from(from), given.cell_to(to));
+        let loads = given.breakpoints_inside(from, to).map(|i| &given.breakpoints[i]).filter(|b| b.force != 0.0);
+        // Of the force at a support only the sum with that of the support is unique.
+        let ends = [i - 1, i].into_iter().filter(|&end| {
+            self.list.nodes[end].support(given).is_none()
+                && least < self.forces[end] * self.stiffness * self.scale.force
+        });
+        let mut pieces: Vec<[f64; 2]> = (first..=last).filter_map(presses).collect();
+        pieces.extend(loads.map(|breakpoint| [breakpoint.x; 2]));
+        pieces.extend(ends.map(|end| [self.list.nodes[end].x; 2]));
+        pieces.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        pieces.dedup_by(|next, last| {
+            let joined = next[0] <= last[1] + AT_ONE_PLACE * given.length;
+            last[1] = if joined { last[1].max(next[1]) } else { last[1] };
+            joined
+        });
+        let shape = |x: f64| given.cells[given.cell_from(x).clamp(first, last)].shape;
+        let end = |x: f64| nodes.into_iter().find(|node| (node.x - x).abs() <= AT_ONE_PLACE * given.length);
+        let touch = |[from, to]: [f64; 2]| {
+            if AT_ONE_PLACE * given.length < to - from {
+                let ends = [from, to].map(|x| end(x).map_or(ZoneEnd::LiftOff(shape(x)), |node| zone_end(given, node)));
+                return Touch::Zone(ends);
+            }
+            match end(from).filter(|node| node.is_tip(given)).and_then(|tip| tip.breakpoint) {
+                Some(breakpoint) => Touch::Edge(edge(given, breakpoint)),
+                None => Touch::Point(shape(from)),
+            }
+        };
+        let piece = |ends: [f64; 2]| (touch(ends), Contact { from: ends[0] * unit, to: ends[1] * unit, ..contact });
+        pieces.into_iter().map(piece).collect()
+    }
+
     /// On which sides of a support the ground holds the slope of the beam, and takes a couple for it.
-    fn clamped(&self, i: usize, index: usize) -> [bool; 2] {
+    fn clamped(&self, i: usize, index: usize, rest: f64) -> [bool; 2] {
         let support = &self.given.supports[index];
         if support.slope.is_some() && !support.built_in {
             return [true; 2];
         }
         let sides = super::sensitivity::ends(&self.spans, i);
         let [left, right] = [sides[0].map_or(0.0, |span| span.beam_b[2]), sides[1].map_or(0.0, |span| span.beam_a[2])];
-        let lever = NO_FORCE * left.abs().max(right.abs()).max(rest(&self.given) * self.given.length);
+        let lever = NO_FORCE * left.abs().max(right.abs()).max(rest * self.given.length);
         let couple = lever < (right - left).abs();
         let rests = self.list.rests(i);
         [0, 1].map(|side| rests[side] && !self.list.in_zone_before(i + side) && couple)
+    }
+
+    /// A force at node `i` that is no larger has no sign; `rest` is [`Self::rest`].
+    fn no_force(&self, i: usize, rest: f64) -> f64 {
+        NO_FORCE * force_beside(&self.spans, i).max(rest) * self.stiffness * self.scale.force
+    }
+
+    /// What forces are compared with at least, over `EI`.
+    pub(super) fn rest(&self) -> f64 {
+        AT_REST * self.given.total_load
     }
 
     /// The load that stands on a support.
@@ -181,4 +272,17 @@ impl Exact {
         };
         Crest { ends: places.map(|x| x / self.given.length), waves: places.map(waves) }
     }
+}
+
+fn zone_end(given: &PiecewiseScene, node: &Node) -> ZoneEnd {
+    match node.support(given) {
+        Some(index) => ZoneEnd::Support(index),
+        None if node.can_move() => ZoneEnd::LiftOff(given.cells[node.cell].shape),
+        None => ZoneEnd::FreeEnd,
+    }
+}
+
+/// The piece of the profile that starts at an edge; one more than there are for the right end of the beam.
+fn edge(given: &PiecewiseScene, breakpoint: usize) -> usize {
+    given.cells.get(breakpoint).map_or(given.shapes.len(), |cell| cell.shape)
 }

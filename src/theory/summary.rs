@@ -1,29 +1,28 @@
 //! Reactions, contacts, extremes and energy of a list, in the units of the scene.
 
 use super::bernstein::{range, sign_changes};
-use super::carried::Carried;
-use super::pattern::Touch;
+use super::forces::zone_force;
+use super::list::List;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Found;
 use crate::scene::Scale;
-use crate::state::{ContactState, Extremes, Reactions, Regime, SupportForce};
+use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce};
 
 /// The state of the beam.
-pub(super) fn state(
-    given: &PiecewiseScene,
-    found: &Found,
-    carried: &[Carried],
-    scale: &Scale,
-    stiffness: f64,
-) -> ContactState {
+pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
+    let force = |f: f64| f * stiffness * scale.force;
     let pieces = &found.checked.pieces;
     let supports = supports(given, found, scale, stiffness);
-    let contacts: Vec<_> = carried
-        .iter()
-        .filter(|carried| !matches!(carried.touch, Touch::Bearing(_)))
-        .map(|carried| carried.contact(scale, stiffness))
-        .collect();
+    let contacts = contacts(given, found)
+        .into_iter()
+        .map(|c| Contact {
+            from: c.from * scale.length,
+            to: c.to * scale.length,
+            force: force(c.force),
+            end_forces: c.end_forces.map(|f| f.map(force)),
+        })
+        .collect::<Vec<_>>();
     let (deflection, curvature) = extremes(given, pieces);
     let moment = |m: f64| -m * stiffness * scale.moment() + 0.0;
     ContactState {
@@ -69,6 +68,38 @@ fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64
     let mut all: Vec<SupportForce> = supports.chain(bearings).collect();
     all.sort_by(|a, b| a.at.total_cmp(&b.at));
     all
+}
+
+/// The contacts from left to right.
+fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
+    let List { nodes, .. } = &found.list;
+    let forces = &found.checked.forces;
+    let mut contacts = Vec::new();
+    let place = |i: usize| on_the_beam(nodes[i].x, given.length);
+    for i in 0..=nodes.len() {
+        if found.list.in_zone_before(i) {
+            // Of what ground and support carry together at a support the support is said to take all.
+            let end = |i: usize| (place(i), if nodes[i].support(given).is_some() { 0.0 } else { forces[i] });
+            let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
+            let force = force_from + force_to + zone_force(given, from, to);
+            // At the border of two regimes a zone has no length: it is a point.
+            contacts.push(Contact { from, to, force, end_forces: (from < to).then_some([force_from, force_to]) });
+        }
+        if let Some(node) = nodes.get(i)
+            && node.is_ground(given)
+        {
+            contacts.push(Contact { from: place(i), to: place(i), force: forces[i], end_forces: None });
+        }
+    }
+    contacts
+}
+
+/// A place beside a support that rounding has put off the beam, on it.
+fn on_the_beam(x: f64, length: f64) -> f64 {
+    /// That of the check, which takes a contact that would have to move by less for being where it should be.
+    const ROUNDING: f64 = 4e-15;
+    let nearest = x.clamp(0.0, length);
+    if (x - nearest).abs() <= ROUNDING * length { nearest } else { x }
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.

@@ -129,7 +129,6 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         state,
         springs: Some(functions),
         list: List { nodes: Vec::new() },
-        carried: Vec::new(),
         spans: Vec::new(),
         forces: Vec::new(),
         pieces: Vec::new(),

@@ -39,7 +39,7 @@ fn random(i: u64) -> [(String, Scene); 3] {
 /// The bracket of the kernel has the energies of the pair in it, and is wider by rounding only; or why fractions say nothing.
 #[track_caller]
 fn by_its_own_list(name: &str, scene: &Scene, exact: &Exact) -> Result<(), Unsaid> {
-    let pair = pair(scene, &exact.touched())?;
+    let pair = pair(scene, &exact.state.touched())?;
     let proven = Verdict::of_exact(scene, exact, &Demand::default()).certificate.expect("the scene can be scaled");
     let bracket = [proven.energy_lower, proven.energy_upper];
     assert!(bracket.iter().all(|energy| energy.is_finite()), "{name}: {bracket:?}");

@@ -102,8 +102,7 @@ fn where_a_zone_does_not_press_at_one_place_derivatives_are_one_sided() {
 fn by_a_load_on_an_unloaded_zone_derivatives_are_one_sided() {
     let scene = random::held(44);
     let exact = theory::solve(&scene).expect("an answer");
-    let [lies, carries] = [exact.touched(), exact.state.contacts.clone()].map(|contacts| contacts[0]);
-    assert!(lies.from < lies.to && lies != carries, "{lies:?} {carries:?}");
+    assert_eq!(exact.state.contacts[0].end_forces.map(|ends| ends[0].abs() < 1e-12), Some(true));
     for derivative in exact.derivatives(&scene) {
         let one_sided = matches!(derivative.by, By::Number(Quantity::Uniform | Quantity::PointAt(1)));
         assert_eq!(derivative.one_sided, one_sided, "{derivative:?}");

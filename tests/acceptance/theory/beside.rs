@@ -113,7 +113,7 @@ impl Family {
     /// Whether the beam lies on the ground beside the support that is on it.
     fn lies(&self, exact: &Exact) -> bool {
         let ends = |x: f64| (x - self.supports[0].at).abs() <= 1e-15 * x;
-        exact.touched().iter().any(|c| c.from < c.to && (ends(c.from) || ends(c.to)))
+        exact.state.contacts.iter().any(|c| c.from < c.to && (ends(c.from) || ends(c.to)))
     }
 
     /// Shares at which a zone beside the support begins or ends, each from without to within.
