@@ -265,7 +265,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
                 factor * reach.sqrt() * OUTWARDS
             });
             off.fold(f64::INFINITY, f64::min) < part.clearance.divided(1).range(part.width).lo()
-                || bends_away(enclosed, x, end, part.ends)
+                || pair.ground.is_none() && bends_away(enclosed, x, end, part.ends)
         } else {
             on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo()
         };
@@ -276,12 +276,14 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
     clear.map_or(x, |part| part.ends[towards])
 }
 
-/// Whether the ground bends away from the beam in a part beside a support at its level, from which the beam goes on to a free end: contact
-/// pushes up, wherever it is, and at a distance `s` from the support
+/// Whether rigid ground bends away from the beam in a part beside a support at its level, from which the beam goes on to a free end:
+/// contact pushes up, wherever it is, and at a distance `s` from the support
 ///
 /// ```text
 /// EI h'' = EI g'' + M ≥ EI g'' − ∫ |q| (ξ − s) dξ − Σ |P| (ξ − s) > 0,    h = 0 and h' ≥ 0 for s = 0:    h > 0
 /// ```
+///
+/// Into ground that gives a beam may sink beside the support, `h' < 0`.
 fn bends_away(enclosed: &EnclosedScene<'_>, x: f64, end: f64, part: [f64; 2]) -> bool {
     let beyond = |place: f64| x.min(end) <= place && place <= x.max(end) && (place - x).abs() > 0.0;
     let is_free = end <= 0.0 || enclosed.length <= end;

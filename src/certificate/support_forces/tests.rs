@@ -4,7 +4,7 @@ use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::hold::{Hold, Place};
 use crate::certificate::kernel::springs::{self, Stretch};
-use crate::scene::{Balance, Beam, Foundation, Load};
+use crate::scene::{Balance, Beam, Foundation, Load, Support};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -61,6 +61,8 @@ fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
         sharp(bracket.hi(), 0.5 * LENGTH);
         sharp(bracket.lo(), 0.5 * LENGTH);
     }
+    // Ground so deep that the beam is clear of it from end to end.
+    check(&pair, 1e6, [LENGTH, LENGTH]);
     // Sixteen parts a piece; in each the least clearance has to be more than SHARE times the largest `x (l − x)`.
     check(&pair, 0.4, CLEAR);
 
@@ -92,5 +94,31 @@ fn a_pair_that_presses_beside_a_support_is_not_clear_there() {
         };
         sharp(clear(stretch(&[], 0.0)), LENGTH);
         assert!(clear(stretch(&[0.1], 0.1)) <= 0.0);
+    });
+}
+
+/// Beside a support at its level ground that bends away has no contact if it is rigid; into ground that gives the beam may sink.
+#[test]
+fn only_rigid_ground_that_bends_away_is_clear_whatever_the_pair() {
+    const HELD: f64 = 0.5 * LENGTH;
+    let supports = [0.0, HELD].map(Support::simple).to_vec();
+    let beam = Beam::new(LENGTH, STIFFNESS).and_then(|beam| beam.with_supports(supports)).expect("two supports");
+    let load = Load::uniform_on(&beam, 1e-9).expect("finite");
+    // 1e-3 (x − 10)².
+    let ground = Foundation::Polynomial { coefficients: vec![0.1, -0.02, 1e-3] };
+    let scene = Scene::new(beam, load, Some(ground)).expect("well posed");
+    let pair = |ground| Pair {
+        pieces: vec![piece([0.0, LENGTH], &[0.0])],
+        // Of the deflection nothing is known.
+        gap: 1e9,
+        carried: Vec::new(),
+        holds: vec![Hold(Place::at(0.0), Place::at(HELD))],
+        turns_about: None,
+        lifted: 0.0,
+        ground,
+    };
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        assert!(HELD < clear_from(enclosed, &pair(None), HELD, LENGTH));
+        assert!(clear_from(enclosed, &pair(Some(Interval::ZERO)), HELD, LENGTH) <= HELD);
     });
 }
