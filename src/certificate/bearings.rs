@@ -17,6 +17,7 @@ use super::kernel::distance::{factor, on_part};
 use super::kernel::interval::Interval;
 use super::kernel::proof::Pair;
 use super::kernel::springs::Stretch;
+use super::support_forces::piece_at;
 use crate::scene::{Bearing, Scale, Scene, SceneError, Support, is_same_place};
 
 /// A deflection that is less by this share of the largest one is that of a support: some thousand units in the last place.
@@ -67,8 +68,7 @@ pub(super) fn of_scene(
 
 /// Whether the beam is proven to be above a support that does not hold it.
 fn clears(enclosed: &EnclosedScene<'_>, pair: &Pair, support: &Support) -> bool {
-    let x = support.at;
-    let piece = &pair.pieces[pair.pieces.partition_point(|piece| piece.to < x).min(pair.pieces.len() - 1)];
+    let (x, piece) = (support.at, piece_at(pair, support.at));
     let level = Interval::exact(support.level) - enclosed.gap.shape.depth(x);
     let clearance = level - piece.v.at(Interval::length(piece.from, x));
     on_part(pair, factor(pair.gap, enclosed.stiffness), [x, x]) <= clearance.lo()

@@ -199,8 +199,12 @@ fn supports(enclosed: &EnclosedScene<'_>, pair: &Pair, load: Interval) -> Vec<Op
 
 /// Whether the beam is proven to be clear of the support that only pushes at a place.
 fn is_clear_of(enclosed: &EnclosedScene<'_>, pair: &Pair, factor: f64, x: f64) -> bool {
-    let piece = &pair.pieces[pair.pieces.partition_point(|piece| piece.to < x).min(pair.pieces.len() - 1)];
-    on_part(pair, factor, [x, x]) < clear_of(enclosed, piece, x).lo()
+    on_part(pair, factor, [x, x]) < clear_of(enclosed, piece_at(pair, x), x).lo()
+}
+
+/// The piece on which a place is, of two the left one.
+pub(super) fn piece_at(pair: &Pair, x: f64) -> &Piece {
+    &pair.pieces[pair.pieces.partition_point(|piece| piece.to < x).min(pair.pieces.len() - 1)]
 }
 
 /// How far a piece is clear of what is below it at a place.
