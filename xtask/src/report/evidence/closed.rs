@@ -57,14 +57,14 @@ impl Closed {
         let (state, load, length) = (&exact.state, load(scene), scene.beam().length());
         let contact = (state.contact_force() - self.contact).abs() / load;
         let reactions = [state.reactions.left, state.reactions.right];
-        let of_reactions = self.reactions.map(|closed| contact.max(apart_if_any(&closed, &reactions) / load));
+        let of_reactions = self.reactions.map(|closed| largest([contact, apart_if_any(&closed, &reactions) / load]));
         let of_energy = self.energy.map_or(0.0, |energy| (state.energy - energy).abs() / energy.abs());
         let found = state.contacts.iter().filter_map(|c| Some([[c.from, c.to], c.end_forces?]));
-        let mut all = [of_reactions.unwrap_or(contact), of_energy].into_iter().fold(0.0, f64::max);
+        let mut all = vec![of_reactions.unwrap_or(contact), of_energy];
         for (found, closed) in found.zip(&self.zones) {
-            all = all.max(apart_if_any(&found[0], &closed[0]) / length).max(apart_if_any(&found[1], &closed[1]) / load);
+            all.extend([apart_if_any(&found[0], &closed[0]) / length, apart_if_any(&found[1], &closed[1]) / load]);
         }
-        (of_reactions, all)
+        (of_reactions, largest(all))
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
         exact => all.iter().filter(|shown| shown.certified).count(),
         fewest => unknowns().min(),
         most => unknowns().max(),
-        residual => bound(all.iter().map(|shown| shown.exact.residual).fold(0.0, f64::max)),
+        residual => bound(largest(all.iter().map(|shown| shown.exact.residual))),
         overview,
         cards => all.iter().map(|shown| shown.card.clone()).collect::<Value>(),
         soft => soft.iter().map(|shown| shown.card.clone()).collect::<Value>(),

@@ -111,7 +111,7 @@ fn broken(study: &Study<'_>) -> Result<(Value, String), Cause> {
         refused => sum(|row| row.refused),
         passed => sum(|row| row.passed),
         turning => turning.len(),
-        off_by => discrete.map(|row| row.off_by).fold(0.0, f64::max),
+        off_by => largest(discrete.map(|row| row.off_by)),
         bounded => sum(|row| row.bounded),
         unbounded => sum(|row| row.unbounded),
         no_numbers => sum(|row| row.no_numbers),

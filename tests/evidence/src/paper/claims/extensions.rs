@@ -112,7 +112,7 @@ pub(super) fn elastic_foundation() -> Result<Claim, SceneError> {
         (answer.x, residual)
     };
     let ((shared, of_shared), (touching, of_touching)) = (body(0.0), body(scene.depth(0.0)));
-    let shares = shared.iter().map(|force| (force / load * (1.0 + GIRDER) / GIRDER - 1.0).abs()).fold(0.0, f64::max);
+    let shares = largest(shared.iter().map(|force| force / load * (1.0 + GIRDER) / GIRDER - 1.0));
     let residual = of_shared.max(of_touching);
     let open = touching.iter().filter(|force| **force <= 0.0).count();
     let parted = 0 < lifted && lifted < n && 0 < open && open < n;

@@ -41,10 +41,9 @@ pub(crate) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
 
     let sides = [(&all, &under_all), (&one, &under_one)];
     let off = sides.map(|(nodes, exact)| {
-        let largest = nodes.iter().fold(0.0_f64, |most, [_, v]| most.max(*v));
-        nodes.iter().map(|[x, v]| (v - exact.deflection(*x)).abs() / largest).fold(0.0, f64::max)
+        largest(nodes.iter().map(|[x, v]| v - exact.deflection(*x))) / largest(nodes.iter().map(|[_, v]| *v))
     });
-    if off.iter().any(|off| ROUNDING < *off) {
+    if !off.iter().all(|off| *off <= ROUNDING) {
         return Err(format!(
             "the flexibility is off beam theory by {} and {} of the largest deflection",
             off[0], off[1]
