@@ -67,16 +67,16 @@ pub(super) fn measured(root: &Path, scene: &Scene, job: Job, references: &Refere
     }
     let line = Line {
         says_solved: Some(answer.reports_success),
-        did_as_asked: answer.own_residual.map(|(is_met, _)| is_met),
+        did_as_asked: answer.only.own_residual.map(|(is_met, _)| is_met),
         residual: rounded(answer.residual, 2),
-        own_residual: answer.own_residual.and_then(|(_, residual)| rounded(residual, 2)),
+        own_residual: answer.only.own_residual.and_then(|(_, residual)| rounded(residual, 2)),
         iterations: Some(answer.iterations),
-        own_sweeps: answer.own_sweeps,
+        own_sweeps: answer.only.own_sweeps,
         unknowns: Some(answer.unknowns),
-        last_intervals: answer.adapted.map(|(intervals, _)| intervals),
-        certified_error: answer.adapted.and_then(|(_, error)| rounded(error, 2)),
-        lists: answer.lists,
-        contacts: answer.lists.map(|_| answer.state.contacts.len()),
+        last_intervals: answer.only.adapted.map(|(intervals, _)| intervals),
+        certified_error: answer.only.adapted.and_then(|(_, error)| rounded(error, 2)),
+        lists: answer.only.lists,
+        contacts: answer.only.lists.map(|_| answer.state.contacts.len()),
         ..begun.ended(answer.status)
     };
     Ok(line.with(seconds, &references.errors(scene, job, &answer.state)))
@@ -91,12 +91,18 @@ pub(super) struct Answer {
     reports_success: bool,
     /// Residual by our check.
     residual: f64,
+    iterations: usize,
+    unknowns: usize,
+    only: Only,
+}
+
+/// What some routes know besides.
+#[derive(Default)]
+struct Only {
     /// Of a library: whether the residual in its own norm is what it was asked for, and that residual.
     own_residual: Option<(bool, f64)>,
-    iterations: usize,
     /// Of NSOR: the sweeps of the factor that won the race.
     own_sweeps: Option<usize>,
-    unknowns: usize,
     /// Lists of contacts that were tried; of the exact solution.
     lists: Option<usize>,
     /// Of the adaptive grid: intervals of its last grid, and the certified error of the deflection.
@@ -113,12 +119,9 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 status: exact.ended(),
                 reports_success: exact.solved,
                 residual: exact.residual,
-                own_residual: None,
                 iterations: exact.iterations,
-                own_sweeps: None,
                 unknowns: exact.unknowns,
-                lists: Some(exact.lists),
-                adapted: None,
+                only: Only { lists: Some(exact.lists), ..Only::default() },
                 state: exact.state,
             })
         }
@@ -128,12 +131,9 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 status: found.verdict.status.name(),
                 reports_success: found.verdict.status == Status::Certified,
                 residual: found.residual,
-                own_residual: None,
                 iterations: found.iterations,
-                own_sweeps: None,
                 unknowns: found.unknowns,
-                lists: None,
-                adapted: None,
+                only: Only::default(),
                 state: found.state,
             })
         }
@@ -143,12 +143,13 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 status: found.ended(),
                 reports_success: found.solver_reports_success,
                 residual: found.residual,
-                own_residual: found.own_residual.map(|own| (own.is_met(), own.residual)),
                 iterations: found.iterations,
-                own_sweeps: own_sweeps(&found.solver_status),
                 unknowns: found.unknowns,
-                lists: None,
-                adapted: None,
+                only: Only {
+                    own_residual: found.own_residual.map(|own| (own.is_met(), own.residual)),
+                    own_sweeps: own_sweeps(&found.solver_status),
+                    ..Only::default()
+                },
                 state: found.state,
             })
         }
@@ -158,12 +159,12 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 status: found.solution.verdict.status.name(),
                 reports_success: found.end == End::Reached,
                 residual: found.solution.residual,
-                own_residual: None,
                 iterations: found.trials.iter().map(|tried| tried.iterations).sum(),
-                own_sweeps: None,
                 unknowns: found.solution.unknowns,
-                lists: None,
-                adapted: Some((found.settings.intervals, found.solution.verdict.error)),
+                only: Only {
+                    adapted: Some((found.settings.intervals, found.solution.verdict.error)),
+                    ..Only::default()
+                },
                 state: found.solution.state,
             })
         }
