@@ -166,19 +166,29 @@ impl Stretch {
     /// In other units: factors of lengths and of depths.
     #[must_use]
     pub fn in_units(&self, length: f64, depth: f64) -> Self {
-        let mut unit = depth;
-        let next = |c: &f64| {
-            let value = c * unit;
-            unit /= length;
-            value
-        };
-        Self {
-            from: self.from * length,
-            to: self.to * length,
-            sunk: self.sunk.iter().map(next).collect(),
-            ends: self.ends.map(|[y, y1, y2, y3]| {
-                [y, y1 / length, y2 / length / length, y3 / length / length / length].map(|y| y * depth)
-            }),
+        let mut other = self.clone();
+        (other.from, other.to) = (self.from * length, self.to * length);
+        let [left, right] = &mut other.ends;
+        for derivatives in [&mut other.sunk[..], left, right] {
+            derivatives.iter_mut().fold(depth, |unit, value| {
+                *value *= unit;
+                unit / length
+            });
         }
+        other
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Stretch;
+
+    #[test]
+    fn each_derivative_has_its_unit() {
+        let derivatives = [1.0, 2.0, 3.0, 4.0];
+        let own = Stretch { from: 0.25, to: 0.5, sunk: derivatives.to_vec(), ends: [derivatives; 2] };
+        let scaled = [8.0, 4.0, 1.5, 0.5];
+        let other = Stretch { from: 1.0, to: 2.0, sunk: scaled.to_vec(), ends: [scaled; 2] };
+        assert_eq!(own.in_units(4.0, 8.0), other);
     }
 }
