@@ -117,7 +117,11 @@ impl Span {
         let heights = [0, 1].map(|i| ends[i].hold.height());
         let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
         let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / (l * l);
-        let in_clearance = chord(heights).max(profiles[0][2].abs().max(profiles[1][2].abs()));
+        // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
+        let rests = ends.iter().any(|end| end.hold == Hold::Resting);
+        let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
+        let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
+        let in_clearance = chord(terms).max(profiles[0][2].abs().max(profiles[1][2].abs()));
         let in_beam = chord(levels) < in_clearance || is_broken(given, &a, &b, chord(levels));
         let rise = if in_beam {
             let beyond = |i: usize| if ends[i].hold == Hold::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };

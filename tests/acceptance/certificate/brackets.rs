@@ -112,6 +112,46 @@ fn brackets_hold_on_random_scenes() {
     assert!(20 < wrong[0], "{wrong:?}: a wrong witness has wide ones");
 }
 
+/// Two or three supports at one level, from a tenth to a hundred-thousandth of the beam apart, above uneven ground out of reach: what a
+/// rounded depth would do there grows with the third power of the distance. One of them is built in, or none.
+#[test]
+fn forces_of_supports_close_together() {
+    let mut random = random::Random::new(41);
+    let mut seen = [0; 2];
+    for k in 0..240 {
+        let length = random.pick(&[8.0, 1.0, 7.3]);
+        let apart = length * 10.0_f64.powf(random.between(-5.0, -1.0));
+        let (first, level) = (random.between(0.1, 0.5) * length, length * random.between(0.3, 0.5));
+        let others = [first + apart, random.between(0.7, 1.0) * length];
+        let mut supports =
+            vec![Support { level, ..Support::simple(first) }, Support { level, ..Support::simple(others[0]) }];
+        supports.push(Support { level: level + length * random.between(-0.05, 0.05), ..Support::simple(others[1]) });
+        if k % 2 == 0 {
+            supports[random.below(2)].slope = Some(0.0);
+        }
+        let places = (0..=8).map(|k| 0.125 * f64::from(k) * length);
+        let points = places.map(|x| [x, level + length * random.between(0.1, 0.2)]).collect();
+        let ground = Some(Foundation::Polyline { points });
+        let supports = Some(supports);
+        let draft =
+            Draft { length, stiffness: random.pick(&[1.3, 500.0 / 384.0]), supports, ground, ..Draft::default() };
+        let scene = draft.with_points(&[(random.between(0.6, 1.0) * length, 1e-2)]).scene().expect("well posed");
+        let (exact, verdict) = exact(&scene);
+        if !exact.state.contacts.is_empty() {
+            continue;
+        }
+        let size = exact.state.supports.iter().map(|support| support.force.abs()).fold(0.0, f64::max);
+        for (support, bracket) in exact.state.supports.iter().zip(&verdict.certificate.expect("bounds").reactions) {
+            let Some([least, most]) = *bracket else { continue };
+            let (slack, force) = (THEORY * size, support.force);
+            seen[k % 2] += 1;
+            let what = format!("{force:?} of {size:?} is not in [{least:?}, {most:?}]");
+            assert!(least <= force + slack && force - slack <= most, "{what}\n{}", Draft::from(&scene).text());
+        }
+    }
+    assert!(seen.iter().all(|seen| 200 < *seen), "{seen:?} brackets");
+}
+
 /// The refusal of an exact answer after a change; there is none before.
 #[track_caller]
 fn refused(scene: &Scene, exact: &Exact, change: impl FnOnce(&mut Exact)) -> Option<Refusal> {
