@@ -12,7 +12,8 @@
 //! | the error | `deflection_error` ≤ share × largest deflection, the share being [`USABLE`] or what was [demanded](Demand), whichever is smaller | the same with [`EXACT`] |
 //! | each [`Number`] of its summary | no value of its bracket is farther from it than share × the largest of its kind, and what rounding makes of such a sum | the same with [`EXACT`] |
 //!
-//! A beam that is proven to be at rest, with an answer that is at rest too, has the error zero: a share of no deflection is undefined.
+//! A beam that is proven to be at rest, with an answer that is at rest too, has the error zero, and so has one that is proven to be
+//! straight but for a turn: a share of no deflection is undefined.
 //! The deflection of a beam that may turn freely about a place is judged after the turn that fits best, and the message has the place.
 //!
 //! So no answer is certified that may be far from the beam, however well it solves its grid. Where an error is demanded
@@ -55,7 +56,7 @@ use crate::text::{Results, share_at_most};
 use crate::theory::Exact;
 use crate::witness::Witness;
 
-use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, shares};
+use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, is_unbent, shares};
 
 pub use self::summary::Number;
 
@@ -303,10 +304,9 @@ impl Verdict {
         most: f64,
         reports_success: bool,
     ) -> Self {
-        // A beam that is known not to move is certain, and a share of its deflection is undefined.
         let error = certificate.as_ref().map_or(f64::INFINITY, |c| {
             let size = answer.map_or(c.deflection, |(_, state)| state.deflection.magnitude());
-            if c.at_rest { 0.0 } else { c.deflection_error / size }
+            if is_unbent(c) { 0.0 } else { c.deflection_error / size }
         });
         let known = certificate.as_ref().zip(answer);
         let worst = known.and_then(|(c, (scene, state))| {

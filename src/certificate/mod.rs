@@ -154,9 +154,12 @@ impl Proof {
         });
         let certificate = self.known.clone();
         let Some((error, least)) = known else { return certificate };
+        // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place. Of a beam that may turn any
+        // position is as good as that of the witness, which is not the one that is given.
+        let given = !(certificate.up_to_a_turn.is_some() && matches!(judged, Judged::Witness));
+        let rounding = if given { 0.5 * f64::EPSILON * error.size } else { 0.0 };
         Certificate {
-            // A deflection is given in 64 bits: no bound on its error is below half a unit in its last place.
-            deflection_error: error.most.max(0.5 * f64::EPSILON * error.size) * scale.depth,
+            deflection_error: error.most.max(rounding) * scale.depth,
             deflection_error_at: error.at * scale.length,
             deflection: error.size * scale.depth,
             deflection_at_least: least * scale.depth,
@@ -234,8 +237,8 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     act(&EnclosedScene { gap, load: &load, supports: &supports, balanced_at, stiffness, length })
 }
 
-/// The pair that a list of contacts proves; if that is not sharp, the best of it, of the list without contacts of no force, and of a
-/// beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
+/// The pair that a list of contacts proves; if that is not sharp, the best of it, of the list with corners that are touched besides, of
+/// that without contacts of no force, and of a beam that touches nowhere. Whatever the list, there is a bound for a beam that its supports hold.
 ///
 /// A beam in balance above a corner may turn about it, unless the ground beside it leaves it one position: that is tried first.
 fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], held: &[(f64, bool)], scale: &Scale) -> Option<Pair> {
@@ -261,6 +264,10 @@ fn best_pair(enclosed: &EnclosedScene<'_>, contacts: &[Contact], held: &[(f64, b
     };
     let mut proven = of(contacts);
     let is_open = |proven: &Option<(Pair, bool)>| proven.as_ref().is_none_or(|(_, sharp)| !sharp);
+    if is_open(&proven) && enclosed.supports.len() < 2 {
+        let touched = proven.as_ref().and_then(|(pair, _)| witness::with_touched(enclosed, contacts, pair, scale));
+        proven = better(proven, touched.and_then(|touched| of(&touched)));
+    }
     // A place that is touched without a force is no contact where another one is next to it.
     let presses = |contact: &&Contact| contact.from < contact.to || contact.force.abs() > 0.0;
     if is_open(&proven) && !contacts.iter().all(|contact| presses(&contact)) {

@@ -17,6 +17,7 @@
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport, Slope};
 use super::kernel::gap::EnclosedGap;
 use super::kernel::interval::Interval;
+use super::kernel::proof::{Pair, Piece};
 use crate::scene::Scale;
 use crate::state::Contact;
 
@@ -67,6 +68,29 @@ pub(super) fn nodes(
     }
     find_slopes(enclosed, &mut nodes);
     nodes
+}
+
+/// A list of contacts with the corners besides that the beam touches but for what its deflection was lifted by: a body at rest lies on
+/// corners that carry nothing. [`None`] if there are none.
+pub(super) fn with_touched(
+    enclosed: &EnclosedScene<'_>,
+    contacts: &[Contact],
+    pair: &Pair,
+    scale: &Scale,
+) -> Option<Vec<Contact>> {
+    let mut all = contacts.to_vec();
+    for Piece { from, to, v, .. } in pair.pieces.iter().filter(|piece| !piece.pressed && 0.0 < pair.lifted) {
+        let touches = |x: &f64| {
+            let clearance = enclosed.gap.depth(*x) - v.at(Interval::length(*from, *x));
+            clearance.lo() <= pair.lifted && enclosed.gap.is_corner(*x) && enclosed.support(*x).is_none()
+        };
+        let corners = enclosed.gap.breaks(*from, *to).into_iter().filter(touches);
+        all.extend(corners.map(|x| Contact::at(x * scale.length, 0.0)));
+    }
+    all.sort_by(|a, b| a.from.total_cmp(&b.from));
+    // A step has two points.
+    all.dedup_by(|second, first| second.from <= first.from);
+    (contacts.len() < all.len()).then_some(all)
 }
 
 impl EnclosedSupport {

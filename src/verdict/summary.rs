@@ -54,12 +54,23 @@ impl fmt::Display for Number {
     }
 }
 
+/// Whether a beam is proven to be at rest and so is what was judged, or to be straight but for a turn: a share of nothing is undefined.
+pub(super) fn is_unbent(certificate: &Certificate) -> bool {
+    certificate.at_rest || certificate.deflection_error <= 0.0
+}
+
+/// What the moments of its loads are rounded by: those of a beam at rest add up to this.
+fn moment_rounding(scene: &Scene) -> f64 {
+    let length = scene.beam().length();
+    16.0 * f64::EPSILON * scene.load().magnitude(length) * length
+}
+
 /// Rounding of the largest deflection. A beam at rest moves by the rounding of what its loads would do to it, `P l³ / 48 EI`, and of
 /// zero outwards.
 pub(super) fn deflection_rounding(scene: &Scene, state: &ContactState) -> f64 {
     let (length, stiffness) = (scene.beam().length(), scene.beam().bending_stiffness());
-    let free = scene.load().magnitude(length) / stiffness * length * length * length / 48.0;
-    ROUNDING * state.deflection.magnitude() + 16.0 * f64::EPSILON * free + f64::MIN_POSITIVE
+    let free = moment_rounding(scene) / stiffness * length * length / 48.0;
+    ROUNDING * state.deflection.magnitude() + free + f64::MIN_POSITIVE
 }
 
 /// The guaranteed error of each number of the summary, over the largest of its kind.
@@ -84,7 +95,8 @@ pub(super) fn shares<'a>(
         share(state.energy, Some([energy_lower, energy_upper]), ENERGY * energy_size(scene, state), state.energy.abs());
     let v = &state.deflection;
     let deflection = share(v.max, deflection_max, deflection_rounding(scene, state), v.magnitude());
-    let (m, rounding) = (&state.moment, ENERGY * state.moment.magnitude());
+    let at_rest = if is_unbent(certificate) { moment_rounding(scene) } else { 0.0 };
+    let (m, rounding) = (&state.moment, ENERGY * state.moment.magnitude() + at_rest);
     let [greatest, least] = certificate.moments_beside(state).unwrap_or([None; 2]);
     let outside = |own: f64, bracket: Option<[f64; 2]>| {
         let off = bracket.map_or(0.0, |[least, most]| (least - own).max(own - most));

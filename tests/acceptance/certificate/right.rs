@@ -2,6 +2,7 @@
 
 use palkki::route::Status;
 use palkki::scene::{Foundation, PointLoad, Scene, Support};
+use palkki::verdict::{Demand, Verdict};
 use palkki::{solve_exactly, theory};
 use palkki_evidence::draft::Draft;
 use palkki_evidence::extremes::chebyshev;
@@ -128,6 +129,42 @@ fn sleepers_in_one_line() {
         let verdict = solve_exactly(&scene).expect("an answer").verdict;
         assert!(verdict.certificate.is_some_and(|c| c.up_to_a_turn.is_none()), "its position is known");
     }
+}
+
+/// A weightless beam at depth 0 on sleepers of one height, its load above one of them, wherever they stand: above an inner one nothing
+/// moves, and above the first or the last one, or of two, it may turn. The same answer beside a load that bends or tilts the beam by
+/// next to nothing is not certified.
+#[test]
+fn bodies_at_rest_at_depth_zero() {
+    let mut random = Random::new(26);
+    let demand = Demand::default();
+    let (mut rests, mut turns) = (0, 0);
+    for _ in 0..200 {
+        let length = random.pick(&[10.0, 1.0, 7.3]);
+        let mut at: Vec<f64> = (0..random.pick(&[2, 3, 3, 4])).map(|_| random.between(0.05, 0.95) * length).collect();
+        at.sort_by(f64::total_cmp);
+        let nearest = at.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+        let width = 0.3 * nearest.min(at[0]).min(length - at[at.len() - 1]);
+        let mut points = vec![[0.0, 3.0]];
+        points.extend(at.iter().flat_map(|&x| [[x - width, 3.0], [x, 0.0], [x + width, 3.0]]));
+        points.push([length, 3.0]);
+        let above = random.below(at.len());
+        let force = power_of_ten(&mut random, -2.0, 2.0);
+        let of = |loads: &[(f64, f64)]| body(length, Foundation::Polyline { points: points.clone() }, 0.0, loads);
+        let scene = of(&[(at[above], force)]);
+        certified(&scene, &format!("{} of {at:?}", at[above]));
+        let exact = theory::solve(&scene).expect("an answer");
+        let certificate = Verdict::of_exact(&scene, &exact, &demand).certificate.expect("bounds");
+        let inner = 0 < above && above + 1 < at.len();
+        assert_eq!(certificate.up_to_a_turn.is_none(), inner, "{certificate:?}");
+        assert!(certificate.at_rest || !inner, "{certificate:?}");
+        *(if inner { &mut rests } else { &mut turns }) += 1;
+        let between = random.between(at[0], at[at.len() - 1]);
+        let other = of(&[(at[above], force), (between, force * power_of_ten(&mut random, -10.0, -2.0))]);
+        let forged = Verdict::of_exact(&other, &exact, &demand);
+        assert_ne!(forged.status, Status::Certified, "{forged}\n{}", Draft::from(&other).text());
+    }
+    assert!(40 < rests && 40 < turns, "{rests} at rest and {turns} that may turn");
 }
 
 /// Loads on level ground, at depth 0 and below it.
