@@ -15,12 +15,8 @@ use super::interval::Interval;
 use super::polynomial::Polynomial;
 use super::span::{Curve, Span};
 
-/// Parts into which a cell is cut before it is given up.
-const MOST_PARTS: usize = 200;
 /// Penetration is bounded by parts until they are this share of their cell; a longer proof would make the lift less.
 const SMALLEST_PART: f64 = 1.0 / 8.0;
-/// And until the bound is no more than so many times of what there is at one of their ends.
-const MOST_EXCESS: f64 = 2.0;
 /// Cells that are not looked at together: near a contact, where mostly none is clear, a look costs as much as a proof.
 const FEW: usize = 8;
 
@@ -113,14 +109,13 @@ impl Side<'_> {
         let clearance = enclosed.gap.about(near, *first).minus(&self.deflection(near, *first)?);
         let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&seen.known);
         let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(seen.order));
-        let part = Part { clearance: quotient, shape, width, distance, whole: width.hi() };
-        let most = part.lift(seen.most, &mut MOST_PARTS.clone())?;
+        let most = enough(&quotient, &shape, [distance, width], seen.most)?;
         let Some(kink) = enclosed.gap.kink(far) else {
             // What stands alone there is no part of any cell.
             let clearance = enclosed.gap.depth(far) - self.deflection(far, *first)?.at(Interval::ZERO);
-            let (clearance, distance, width) = (Polynomial::new(&[clearance]), distance + width, Interval::ZERO);
-            let place = Part { clearance, shape: self.shape, width, distance, ..part };
-            return Some(Seen { most: place.lift(most, &mut MOST_PARTS.clone())?, order: 0, known: Vec::new() });
+            let place = [distance + width, Interval::ZERO];
+            let most = enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?;
+            return Some(Seen { most, order: 0, known: Vec::new() });
         };
         Some(Seen { most, order: 0, known: vec![clearance.at(width), clearance.derivative().at(width) + kink] })
     }
@@ -136,47 +131,23 @@ fn shape(span: &Span, powers: [usize; 2]) -> Polynomial {
     Polynomial::new(&coefficients).scaled(Interval::exact(1.0) / length)
 }
 
-/// A part of a cell: the clearance, from its beginning, and `φ`, from a contact node, both over a power of the distance from there.
-#[derive(Clone, Copy)]
-struct Part {
-    clearance: Polynomial,
-    shape: Polynomial,
-    width: Interval,
-    distance: Interval,
-    /// Width of the cell.
-    whole: f64,
-}
-
-impl Part {
-    /// `α` for this part if that is more than the `most` of others, and otherwise that.
-    fn lift(&self, most: f64, parts: &mut usize) -> Option<f64> {
-        let lowest = self.clearance.range(self.width).lo();
-        if 0.0 <= lowest {
-            return Some(most);
-        }
-        let least = self.shape.shifted(self.distance).range(self.width).lo();
+/// `α` for a cell at a distance from a node if that is more than the `most` of others, and otherwise that: of the clearance there, and of
+/// `φ` from the node, both over a power of the distance.
+fn enough(clearance: &Polynomial, shape: &Polynomial, [distance, whole]: [Interval; 2], most: f64) -> Option<f64> {
+    let mut most = most;
+    clearance.negative(whole, |below, [start, width], [is_settled, is_last]| {
+        let distance = distance + start;
         // No bound, if `φ` may vanish.
-        let enough = (Interval::exact(-lowest) / Interval::exact(least.max(0.0))).hi();
-        if enough <= most {
-            return Some(most);
-        }
-        *parts = parts.saturating_sub(1);
+        let least = shape.shifted(distance).range(width).lo().max(0.0);
+        let enough = (Interval::exact(below) / Interval::exact(least)).hi();
         // Close to a node, and not at it, `φ` may be far smaller at one end of a part than at the other.
-        let is_even = self.distance.is_zero() || self.width.hi() <= self.distance.hi();
-        let is_rounding = -lowest <= 4.0 * self.clearance.uncertainty(self.width.hi());
-        let deepest = self.clearance.at(Interval::ZERO).hi().min(self.clearance.at(self.width).hi());
-        let inside = lowest >= MOST_EXCESS * deepest;
-        let is_small = self.width.hi() <= SMALLEST_PART * self.whole;
-        let is_known = enough.is_finite() && is_even && is_small && (is_rounding || inside);
-        if is_known || *parts == 0 {
-            return Some(most.max(enough)).filter(|most| most.is_finite());
-        }
-        // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
-        let half = Interval::exact(0.5 * self.width.hi());
-        let first = Self { width: half, ..*self };
-        let second = Self { clearance: self.clearance.shifted(half), distance: self.distance + half, ..first };
-        second.lift(first.lift(most, parts)?, parts)
-    }
+        let is_even = distance.is_zero() || width.hi() <= distance.hi();
+        let is_small = width.hi() <= SMALLEST_PART * whole.hi();
+        let is_taken = is_last || enough <= most || enough.is_finite() && is_even && is_small && is_settled;
+        most = if is_taken { most.max(enough) } else { most };
+        is_taken
+    });
+    Some(most).filter(|most| most.is_finite())
 }
 
 #[cfg(test)]

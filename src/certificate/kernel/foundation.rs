@@ -163,16 +163,14 @@ fn of_polynomial(given: &[f64], origin: f64, [from, to]: [f64; 2]) -> Polynomial
 fn of_cosine([mean, amplitude, wavelength, phase]: [f64; 4], x: f64) -> Polynomial {
     let [cos, sin] = Interval::cos_sin(Interval::exact(x) / Interval::exact(wavelength), Interval::exact(phase));
     let wave_number = Interval::TAU / Interval::exact(wavelength);
-    let mut factor = Interval::exact(amplitude);
-    // The last one at any place.
     let derivatives = [cos, -sin, -cos, sin].into_iter().cycle().take(TERMS - 1).chain([Interval::around_zero(1.0)]);
-    let mut coefficients = [Interval::ZERO; TERMS];
-    for (j, (c, derivative)) in coefficients.iter_mut().zip(derivatives).enumerate() {
-        *c = factor * derivative;
+    let mut factor = Interval::exact(amplitude);
+    let terms = derivatives.enumerate().map(|(j, derivative)| {
+        let term = factor * derivative;
         factor = factor * wave_number / number(j + 1);
-    }
-    coefficients[0] = coefficients[0] + Interval::exact(mean);
-    Polynomial::new(&coefficients)
+        term
+    });
+    Polynomial::new(&[Interval::exact(mean)]).plus(&Polynomial::of(terms))
 }
 
 #[cfg(test)]

@@ -44,6 +44,11 @@ impl EnclosedGap<'_> {
         self.ground.is_smooth_at(x) && self.shape.is_smooth_at(x)
     }
 
+    /// True if it is one smooth curve between two places.
+    pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
+        self.ground.is_smooth_between(from, to) && self.shape.is_smooth_between(from, to)
+    }
+
     /// What its slope is larger by on the right side of a place than on the left; [`None`] at a step.
     pub(crate) fn kink(&self, x: f64) -> Option<Interval> {
         let kink = |of: EnclosedFoundation<'_>| of.jet(x, false)[1] - of.jet(x, true)[1];

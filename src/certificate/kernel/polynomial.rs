@@ -4,6 +4,8 @@ use super::interval::Interval;
 
 /// Coefficients, so that cosines of a thirty-second of a wave leave a remainder of rounding size.
 pub(crate) const TERMS: usize = 11;
+/// Parts on which a polynomial may be negative that are looked at before it is taken for what it seems to be.
+const MOST_PARTS: usize = 400;
 
 /// `Σ c_j s^j` with `0 ≤ s ≤` the width of its cell. Coefficients enclose those of a true polynomial, or, as the remainder
 /// of Taylor's formula, a value for every `s`: sums, products with numbers, derivatives and integrals stay enclosures.
@@ -18,9 +20,16 @@ impl Polynomial {
 
     /// From `c_0, c_1, …`, at most [`TERMS`] of them.
     pub(crate) fn new(given: &[Interval]) -> Self {
+        Self::of(given.iter().copied())
+    }
+
+    /// The same one after the other.
+    pub(crate) fn of(given: impl Iterator<Item = Interval>) -> Self {
         let mut polynomial = Self::ZERO;
-        polynomial.terms = given.len().min(TERMS);
-        polynomial.coefficients[..polynomial.terms].copy_from_slice(&given[..polynomial.terms]);
+        for (c, given) in polynomial.coefficients.iter_mut().zip(given) {
+            *c = given;
+            polynomial.terms += 1;
+        }
         polynomial
     }
 
@@ -34,26 +43,27 @@ impl Polynomial {
         terms.fold(first, |sum, &c| sum * s + c)
     }
 
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        // Behind its terms a polynomial has zeros.
+        Self::of((0..self.terms.max(other.terms)).map(|j| self.coefficients[j] + other.coefficients[j]))
+    }
+
     pub(crate) fn minus(&self, other: &Self) -> Self {
-        let mut difference = Self { terms: self.terms.max(other.terms), ..*self };
-        for (c, other) in difference.coefficients.iter_mut().zip(other.coefficients()) {
-            *c = *c - *other;
-        }
-        difference
+        Self::of((0..self.terms.max(other.terms)).map(|j| self.coefficients[j] - other.coefficients[j]))
     }
 
     pub(crate) fn times(&self, factor: Interval) -> Self {
-        let mut product = *self;
-        product.coefficients[..self.terms].iter_mut().for_each(|c| *c = *c * factor);
-        product
+        Self::of(self.coefficients().iter().map(|c| *c * factor))
     }
 
     pub(crate) fn derivative(&self) -> Self {
-        let mut derivative = Self { terms: self.terms.saturating_sub(1), ..Self::ZERO };
-        for j in 1..self.terms {
-            derivative.coefficients[j - 1] = self.coefficients[j] * number(j);
-        }
-        derivative
+        Self::of((1..self.terms).map(|j| self.coefficients[j] * number(j)))
+    }
+
+    /// `∫₀^s`; the last coefficient must be free.
+    pub(crate) fn integral(&self) -> Self {
+        let terms = (0..self.terms).map(|j| self.coefficients[j] / number(j + 1));
+        Self::of(std::iter::once(Interval::ZERO).chain(terms))
     }
 
     /// The same, of which the first coefficients are known in another way, too.
@@ -87,13 +97,8 @@ impl Polynomial {
 
     /// The polynomial of `s` that this one is of `k s`.
     pub(crate) fn scaled(&self, k: Interval) -> Self {
-        let mut scaled = *self;
-        let mut power = Interval::exact(1.0);
-        for c in &mut scaled.coefficients[..self.terms] {
-            *c = *c * power;
-            power = power * k;
-        }
-        scaled
+        let powers = std::iter::successors(Some(Interval::exact(1.0)), |power| Some(*power * k));
+        Self::of(self.coefficients().iter().zip(powers).map(|(c, power)| *c * power))
     }
 
     /// `∫₀^w f g`.
@@ -126,6 +131,23 @@ impl Polynomial {
             range = range.hull(row[0]);
         }
         range
+    }
+
+    /// The parts of `0 ≤ s ≤ w` on which it may be negative, from the left: `take` is told by how much at most, where the part begins
+    /// and how wide it is, whether halves would say no more, and whether it has to take it. What it does not take it is told by halves.
+    pub(crate) fn negative(&self, width: Interval, mut take: impl FnMut(f64, [Interval; 2], [bool; 2]) -> bool) {
+        let (mut looks, mut parts, mut next) = (0, Vec::new(), Some((*self, Interval::ZERO, width)));
+        while let Some((part, start, width)) = next {
+            let range = part.range(width);
+            let is_settled = range.hi() <= 0.0 || -range.lo() <= 4.0 * part.uncertainty(width.hi());
+            looks += usize::from(range.lo() < 0.0);
+            if range.lo() < 0.0 && !take(-range.lo(), [start, width], [is_settled, MOST_PARTS <= looks]) {
+                // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
+                let half = Interval::exact(0.5 * width.hi());
+                parts.extend([(part.shifted(half), start + half, half), (part, start, half)]);
+            }
+            next = parts.pop();
+        }
     }
 }
 

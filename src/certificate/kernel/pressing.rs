@@ -6,9 +6,6 @@ use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
 use super::proof::Piece;
 
-/// Parts into which a cell is cut before what it seems to pull with is taken for true.
-pub(super) const MOST_PARTS: usize = 400;
-
 /// What was cut off of the contact load: forces and couples on parts of the beam, all as magnitudes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct TensionCutOff {
@@ -22,6 +19,15 @@ impl TensionCutOff {
         if force.lo() < 0.0 {
             self.pulls.push(([x, x], -force.lo(), 0.0));
         }
+    }
+
+    /// What a pressure on a cell may pull with for `0 ≤ s ≤ w`.
+    pub(crate) fn pressure(&mut self, pressure: &Polynomial, cell: [f64; 2], width: Interval) {
+        pressure.negative(width, |below, [_, width], end| {
+            let is_taken = end.contains(&true);
+            self.pulls.extend(is_taken.then(|| (cell, (Interval::exact(below) * width).hi(), 0.0)));
+            is_taken
+        });
     }
 
     /// A jump of the moment, `M(x+) − M(x−)`. At a support the ground beside it, on its left and on its right, can make one, if
@@ -58,9 +64,7 @@ impl TensionCutOff {
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
 pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut TensionCutOff) -> Option<Vec<Piece>> {
     let [from, to] = ends;
-    if ![enclosed.gap.ground, enclosed.gap.shape].iter().all(|profile| profile.is_smooth_between(from, to)) {
-        return None;
-    }
+    enclosed.gap.is_smooth_between(from, to).then_some(())?;
     for x in enclosed.load.breaks(from, to) {
         cut_off.force(x, enclosed.load.point(x));
     }
@@ -73,32 +77,10 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut T
         });
         let seen = [p, mirrored.mirrored()].map(|p| (p.range(width).lo(), p));
         let (_, p) = if seen[0].0 < seen[1].0 { &seen[1] } else { &seen[0] };
-        pulls(p, cell, width, cut_off);
+        cut_off.pressure(p, cell, width);
         Piece { from, to, v: enclosed.gap.about(from, cell), pressed: true }
     };
     Some(enclosed.cells(from, to, Vec::new()).into_iter().map(piece).collect())
-}
-
-/// Cuts off what a pressure on a cell may pull with for `0 ≤ s ≤ w`.
-pub(super) fn pulls(pressure: &Polynomial, cell: [f64; 2], width: Interval, cut_off: &mut TensionCutOff) {
-    let mut pull = |most: f64, width: Interval| cut_off.pulls.push((cell, (Interval::exact(most) * width).hi(), 0.0));
-    negative(pressure, width, &mut MOST_PARTS.clone(), &mut pull);
-}
-
-/// Parts of `0 ≤ s ≤ w` on which a polynomial may be negative, each with the most by which, and its width.
-pub(super) fn negative(of: &Polynomial, width: Interval, parts: &mut usize, found: &mut impl FnMut(f64, Interval)) {
-    let range = of.range(width);
-    if 0.0 <= range.lo() {
-        return;
-    }
-    *parts = parts.saturating_sub(1);
-    if *parts == 0 || range.hi() <= 0.0 || -range.lo() <= 4.0 * of.uncertainty(width.hi()) {
-        return found(-range.lo(), width);
-    }
-    // Halves of the upper bound of the width: they overlap by rounding and leave nothing out.
-    let half = Interval::exact(0.5 * width.hi());
-    negative(of, half, parts, found);
-    negative(&of.shifted(half), half, parts, found);
 }
 
 #[cfg(test)]

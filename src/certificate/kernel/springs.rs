@@ -23,7 +23,7 @@ use super::held::holds;
 use super::hold::{Hold, Place};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, TERMS, number};
-use super::pressing::{MOST_PARTS, TensionCutOff, negative, pulls};
+use super::pressing::TensionCutOff;
 use super::proof::{Pair, Piece};
 use super::span::Span;
 
@@ -46,7 +46,29 @@ pub(crate) const MOST_TERMS: usize = TERMS - 2;
 /// A scene on ground that gives, with stretches from end to end.
 struct OnSprings<'a> {
     enclosed: &'a EnclosedScene<'a>,
+    k: Interval,
     stretches: &'a [Stretch],
+}
+
+/// A pressed part, its least penetration, and what a share of its pressure costs: that share of `√(∫p²/k)`.
+struct Carrier {
+    place: Place,
+    sunk: f64,
+    cost: Interval,
+}
+
+/// What all stretches come to.
+#[derive(Default)]
+struct Sums {
+    pieces: Vec<Piece>,
+    carriers: Vec<Carrier>,
+    cut_off: TensionCutOff,
+    /// The most that any pressure pulls with.
+    pull: f64,
+    /// Twice the gap without what is cut off.
+    square: Interval,
+    /// `∫ k w₊²`.
+    energy: Interval,
 }
 
 /// The cubic that has given values and slopes at `0` and `w`, less those of a polynomial.
@@ -55,16 +77,6 @@ fn cubic(ends: [[Interval; 2]; 2], less: &Polynomial, w: Interval) -> Polynomial
     let ([y0, d0], [y1, d1]) = (off(0, Interval::ZERO), off(1, w));
     let a = (y1 - y0) / w;
     Polynomial::new(&[y0, d0, (number(3) * a - number(2) * d0 - d1) / w, (d0 + d1 - number(2) * a) / (w * w)])
-}
-
-fn plus(a: &Polynomial, b: &Polynomial) -> Polynomial {
-    a.minus(&Polynomial::ZERO.minus(b))
-}
-
-/// `∫₀^s`; the last coefficient must be free.
-fn integrated(of: &Polynomial) -> Polynomial {
-    let terms = of.coefficients().iter().enumerate().map(|(j, c)| *c / number(j + 1));
-    Polynomial::new(&std::iter::once(Interval::ZERO).chain(terms).collect::<Vec<_>>())
 }
 
 impl OnSprings<'_> {
@@ -80,31 +92,23 @@ impl OnSprings<'_> {
         self.beside(node, left).is_some_and(|stretch| !stretch.sunk.is_empty())
     }
 
-    fn gap(&self, node: usize, left: bool) -> [Interval; 4] {
-        self.enclosed.gap.jet(self.x(node), left)
-    }
-
     /// `w` and `w'` at a node on one of its sides: as is said on its right side, or on its left one if ground presses only there, or as
     /// the support holds it. [`None`] where no ground presses beside it.
     fn sunk(&self, node: usize, left: bool) -> Option<[Interval; 2]> {
-        let (x, gap) = (self.x(node), &self.enclosed.gap);
         let own = [false, true].into_iter().find(|side| self.is_pressed(node, *side))?;
-        let jump = match gap.kink(x) {
-            _ if own == left || gap.is_smooth_at(x) => [Interval::ZERO; 2],
-            Some(kink) => [Interval::ZERO, if left { kink } else { -kink }],
-            None => [0, 1].map(|j| self.gap(node, own)[j] - self.gap(node, left)[j]),
-        };
+        let [gap, there] = [left, own].map(|side| self.enclosed.gap.jet(self.x(node), side));
+        let is_one = own == left || self.enclosed.gap.is_smooth_at(self.x(node));
+        let jump = [0, 1].map(|j| if is_one { Interval::ZERO } else { there[j] - gap[j] });
         let free = [self.said(node, own, 0)? + jump[0], self.said(node, own, 1)? + jump[1]];
-        let Some(support) = self.enclosed.support(x) else { return Some(free) };
-        let [gap, rise, ..] = self.gap(node, left);
-        Some([support.deflection - gap, support.slope.map_or(free[1], |slope| slope - rise)])
+        let Some(support) = self.enclosed.support(self.x(node)) else { return Some(free) };
+        Some([support.deflection - gap[0], support.slope.map_or(free[1], |slope| slope - gap[1])])
     }
 
     /// `v̂` and its slope at a node; [`None`] at a free end that hangs.
     fn end(&self, node: usize) -> Option<[Interval; 2]> {
-        let left = !self.is_pressed(node, false);
-        let own = self.sunk(node, left).map(|w| [0, 1].map(|j| self.gap(node, left)[j] + w[j]));
-        let Some(support) = self.enclosed.support(self.x(node)) else { return own };
+        let (x, left) = (self.x(node), !self.is_pressed(node, false));
+        let own = self.sunk(node, left).map(|w| [0, 1].map(|j| self.enclosed.gap.jet(x, left)[j] + w[j]));
+        let Some(support) = self.enclosed.support(x) else { return own };
         let slope = support.slope.or(own.map(|own| own[1])).or(self.said(node, false, 1)).or(self.said(node, true, 1));
         Some([support.deflection, slope?])
     }
@@ -113,13 +117,13 @@ impl OnSprings<'_> {
     fn said(&self, node: usize, left: bool, which: usize) -> Option<Interval> {
         Some(Interval::exact(self.beside(node, left)?.ends[usize::from(left)][which]))
     }
+
     /// Whether stretches go from end to end, each with one formula where ground presses, and rest on something where they meet.
     fn is_complete(&self) -> bool {
-        let Self { enclosed, stretches } = self;
+        let Self { enclosed, stretches, .. } = self;
         let chained = stretches.windows(2).all(|w| (w[0].to - w[1].from).abs() <= 0.0);
         let last = stretches.last().is_some_and(|last| (last.to - enclosed.length).abs() <= 0.0);
-        let profiles = [enclosed.gap.ground, enclosed.gap.shape];
-        let one_gap = |s: &Stretch| profiles.iter().all(|of| of.is_smooth_between(s.from, s.to));
+        let one_gap = |s: &Stretch| enclosed.gap.is_smooth_between(s.from, s.to);
         let one_load = |s: &Stretch| enclosed.load.breaks(s.from, s.to).is_empty() && s.sunk.len() <= MOST_TERMS;
         let is_one = |s: &Stretch| s.from < s.to && (s.sunk.is_empty() || one_gap(s) && one_load(s));
         let whole = chained && self.x(0).abs() <= 0.0 && last && stretches.iter().all(is_one);
@@ -154,82 +158,101 @@ impl OnSprings<'_> {
         let left = before.unwrap_or(if is_free { in_balance } else { left });
         [left, if is_free { left - load } else { behind.unwrap_or(right) }]
     }
+
+    /// Adds a part that hangs, with the moments at its two ends: by how far it is off its moments, and below the ground.
+    fn hang(&self, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
+        let stiffness = Interval::exact(self.enclosed.stiffness);
+        sums.square = sums.square + span.misfit(stiffness, moments) / (number(6) * stiffness);
+        for ([from, to], [v, _]) in span.curves(self.enclosed, self.enclosed.gap.breaks(span.from, span.to)) {
+            let clearance = self.enclosed.gap.about(from, [from, to]).minus(&v);
+            clearance.negative(Interval::length(from, to), |w, [_, width], end| {
+                let is_taken = end.contains(&true);
+                let below = if is_taken { self.k * Interval::exact(w).square() * width } else { Interval::ZERO };
+                sums.square = sums.square + below;
+                sums.energy = sums.energy + below.hull(Interval::ZERO);
+                is_taken
+            });
+            sums.pieces.push(Piece { from, to, v, pressed: false });
+        }
+    }
+
+    /// Adds a stretch on which ground presses, with moment and shear at its two ends; [`None`] if it cannot.
+    fn press(&self, i: usize, held: [[Interval; 2]; 2], sums: &mut Sums) -> Option<()> {
+        let (k, stiffness) = (self.k, Interval::exact(self.enclosed.stiffness));
+        let Stretch { from, to, ref sunk, .. } = self.stretches[i];
+        let (ends, width) = ([from, to], Interval::length(from, to));
+        let t = Polynomial::of(sunk.iter().map(|&c| Interval::exact(c)));
+        let load = Polynomial::new(&self.enclosed.load.line(from, ends));
+        let delta = cubic([self.sunk(i, false)?, self.sunk(i + 1, true)?], &t, width);
+        // ∬(k t − q), and r.
+        let caused = t.times(k).minus(&load).integral().integral();
+        let r = cubic(held, &caused, width);
+        let (w, turn) = (t.plus(&delta), r.derivative().derivative());
+        let (v, p) = (self.enclosed.gap.about(from, ends).plus(&w), t.times(k).plus(&turn));
+        let bending = v.derivative().derivative().times(stiffness).plus(&caused).plus(&r);
+        let of = |p: &Polynomial| p.integral_of_product(p, width).not_negative();
+        sums.square = sums.square + of(&bending) / stiffness + of(&delta.times(k).minus(&turn)) / k;
+        let (pressure, sunk) = (p.range(width), w.range(width));
+        let above = Interval::exact(sunk.lo().min(0.0)).square() * width;
+        sums.energy = sums.energy + k * (of(&w) - above.hull(Interval::ZERO));
+        sums.cut_off.pressure(&p, ends, width);
+        sums.pull = sums.pull.max(-pressure.lo());
+        let presses = Interval::exact(pressure.lo()) * width;
+        let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
+        sums.carriers.push(Carrier {
+            place: Place { from, to, presses: presses.lo(), off: 0.0 },
+            sunk: sunk.lo(),
+            cost,
+        });
+        sums.pieces.push(Piece { from, to, v, pressed: true });
+        Some(())
+    }
+
+    /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
+    fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Hold>)> {
+        let Self { enclosed, k, .. } = *self;
+        let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
+        let mut places: Vec<Place> = pressing.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
+        let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
+        let holds = holds(enclosed, fixed, &mut places);
+        let [moment, share] = sums.cut_off.carried(&holds, enclosed.stiffness);
+        let carrier = |at: &Place| sums.carriers.iter().find(|c| at.presses.is_finite() && at.from <= c.place.from);
+        let cost = |place: &Place| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
+        let changed = holds.iter().fold(Interval::ZERO, |sum, hold| sum + cost(&hold.0) + cost(&hold.1));
+        let cut = sums.cut_off.pulls.iter().fold(Interval::ZERO, |sum, pull| sum + Interval::exact(pull.1));
+        let cut = (cut * Interval::exact(sums.pull) / k).sqrt();
+        let gap = ((sums.square.sqrt() + moment + cut + changed).square() / number(2)).hi();
+        let known = |place: &Place| {
+            let Some(Carrier { sunk, .. }) = carrier(place) else { return Some(*place) };
+            let off = (number(2) * Interval::exact(gap) / (k * Interval::length(place.from, place.to))).sqrt().hi();
+            (off < *sunk && share.hi() < place.presses).then_some(Place { off, ..*place })
+        };
+        let holds = holds.iter().map(|Hold(left, right)| Some(Hold(known(left)?, known(right)?)));
+        let holds = holds.collect::<Option<Vec<_>>>().filter(|holds| !holds.is_empty())?;
+        Some((gap, share, holds))
+    }
 }
 
 /// The pair of some stretches on ground of a stiffness, if there is one.
 pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stretch]) -> Option<Pair> {
-    let (on, n) = (OnSprings { enclosed, stretches }, stretches.len());
-    let (stiffness, k) = (Interval::exact(enclosed.stiffness), Interval::exact(ground));
+    let (on, n) = (OnSprings { enclosed, k: Interval::exact(ground), stretches }, stretches.len());
     let nodes = enclosed.supports.iter().map(|s| (0..=n).find(|node| (on.x(*node) - s.x).abs() <= 0.0));
     let nodes: Vec<usize> = nodes.collect::<Option<_>>().filter(|_| on.is_complete())?;
-    let hang = |i: usize| Span::new(enclosed, [on.x(i), on.x(i + 1)], [on.end(i), on.end(i + 1)], None);
-    let spans: Vec<Option<Span>> = (0..n).map(|i| (!on.is_pressed(i, false)).then(|| hang(i))).collect();
+    let hangs = |i: usize| Span::new(enclosed, [on.x(i), on.x(i + 1)], [on.end(i), on.end(i + 1)], None);
+    let spans: Vec<Option<Span>> = (0..n).map(|i| (!on.is_pressed(i, false)).then(|| hangs(i))).collect();
     let moments: Vec<_> = (0..=n).map(|node| on.moments(&spans, node)).collect();
     let shears: Vec<_> = (0..=n).map(|node| on.shears(&spans, &moments, node)).collect();
-    let (mut cut_off, mut pieces, mut carriers) = (TensionCutOff::default(), Vec::new(), Vec::new());
-    let (mut square, mut energy, mut worst) = (Interval::ZERO, Interval::ZERO, 0.0_f64);
-    for (i, stretch) in stretches.iter().enumerate() {
-        let (ends, width) = ([stretch.from, stretch.to], Interval::length(stretch.from, stretch.to));
-        if let Some(span) = &spans[i] {
-            square = square + span.misfit(stiffness, [moments[i][1], moments[i + 1][0]]) / (number(6) * stiffness);
-            for (cell, [v, end]) in span.curves(enclosed, enclosed.gap.breaks(ends[0], ends[1])) {
-                let half = Interval::exact(0.5 * Interval::length(cell[0], cell[1]).hi());
-                let clearance = |side: usize, v: &Polynomial| enclosed.gap.about(cell[side], cell).minus(v);
-                for (side, h) in [clearance(0, &v), clearance(1, &end).mirrored()].into_iter().enumerate() {
-                    // Beside a pressed part it is no difference of two depths.
-                    let near = on.sunk(i + side, side == 1).filter(|_| (cell[side] - on.x(i + side)).abs() <= 0.0);
-                    let h = near.map_or(h, |[w, w1]| h.known(&[-w, if side == 1 { w1 } else { -w1 }]));
-                    negative(&h, half, &mut MOST_PARTS.clone(), &mut |w, width| {
-                        let below = k * Interval::exact(w).square() * width;
-                        (square, energy) = (square + below, energy + below.hull(Interval::ZERO));
-                    });
-                }
-                pieces.push(Piece { from: cell[0], to: cell[1], v, pressed: false });
-            }
-            continue;
+    let mut sums = Sums::default();
+    for (i, span) in spans.iter().enumerate() {
+        let held = [(i, 1), (i + 1, 0)].map(|(node, side)| [moments[node][side], shears[node][side]]);
+        match span {
+            Some(span) => on.hang(span, held.map(|[moment, _]| moment), &mut sums),
+            None => on.press(i, held, &mut sums)?,
         }
-        let t = Polynomial::new(&stretch.sunk.iter().map(|&c| Interval::exact(c)).collect::<Vec<_>>());
-        let (gap, load) = (enclosed.gap.about(ends[0], ends), Polynomial::new(&enclosed.load.line(ends[0], ends)));
-        let delta = cubic([on.sunk(i, false)?, on.sunk(i + 1, true)?], &t, width);
-        // ∬(k t − q), and r.
-        let caused = integrated(&integrated(&t.times(k).minus(&load)));
-        let held = [[moments[i][1], shears[i][1]], [moments[i + 1][0], shears[i + 1][0]]];
-        let r = cubic(held, &caused, width);
-        let (w, turn) = (plus(&t, &delta), r.derivative().derivative());
-        let (v, p, off) = (plus(&gap, &w), plus(&t.times(k), &turn), delta.times(k).minus(&turn));
-        let bending = plus(&plus(&v.derivative().derivative().times(stiffness), &caused), &r);
-        let of = |p: &Polynomial| p.integral_of_product(p, width).not_negative();
-        square = square + of(&bending) / stiffness + of(&off) / k;
-        let (pressure, sunk) = (p.range(width), w.range(width));
-        pulls(&p, ends, width, &mut cut_off);
-        worst = worst.max(-pressure.lo());
-        let above = Interval::exact(sunk.lo().min(0.0)).square() * width;
-        energy = energy + k * (of(&w) - above.hull(Interval::ZERO));
-        let presses = Interval::exact(pressure.lo()) * width;
-        // A share of what presses costs that share of √(∫p²/k).
-        let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
-        carriers.push((Place { presses: presses.lo(), off: 0.0, from: ends[0], to: ends[1] }, sunk.lo(), cost));
-        pieces.push(Piece { from: ends[0], to: ends[1], v, pressed: true });
     }
-    let pressing = carriers.iter().map(|c: &(Place, f64, Interval)| c.0).filter(|place| 0.0 < place.presses);
-    let mut places: Vec<Place> = pressing.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
-    let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
-    let holds = holds(enclosed, fixed, &mut places);
-    let [moment, share] = cut_off.carried(&holds, enclosed.stiffness);
-    let carrier = |place: &Place| carriers.iter().find(|c| place.presses.is_finite() && c.0.from >= place.from);
-    let taken = |sum: Interval, place: &Place| carrier(place).map_or(sum, |(_, _, cost)| sum + share * *cost);
-    let changed = holds.iter().fold(Interval::ZERO, |sum, hold| taken(taken(sum, &hold.0), &hold.1));
-    let cut = cut_off.pulls.iter().fold(Interval::ZERO, |sum, p| sum + Interval::exact(p.1)) * Interval::exact(worst);
-    let gap = ((square.sqrt() + moment + (cut / k).sqrt() + changed).square() / number(2)).hi();
-    let known = |place: &Place| {
-        let Some((_, sunk, _)) = carrier(place) else { return Some(*place) };
-        let off = (number(2) * Interval::exact(gap) / (k * Interval::length(place.from, place.to))).sqrt().hi();
-        (off < *sunk && share.hi() < place.presses).then_some(Place { off, ..*place })
-    };
-    let holds =
-        holds.iter().map(|Hold(left, right)| Some(Hold(known(left)?, known(right)?))).collect::<Option<Vec<_>>>()?;
+    let (gap, share, holds) = on.held(&sums)?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
-    let (turns_about, lifted, ground) = (None, 0.0, Some(energy / number(2)));
-    (!holds.is_empty()).then_some(Pair { pieces, gap, carried, holds, turns_about, lifted, ground })
+    let (pieces, ground) = (sums.pieces, Some(sums.energy / number(2)));
+    Some(Pair { pieces, gap, carried, holds, turns_about: None, lifted: 0.0, ground })
 }

@@ -59,7 +59,7 @@ fn forces_couples_and_pressures_cost_what_their_moments_do() {
     is("share of couples", couple[1], 4.0 / LENGTH);
     let pressure = cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
         let pressure = Polynomial::new(&[Interval::exact(-2.0)]);
-        pulls(&pressure, [0.0, LENGTH], Interval::exact(3.0), cut_off);
+        cut_off.pressure(&pressure, [0.0, LENGTH], Interval::exact(3.0));
     });
     is("moments of pressures", pressure[0], 6.0 * 0.25 * LENGTH * LENGTH / root());
     is("share of pressures", pressure[1], 6.0);
@@ -83,7 +83,7 @@ fn a_pressure_is_cut_off_where_it_pulls() {
     let pulled = |p: &[f64], width: f64| {
         let p: Vec<Interval> = p.iter().map(|c| Interval::exact(*c)).collect();
         cut_off(&FLAT, 0.0, NOWHERE, |_, cut_off| {
-            pulls(&Polynomial::new(&p), [0.0, width], Interval::exact(width), cut_off);
+            cut_off.pressure(&Polynomial::new(&p), [0.0, width], Interval::exact(width));
         })
     };
     is("all the way", pulled(&[-2.0], 3.0)[1], 6.0);
