@@ -137,24 +137,19 @@ impl EnclosedScene<'_> {
         hangs.then(|| Span::new(self, ends, known(), self.rise(left, right)))
     }
 
-    /// `v₁ − v₀ − θ₀ L` between two contacts, where the gap is a few straight lines: from what it turns by at each place, so that
-    /// rounding is that of slopes, and not that of depths.
+    /// `v₁ − v₀ − θ₀ L` between two contacts, from what the gap rises by on each cell, so that rounding is that of slopes, and not that of
+    /// depths; [`None`] across a step.
     pub(crate) fn rise(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Interval> {
-        /// A few: of more lines the sum of all that they turn by is no better known. *Tuned* on smooth surveys of up to 10⁶ points.
+        /// Of more cells the sum is no better known. *Tuned* on smooth surveys of up to 10⁶ points.
         const MOST: usize = 256;
         let on_ground = |node: &&ContactNode| self.support(node.x).is_none();
         let (node, to) = (left.filter(on_ground)?, right.filter(on_ground)?.x);
-        let kinks = [self.gap.kink(node.x)?, self.gap.kink(to)?];
-        let cells = cells(node.x, to, self.gap.breaks(node.x, to));
-        let is_straight = self.gap.about(node.x, cells[0]).coefficients().len() <= 2;
-        let lines = Some(cells).filter(|cells| is_straight && cells.len() <= MOST)?;
-        let turn = match node.slope {
-            Slope::Free(slope) => self.gap.jet(node.x, false)[1] - Interval::exact(slope),
-            Slope::OfGround { from_the_left: true } => kinks[0],
-            Slope::OfGround { from_the_left: false } => Interval::ZERO,
+        let (slope, cells) = (self.end(node)[1], cells(node.x, to, self.gap.breaks(node.x, to)));
+        let rises = |sum: Interval, &[a, b]: &[f64; 2]| {
+            let (width, _) = (Interval::length(a, b), [self.gap.kink(a)?, self.gap.kink(b)?]);
+            Some(sum + width * (self.gap.about(a, [a, b]).divided(1).at(width) - slope))
         };
-        let first = turn * Interval::length(node.x, to);
-        lines[1..].iter().try_fold(first, |sum, [x, _]| Some(sum + self.gap.kink(*x)? * Interval::length(*x, to)))
+        Some(cells).filter(|cells| cells.len() <= MOST)?.iter().try_fold(Interval::ZERO, rises)
     }
 }
 
