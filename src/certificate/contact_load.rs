@@ -6,7 +6,6 @@
 
 use super::kernel::contact_node::{ContactNode, EnclosedScene, EnclosedSupport};
 use super::kernel::interval::Interval;
-use super::kernel::load::one_at_a_place;
 use super::kernel::polynomial::Polynomial;
 use super::witness::balance;
 use crate::scene::Scale;
@@ -118,7 +117,8 @@ pub(super) fn deflection(
 ) -> Option<Vec<([f64; 2], Polynomial)>> {
     let upwards = forces.pressing.iter().map(|&(at, force)| (at, Interval::exact(-force)));
     let mut net = enclosed.load.clone();
-    net.points = one_at_a_place(enclosed.load.points.iter().copied().chain(upwards).collect());
+    net.points.extend(upwards);
+    net.points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let enclosed = EnclosedScene { load: &net, ..*enclosed };
     let mut nodes: Vec<ContactNode> = enclosed.supports.iter().map(|s| ContactNode::free(s.x)).collect();
     let mut places: Vec<f64> = enclosed.supports.iter().map(|s| s.x).collect();

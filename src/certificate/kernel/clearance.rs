@@ -47,7 +47,7 @@ pub(crate) fn lift(enclosed: &EnclosedScene<'_>, span: &Span, parts: &[Curve], e
         let (order, shape) = (enclosed.order(node, side == 1), shape(span, [powers[side], powers[1 - side]]));
         let side = Side { enclosed, parts, node, shape, from_the_left: side == 1 };
         // What vanishes at the node is small beside it, also behind the end of a short cell.
-        Some(side.lift(cells, Seen { most: 0.0, order, known: vec![Interval::ZERO; order] })?.most)
+        Some(side.lift(cells, (0.0, vec![Interval::ZERO; order]))?.0)
     };
     let (left, right) = (lift(0, &cells[..meeting])?, lift(1, &cells[meeting..])?);
     Some(shape(span, powers).times(Interval::exact(left.max(right))))
@@ -65,15 +65,9 @@ struct Side<'a> {
     from_the_left: bool,
 }
 
-/// What is known where the cells next to a node were looked at.
-struct Seen {
-    /// `α` for these cells.
-    most: f64,
-    /// The power of the distance from the node with which the clearance vanishes there; zero beyond the first cell.
-    order: usize,
-    /// Of the clearance and its derivatives at the end of these cells.
-    known: Vec<Interval>,
-}
+/// What is known where the cells next to a node were looked at: `α` for them, and of the clearance and its derivatives at their end. At
+/// the node itself that they are zero.
+type Seen = (f64, Vec<Interval>);
 
 impl Side<'_> {
     /// `v(place + s)` between two places of a part.
@@ -92,32 +86,32 @@ impl Side<'_> {
     }
 
     /// Cells, from left to right, next to those that were seen: together if they are clear at a glance, and otherwise by halves.
-    fn lift(&self, cells: &[[f64; 2]], seen: Seen) -> Option<Seen> {
+    fn lift(&self, cells: &[[f64; 2]], (most, known): Seen) -> Option<Seen> {
         let Self { enclosed, node, from_the_left, .. } = *self;
-        let ([first, ..], [.., last]) = (cells, cells) else { return Some(seen) };
+        let ([first, ..], [.., last]) = (cells, cells) else { return Some((most, known)) };
         if 1 < cells.len() {
             if FEW < cells.len() && self.is_clear([first[0], last[1]]) {
-                return Some(Seen { order: 0, known: Vec::new(), ..seen });
+                return Some((most, Vec::new()));
             }
             let (left, right) = cells.split_at(cells.len() / 2);
             let [near, far] = if from_the_left { [right, left] } else { [left, right] };
-            return self.lift(far, self.lift(near, seen)?);
+            return self.lift(far, self.lift(near, (most, known))?);
         }
         let [near, far] = if from_the_left { [first[1], first[0]] } else { *first };
         let width = Interval::length(first[0], first[1]);
         let distance = Interval::length(near.min(node.x), near.max(node.x));
         let clearance = enclosed.gap.about(near, *first).minus(&self.deflection(near, *first)?);
-        let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&seen.known);
-        let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(seen.order));
-        let most = enough(&quotient, &shape, [distance, width], seen.most)?;
+        let clearance = if from_the_left { clearance.mirrored() } else { clearance }.known(&known);
+        let order = if distance.is_zero() { known.len() } else { 0 };
+        let [quotient, shape] = [clearance, self.shape].map(|of| of.divided(order));
+        let most = enough(&quotient, &shape, [distance, width], most)?;
         let Some(kink) = enclosed.gap.kink(far) else {
             // What stands alone there is no part of any cell.
             let clearance = enclosed.gap.depth(far) - self.deflection(far, *first)?.at(Interval::ZERO);
             let place = [distance + width, Interval::ZERO];
-            let most = enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?;
-            return Some(Seen { most, order: 0, known: Vec::new() });
+            return Some((enough(&Polynomial::new(&[clearance]), &self.shape, place, most)?, Vec::new()));
         };
-        Some(Seen { most, order: 0, known: vec![clearance.at(width), clearance.derivative().at(width) + kink] })
+        Some((most, vec![clearance.at(width), clearance.derivative().at(width) + kink]))
     }
 }
 

@@ -53,16 +53,13 @@ impl<'a> EnclosedFoundation<'a> {
 
     /// At most any depth between two places, found without a look at each cell; minus infinity where that cannot be.
     pub(crate) fn least(&self, from: f64, to: f64) -> f64 {
-        let least = |points: &[[f64; 2]]| points.iter().fold(f64::INFINITY, |least, p| least.min(p[1]));
-        let ground = self.level().unwrap_or_else(|| self.points_about(from, to).map_or(f64::NEG_INFINITY, least));
-        ground.min(least(inside(self.bearings, from.next_down(), to.next_up())))
-    }
-
-    /// The points of a polyline between two places that are in order, and the far ends of the segments that these are on.
-    fn points_about(&self, from: f64, to: f64) -> Option<&'a [[f64; 2]]> {
-        let Foundation::Polyline { points } = self.given else { return None };
-        let first = points.partition_point(|p| p[0] <= from).clamp(1, points.len()) - 1;
-        points.get(first..(points.partition_point(|p| p[0] < to) + 1).min(points.len()))
+        let [bearings, points] = self.points();
+        // With the far ends of the segments that the two places are on.
+        let first = points.partition_point(|p| p[0] <= from).saturating_sub(1);
+        let about = points.get(first..points.len().min(points.partition_point(|p| p[0] < to) + 1)).unwrap_or_default();
+        let depths = about.iter().chain(inside(bearings, from.next_down(), to.next_up())).map(|p| p[1]);
+        let ground = if points.is_empty() { self.level().unwrap_or(f64::NEG_INFINITY) } else { f64::INFINITY };
+        depths.fold(ground, f64::min)
     }
 
     /// The depth, where it is the same everywhere.
@@ -102,14 +99,10 @@ impl<'a> EnclosedFoundation<'a> {
         self.points_at(x).is_empty()
     }
 
-    /// True if the foundation is one smooth curve between two places: for a polyline, if it has no point there, or only
-    /// points at one level.
+    /// True if the foundation is one smooth curve between two places: no point of a polyline is there, and nothing stands alone.
     pub(crate) fn is_smooth_between(&self, from: f64, to: f64) -> bool {
         // A wrong witness may ask for places that are not in order.
-        let one_level = |part: &[[f64; 2]]| part.windows(2).all(|w| (w[0][1] - w[1][1]).abs() <= 0.0);
-        let is_smooth = |part: &[[f64; 2]]| part.len() <= 2 || one_level(part);
-        let (given, bare) = (self.given, inside(self.bearings, from, to).is_empty());
-        bare && (!matches!(given, Foundation::Polyline { .. }) || self.points_about(from, to).is_some_and(is_smooth))
+        from < to && self.points().iter().all(|points| inside(points, from, to).is_empty())
     }
 
     /// False beside a place that is the foot of a step.
@@ -119,10 +112,14 @@ impl<'a> EnclosedFoundation<'a> {
         beside.is_none_or(|beside| here.iter().all(|point| beside[1] <= point[1]))
     }
 
+    /// What stands alone, and the points of a polyline.
+    fn points(&self) -> [&'a [[f64; 2]]; 2] {
+        [self.bearings, if let Foundation::Polyline { points } = self.given { points } else { &[] }]
+    }
+
     /// The points of a polyline at a place: two at a step, three where something stands alone.
     pub(crate) fn points_at(&self, x: f64) -> &'a [[f64; 2]] {
-        let given: &[[f64; 2]] = if let Foundation::Polyline { points } = self.given { points } else { &[] };
-        let here = [self.bearings, given].map(|points| inside(points, x.next_down(), x.next_up()));
+        let here = self.points().map(|points| inside(points, x.next_down(), x.next_up()));
         here.into_iter().find(|here| !here.is_empty()).unwrap_or_default()
     }
 }

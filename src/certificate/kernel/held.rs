@@ -124,40 +124,26 @@ fn widest(carriers: &mut [Place]) -> Option<Hold> {
 }
 
 /// The places on the left and on the right of the single place that carries a beam at which the ground stops it if it turns: those to
-/// which it turns by the least angle, each with the clearance there, and none much nearer than `apart`. Where the beam is tangent to
-/// the ground, the clearance beside that place is small, and smaller the nearer it is:
-///
-/// ```text
-/// g − v̂ ≤ ½ s² max (g − v̂)''     at the distance s from a place where g = v̂ and g' = v̂'
-/// ```
+/// which it turns by the least angle, each with the clearance there, and none much nearer than `apart`. Inside a beam on smooth ground
+/// that place is tangent to it: beside it the clearance and its slope are known to begin with zero.
 fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> Option<Hold> {
     /// Of the length of the beam.
     const NEAR: f64 = 1.0 / 274_877_906_944.0;
     let EnclosedScene { gap, length, .. } = *enclosed;
+    let is_tangent = enclosed.supports.is_empty() && gap.is_smooth_at(x) && 0.0 < x && x < length;
+    let far = apart.max(NEAR * length);
     let mut found = Vec::new();
     for Piece { from, to, v, pressed } in pieces {
-        found.extend(gap.breaks(*from, *to).into_iter().chain([*from, *to]).map(|y| {
-            let clear = gap.depth(y) - v.at(Interval::length(*from, y));
-            Place { off: if *pressed { 0.0 } else { clear.hi().max(0.0) }, ..Place::at(y) }
-        }));
-    }
-    // On smooth ground a beam that touches it inside is tangent to it, as far as the ground is smooth.
-    if enclosed.supports.is_empty() && gap.is_smooth_at(x) && 0.0 < x && x < length {
-        let far = apart.max(NEAR * length);
-        let near = [(x - far).max(0.0), (x + far).min(length)];
-        let rough = gap.breaks(near[0], near[1]).into_iter().filter(|y| !gap.is_smooth_at(*y));
-        let smooth = rough.fold(near, |[a, b], y| if y < x { [a.max(y), b] } else { [a, b.min(y)] });
-        for y in smooth {
-            let mut bend = 0.0_f64;
-            for piece in pieces.iter().filter(|piece| y.min(x) < piece.to && piece.from < y.max(x) && !piece.pressed) {
-                let [from, to] = [piece.from.max(y.min(x)), piece.to.min(y.max(x))];
-                for [a, b] in cells(from, to, gap.breaks(from, to)) {
-                    let clear = gap.about(a, [a, b]).minus(&piece.v.shifted(Interval::length(piece.from, a)));
-                    bend = bend.max(clear.derivative().derivative().range(Interval::length(a, b)).hi());
-                }
-            }
-            let off = Interval::length(x, y).square() * Interval::exact(bend) / number(2);
-            found.push(Place { off: off.hi(), ..Place::at(y) });
+        // Over a smooth break an enclosure is wider, and still one.
+        let breaks = gap.breaks(*from, *to).into_iter().filter(|y| far <= (y - x).abs() || !gap.is_smooth_at(*y));
+        for [a, b] in cells(*from, *to, breaks.chain([x - far, x + far]).collect()) {
+            let [near, far] = if a < x { [b, a] } else { [a, b] };
+            let clear = gap.about(near, [a, b]).minus(&v.shifted(Interval::length(*from, near)));
+            let clear = if is_tangent && (near - x).abs() <= 0.0 { clear.known(&[Interval::ZERO; 2]) } else { clear };
+            // What stands alone there is no part of the cell.
+            let alone = (gap.depth(far) - v.at(Interval::length(*from, far))).hi();
+            let off = clear.at(Interval::length(near, far)).hi().min(alone).max(0.0);
+            found.push(Place { off: if *pressed { 0.0 } else { off }, ..Place::at(far) });
         }
     }
     let distance = |place: &Place| (place.from - x).abs();

@@ -1,7 +1,7 @@
 //! The true load, distributed as it is: linear on pieces, with point loads between them.
 
 use super::interval::Interval;
-use crate::scene::{LinearLoad, Scene};
+use crate::scene::Scene;
 
 /// The load of a scene by pieces.
 #[derive(Debug, Clone)]
@@ -10,28 +10,24 @@ pub(crate) struct EnclosedLoad {
     ends: Vec<f64>,
     /// On each piece `q` at both of its ends.
     lines: Vec<[Interval; 2]>,
-    /// Places and forces, from left to right, one at a place.
+    /// Places and forces, from left to right.
     pub(crate) points: Vec<(f64, Interval)>,
 }
 
 impl EnclosedLoad {
     pub(crate) fn of(scene: &Scene) -> Self {
         let (load, length) = (scene.load(), scene.beam().length());
-        let mut ends: Vec<f64> = load.linear().iter().flat_map(|q| [q.from, q.to]).chain([0.0, length]).collect();
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        // From left to right, each part is looked at only on the pieces that it acts on.
-        let mut parts: Vec<&LinearLoad> = load.linear().iter().collect();
-        parts.sort_by(|a, b| a.from.total_cmp(&b.from));
-        let (mut next, mut acting) = (parts.into_iter().peekable(), Vec::new());
-        let at_ends = |piece: &[f64]| {
-            acting.retain(|q: &&LinearLoad| piece[0] < q.to);
-            acting.extend(std::iter::from_fn(|| next.next_if(|q| q.from <= piece[0])));
-            let part = |q: &LinearLoad, x| line([q.from, q.to], [q.start, q.end].map(Interval::exact), x)[0];
-            [0, 1].map(|k| acting.iter().fold(Interval::exact(load.uniform()), |sum, q| sum + part(q, piece[k])))
-        };
-        let lines = ends.windows(2).map(at_ends).collect();
-        let points = one_at_a_place(load.point().iter().map(|p| (p.at, Interval::exact(p.force))).collect());
+        let ends = ends(load.linear().iter().flat_map(|q| [q.from, q.to]).chain([0.0, length]).collect());
+        let mut lines = vec![[Interval::exact(load.uniform()); 2]; ends.len() - 1];
+        for q in load.linear() {
+            let [from, to] = [q.from, q.to].map(|end| ends.partition_point(|x| *x < end));
+            let at = |x: f64| line([q.from, q.to], [q.start, q.end].map(Interval::exact), x)[0];
+            for piece in from..to {
+                lines[piece] = [0, 1].map(|k| lines[piece][k] + at(ends[piece + k]));
+            }
+        }
+        let mut points: Vec<_> = load.point().iter().map(|p| (p.at, Interval::exact(p.force))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
         Self { ends, lines, points }
     }
 
@@ -41,7 +37,7 @@ impl EnclosedLoad {
         let ends = self.ends[first..].iter().copied().take_while(|x| *x < to);
         let first = self.points.partition_point(|p| p.0 <= from);
         let points = self.points[first..].iter().map(|p| p.0).take_while(|x| *x < to);
-        ends.chain(points).collect()
+        self::ends(ends.chain(points).collect())
     }
 
     /// `[q, q']` at an origin, between two places without a break between them, on which the origin is.
@@ -50,21 +46,11 @@ impl EnclosedLoad {
         line([self.ends[piece], self.ends[piece + 1]], self.lines[piece], origin)
     }
 
-    /// The point load at a place, zero if there is none.
+    /// The point loads at a place, zero if there is none.
     pub(crate) fn point(&self, x: f64) -> Interval {
-        self.points.binary_search_by(|p| p.0.total_cmp(&x)).map_or(Interval::ZERO, |i| self.points[i].1)
+        let here = self.points[self.points.partition_point(|p| p.0 < x)..].iter().take_while(|p| p.0 <= x);
+        here.fold(Interval::ZERO, |sum, p| sum + p.1)
     }
-}
-
-/// Forces from left to right; those at one place add up.
-pub(crate) fn one_at_a_place(mut forces: Vec<(f64, Interval)>) -> Vec<(f64, Interval)> {
-    forces.sort_by(|a, b| a.0.total_cmp(&b.0));
-    forces.dedup_by(|next, kept| {
-        let same = next.0 <= kept.0;
-        kept.1 = kept.1 + if same { next.1 } else { Interval::ZERO };
-        same
-    });
-    forces
 }
 
 /// What a line is at a place, and its slope, from its values at both ends: where it vanishes at one of them, it is known from there.
@@ -78,16 +64,21 @@ fn line(ends: [f64; 2], values: [Interval; 2], x: f64) -> [Interval; 2] {
 pub(crate) fn cells(from: f64, to: f64, mut breaks: Vec<f64>) -> Vec<[f64; 2]> {
     breaks.retain(|x| from < *x && *x < to);
     breaks.extend([from, to]);
-    breaks.sort_by(f64::total_cmp);
-    breaks.dedup();
-    breaks.windows(2).map(|w| [w[0], w[1]]).collect()
+    ends(breaks).windows(2).map(|w| [w[0], w[1]]).collect()
+}
+
+/// Places from left to right, each of them once.
+fn ends(mut places: Vec<f64>) -> Vec<f64> {
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::certificate::kernel::polynomial::Polynomial;
-    use crate::scene::{Beam, Load};
+    use crate::scene::{Beam, LinearLoad, Load};
 
     /// Parts of a load that overlap, follow each other or begin together: what acts at a place is their sum.
     #[test]
