@@ -1,15 +1,13 @@
-//! Where the kind of an answer changes: what vanishes, ground that is level with supports, loads at the ends of zones.
+//! What an answer does where its kind changes: ground that is level with supports, loads at the ends of zones, stretches that lie
+//! along the ground.
 
 use super::derivatives::Missing;
 use super::exact::Exact;
-use super::forces::{force_beside, pulling_couple};
 use super::list::Node;
-use super::margin::lowest;
 use super::piecewise::{AtSupport, Cell};
-use super::sensitivity::{Change, NodeChange, bend, standing};
-use super::span::Span;
+use super::sensitivity::{Change, standing};
+use super::span::{Hold, Span};
 use crate::scene::{Foundation, Held, Scene};
-use crate::state::Contact;
 
 /// The ground at a support.
 #[derive(Debug, Clone, Copy, Default)]
@@ -24,28 +22,9 @@ pub(super) struct Ground {
     pub(super) axis: [f64; 2],
 }
 
-/// A condition of the answer that holds with nothing to spare: to one side of the scene it may fail.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Weak {
-    /// This node presses.
-    Force(usize),
-    /// Ground and the support of this node push at each other.
-    Couple(usize),
-    /// The beam leaves the ground on that side of this node.
-    Bend(usize, usize),
-    /// The zone that ends at this node does so on one side of a change of the load.
-    Place(usize),
-    /// A zone has a length.
-    Length,
-    /// The beam clears the ground in the span of this index; where it lies along it, beside its left or its right end.
-    Span(usize, usize),
-    /// The zone before this node presses everywhere.
-    Zone(usize),
-    /// This cell, in a zone, presses at this breakpoint, inside the zone or at an end of it that stays there.
-    Pressure(usize, usize),
-}
-
-/// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes.
+/// A contact force, a bend or a clearance below this share of the largest one is zero: there the kind of the answer changes. So it does
+/// where a number of the scene that changes by this share of its size ends it: no number of a scene is known to nine digits, and
+/// conditions are met to twelve.
 pub(super) const AT_A_CHANGE: f64 = 1e-9;
 
 impl Exact {
@@ -123,8 +102,13 @@ impl Exact {
         ]
     }
 
-    fn largest_node_force(&self) -> f64 {
+    pub(super) fn largest_node_force(&self) -> f64 {
         self.forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()))
+    }
+
+    /// Of the nodes, or all loads between them.
+    pub(super) fn largest_force(&self) -> f64 {
+        self.largest_node_force().max(self.given.total_load)
     }
 
     /// True if the beam lies along the ground somewhere without pressing on it, as one without weight does beyond a contact.
@@ -132,12 +116,26 @@ impl Exact {
         self.given.founded && self.spans.iter().any(|(_, span)| self.lies_along(span))
     }
 
-    fn lies_along(&self, span: &Span) -> bool {
+    /// However little a short span clears the ground, it does not lie along it under a load.
+    pub(super) fn lies_along(&self, span: &Span) -> bool {
         let size = AT_A_CHANGE * self.state.deflection.magnitude() / self.scale.depth;
         let at = |[h, slope, bend, third]: [f64; 4], l: f64| {
             [h, slope * l, bend * l * l, third * l * l * l].into_iter().all(|h| h.abs() <= size)
         };
-        at(span.at_a, span.length()) && at(span.at_b, span.length())
+        at(span.at_a, span.length()) && at(span.at_b, span.length()) && !self.is_loaded(span)
+    }
+
+    /// True if what acts inside a span, or on a free end of it, is more than rounding of the largest force.
+    fn is_loaded(&self, span: &Span) -> bool {
+        let (given, [from, to]) = (&self.given, [span.a.x, span.b.x]);
+        let spread = (given.cell_from(from)..=given.cell_to(to)).map(|i| {
+            let (lo, hi) = (given.cells[i].lo.max(from), given.cells[i].hi.min(to));
+            (hi - lo) * given.load(i, lo).abs().max(given.load(i, hi).abs())
+        });
+        let free = [&span.a, &span.b].into_iter().filter(|end| end.hold == Hold::Free);
+        let at = given.breakpoints_inside(from, to).chain(free.filter_map(|end| given.breakpoint_at(end.x)));
+        let loads: f64 = spread.sum::<f64>() + at.map(|i| given.breakpoints[i].force.abs()).sum::<f64>();
+        AT_A_CHANGE * self.largest_force() < loads
     }
 
     /// True if a contact begins, lies or ends where no load drives the beam onto the ground: one answer has several lists of contacts
@@ -157,7 +155,7 @@ impl Exact {
     pub(super) fn presses(&self, end: usize, i: usize) -> bool {
         let (given, node) = (&self.given, &self.list.nodes[end]);
         let cell = if end == i { given.cell_to(node.x) } else { given.cell_from(node.x) };
-        let least = AT_A_CHANGE * self.largest_node_force().max(given.total_load);
+        let least = AT_A_CHANGE * self.largest_force();
         // The place of a lift-off follows from the force there; a tip or a support is where it is.
         let middle = 0.5 * (given.cells[cell].lo + given.cells[cell].hi);
         let pushes = [node.x, middle].into_iter().any(|x| least < given.drive(cell, x).abs() * given.length);
@@ -195,154 +193,6 @@ impl Exact {
         let all = given.breakpoint_at(at).map_or(force, |i| given.breakpoints[i].force);
         let least = -AT_A_CHANGE * force.abs();
         self.list.zones().any(|zone| zone.from <= at && at <= zone.to) && force.min(all - force) < least
-    }
-
-    /// True where the load changes its formula, or a point load stands: what follows from the load beside an end of a zone is another
-    /// on its two sides.
-    fn is_at_load(&self, x: f64) -> bool {
-        let (given, near) = (&self.given, AT_A_CHANGE * self.given.length);
-        given.breakpoints_inside((x - near).max(0.0), (x + near).min(given.length)).any(|i| given.load_changes_at(i))
-    }
-
-    /// The conditions of the answer that hold with nothing to spare.
-    pub(super) fn weak(&self) -> Vec<Weak> {
-        let (given, nodes) = (&self.given, &self.list.nodes);
-        let largest = self.largest_node_force();
-        // What the forces beside a node can bend, or the loads on a beam at rest: what is small beside that is rounding.
-        let bent = |i: usize| {
-            let spans = super::sensitivity::ends(&self.spans, i).into_iter().flatten();
-            let beside = force_beside(&self.spans, i) * spans.fold(0.0, |most: f64, span| most.max(span.length()));
-            beside.max(self.rest() * given.length)
-        };
-        let size = self.state.deflection.magnitude() / self.scale.depth;
-        let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
-        let mut weak = Vec::new();
-        for (i, node) in nodes.iter().enumerate() {
-            let mut add = |is: bool, conditions: &[Weak]| weak.extend(conditions.iter().filter(|_| is));
-            match node.support(given) {
-                None if node.is_point(given) => {
-                    add(small(self.forces[i], largest), &[Weak::Force(i)]);
-                    add(node.can_move() && small(bend(&self.spans, i), bent(i)), &[Weak::Bend(i, 0), Weak::Bend(i, 1)]);
-                }
-                None if node.can_move() => {
-                    let outer = usize::from(node.ends_zone());
-                    add(small(self.forces[i], largest), &[Weak::Force(i), Weak::Bend(i, outer)]);
-                    add(self.is_at_load(node.x), &[Weak::Place(i)]);
-                }
-                Some(index) if node.is_held() => {
-                    let [left, right] = self.bends(i);
-                    add(small(right - left, bent(i).max(largest * given.length)), &[Weak::Couple(i)]);
-                    add(self.list.ends_zone(i) && self.is_at_load(node.x), &[Weak::Place(i)]);
-                    let ends = super::sensitivity::ends(&self.spans, i);
-                    let clear = [ends[0].map(|span| span.at_b), ends[1].map(|span| span.at_a)];
-                    let bridged = given.supports[index].clearance.map(|gap| gap <= AT_A_CHANGE * size);
-                    for side in [0, 1] {
-                        let level = clear[side].is_some_and(|[_, slope, ..]| small(slope * given.length, size));
-                        let straight = clear[side].is_some_and(|[_, _, bend, _]| small(bend, bent(i)));
-                        add(bridged[side] && level && straight, &[Weak::Bend(i, side)]);
-                    }
-                }
-                None => {
-                    let zone = if self.list.in_zone_before(i) { i } else { i + 1 };
-                    add(!self.presses(i, zone), &[Weak::Force(i)]);
-                }
-                Some(_) => {}
-            }
-        }
-        let short = self.list.zones().any(|zone| small(zone.to - zone.from, given.length));
-        weak.extend(short.then_some(Weak::Length));
-        // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
-        let carried = self.touches();
-        let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
-        let all = |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
-        let contacts = &self.state.contacts;
-        let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(all);
-        weak.extend(self.list.zones().filter(|_| unloaded).map(|zone| Weak::Zone(zone.node)));
-        weak.extend(self.list.zones().flat_map(|zone| self.unpressed(zone.node)));
-        let touches = |span| given.has_obstacle() && lowest(given, span).is_some_and(|least| small(least, size));
-        let spans = (0..self.spans.len()).filter(|&j| touches(&self.spans[j].1));
-        weak.extend(spans.flat_map(|j| [Weak::Span(j, 0), Weak::Span(j, 1)]));
-        weak
-    }
-
-    /// Where a zone does not press at a change of the load inside it, or at an end that stays where it is.
-    fn unpressed(&self, node: usize) -> Vec<Weak> {
-        let (given, ends) = (&self.given, [node - 1, node].map(|i| &self.list.nodes[i]));
-        let [from, to] = ends.map(|end| end.x);
-        let stays = |end: &Node| !end.can_move();
-        let least = AT_A_CHANGE * self.largest_node_force().max(given.total_load);
-        let (first, last) = (given.cell_from(from), given.cell_to(to));
-        let sides = (first..=last).flat_map(|cell| [(cell, cell), (cell + 1, cell)]);
-        let fixed = sides.filter(|&(breakpoint, _)| {
-            let x = given.breakpoints[breakpoint].x;
-            from < x && x < to || x <= from && from <= x && stays(ends[0]) || x <= to && to <= x && stays(ends[1])
-        });
-        let presses = |x: f64, cell: usize| least < given.drive(cell, x).abs() * given.length;
-        let none = fixed.filter(|&(breakpoint, cell)| !presses(given.breakpoints[breakpoint].x, cell));
-        none.map(|(breakpoint, cell)| Weak::Pressure(breakpoint, cell)).collect()
-    }
-
-    /// How a condition with nothing to spare changes: a number below which it fails, [`None`] where it is of no sign and not zero.
-    fn rate(&self, weak: Weak, of: Change, changes: &[NodeChange]) -> Option<f64> {
-        let rounded = |value: f64, of: [f64; 2]| {
-            if value.abs() <= AT_A_CHANGE * of[0].abs().max(of[1].abs()) { 0.0 } else { value }
-        };
-        let zero = |is: bool| is.then_some(0.0);
-        match weak {
-            Weak::Force(i) => Some(rounded(changes[i].force, changes[i].ends.third)),
-            Weak::Couple(i) => {
-                let index = self.list.nodes[i].support(&self.given)?;
-                let [left, right] = changes[i].ends.bend;
-                let jump = rounded(left - right, [left, right]);
-                Some(-pulling_couple(&self.given, index, self.list.rests(i), jump).unwrap_or(0.0))
-            }
-            Weak::Bend(i, side) => {
-                let bends = changes[i].ends.bend;
-                zero(rounded(bends[side], bends) == 0.0)
-            }
-            Weak::Place(i) => zero(changes[i].place == 0.0),
-            Weak::Length => None,
-            Weak::Span(j, end) => {
-                let rises = Self::rises(&self.spans[j], of, changes);
-                let stays = rises.iter().all(|rise| *rise == 0.0);
-                (stays || self.lies_along(&self.spans[j].1)).then_some(rises[end])
-            }
-            Weak::Pressure(breakpoint, cell) => Some(match of {
-                Change::Uniform(more) => more,
-                Change::Unload => -self.given.load(cell, self.given.breakpoints[breakpoint].x),
-                _ => 0.0,
-            }),
-            Weak::Zone(i) => {
-                let [from, to] = [i - 1, i].map(|end| self.list.nodes[end].x);
-                zero(!matches!(of, Change::Uniform(_)) && !matches!(of, Change::Force(at, _) if from <= at && at <= to))
-            }
-        }
-    }
-
-    /// How the clearance of a span or overhang changes beside its left and its right end: the first of its value and derivatives there
-    /// that is not zero, times powers of the length.
-    fn rises(&(right, ref span): &(usize, Span), of: Change, changes: &[NodeChange]) -> [f64; 2] {
-        let (sunk, l) = (f64::from(u8::from(of == Change::Ground)), span.length());
-        let at = |node: Option<&NodeChange>, side: usize, inwards: f64| {
-            node.map_or([0.0; 4], |NodeChange { value, slopes, ends, .. }| {
-                let (turn, third) = (inwards * slopes[side], inwards * ends.third[side]);
-                [sunk - value, -turn * l, -ends.bend[side] * l * l, -third * l * l * l]
-            })
-        };
-        let left = right.checked_sub(1).and_then(|left| changes.get(left));
-        let ends = [at(left, 1, 1.0), at(changes.get(right), 0, -1.0)];
-        let least = AT_A_CHANGE * ends.as_flattened().iter().fold(0.0, |most: f64, rise| most.max(rise.abs()));
-        ends.map(|end| end.into_iter().find(|rise| least < rise.abs()).unwrap_or(0.0))
-    }
-
-    /// On which sides of a change, as the number falls and as it grows, the answer keeps the conditions that it holds with nothing to
-    /// spare, of those that have a sign; and whether there are such that keep on neither, or have none.
-    pub(super) fn keeps(&self, weak: &[Weak], of: Change, changes: &[NodeChange]) -> ([bool; 2], bool) {
-        let rates = weak.iter().map(|&weak| self.rate(weak, of, changes));
-        rates.fold(([true; 2], true), |([falls, grows], both), rate| match rate {
-            None => ([falls, grows], false),
-            Some(rate) => ([falls && rate <= 0.0, grows && 0.0 <= rate], both && rate == 0.0),
-        })
     }
 }
 

@@ -7,7 +7,8 @@
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
 //! ```
 
-use super::changes::{AT_A_CHANGE, Ground, Weak, curvature};
+use super::changes::{AT_A_CHANGE, Ground, curvature};
+use super::conditions::Conditions;
 use super::exact::Exact;
 use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
@@ -134,11 +135,11 @@ impl Exact {
             return self.derivatives_on_springs(springs, scene);
         }
         let Some(linear) = self.sensitivity() else { return Vec::new() };
-        let (weak, lies) = (self.weak(), self.lies());
+        let (conditions, lies) = (self.conditions(), self.lies());
         let of = |asked: Asked| {
             // More load presses all of a stretch that lies on the ground, less of it none.
             let unloaded = (lies && matches!(asked.change, Change::Uniform(_))).then_some(Missing::Unloaded);
-            self.derivative(&linear, &weak, Asked { parts: asked.parts.or(unloaded), ..asked })
+            self.derivative(&linear, &conditions, Asked { parts: asked.parts.or(unloaded), ..asked })
         };
         self.asked(scene).into_iter().take(self.most_derivatives()).map(of).collect()
     }
@@ -220,11 +221,11 @@ impl Exact {
     }
 
     /// The derivative that is asked for.
-    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, weak: &[Weak], asked: Asked) -> Derivative {
+    pub(super) fn derivative(&self, linear: &Sensitivity<'_>, conditions: &Conditions, asked: Asked) -> Derivative {
         let Asked { by, change: of, unit, open, .. } = asked;
         let nodes = &self.list.nodes;
         let changes = linear.change(of, 1.0);
-        let (keeps, both) = self.keeps(weak, of, &changes);
+        let (keeps, both) = self.keeps(conditions, of, &changes);
         let holds = [0, 1].map(|side| open[side] && keeps[side]);
         let (towards, changes) = if holds == [true, false] { (-1.0, linear.change(of, -1.0)) } else { (1.0, changes) };
         let one_sided = asked.one_sided || !both || holds != [true; 2];
@@ -275,7 +276,7 @@ impl Exact {
     }
 
     /// What the support at node `i` exerts, over `EI`: one that holds the beam with the load that stands on it.
-    fn exerted(&self, i: usize) -> f64 {
+    pub(super) fn exerted(&self, i: usize) -> f64 {
         self.forces[i] + self.list.nodes[i].support(&self.given).map_or(0.0, |_| standing(&self.given, &self.list, i))
     }
 

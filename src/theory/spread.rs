@@ -1,5 +1,6 @@
 //! How far the forces of an exact answer are off if depths of the ground are: to first order, from its derivatives.
 
+use super::conditions::Conditions;
 use super::derivatives::{Asked, By};
 use super::exact::Exact;
 use super::sensitivity::Change;
@@ -42,7 +43,7 @@ impl Exact {
             let of = Change::GroundUnder(from, to);
             let (unit, open) = (self.scale.depth, [true; 2]);
             let asked = Asked { by: By::Depth, change: of, unit, open, one_sided: false, parts: None };
-            let derivative = self.derivative(&linear, &[], asked);
+            let derivative = self.derivative(&linear, &Conditions::default(), asked);
             let add = |sum: &mut f64, by: f64| *sum += by.abs() * tolerance;
             sum.supports.iter_mut().zip(&derivative.supports).for_each(|(sum, &by)| add(sum, by));
             sum.contacts.iter_mut().zip(&derivative.contacts).for_each(|(sum, by)| add(sum, by.force));

@@ -163,6 +163,72 @@ fn derivatives_hold_on_the_sides_that_are_said() {
     assert!(100 < scenes && 500 < both && 50 < one && 5 * cautious < one, "{trial:?}");
 }
 
+/// A load above a support, and a small one `f` on the tip, which lies on the ground and carries it: any other load that raises the tip,
+/// by `f` at the least, lifts it off. Where that is less than a thousand-millionth of the load above the support the derivative holds on
+/// one side; the depth moves the tip, and no force.
+#[test]
+fn where_a_change_that_means_nothing_ends_the_kind_derivatives_are_one_sided() {
+    for (i, share) in [1e-16, 1e-14, 1e-12, 1e-11, 1e-7, 1e-3].into_iter().enumerate() {
+        for k in 1..=12_u32 {
+            let (length, at) = (1.0 + f64::from(k) / 3.0, 0.5 + 0.4 * f64::from(k) / 12.0);
+            let load: f64 = if k % 2 == 0 { 1.5 } else { -1.5 };
+            let points = [(at * length, load), (length, share * load.abs())];
+            let ground = Some(Foundation::Flat { depth: 0.1 * f64::from(k) });
+            let scene = on_supports([length, 30.0], &[Support::simple(at * length)], (0.0, &points), ground);
+            let exact = theory::solve(&scene).expect("an answer");
+            let contacts = &exact.state.contacts;
+            assert!(exact.solved && contacts.len() == 1, "{i} {k}: {contacts:?}");
+            let lifts = share < 1e-8;
+            for derivative in exact.derivatives(&scene) {
+                let one_sided = match derivative.by {
+                    By::Number(Quantity::Uniform | Quantity::PointAt(0) | Quantity::SupportAt(_)) => lifts,
+                    By::Number(Quantity::PointForce(1)) => lifts,
+                    By::Number(Quantity::PointAt(1)) => true,
+                    _ => false,
+                };
+                assert_eq!(derivative.one_sided, one_sided, "{i} {k}: {derivative:?}");
+            }
+        }
+    }
+}
+
+/// A tip that a couple `P a` of two loads side by side lifts off level ground, `P a = q z²/2`: the beam above the short stretch `z` is
+/// bent, and does not lie along the ground, however little it clears it. By the loads `z' = −1/q` and `−(1 − a/z)/q`, by `q` it is
+/// `−z/2q`, and no change of them ends that; by `a` it is `P/q z`, as far as the load at the tip.
+#[test]
+fn a_short_tip_that_a_couple_lifts_is_no_change_of_the_kind() {
+    for k in 0..20_i32 {
+        let (length, load, q) =
+            (1.0 + 0.5 * f64::from(k % 5), 0.5 + 0.1 * f64::from(k % 7), 1.0 + 0.3 * f64::from(k % 3));
+        let a = length * 1e-12 * 10_f64.powf(f64::from(k) / 8.0);
+        let z = (2.0 * load * a / q).sqrt();
+        let ground = Some(Foundation::Flat { depth: 0.01 });
+        let points = [(0.0, -load), (a, load)];
+        let scene = on_supports([length, 0.01], &[Support::simple(length)], (q, &points), ground);
+        let exact = theory::solve(&scene).expect("an answer");
+        let contacts = &exact.state.contacts;
+        assert!(exact.solved && (contacts[0].from - z).abs() <= 1e-6 * z, "{k}: {z} {contacts:?}");
+        let all = exact.derivatives(&scene);
+        let of = |by: Quantity| all.iter().find(|d| d.by == By::Number(by)).expect("a derivative");
+        let expected = [
+            (Quantity::PointForce(0), -1.0 / q, false),
+            (Quantity::PointForce(1), -(1.0 - a / z) / q, false),
+            (Quantity::Uniform, -0.5 * z / q, false),
+            (Quantity::PointAt(1), load / (q * z), true),
+        ];
+        for (by, expected, one_sided) in expected {
+            let found = of(by);
+            let from = found.contacts[0].from;
+            assert!(
+                found.missing.is_none() && (from - expected).abs() <= 1e-6 * expected.abs(),
+                "{k}, {expected}: {found:?}"
+            );
+            assert_eq!(found.one_sided, one_sided, "{k}: {found:?}");
+        }
+        assert!(!of(Quantity::BendingStiffness).one_sided, "{k}");
+    }
+}
+
 /// A load `P` that stands on a corner between spans `a` and `b` goes into it. Where it moves a couple `P` turns both spans, of which
 /// `b/(a + b)` bends the left one and presses with `P b/(a (a + b))` on its support.
 #[test]
