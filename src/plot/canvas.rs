@@ -39,12 +39,9 @@ pub(super) struct Canvas<'a> {
 }
 
 impl<'a> Canvas<'a> {
-    /// A white sheet of `width` by `height` drawing units that writes to `buffer`.
-    pub(super) fn new(buffer: &'a mut String, [width, height]: [u32; 2]) -> Result<Self, PlotError> {
-        let mut backend = SVGBackend::with_string(buffer, (width, height));
-        let corner = pixel([f64::from(width), f64::from(height)])?;
-        done(backend.draw_rect((0, 0), corner, &rgb(Color::WHITE), true))?;
-        Ok(Self { backend })
+    /// A sheet without end that writes to `buffer`.
+    pub(super) fn new(buffer: &'a mut String) -> Self {
+        Self { backend: SVGBackend::with_string(buffer, (1, 1)) }
     }
 
     /// Ends the drawing; without it an error in the last step would be lost.

@@ -321,7 +321,7 @@ mod tests {
     #[test]
     fn where_the_beam_goes_on_there_is_a_wall_above_and_one_below() {
         let mut svg = String::new();
-        let mut canvas = Canvas::new(&mut svg, [200, 200]).expect("a sheet");
+        let mut canvas = Canvas::new(&mut svg);
         walls(&mut canvas, [100.0, 100.0], [false; 2]).expect("walls");
         canvas.present().expect("a drawing");
         assert_eq!(svg.matches("<polyline").count(), 14, "{svg}");

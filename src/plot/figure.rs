@@ -51,27 +51,28 @@ impl Figure {
         let title = Words::title(&self.title);
         let mut top = title.bottom + 0.7 * MARGIN;
         let rows = self.rows()?;
-        let mut places = Vec::new();
+        let mut groups = vec![group("class=\"title\"", |canvas| title.draw(canvas))?];
         for row in &rows {
-            let mut height: f64 = 0.0;
-            for (column, layout) in row.iter().enumerate() {
+            let in_columns = row.iter().enumerate().map(|(column, layout)| {
                 // Frames that stand one below the other have the same sides.
                 let same = rows.iter().filter(|other| other.len() == row.len()).map(|other| other[column].margins);
-                let margins = same.fold([0.0_f64; 2], |most, next| [most[0].max(next[0]), most[1].max(next[1])]);
-                let layout = layout.with_margins(margins);
-                height = height.max(layout.height());
-                places.push((layout, [sheet / count(row.len()) * count(column), top]));
+                layout.with_margins(same.fold([0.0; 2], |most, next| [most[0].max(next[0]), most[1].max(next[1])]))
+            });
+            let in_columns: Vec<Layout<'_>> = in_columns.collect();
+            let (width, height) = (sheet / count(row.len()), in_columns.iter().map(Layout::height).fold(0.0, f64::max));
+            for (column, layout) in in_columns.iter().enumerate() {
+                let left = width * count(column);
+                let place = format!("data-panel=\"{left:.0} {top:.0} {width:.0} {height:.0}\"");
+                groups.push(group(&place, |canvas| layout.draw(canvas, [left, top]))?);
             }
             top += height;
         }
         let notes = Words::notes(&self.notes, top);
-        document(&self.title, &self.description, whole(notes.bottom), |canvas| {
-            title.draw(canvas)?;
-            for (layout, corner) in places {
-                layout.draw(canvas, corner)?;
-            }
-            notes.draw(canvas)
-        })
+        for note in &notes {
+            groups.push(group("class=\"note\"", |canvas| note.draw(canvas))?);
+        }
+        let bottom = notes.iter().map(|note| note.bottom + MARGIN).fold(top, f64::max);
+        Ok(document(&self.title, &self.description, whole(bottom), &groups.concat()))
     }
 
     /// The panels row by row; each takes an equal part of its row.
@@ -109,7 +110,7 @@ impl Words {
     }
 
     /// Notes in one column, or in two where there are many.
-    fn notes(notes: &[String], top: f64) -> Self {
+    fn notes(notes: &[String], top: f64) -> Vec<Self> {
         /// More notes than this stand in two columns.
         const ONE_COLUMN: usize = 8;
         const LINE: f64 = 1.3 * TEXT;
@@ -117,20 +118,19 @@ impl Words {
         const INDENT: f64 = 2.0 * TEXT;
         let columns = if notes.len() <= ONE_COLUMN { 1 } else { 2 };
         let width = (f64::from(WIDTH) - MARGIN) / count(columns);
-        let (mut lines, mut bottom) = (Vec::new(), top);
+        let mut all = Vec::new();
         for (column, notes) in notes.chunks(notes.len().div_ceil(columns).max(1)).enumerate() {
             let left = MARGIN + width * count(column);
-            let mut y = top;
+            let mut bottom = top;
             for note in notes {
-                for (i, line) in wrapped(note, width - MARGIN - INDENT, Type::PLAIN).into_iter().enumerate() {
-                    let indent = if i == 0 { 0.0 } else { INDENT };
-                    lines.push((line, [left + indent, y + 0.5 * LINE]));
-                    y += LINE;
-                }
+                let place = |i: usize| [if i == 0 { left } else { left + INDENT }, bottom + LINE * (count(i) + 0.5)];
+                let lines = wrapped(note, width - MARGIN - INDENT, Type::PLAIN).into_iter().enumerate();
+                let lines: Vec<(String, Point)> = lines.map(|(i, line)| (line, place(i))).collect();
+                bottom += LINE * count(lines.len());
+                all.push(Self { kind: Type::PLAIN, lines, bottom });
             }
-            bottom = bottom.max(y);
         }
-        Self { kind: Type::PLAIN, lines, bottom: if notes.is_empty() { top } else { bottom + MARGIN } }
+        all
     }
 
     fn draw(&self, canvas: &mut Canvas) -> Result<(), PlotError> {
@@ -150,35 +150,37 @@ const WIDTH: u32 = 2400;
 /// Drawing units for one pixel of the nominal size.
 const UNITS_PER_PIXEL: u32 = 3;
 
-/// A drawing of `height` as a document that stands alone.
-fn document(
-    title: &str,
-    description: &str,
-    height: u32,
-    draw: impl FnOnce(&mut Canvas) -> Result<(), PlotError>,
-) -> Result<String, PlotError> {
-    // Whole pixels, or the last row of them would be half empty.
-    let height = height.div_ceil(UNITS_PER_PIXEL) * UNITS_PER_PIXEL;
+/// What `draw` draws as a group with an attribute: `data-panel` is the part of the sheet that a panel takes, for those who want
+/// to place panels anew.
+fn group(attribute: &str, draw: impl FnOnce(&mut Canvas) -> Result<(), PlotError>) -> Result<String, PlotError> {
     let mut drawn = String::new();
-    let mut canvas = Canvas::new(&mut drawn, [WIDTH, height])?;
+    let mut canvas = Canvas::new(&mut drawn);
     draw(&mut canvas)?;
     canvas.present()?;
-    // The backend opens the document without title and with one size for both; its first line makes room for ours.
+    // The backend opens and closes a document of its own, on its first and its last line.
     let body = drawn.split_once('\n').map_or("", |(_, body)| body);
-    Ok(format!(
+    let body = body.rsplit_once("</svg>").map_or(body, |(body, _)| body);
+    Ok(format!("<g {attribute}>\n{}</g>\n", compact(body)))
+}
+
+/// Groups on a white sheet of `height` as a document that stands alone.
+fn document(title: &str, description: &str, height: u32, groups: &str) -> String {
+    // Whole pixels, or the last row of them would be half empty.
+    let height = height.div_ceil(UNITS_PER_PIXEL) * UNITS_PER_PIXEL;
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {WIDTH} {height}\" \
          role=\"img\" aria-labelledby=\"title desc\" font-family=\"sans-serif\" font-size=\"{TEXT}\">\n\
          <title id=\"title\">{}</title>\n\
          <desc id=\"desc\">{}</desc>\n\
          <style>@media (prefers-color-scheme: dark) {{ {} }}</style>\n\
-         {}",
+         <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#FFFFFF\"/>\n\
+         {groups}</svg>\n",
         WIDTH / UNITS_PER_PIXEL,
         height / UNITS_PER_PIXEL,
         escaped(title),
         escaped(description),
         dark_rules(),
-        compact(body),
-    ))
+    )
 }
 
 /// The elements of plotters' backend, one a line, without what is the default, and lines of one look that follow each other as
@@ -206,10 +208,11 @@ fn compact(body: &str) -> String {
         close(&mut out, &mut open);
         out.push_str(&line);
         // A text stands on a line between its tags.
-        if line.starts_with("</text") || line.ends_with("/>") || line.starts_with("</svg") {
+        if line.starts_with("</text") || line.ends_with("/>") {
             out.push('\n');
         }
     }
+    close(&mut out, &mut open);
     out
 }
 
@@ -239,8 +242,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Figure, PlotError, document};
-    use crate::plot::{Axis, Panel, Style};
+    use super::{Align, Figure, PlotError, Type, document, group};
+    use crate::plot::{Axis, Color, Dash, Panel, Style};
 
     #[test]
     fn a_figure_without_a_panel_or_a_point_is_refused() {
@@ -248,6 +251,16 @@ mod tests {
         assert!(matches!(none, Err(PlotError::Empty { what: "a figure" })), "no panel");
         let empty = Figure::new("", "", vec![Panel::new(Axis::new("x"), Axis::new("y"))]).svg();
         assert!(matches!(empty, Err(PlotError::Empty { what: "a panel" })), "no point");
+    }
+
+    #[test]
+    fn a_group_is_closed_after_a_line_and_after_a_text() {
+        let line = [[0.0, 0.0], [9.0, 0.0]];
+        let lines = group("id=\"a\"", |canvas| canvas.lines(&[line, line], Color::BLACK, 1, Dash::Solid));
+        let path = "<path fill=\"none\" stroke=\"#000000\" stroke-width=\"1\" d=\"M0,0 9,0M0,0 9,0\"/>";
+        assert_eq!(lines.expect("two lines"), format!("<g id=\"a\">\n{path}\n</g>\n"), "one path");
+        let text = group("id=\"a\"", |canvas| canvas.text("t", [0.0, 0.0], Align::Left, Type::PLAIN));
+        assert!(text.expect("a text").ends_with(">t</text>\n</g>\n"), "a line with its tags");
     }
 
     #[test]
@@ -262,7 +275,7 @@ mod tests {
 
     #[test]
     fn a_document_has_title_description_role_and_dark_colours() {
-        let svg = document("p ≥ 0 & h ≥ 0", "a < b > \"c\" 'd'\u{7}", 300, |_| Ok(())).expect("an empty sheet");
+        let svg = document("p ≥ 0 & h ≥ 0", "a < b > \"c\" 'd'\u{7}", 300, "");
         assert!(svg.contains("<title id=\"title\">p ≥ 0 &amp; h ≥ 0</title>"), "{svg}");
         assert!(svg.contains("<desc id=\"desc\">a &lt; b &gt; &quot;c&quot; &apos;d&apos; </desc>"), "{svg}");
         assert!(svg.contains("prefers-color-scheme: dark"), "{svg}");
