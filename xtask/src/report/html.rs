@@ -5,6 +5,7 @@
 
 mod check;
 mod drawing;
+mod steps;
 mod table;
 
 use std::fmt::Write as _;
@@ -26,11 +27,8 @@ pub(super) const SCENES: &str = "data/play.csv";
 /// The figure that the page shows round by round, and its data, below `report/`.
 const STEPS: [&str; 2] = ["figures/four-steps.svg", "data/four-steps.csv"];
 
-/// The beam to play with: its equations, and what one sees of it.
-const PLAY: &str = concat!(include_str!("html/beam.js"), include_str!("html/play.js"));
-
-/// The four steps round by round.
-const ROUNDS: &str = include_str!("html/steps.js");
+/// The beam to play with, its equations and what one sees of it, and the four steps round by round.
+const PLAYED: &str = concat!(include_str!("html/beam.js"), include_str!("html/play.js"), include_str!("html/steps.js"));
 
 /// Nothing may be loaded, and nothing but what is in the page may run.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:; \
@@ -38,13 +36,12 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 
 
 /// The page; an error if it does not keep what [`check`] asks of it.
 pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
-    let (mut navigation, mut articles, mut drawings, mut title) = (String::new(), String::new(), 0, String::new());
+    let (mut navigation, mut articles, mut title) = (String::new(), String::new(), String::new());
     for name in DOCUMENTS {
         let path = path_of(name);
         let text = rendered.get(&path).ok_or_else(|| format!("{path} is not rendered"))?;
-        let mut document = Document { name, path: &path, rendered, headings: Vec::new(), drawings };
+        let mut document = Document { name, path: &path, rendered, headings: Vec::new() };
         let body = document.html(text).map_err(|error| format!("{path}: {error}"))?;
-        drawings = document.drawings;
         let next = DOCUMENTS.into_iter().skip_while(|other| *other != name).nth(1).unwrap_or(DOCUMENTS[0]);
         let _ = write!(
             articles,
@@ -55,7 +52,6 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
             title = document.headings.first().map(|heading| heading.text.clone()).unwrap_or_default();
         }
     }
-    let data = |path: &str| rendered.get(path).ok_or_else(|| format!("{path} is not made"));
     let articles = articles.replacen("</h1>\n", &format!("</h1>\n{}", include_str!("html/play.html")), 1);
     let values = context! {
         generated => super::GENERATED,
@@ -66,9 +62,8 @@ pub(super) fn page(rendered: &Rendered) -> Result<String, Cause> {
         top => DOCUMENTS[0],
         navigation,
         articles,
-        scenes => data(SCENES)?,
-        steps => data(STEPS[1])?,
-        script => [include_str!("html/page.js"), PLAY, ROUNDS, include_str!("html/selftest.js")].concat(),
+        scenes => rendered.get(SCENES).ok_or_else(|| format!("{SCENES} is not made"))?,
+        script => [include_str!("html/page.js"), PLAYED, include_str!("html/selftest.js")].concat(),
     };
     let page = template::filled(include_str!("html/page.html"), values)?;
     check::check(&page)?;
@@ -90,8 +85,6 @@ struct Document<'a> {
     path: &'a str,
     rendered: &'a Rendered,
     headings: Vec<Heading>,
-    /// How many drawings the page has so far.
-    drawings: usize,
 }
 
 impl Document<'_> {
@@ -104,7 +97,7 @@ impl Document<'_> {
     }
 
     /// Links and drawings, everywhere.
-    fn inline<'t>(&mut self, events: impl Iterator<Item = Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
+    fn inline<'t>(&self, events: impl Iterator<Item = Event<'t>>) -> Result<Vec<Event<'t>>, Cause> {
         let mut out = Vec::new();
         let (mut events, mut in_code) = (events, false);
         while let Some(event) = events.next() {
@@ -166,10 +159,11 @@ impl Document<'_> {
                 Event::Start(Tag::Paragraph) => {
                     let inner: Vec<_> =
                         events.by_ref().take_while(|event| *event != Event::End(TagEnd::Paragraph)).collect();
-                    let figure = inner.iter().all(|event| {
-                        matches!(event, Event::SoftBreak)
-                            || matches!(event, Event::InlineHtml(html) if html.starts_with("<svg"))
-                    });
+                    let drawn = |event: &Event<'_>| matches!(event, Event::InlineHtml(html) if html.starts_with(drawing::BEGIN));
+                    let figure = inner.iter().all(|event| drawn(event) || matches!(event, Event::SoftBreak));
+                    if !figure && inner.iter().any(drawn) {
+                        return Err("a drawing does not stand in a paragraph of its own".into());
+                    }
                     let (open, close) = if figure { ("<figure>", "</figure>\n") } else { ("<p>", "</p>\n") };
                     html(&mut out, open.to_owned());
                     out.extend(inner);
@@ -199,13 +193,13 @@ impl Document<'_> {
     }
 
     /// A drawing as part of the page.
-    fn drawing(&mut self, link: &str) -> Result<String, Cause> {
+    fn drawing(&self, link: &str) -> Result<String, Cause> {
         let path = links::resolved(self.path, link);
         let svg = self.rendered.get(&path).filter(|_| path.ends_with(".svg"));
         let svg = svg.ok_or_else(|| format!("{link} is no drawing of the report and would have to be loaded"))?;
-        self.drawings += 1;
-        let steps = if path == STEPS[0] && self.name == DOCUMENTS[0] { include_str!("html/steps.html") } else { "" };
-        Ok(drawing::inlined(svg, &format!("f{}", self.drawings)) + steps)
+        let data = self.rendered.get(STEPS[1]).filter(|_| path == STEPS[0] && self.name == DOCUMENTS[0]);
+        let player = data.map(|data| steps::player(data)).transpose()?.unwrap_or_default();
+        Ok(drawing::inlined(svg).map_err(|error| format!("{link}: {error}"))? + &player)
     }
 
     /// The entry of the document, with its sections.

@@ -1,5 +1,14 @@
-// A beam above ground of straight lines: three-moment equations on a set of contacts, and an active set that finds the set. The
-// answer without a grid has ever finer nodes where the beam begins and ceases to touch.
+// A beam above ground of straight lines: at each node the three-moment equation and equilibrium, and an active set that finds the
+// contacts. The answer without a grid has ever finer nodes where the beam begins and ceases to touch.
+
+/// More than the rounding of a solve is a pull, as a part of the load, and a place in the ground, as a part of the length.
+const [PULL, DEEP] = [1e-9, 1e-12];
+/// Springs, in loads per length: ground, supports and hinges are stiff; a soft one at a free end carries a beam that touches too little.
+const [STIFF, SOFT] = [1e12, 1e-6];
+/// Intervals that the answer without a grid begins with, and how often those beside a lift-off are halved.
+const [FIRST, HALVINGS] = [80, 8];
+
+const total = (values) => values.reduce((sum, value) => sum + value, 0);
 
 /// The ground at x: its depth below the line of the supports, its slope before x, and where the piece with that slope begins.
 const groundAt = (ground, x) => {
@@ -9,153 +18,118 @@ const groundAt = (ground, x) => {
   return { depth: x === to ? here : there + slope * (x - from), slope, from };
 };
 
-/// A scene on nodes: `load` are forces at nodes, `uniform` is what lies between them.
-const onNodes = ({ stiffness, ground, ends }, x, load, uniform, touches) => ({ x, load, uniform, stiffness, touches,
-  below: x.map((at) => groundAt(ground, at)), held: x.map((_, i) => (i === 0 && ends[0] !== "none") || (i === x.length - 1 && ends[1] !== "none")),
-  fixed: ends.map((end) => end === "built in") });
-
-/// Lists of zeros, the same ones each time: making them takes longer than filling them.
-const pool = { size: 0 };
-const zeros = (size) => {
-  if (pool.size < size) [pool.size, pool.lists] = [2 * size, Array.from({ length: 14 }, () => new Float64Array(2 * size))];
-  return pool.lists.map((list) => list.fill(0, 0, size));
+/// A scene on nodes: `load` are forces at nodes, `uniform` is what lies between them. Span and slope of the ground are those before
+/// a node. All is divided by 6 EI: `kink` is the right side of the three-moment equation, `push` that of equilibrium.
+const onNodes = ({ length, stiffness, ground, ends }, x, load, uniform) => {
+  const below = x.map((at) => groundAt(ground, at));
+  const depth = below.map((place) => place.depth);
+  const unit = 6 * stiffness;
+  const span = [0, ...x.slice(1).map((at, i) => at - x[i]), 0];
+  const rise = (place, i) => (place.from <= x[i] ? place.slope : (depth[i + 1] - depth[i]) / span[i + 1]);
+  const slope = [0, ...below.slice(1).map(rise), 0];
+  const kink = x.map((_, i) => slope[i] - slope[i + 1] - (uniform * (span[i] ** 3 + span[i + 1] ** 3)) / (4 * unit));
+  const push = x.map((_, i) => (load[i] + (uniform * (span[i] + span[i + 1])) / 2) / unit);
+  const end = x.map((at) => (at === 0 ? ends[0] : at === length ? ends[1] : "built in"));
+  const turns = end.map((kind) => kind !== "built in");
+  const held = end.map((kind, i) => kind !== "none" && (i === 0 || i === x.length - 1));
+  const inner = [...x.keys()].filter((i) => !held[i]);
+  const whole = total(load) + uniform * length;
+  const spring = whole / (length * unit);
+  const work = Array.from({ length: 6 }, () => new Float64Array(x.length));
+  return { x, load, uniform, depth, unit, span, slope, kink, push, turns, held, inner, whole, spring, work, length, stiffness };
 };
 
-/// The beam that touches where it is said to: forces at these nodes and at supports, deflections and moments. Nothing if it can move.
-const onContacts = ({ x, below, load, uniform: q, stiffness, held, fixed }, touches) => {
-  const [last, at] = [x.length - 1, []];
-  for (let i = 0; i <= last; i += 1) if (touches[i] || held[i]) at.push(i);
-  const count = at.length;
-  if (count === 0 || (count === 1 && !fixed[0] && !fixed[1])) return null;
-  const [l, chord, left, right, diagonal, above, moment, turns, turned, ...results] = zeros(last + 1);
-  const level = (i) => (held[i] ? 0 : below[i].depth);
-  // Spans as simple beams: reactions, and rotations times 6 EI. On one piece of ground the chord has its slope without rounding.
-  for (let k = 0; k + 1 < count; k += 1) {
-    const [from, to] = [at[k], at[k + 1]];
-    l[k] = x[to] - x[from];
-    chord[k] = below[to].from <= x[from] && !held[from] && !held[to] ? below[to].slope : (level(to) - level(from)) / l[k];
-    left[k] = right[k] = (q * l[k]) / 2;
-    turns[k] = turned[k] = (q * l[k] ** 3) / 4;
-    for (let i = from + 1; i < to; i += 1) if (load[i] !== 0) {
-      const [a, b] = [x[i] - x[from], x[to] - x[i]];
-      left[k] += (load[i] * b) / l[k];
-      right[k] += (load[i] * a) / l[k];
-      turns[k] += (load[i] * a * b * (l[k] + b)) / l[k];
-      turned[k] += (load[i] * a * b * (l[k] + a)) / l[k];
+/// The beam that touches where it is said to: moments, divided by 6 EI, and gaps, which make rounding as small as they are. At each
+/// node a three-moment equation and equilibrium; what a node has is a constant less parts of the moment and gap of the next.
+const onContacts = ({ x, depth, span, kink, push, turns, held, spring, work, length }, touches) => {
+  const [moment, momentByMoment, momentByGap, gap, gapByMoment, gapByGap] = work;
+  for (let i = 0; i < x.length; i += 1) {
+    const left = span[i];
+    const right = span[i + 1];
+    const perLeft = left && 1 / left;
+    const perRight = right && 1 / right;
+    const stiff = spring * (touches[i] || held[i] ? STIFF : turns[i] ? SOFT : 0);
+    // The equations: a · moment + b · gap = bend, and stiff · gap − b · moment = rest.
+    let a = 2 * (left + right) + (turns[i] ? STIFF * length : 0);
+    let b = perLeft + perRight;
+    let c = stiff;
+    let bend = kink[i];
+    let rest = (touches[i] ? 0 : stiff * depth[i]) - push[i];
+    if (i > 0) {
+      a -= left * momentByMoment[i - 1] - perLeft * gapByMoment[i - 1];
+      b += perLeft * momentByMoment[i - 1];
+      c -= perLeft * momentByGap[i - 1];
+      bend -= left * moment[i - 1] - perLeft * gap[i - 1];
+      rest -= perLeft * moment[i - 1];
     }
-    diagonal[k] += 2 * l[k];
-    diagonal[k + 1] += 2 * l[k];
-    above[k] = l[k];
-    moment[k] -= 6 * stiffness * (chord[k] - (k ? chord[k - 1] : 0)) + turns[k];
-    moment[k + 1] -= turned[k] - (k === count - 2 ? 6 * stiffness * chord[k] : 0);
+    const inverse = 1 / (a * c + b * b);
+    moment[i] = (c * bend - b * rest) * inverse;
+    momentByMoment[i] = (c * right - b * perRight) * inverse;
+    momentByGap[i] = -c * perRight * inverse;
+    gap[i] = (a * rest + b * bend) * inverse;
+    gapByMoment[i] = (a * perRight + b * right) * inverse;
+    gapByGap[i] = -b * perRight * inverse;
   }
-  // Where the beam is not built in, the moment at the outermost nodes is that of what hangs over.
-  const over = [[at[0], 0], [at[count - 1], last]].map(([node, end]) => {
-    const sum = { force: q * Math.abs(x[end] - x[node]), moment: (-q * (x[end] - x[node]) ** 2) / 2 };
-    for (let i = end, step = Math.sign(node - end); i !== node; i += step) {
-      [sum.force, sum.moment] = [sum.force + load[i], sum.moment - load[i] * Math.abs(x[i] - x[node])];
-    }
-    return sum;
-  });
-  const free = [!(held[at[0]] && at[0] === 0 && fixed[0]), !(held[at[count - 1]] && at[count - 1] === last && fixed[1])];
-  if (free[0] || count === 1) [diagonal[0], above[0], moment[0]] = [1, 0, over[free[0] ? 0 : 1].moment];
-  if (free[1] && count > 1) [diagonal[count - 1], moment[count - 1]] = [1, over[1].moment];
-  for (let k = 1; k < count; k += 1) {
-    const factor = free[1] && k === count - 1 ? 0 : l[k - 1] / diagonal[k - 1];
-    diagonal[k] -= factor * above[k - 1];
-    moment[k] -= factor * moment[k - 1];
+  for (let i = x.length - 2; i >= 0; i -= 1) {
+    moment[i] -= momentByMoment[i] * moment[i + 1] + momentByGap[i] * gap[i + 1];
+    gap[i] -= gapByMoment[i] * moment[i + 1] + gapByGap[i] * gap[i + 1];
   }
-  for (let k = count - 1; k >= 0; k -= 1) moment[k] = (moment[k] - (k + 1 < count ? above[k] * moment[k + 1] : 0)) / diagonal[k];
-
-  const [deflection, bending, force, before, behind] = results;
-  const peak = { most: 0, least: 0 };
-  const see = (m) => { if (m > peak.most) peak.most = m; else if (m < peak.least) peak.least = m; };
-  /// From a node with known deflection, slope, moment and shear to another.
-  const walk = (from, to, v, slope, m, shear) => {
-    const step = Math.sign(to - from);
-    for (let i = from + step; i !== to + step; i += step) {
-      const h = Math.abs(x[i] - x[i - step]);
-      v += slope * h - (m / 2 + (shear * h) / 6 - (q * h * h) / 24) * ((h * h) / stiffness);
-      slope -= (m + (shear * h) / 2 - (q * h * h) / 6) * (h / stiffness);
-      if (0 < shear && shear < q * h) see(m + (shear * shear) / (2 * q));
-      m += shear * h - (q * h * h) / 2;
-      shear -= q * h + load[i];
-      [deflection[i], bending[i]] = [v, m];
-      if (i !== to) see(m);
-    }
-  };
-  for (let k = 0; k + 1 < count; k += 1) {
-    const grows = (moment[k + 1] - moment[k]) / l[k];
-    behind[at[k]] = left[k] + grows;
-    before[at[k + 1]] = right[k] - grows;
-    const slope = chord[k] + (turns[k] + l[k] * (2 * moment[k] + moment[k + 1])) / (6 * stiffness);
-    const end = chord[k] - (turned[k] + l[k] * (moment[k] + 2 * moment[k + 1])) / (6 * stiffness);
-    if (at[k + 1] - at[k] > 1) walk(at[k], at[k + 1], level(at[k]), slope, moment[k], behind[at[k]]);
-    if (k === 0) walk(at[0], 0, level(at[0]), -slope, moment[0], over[0].force);
-    if (k === count - 2) walk(at[k + 1], last, level(at[k + 1]), end, moment[k + 1], over[1].force);
-  }
-  if (count === 1) walk(at[0], last - at[0], 0, 0, moment[0], over[free[0] ? 0 : 1].force);
-  before[at[0]] = over[0].force;
-  behind[at[count - 1]] = over[1].force;
-  at.forEach((i, k) => {
-    // A beam that lies on straight ground has no moment; what is left of it between the nodes is of no interest.
-    const lies = q > 0 && touches[i - 1] && touches[i + 1] && Math.abs(chord[k] - chord[k - 1]) < 1e-12;
-    [deflection[i], bending[i], force[i]] = [level(i), lies ? 0 : moment[k], load[i] + before[i] + behind[i]];
-    see(bending[i]);
-  });
-  return { deflection, moment: bending, force, before, behind, peak };
+  return { moment, gap };
 };
 
-/// Contacts that carry the beam as a rigid body where supports do not: the highest line over two nodes on both sides of the load.
-const rigid = ({ x, below, load, uniform, held, fixed }) => {
-  const [touches, last, level] = [x.map(() => false), x.length - 1, (i) => (held[i] ? 0 : below[i].depth)];
-  if (fixed[0] || fixed[1]) return touches;
-  const middle = load.reduce((sum, p, i) => sum + p * x[i], (uniform * x[last] ** 2) / 2) / load.reduce((sum, p) => sum + p, uniform * x[last]);
-  const there = ([i, j]) => level(i) + ((level(j) - level(i)) * (middle - x[i])) / (x[j] - x[i]);
-  const [left, right] = [(i) => (held[0] ? i === 0 : x[i] <= middle), (i) => (held[last] ? i === last : x[i] > middle)].map((is) => [...x.keys()].filter(is));
-  const best = left.flatMap((i) => right.map((j) => [i, j])).reduce((a, b) => (there(b) < there(a) ? b : a));
-  touches[best[0]] = touches[best[1]] = true;
-  return touches;
+/// What else there is to say of an answer: forces of ground and supports, those on both sides of a node, and the extreme moments.
+const described = (beam) => {
+  const { x, load, uniform, depth, unit, span, slope, held, touches } = beam;
+  const half = span.map((l) => (uniform * l) / 2);
+  const grows = span.map((l, i) => (l > 0 ? (unit * (beam.moment[i] - beam.moment[i - 1])) / l : 0));
+  const before = x.map((_, i) => half[i] - grows[i]);
+  const behind = x.map((_, i) => half[i + 1] + grows[i + 1]);
+  const force = x.map((_, i) => (touches[i] || held[i] ? before[i] + load[i] + behind[i] : 0));
+  // A beam that lies on straight ground has no moment; what is left of it between the nodes is of no interest.
+  const lies = (i) => uniform > 0 && touches[i - 1] && touches[i] && touches[i + 1] && Math.abs(slope[i + 1] - slope[i]) < DEEP;
+  const moment = x.map((_, i) => (lies(i) ? 0 : unit * beam.moment[i]));
+  const inside = x.map((_, i) => before[i] > 0 && behind[i - 1] > 0 && !(touches[i - 1] && touches[i]));
+  const most = Math.max(...moment.map((m, i) => (inside[i] ? m + before[i] ** 2 / (2 * uniform) : m)));
+  const gap = Array.from(beam.gap);
+  const deflection = depth.map((level, i) => level - gap[i]);
+  return { ...beam, before, behind, force, moment, most, least: Math.min(...moment), gap, deflection };
 };
 
 /// The active set of Lawson and Hanson: of neighbours in the ground the deepest node is taken in, and on the way to the
 /// equilibrium with it those are let go that would pull. It ends, as the energy falls.
-const equilibrium = (nodes) => {
-  const { x, below, load, uniform, held } = nodes;
-  // What counts as a pull and as a place in the ground is more than the rounding of a solve: as parts of the load and of the length.
-  const [least, deep] = [-1e-9 * load.reduce((sum, p) => sum + p, uniform * x[x.length - 1]), -1e-12 * x[x.length - 1]];
-  let [touches, one] = [nodes.touches.slice(), false];
-  let beam = onContacts(nodes, touches);
-  const those = (is) => { const list = []; for (let i = 0; i < x.length; i += 1) if (!held[i] && is(i)) list.push(i); return list; };
-  const pulls = () => those((i) => touches[i] && beam.force[i] < least);
-  const gap = (i) => (held[i] ?? true ? Infinity : below[i].depth - beam.deflection[i]);
-  for (let out; beam && (out = pulls()).length > 0; beam = onContacts(nodes, touches)) out.forEach((i) => { touches[i] = false; });
-  if (!beam) beam = onContacts(nodes, (touches = rigid(nodes)));
+const equilibrium = (nodes, begun) => {
+  const { x, held, inner, spring, length } = nodes;
+  const touches = begun.map((is, i) => is && !held[i]);
+  // Forces of an equilibrium without pull, as parts of the load.
   const feasible = new Float64Array(x.length);
-  for (let round = 0; beam && round < 20 * x.length; round += 1, beam = onContacts(nodes, touches)) {
-    const out = pulls();
-    if (out.length === 0) {
-      feasible.set(beam.force.subarray(0, x.length));
-      const into = those((i) => !touches[i] && gap(i) < deep && gap(i) <= gap(i - 1) && gap(i) < gap(i + 1)).sort((a, b) => gap(a) - gap(b));
-      if (into.length === 0) {
-        const kept = Object.entries(beam).map(([name, value]) => [name, value.slice?.(0, x.length) ?? value]);
-        return { ...nodes, ...Object.fromEntries(kept), touches };
-      }
-      // All of them at once, unless the last time that led nowhere.
-      into.slice(0, one ? 1 : into.length).forEach((i) => { [touches[i], feasible[i]] = [true, 0]; });
-      one = false;
-    } else {
-      const share = Math.min(...out.map((i) => feasible[i] / (feasible[i] - beam.force[i])));
+  let beam = null;
+  let one = false;
+  for (let round = 0; round < 20 * x.length; round += 1) {
+    beam = onContacts(nodes, touches);
+    const { gap } = beam;
+    const force = (i) => -STIFF * gap[i] / length;
+    const on = inner.filter((i) => touches[i]);
+    const out = on.filter((i) => force(i) < -PULL);
+    if (out.length > 0) {
+      const share = Math.min(...out.map((i) => feasible[i] / (feasible[i] - force(i))));
+      on.forEach((i) => { feasible[i] += share * (force(i) - feasible[i]); });
+      out.filter((i) => feasible[i] <= PULL).forEach((i) => { touches[i] = false; });
       one = share === 0;
-      for (let i = 0; i < x.length; i += 1) feasible[i] += touches[i] ? share * (beam.force[i] - feasible[i]) : 0;
-      out.filter((i) => feasible[i] <= -least).forEach((i) => { touches[i] = false; });
+      continue;
     }
+    on.forEach((i) => { feasible[i] = force(i); });
+    const deeper = (i, k) => held[k] || !(gap[k] < gap[i]);
+    const into = inner.filter((i) => !touches[i] && gap[i] < -DEEP * length && deeper(i, i - 1) && deeper(i, i + 1));
+    if (into.length === 0) break;
+    // All of them at once, unless the last time that led nowhere.
+    into.sort((i, k) => gap[i] - gap[k]).slice(0, one ? 1 : into.length).forEach((i) => {
+      touches[i] = true;
+      feasible[i] = 0;
+    });
+    one = false;
   }
-  return null;
+  return described({ ...nodes, ...beam, touches });
 };
-
-/// Nodes for the answer without a grid, how often those beside a lift-off are halved, and what is no clearance, in lengths of the beam.
-const [FIRST, HALVINGS, NEAR] = [80, 8, 1e-10];
 
 /// The answer without a grid.
 const solveBeam = (scene) => {
@@ -163,52 +137,53 @@ const solveBeam = (scene) => {
   const corners = [...ground.map(([x]) => x), point.at];
   const equal = Array.from({ length: FIRST + 1 }, (_, i) => (i * length) / FIRST);
   const first = corners.concat(equal.filter((x) => corners.every((at) => Math.abs(x - at) > length / FIRST / 4)));
+  // Places of nodes, and whether the beam is thought to touch there.
   const places = new Map(first.map((x) => [x, false]));
   for (let halving = 0; ; halving += 1) {
     const sorted = [...places.keys()].sort((a, b) => a - b);
     const load = sorted.map((x) => (x === point.at ? point.force : 0));
-    const beam = equilibrium(onNodes(scene, sorted, load, uniform, sorted.map((x) => places.get(x))));
-    if (!beam || halving === HALVINGS) return beam;
-    const { x, below, held, deflection, moment } = beam;
-    const gaps = x.map((_, i) => (held[i] ? Infinity : below[i].depth - deflection[i]));
-    const near = gaps.map((gap, i) => beam.touches[i] || gap < NEAR * length);
-    x.forEach((at, i) => {
-      places.set(at, beam.touches[i]);
-      const [a, b, c, d] = [-2, -1, 1, 2].map((k) => near[i + k]);
+    const beam = equilibrium(onNodes(scene, sorted, load, uniform), sorted.map((x) => places.get(x)));
+    const { x, span, held, moment, gap, touches } = beam;
+    for (let i = 0; i < x.length; i += 1) {
       // So far the beam may sag between nodes.
-      const sag = ((Math.abs(moment[i]) + uniform * length) * Math.max(at - (x[i - 1] ?? at), (x[i + 1] ?? at) - at) ** 2) / (2 * stiffness);
-      const clear = (k) => !(gaps[k] < sag);
-      const straight = [-1, 1, 2].every((k) => Math.abs(below[i + k]?.slope - below[i].slope) < 1e-12);
-      const ends = near[i] ? !(a && b && c && d && straight) && !(corners.includes(at) && clear(i - 1) && clear(i + 1))
-        : gaps[i] < sag && !(gaps[i] > gaps[i - 1]) && !(gaps[i] > gaps[i + 1]);
-      if (ends) for (const k of [i, i + 1]) if (k > 0 && k < x.length) places.set((x[k - 1] + x[k]) / 2, near[k - 1] && near[k]);
-    });
-    if (places.size === x.length) return beam;
+      const sag = ((Math.abs(moment[i]) + uniform * length) * Math.max(span[i], span[i + 1]) ** 2) / (2 * stiffness);
+      const low = !held[i] && gap[i] < sag && !(gap[i] > gap[i - 1]) && !(gap[i] > gap[i + 1]);
+      const within = [-2, -1, 1, 2].every((k) => touches[i + k]);
+      const halved = (touches[i] || low) && !within ? [i, i + 1] : [];
+      halved.filter((k) => k > 0 && k < x.length).forEach((k) => places.set((x[k - 1] + x[k]) / 2, touches[k - 1] && touches[k]));
+      places.set(x[i], touches[i]);
+    }
+    if (halving === HALVINGS || places.size === x.length) return beam;
   }
 };
 
 /// The answer on a grid, which begins with the contacts of another.
 const solveOnGrid = (scene, intervals, contacts) => {
   const { length, uniform, point } = scene;
-  const x = Array.from({ length: intervals + 1 }, (_, i) => (i * length) / intervals);
   const step = length / intervals;
-  const load = x.map((at, i) => uniform * step * (i % intervals ? 1 : 0.5) + point.force * Math.max(0, 1 - Math.abs(at - point.at) / step));
-  return equilibrium(onNodes(scene, x, load, 0, x.map((at) => contacts.some(({ from, to }) => from - step < at && at < to + step))));
+  const x = Array.from({ length: intervals + 1 }, (_, i) => (i * length) / intervals);
+  const share = (at) => Math.max(0, 1 - Math.abs(at - point.at) / step);
+  const load = x.map((at, i) => uniform * step * (i % intervals ? 1 : 0.5) + point.force * share(at));
+  const begun = x.map((at) => contacts.some(({ from, to }) => from - step < at && at < to + step));
+  return equilibrium(onNodes(scene, x, load, 0), begun);
 };
 
-/// Contacts from left to right: neighbouring nodes are one, and so are those between which the beam rises no more than it sags there. Only a zone has a length.
-const contactsOf = ({ x, below, touches, deflection, force, before, behind, held, uniform, stiffness }) => {
-  const [contacts, length] = [[], x[x.length - 1]];
-  const sag = NEAR * length + (uniform * (length / FIRST) ** 4) / (1000 * stiffness);
+/// Contacts from left to right: neighbouring nodes are one, and so are those between which the beam rises no more than it sags
+/// there. Only a zone has a length, and a force on either side.
+const contactsOf = ({ x, gap, touches, force, before, behind, held, uniform, stiffness, length }) => {
+  const contacts = [];
+  const sag = (uniform * (length / FIRST) ** 4) / (1000 * stiffness);
+  const joined = (i) => touches[i] || (!held[i] && gap[i] < sag);
   for (let i = 0; i < x.length; i += 1) {
-    if (!touches[i] || held[i]) continue;
-    let [j, total, first] = [i, 0, 0];
-    for (let k = i; k < x.length && !held[k] && (touches[k] || below[k].depth - deflection[k] < sag); k += 1) {
-      if (touches[k]) [j, total, first] = [k, total + force[k], first + force[k] * x[k]];
-    }
-    const zone = { from: x[i], to: x[j], force: total, ends: [before[i], behind[j]] };
-    contacts.push(x[j] - x[i] > 1e-3 * length ? zone : { from: first / total, to: first / total, force: total });
-    i = j;
+    if (!touches[i]) continue;
+    const nodes = [];
+    for (let k = i; k < x.length && joined(k); k += 1) if (touches[k]) nodes.push(k);
+    const last = nodes[nodes.length - 1];
+    const carried = total(nodes.map((k) => force[k]));
+    const middle = total(nodes.map((k) => force[k] * x[k])) / carried;
+    const zone = { from: x[i], to: x[last], force: carried, sides: [before[i], behind[last]] };
+    contacts.push(x[last] - x[i] > 1e-3 * length ? zone : { from: middle, to: middle, force: carried, sides: [carried] });
+    i = last;
   }
   return contacts;
 };

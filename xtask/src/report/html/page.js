@@ -45,7 +45,7 @@ const fit = () => {
   const wide = boxes.map((box) => box.scrollWidth > box.clientWidth);
   boxes.forEach((box, i) => { if (wide[i]) box.tabIndex = 0; else box.removeAttribute("tabindex"); });
 };
-document.querySelectorAll("figure").forEach((figure) => figure.addEventListener("click", () => { figure.classList.toggle("large"); fit(); }));
+document.querySelectorAll('figure:has([style="--share:1"]):not(:has(.steps))').forEach((figure) => figure.addEventListener("click", () => { figure.classList.toggle("large"); fit(); }));
 addEventListener("resize", fit);
 fit();
 

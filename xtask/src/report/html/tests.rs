@@ -3,16 +3,23 @@
 use super::*;
 
 const SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" height=\"300\" viewBox=\"0 0 2400 900\" \
-                   role=\"img\" aria-labelledby=\"title desc\">\n<title id=\"title\">t</title>\n<desc id=\"desc\">d</desc>\n\
+                   role=\"img\" aria-labelledby=\"title desc\" font-family=\"sans-serif\" font-size=\"58\">\n\
+                   <title id=\"title\">t &lt; 1</title>\n<desc id=\"desc\">d</desc>\n\
                    <style>@media (prefers-color-scheme: dark) { [fill=\"#000000\"]{fill:#E6EDF3} }</style>\n\
-                   <clipPath id=\"c\"/><path clip-path=\"url(#c)\" fill=\"#000000\"/></svg>\n";
+                   <rect width=\"2400\" height=\"900\" fill=\"#FFFFFF\"/>\n\
+                   <g class=\"title\">\n<text>t &lt; 1</text>\n</g>\n\
+                   <g data-panel=\"0 100 1200 700\">\n<path d=\"M0,0\"/>\n</g>\n\
+                   <g data-panel=\"1200 100 1200 700\">\n<path d=\"M1,1\"/>\n</g>\n\
+                   <g class=\"note\">\n<text>A note</text>\n<text>on two lines.</text>\n</g>\n</svg>\n";
 
 /// A report of which one document has a text, with all that the page needs.
 fn report(name: &str, text: &str) -> Rendered {
     let mut rendered: Rendered =
         DOCUMENTS.iter().map(|document| (path_of(document), format!("# {document}: words\n\n## Part\n"))).collect();
     rendered.insert(path_of(name), text.to_owned());
-    for (path, text) in [("figures/f.svg", SVG), (STEPS[0], SVG), (SCENES, "x\n"), (STEPS[1], "round\n")] {
+    for (path, text) in
+        [("figures/f.svg", SVG), (STEPS[0], SVG), (SCENES, "x\n"), (STEPS[1], "round,node,sign,force\n1,1,held,1\n")]
+    {
         rendered.insert(path.to_owned(), text.to_owned());
     }
     rendered
@@ -63,18 +70,25 @@ fn the_navigation_has_all_documents_in_their_order() {
 }
 
 #[test]
-fn drawings_become_part_of_the_page_with_ids_of_their_own() {
-    let html = article("theory", "# Theory\n\n![f](../figures/f.svg)\n\nand ![f](../figures/f.svg) again")
-        .expect("it is made");
-    let head = "<svg viewBox=\"0 0 2400 900\" role=\"img\" aria-labelledby=\"f1-title f1-desc\">";
-    assert!(html.contains(&format!("<figure>{head}")), "alone it is a figure: {html}");
-    assert!(html.contains("<p>and <svg") && html.contains("id=\"f2-title\""), "inside a text it is not: {html}");
-    assert!(html.contains("<clipPath id=\"f1-c\"/><path clip-path=\"url(#f1-c)\""), "references follow: {html}");
-    assert!(!html.contains("<style>"), "the theme is the page's: {html}");
+fn drawings_become_part_of_the_page_panel_by_panel() {
+    let html = article("theory", "# Theory\n\n![f](../figures/f.svg)\n![f](../figures/f.svg)").expect("it is made");
+    let font = "font-family=\"sans-serif\" font-size=\"58\" style=\"--share:0.5\"";
+    let drawing = format!(
+        "<p class=\"title\">t &lt; 1</p>\n\
+         <div class=\"drawing\" role=\"img\" aria-label=\"d\" style=\"--ratio:2.6666666666666665\">\n\
+         <svg viewBox=\"0 100 1200 700\" {font}>\n<path d=\"M0,0\"/>\n</svg>\n\
+         <svg viewBox=\"1200 100 1200 700\" {font}>\n<path d=\"M1,1\"/>\n</svg>\n</div>\n\
+         <p class=\"note\">A note on two lines.</p>\n"
+    );
+    assert!(html.contains(&format!("<figure>{drawing}\n{drawing}</figure>")), "{html}");
     let page = page(&report("theory", "# Theory")).expect("it is made");
     assert!(page.contains(":root[data-theme=dark] svg { [fill=\"#000000\"]{fill:#E6EDF3}"), "once for all drawings");
-    let foreign = article("theory", "# Theory\n![x](https://example.org/x.png)");
-    assert!(foreign.is_err_and(|error| error.contains("would have to be loaded")), "nothing is loaded");
+    let refused = |text: &str| article("theory", text).expect_err("it is refused");
+    assert!(
+        refused("# Theory\n![x](https://example.org/x.png)").contains("would have to be loaded"),
+        "nothing is loaded"
+    );
+    assert!(refused("# Theory\n\nand ![f](../figures/f.svg)").contains("a paragraph of its own"), "nor inside a text");
 }
 
 #[test]
@@ -113,12 +127,9 @@ fn options_and_numbers_stay_on_one_line() {
 /// What a reader has to go through who wants to know how the beam of the page is solved, and how the four steps are shown.
 #[test]
 fn the_scripts_that_play_are_short() {
-    for (script, most) in [(PLAY, 300), (ROUNDS, 100)] {
-        let code = script.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"));
-        let (count, longest) =
-            code.fold((0, 0), |(count, longest), line| (count + 1, longest.max(line.chars().count())));
-        assert!(count <= most && longest <= 160, "{count} lines of code, of at most {longest} characters");
-    }
+    let code = PLAYED.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"));
+    let (count, longest) = code.fold((0, 0), |(count, longest), line| (count + 1, longest.max(line.chars().count())));
+    assert!(count <= 300 && longest <= 150, "{count} lines of code, of at most {longest} characters");
 }
 
 #[test]
