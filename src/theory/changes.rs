@@ -30,6 +30,10 @@ pub(super) const AT_A_CHANGE: f64 = 1e-9;
 impl Exact {
     /// What the ground does at the supports, from left to right.
     pub(super) fn at_supports(&self, scene: &Scene) -> Vec<Ground> {
+        if self.springs.is_some() {
+            let meets = |held: &Held| held.meets.contains(&true);
+            return scene.held().iter().map(|held| Ground { meets: meets(held), ..Ground::default() }).collect();
+        }
         let nodes = self.list.nodes.iter().enumerate();
         let held = scene.held();
         let ground = |(i, node): (usize, &Node)| Some(self.at_support(scene, i, &held[node.support(&self.given)?]));

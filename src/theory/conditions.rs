@@ -46,7 +46,7 @@ impl Exact {
             Change::Ground | Change::GroundUnder(..) | Change::Level(_) => {
                 self.state.deflection.magnitude() / self.scale.depth
             }
-            Change::Unload => 1.0,
+            Change::Unload | Change::Stiffen => 1.0,
             Change::Uniform(q) => largest / (q * self.given.length),
             Change::Force(_, p) => largest / p,
             Change::Move(..) | Change::Support(..) => self.given.length,

@@ -12,6 +12,7 @@ use super::conditions::Conditions;
 use super::exact::Exact;
 use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
+use super::springs::Springs;
 use crate::scene::{Quantity, Scene, Support};
 
 /// By what an answer is differentiated.
@@ -122,7 +123,8 @@ pub(super) struct Asked {
     pub(super) parts: Option<Missing>,
 }
 
-/// Numbers of all derivatives together at most: some 400 MB as text.
+/// Numbers of all derivatives together at most, with the unknowns of the beams that they are computed from: some 400 MB as text, and
+/// some seconds on ground that gives, where each has a beam of its own.
 const MOST_NUMBERS: usize = 20_000_000;
 
 impl Exact {
@@ -131,8 +133,9 @@ impl Exact {
     /// not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
+        let asked = self.asked(scene).into_iter().take(self.most_derivatives());
         if let Some(springs) = &self.springs {
-            return self.derivatives_on_springs(springs, scene);
+            return self.derivatives_on_springs(springs, scene, asked);
         }
         let Some(linear) = self.sensitivity() else { return Vec::new() };
         let (conditions, lies) = (self.conditions(), self.lies());
@@ -141,7 +144,7 @@ impl Exact {
             let unloaded = (lies && matches!(asked.change, Change::Uniform(_))).then_some(Missing::Unloaded);
             self.derivative(&linear, &conditions, Asked { parts: asked.parts.or(unloaded), ..asked })
         };
-        self.asked(scene).into_iter().take(self.most_derivatives()).map(of).collect()
+        asked.map(of).collect()
     }
 
     /// How many derivatives are left out of [`Self::derivatives`] for there are too many numbers in all.
@@ -151,7 +154,8 @@ impl Exact {
     }
 
     fn most_derivatives(&self) -> usize {
-        MOST_NUMBERS / (self.state.supports.len() + 5 * self.state.contacts.len() + 1)
+        let unknowns = self.springs.as_ref().map_or(0, Springs::unknowns);
+        MOST_NUMBERS / (unknowns + self.state.supports.len() + 5 * self.state.contacts.len() + 1)
     }
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
@@ -172,6 +176,9 @@ impl Exact {
             add(By::Depth, Change::Ground, scale.depth, [!supports.iter().any(|s| s.meets), true], false, parts);
         }
         add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, [true; 2], false, None);
+        if let Some(ground) = scene.ground_stiffness() {
+            add(By::Number(Quantity::GroundStiffness), Change::Stiffen, ground, [true; 2], false, None);
+        }
         let (uniform, unit) = (Change::Uniform(1.0 / stiffness), scale.force / scale.length);
         add(By::Number(Quantity::Uniform), uniform, unit, [true; 2], false, None);
         for (i, load) in scene.load().point().iter().enumerate() {
@@ -195,7 +202,13 @@ impl Exact {
             let alone = Ground::default();
             let here = supports.get(i).unwrap_or(&alone);
             let open = [true, !here.meets];
-            add(By::Number(Quantity::SupportLevel(given)), Change::Level(i), scale.depth, open, false, here.rests);
+            let by = By::Number(Quantity::SupportLevel(given));
+            if self.springs.is_some() {
+                let at = self.given.breakpoint_at(support.at / scale.length);
+                at.into_iter().for_each(|at| add(by, Change::Level(at), scale.depth, open, false, None));
+                continue;
+            }
+            add(by, Change::Level(i), scale.depth, open, false, here.rests);
             let unit = scale.length / scale.depth;
             let (at_left, at_right) = (support.at <= 0.0, scene.beam().length() <= support.at);
             // Where the ground meets the support the beam may pass this place on one side only.
@@ -285,8 +298,8 @@ impl Exact {
         let (given, scale) = (&self.given, &self.scale);
         let deflection = |at: f64| self.deflection(at * scale.length) / scale.depth;
         match of {
-            // The energy of a part of the ground is not asked for.
-            Change::GroundUnder(..) => 0.0,
+            // The energy of a part of the ground is not asked for, and rigid ground has no stiffness.
+            Change::GroundUnder(..) | Change::Stiffen => 0.0,
             Change::Ground => {
                 let contact = self.state.contact_force() / (self.stiffness * scale.force);
                 -contact

@@ -28,13 +28,15 @@ pub(super) enum Change {
     GroundUnder(usize, usize),
     /// All loads shrink by their own size.
     Unload,
+    /// Ground that gives becomes stiffer by its own size.
+    Stiffen,
     /// The uniform load grows by this.
     Uniform(f64),
     /// A point load at a place grows by this.
     Force(f64, f64),
     /// A point load of a place and this size moves to the right.
     Move(f64, f64),
-    /// The support of that index goes down by one.
+    /// The support of that index goes down by one; on ground that gives, what stands at that breakpoint.
     Level(usize),
     /// The support of that index moves to the right, along an axis whose own slope and curvature there, `w0'` and `w0''`, are the
     /// numbers that follow: with the level `d` and the slope `φ` that it has, `v = d − w0` and where it is built in `v' = φ − w0'`.

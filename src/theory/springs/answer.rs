@@ -1,5 +1,6 @@
 //! The beam on ground that gives as an [`Exact`] solution: contacts, forces, extremes and energy, in the units of the scene.
 
+use super::band::STATE;
 use super::bearings::{force, search_with};
 use super::part::Part;
 use super::{Found, deepest};
@@ -44,6 +45,11 @@ impl Springs {
     /// How many parts there are.
     pub(in crate::theory) fn size(&self) -> usize {
         self.parts.len()
+    }
+
+    /// How many unknowns the beam on them has.
+    pub(in crate::theory) fn unknowns(&self) -> usize {
+        STATE * self.parts.len()
     }
 
     /// Places that are near enough to each other to see how the beam decays into the ground.

@@ -83,7 +83,8 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
 /// What holds the beam at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`.
 pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -> f64 {
     let at = &given.breakpoints[breakpoint];
-    let left = parts.iter().rfind(|part| part.piece.hi <= at.x).map_or(0.0, |part| part.beam(at.x)[3]);
-    let right = parts.iter().find(|part| at.x <= part.piece.lo).map_or(0.0, |part| part.beam(at.x)[3]);
+    let shear = |part: Option<&Part>| part.map_or(0.0, |part| part.beam(at.x)[3]);
+    let left = shear(parts[..parts.partition_point(|part| part.piece.hi <= at.x)].last());
+    let right = shear(parts.get(parts.partition_point(|part| part.piece.lo < at.x)));
     at.force - (right - left)
 }

@@ -17,53 +17,35 @@ use super::answer::{integral, rule};
 use super::bearings::force;
 use super::cells::{Drive, solve_driven};
 use super::part::Part;
-use crate::scene::{Quantity, Scene, Support};
-use crate::theory::derivatives::{By, ContactDerivative, Derivative, Missing};
+use crate::scene::{Scene, Support};
+use crate::theory::derivatives::{Asked, ContactDerivative, Derivative, Missing};
 use crate::theory::exact::Exact;
 use crate::theory::piecewise::PiecewiseScene;
+use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
 
 /// A force or a clearance of a support that only pushes below this share of the largest one: on the other side of it the support lifts
 /// off or is touched.
 const TIE: f64 = 1e-9;
 
-/// By what the beam changes, in dimensionless numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Number {
-    Depth,
-    /// The logarithms of `k` and `EI`.
-    Ground,
-    Bending,
-    /// The load over `EI`.
-    Uniform,
-    /// Force and place of a load at a breakpoint, the second with its size.
-    Force(usize),
-    Place(usize, f64),
-    /// The level of what stands at a breakpoint.
-    Level(usize),
-}
-
-/// A number that is asked for, its unit, and whether the other side differs.
-struct Asked {
-    by: By,
-    number: Number,
-    unit: f64,
-    one_sided: bool,
-}
-
 impl Exact {
-    /// The derivatives of this solution of a scene on ground that gives: by the depth of the ground, its stiffness and that of the
-    /// beam, the uniform load, force and place of each point load, and the level of each support.
-    pub(in crate::theory) fn derivatives_on_springs(&self, springs: &Springs, scene: &Scene) -> Vec<Derivative> {
-        if !self.solved {
-            return Vec::new();
-        }
-        self.asked_on_springs(scene).iter().filter_map(|asked| self.on_springs_by(springs, asked)).collect()
+    /// The derivatives that are asked for of this solution of a scene on ground that gives.
+    pub(in crate::theory) fn derivatives_on_springs(
+        &self,
+        springs: &Springs,
+        scene: &Scene,
+        asked: impl Iterator<Item = Asked>,
+    ) -> Vec<Derivative> {
+        let ties = self.has_ties(scene);
+        let by = |asked: Asked| {
+            let one_sided = asked.one_sided || ties || asked.open != [true; 2];
+            self.on_springs_by(springs, Asked { one_sided, ..asked })
+        };
+        asked.filter(|_| self.solved).filter_map(by).collect()
     }
 
-    fn asked_on_springs(&self, scene: &Scene) -> Vec<Asked> {
-        let (given, scale) = (&self.given, &self.scale);
-        let breakpoint = |at: f64| given.breakpoints.partition_point(|b| b.x < at / scale.length);
+    /// True if a support that only pushes neither presses nor is clear of the beam.
+    fn has_ties(&self, scene: &Scene) -> bool {
         let largest = self.state.supports.iter().fold(self.state.contact_force(), |most, s| most.max(s.force.abs()));
         let deepest = self.state.deflection.magnitude();
         let is_tie = |at: &Support| {
@@ -73,34 +55,15 @@ impl Exact {
                 false => self.clearance(s.at) <= TIE * deepest,
             })
         };
-        let ties = scene.beam().bearings().iter().any(is_tie);
-        let mut all = Vec::new();
-        let mut add = |by, number, unit, one_sided| all.push(Asked { by, number, unit, one_sided: one_sided || ties });
-        let meets = scene.held().iter().any(|held| held.meets != [false; 2]);
-        add(By::Depth, Number::Depth, scale.depth, meets);
-        let ground = scene.ground_stiffness().unwrap_or(f64::NAN);
-        add(By::Number(Quantity::GroundStiffness), Number::Ground, ground, false);
-        add(By::Number(Quantity::BendingStiffness), Number::Bending, scene.beam().bending_stiffness(), false);
-        add(By::Number(Quantity::Uniform), Number::Uniform, scale.force / scale.length, false);
-        for (i, load) in scene.load().point().iter().enumerate() {
-            let at = breakpoint(load.at);
-            add(By::Number(Quantity::PointForce(i)), Number::Force(at), scale.force, false);
-            let (size, ends) = (load.force / scale.force / self.stiffness, [0, given.cells.len()].contains(&at));
-            add(By::Number(Quantity::PointAt(i)), Number::Place(at, size), scale.length, ends);
-        }
-        for (i, support) in scene.beam().supports_as_given().into_iter().enumerate() {
-            let number = Number::Level(breakpoint(support.at));
-            add(By::Number(Quantity::SupportLevel(i)), number, scale.depth, meets);
-        }
-        all
+        scene.beam().bearings().iter().any(is_tie)
     }
 
     /// [`None`] where a number leaves the range of `f64`.
-    fn on_springs_by(&self, springs: &Springs, asked: &Asked) -> Option<Derivative> {
+    fn on_springs_by(&self, springs: &Springs, asked: Asked) -> Option<Derivative> {
         let Self { given, scale, .. } = self;
-        let &Asked { by, number, unit, one_sided } = asked;
+        let Asked { by, change: of, unit, one_sided, .. } = asked;
         let k = springs.stiffness;
-        let (changed, drive) = self.changed(springs, number);
+        let (changed, drive) = self.changed(springs, of);
         let parts = solve_driven(&changed, k, &springs.stretches, &drive)?;
         let of_force = |value: f64| value * self.stiffness * scale.force / unit + 0.0;
         let supports = self.state.supports.iter().map(|support| {
@@ -108,52 +71,54 @@ impl Exact {
             if given.support_at(at).is_none() {
                 return 0.0;
             }
-            let own = if number == Number::Bending { force(given, &springs.parts, at) } else { 0.0 };
+            let own = if of == Change::Unload { force(given, &springs.parts, at) } else { 0.0 };
             of_force(own + force(&changed, &parts, at))
         });
         let sunk = |parts: &[Part], [from, to]: [f64; 2]| -> f64 {
-            let inside = parts.iter().filter(|part| part.pressed && from <= part.piece.lo && part.piece.hi <= to);
-            inside.map(|part| k * integral(&part.penetration, part.piece.width())).sum()
+            let first = parts.partition_point(|part| part.piece.lo < from);
+            let inside = parts[first..].iter().take_while(|part| part.piece.hi <= to);
+            inside.filter(|part| part.pressed).map(|part| k * integral(&part.penetration, part.piece.width())).sum()
         };
         let contact = |stretch: &[f64; 2]| {
-            let own = if number == Number::Ground { sunk(&springs.parts, *stretch) } else { 0.0 };
+            let own = if of == Change::Stiffen { sunk(&springs.parts, *stretch) } else { 0.0 };
             let [from, to] = [false, true]
                 .map(|end| self.moved_end(springs, &parts, stretch[usize::from(end)], end) * scale.length / unit + 0.0);
             ContactDerivative { from, to, force: of_force(own + sunk(&parts, *stretch)), end_forces: None }
         };
         let contacts: Vec<ContactDerivative> = springs.stretches.iter().map(contact).collect();
-        let energy = self.energy_on_springs_by(springs, number) * self.stiffness * scale.energy() / unit + 0.0;
+        let energy = self.energy_on_springs_by(springs, of) * self.stiffness * scale.energy() / unit + 0.0;
         let determined = contacts.iter().all(|contact| contact.from.is_finite() && contact.to.is_finite());
         let missing = (!determined).then_some(Missing::Undetermined);
         Some(Derivative { by, one_sided, missing, supports: supports.collect(), contacts, energy })
     }
 
     /// The scene of the change, and what else acts there.
-    fn changed<'a>(&self, springs: &'a Springs, number: Number) -> (PiecewiseScene, Drive<'a>) {
+    fn changed<'a>(&self, springs: &'a Springs, of: Change) -> (PiecewiseScene, Drive<'a>) {
         let (mut changed, mut drive) = (self.given.clone(), Drive::default());
-        let (loads, depth) = match number {
-            Number::Bending => (-1.0, 0.0),
-            Number::Depth => (0.0, 1.0),
-            _ => (0.0, 0.0),
+        let (loads, depth, more) = match of {
+            Change::Unload => (-1.0, 0.0, 0.0),
+            Change::Ground => (0.0, 1.0, 0.0),
+            Change::Uniform(more) => (0.0, 0.0, more),
+            _ => (0.0, 0.0, 0.0),
         };
         for cell in &mut changed.cells {
-            (cell.load, cell.load_slope) = (loads * cell.load, loads * cell.load_slope);
-            cell.load += if number == Number::Uniform { 1.0 / self.stiffness } else { 0.0 };
+            (cell.load, cell.load_slope) = (loads * cell.load + more, loads * cell.load_slope);
         }
         changed.shapes.fill(Shape::Line { origin: 0.0, depth, slope: 0.0 });
         for at in &mut changed.breakpoints {
             (at.force, at.step, at.kink) = (loads * at.force, 0.0, 0.0);
         }
         for support in &mut changed.supports {
-            let is_it = matches!(number, Number::Level(at) if at == support.breakpoint);
+            let is_it = matches!(of, Change::Level(at) if at == support.breakpoint);
             (support.level, support.slope) = (f64::from(u8::from(is_it)), support.slope.map(|_| 0.0));
         }
-        match number {
-            Number::Force(at) => changed.breakpoints[at].force = 1.0 / self.stiffness,
-            Number::Place(at, force) => drive.couple = Some((at, -force)),
-            Number::Ground => drive.sunk = Some((&springs.parts, -springs.stiffness)),
-            Number::Bending => drive.sunk = Some((&springs.parts, springs.stiffness)),
-            Number::Depth | Number::Uniform | Number::Level(_) => {}
+        let breakpoint = |x: f64| self.given.breakpoints.partition_point(|at| at.x < x);
+        match of {
+            Change::Force(x, more) => changed.breakpoints[breakpoint(x)].force = more,
+            Change::Move(x, force) => drive.couple = Some((breakpoint(x), -force)),
+            Change::Stiffen => drive.sunk = Some((&springs.parts, -springs.stiffness)),
+            Change::Unload => drive.sunk = Some((&springs.parts, springs.stiffness)),
+            _ => {}
         }
         (changed, drive)
     }
@@ -164,28 +129,31 @@ impl Exact {
         if self.given.breakpoint_at(x).is_some_and(stands) {
             return 0.0;
         }
-        let inside = |part: &&Part| part.pressed && if is_right { x <= part.piece.hi } else { x <= part.piece.lo };
-        let [change, own] = [parts, &springs.parts].map(|parts| parts.iter().find(inside));
+        let before = |part: &Part| if is_right { part.piece.hi < x } else { part.piece.lo < x };
+        let [change, own] = [parts, &springs.parts[..]]
+            .map(|parts| parts[parts.partition_point(before)..].iter().find(|part| part.pressed));
         change.zip(own).map_or(f64::NAN, |(change, own)| -change.sunk(x)[0] / own.sunk(x)[1])
     }
 
     /// The derivative of `J / EI`, of `J` by the logarithms of both stiffnesses.
-    fn energy_on_springs_by(&self, springs: &Springs, number: Number) -> f64 {
+    fn energy_on_springs_by(&self, springs: &Springs, of: Change) -> f64 {
         let (given, rule) = (&self.given, rule(&self.given));
         let sum = |of: &dyn Fn(&Part, f64) -> f64| -> f64 {
             let part = |part: &Part| rule.integral(part.piece.lo, part.piece.hi, |x| of(part, x));
             springs.parts.iter().map(part).sum()
         };
         let sunk = |part: &Part, x: f64| if part.pressed { part.sunk(x)[0] } else { 0.0 };
-        let at = |i: usize| springs.part(given.breakpoints[i].x, false).beam(given.breakpoints[i].x);
-        match number {
-            Number::Depth => -springs.stiffness * sum(&sunk),
-            Number::Ground => 0.5 * springs.stiffness * sum(&|part, x| sunk(part, x) * sunk(part, x)),
-            Number::Bending => 0.5 * sum(&|part, x| part.beam(x)[2] * part.beam(x)[2]),
-            Number::Uniform => -sum(&|part, x| part.beam(x)[0]) / self.stiffness,
-            Number::Force(i) => -at(i)[0] / self.stiffness,
-            Number::Place(i, force) => -force * at(i)[1],
-            Number::Level(i) => given.support_at(i).map_or(0.0, |_| -force(given, &springs.parts, i)),
+        let at = |x: f64| springs.part(x, false).beam(x);
+        match of {
+            Change::Ground => -springs.stiffness * sum(&sunk),
+            Change::Stiffen => 0.5 * springs.stiffness * sum(&|part, x| sunk(part, x) * sunk(part, x)),
+            Change::Unload => 0.5 * sum(&|part, x| part.beam(x)[2] * part.beam(x)[2]),
+            Change::Uniform(more) => -more * sum(&|part, x| part.beam(x)[0]),
+            Change::Force(x, more) => -more * at(x)[0],
+            Change::Move(x, force) => -force * at(x)[1],
+            Change::Level(i) => given.support_at(i).map_or(0.0, |_| -force(given, &springs.parts, i)),
+            // Neither is asked for.
+            Change::GroundUnder(..) | Change::Support(..) => 0.0,
         }
     }
 }

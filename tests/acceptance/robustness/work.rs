@@ -42,6 +42,24 @@ fn kinds() -> Vec<(&'static str, Scene)> {
     ]
 }
 
+/// By force and place of 1,700 loads; on ground that gives each derivative is a solve of its own, in as many parts. What is computed and
+/// what is left out is by depth, both stiffnesses, uniform load, loads, and levels and, on rigid ground, places of two supports.
+#[test]
+fn derivatives_by_many_loads_are_little_work() {
+    const LOADS: u32 = 1700;
+    const MOST_UNKNOWNS: usize = 20_000_000;
+    let loads = LOADS as usize;
+    let point = (0..LOADS).map(|i| PointLoad { at: LENGTH * (f64::from(i) + 0.5) / f64::from(LOADS), force: 1.0 });
+    let rigid = scene(10.0, 1.0, point.collect(), Foundation::Flat { depth: 1.0 });
+    let springs = rigid.clone().on_springs(100.0).expect("ground");
+    for (scene, numbers, parts) in [(rigid, 7, 0), (springs, 6, loads)] {
+        let exact = theory::solve(&scene).expect("an answer");
+        let (there, left_out) = (exact.derivatives(&scene).len(), exact.derivatives_left_out(&scene));
+        assert_eq!(there + left_out, 2 * loads + numbers, "{there} and {left_out}");
+        assert!(4 * parts * there <= MOST_UNKNOWNS && (0 < left_out) == (0 < parts), "{there} and {left_out}");
+    }
+}
+
 /// Twice what was counted at the most: lists of contacts and Newton steps of the exact solution, solves of the whole grid by the
 /// active set (how often its unknowns are gone through), unknowns on all grids of an adaptive run.
 const LISTS: usize = 64;
