@@ -4,7 +4,7 @@
 //! certified with the truth. [`extremes`] has scenes whose answer is known without a solver. [`closed`] has closed forms, [`authority`] solves discrete
 //! problems exactly, and [`definition`] asks an answer for all that the problem is defined by, and [`differences`] whether its derivatives are those of
 //! the answers beside it. [`draft`] is a scene as numbers,
-//! [`compare`] the difference of two lists, [`observables`] what of an answer is compared, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
+//! [`compare`] the difference of two lists, [`brackets`] asks whether numbers lie between what is proven of them, [`observables`] what of an answer is compared, [`random`] has numbers and scenes from a fixed seed, and [`hostile`] runs of the whole
 //! program on random and adversarial ones. [`sweeps`] compares the events of random
 //! sweeps. [`bodies`] and [`slab`] have elastic bodies that are no beam. [`exchanges`] and [`libraries`] have what is hard for a solver, [`texts`] says what
 //! holds for any text that is read, and [`numdiff`] compares texts as printed numbers.
@@ -13,6 +13,7 @@
 
 pub mod authority;
 pub mod bodies;
+pub mod brackets;
 pub mod closed;
 pub mod compare;
 pub mod definition;

@@ -4,13 +4,13 @@
 //! So a derivative of it, a reaction, the sum of the contact forces or a deflection under a load, lies between the difference quotients
 //! to its two sides, and these between what is proven of the three energies.
 
-use palkki::certificate::{Certificate, Judged, certify};
+use palkki::certificate::{Judged, certify};
 use palkki::scene::{Foundation, PointLoad, Quantity, Scene, Support};
 use palkki::state::ContactState;
 use palkki::theory::{self, Exact};
 use palkki::verdict::{USABLE, Verdict};
 
-use super::laws::{CERTAIN, THEORY, exceeds, flexibility, grounded, sizes};
+use super::laws::{CERTAIN, exceeds, flexibility, grounded, sizes};
 use super::trial::Trial;
 use crate::draft::Draft;
 
@@ -72,18 +72,6 @@ pub(super) fn locally(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: &E
                     return;
                 }
             }
-        }
-    }
-}
-
-/// The forces of the supports lie between what is proven of them.
-pub(super) fn bracketed(trial: &mut Trial, scene: &Scene, exact: &Exact, certificate: &Certificate) {
-    let (force, _) = sizes(scene, &exact.state);
-    for (support, bracket) in exact.state.supports.iter().zip(&certificate.reactions) {
-        let Some([least, most]) = bracket else { continue };
-        let off = (least - support.force).max(support.force - most);
-        if exceeds(off, THEORY * force) {
-            trial.wrong.push(format!("theory: the force {:e} at {} is not in {bracket:?}", support.force, support.at));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! One run of the whole program: text → scene → beam theory and one discretised route → certificates, all of them held to
 //! their laws.
 
+use crate::brackets::outside;
 use crate::definition::violated;
 use crate::draft::Draft;
 use crate::random::Random;
@@ -14,7 +15,7 @@ use palkki::{Settings, Witness, solve_raw};
 
 use super::alike::{continuous, mirror, near};
 use super::derivatives::derivatives;
-use super::energies::{backed, bracketed, castigliano, in_balance, locally, stands};
+use super::energies::{backed, castigliano, in_balance, locally, stands};
 use super::fractions::by_moments;
 use super::laws::{THEORY, balanced, judge, lies_on_ground, name, overlap, presses, same, turns_above_ground, within};
 use super::moving::{sweep, tolerance};
@@ -191,7 +192,8 @@ fn at_length(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: Option<&Exa
         stands(trial, &exact.state);
         locally(trial, draft, scene, exact);
         if let Some(certificate) = &verdict.certificate {
-            bracketed(trial, scene, exact, certificate);
+            let outside = outside(scene, &exact.state, certificate).into_iter();
+            trial.wrong.extend(outside.map(|what| format!("theory: {what}")));
         }
         near(trial, draft, exact);
         by_moments(trial, draft, scene, exact);
@@ -308,10 +310,10 @@ mod tests {
             ("derivatives", |trial, draft, scene, exact| {
                 derivatives(trial, draft, scene, exact, &mut Random::new(1));
             }),
-            ("bracketed", |trial, _, scene, exact| {
+            ("outside", |trial, _, scene, exact| {
                 let own = theory::solve(scene).expect("an answer");
                 let verdict = Verdict::of_exact(scene, &own, &Demand::default());
-                bracketed(trial, scene, exact, &verdict.certificate.expect("bounds"));
+                trial.wrong = outside(scene, &exact.state, &verdict.certificate.expect("bounds"));
             }),
         ];
         let [draft, other] = [0.1, 0.11].map(beam);

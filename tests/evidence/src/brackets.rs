@@ -1,0 +1,34 @@
+//! Whether the numbers of an answer lie between what is proven of them, as they are printed.
+
+use palkki::certificate::Certificate;
+use palkki::scene::Scene;
+use palkki::state::ContactState;
+
+/// Half a unit in the last digit of a table, as a share of the number.
+const PRINTED: f64 = 5e-6;
+/// What rounding makes of a sum of forces, as a share of the largest.
+const ROUNDING: f64 = 1e-12;
+
+/// The numbers of an answer that do not lie in their brackets, in words. The greatest deflection of a beam that may turn has none.
+#[must_use]
+pub fn outside(scene: &Scene, state: &ContactState, certificate: &Certificate) -> Vec<String> {
+    let (length, contact) = (scene.beam().length(), state.contact_force());
+    let loads = scene.load().magnitude(length).max(contact);
+    let largest = state.supports.iter().fold(loads, |most, support| most.max(support.force.abs()));
+    let forces = state.supports.iter().zip(&certificate.reactions);
+    let forces = forces.map(|(support, bracket)| (format!("the force at {}", support.at), support.force, *bracket));
+    let forces = forces.chain([("the contact force".to_owned(), contact, certificate.contact_force)]);
+    let forces = forces.map(|number| (number, largest));
+    let moments = [state.moment.max, state.moment.min].into_iter().zip(certificate.moments);
+    let moments = moments.map(|(value, bracket)| (("a moment".to_owned(), value, bracket), largest * length));
+    let deflection = ("the greatest deflection".to_owned(), state.deflection.max, certificate.deflection_max);
+    let all = forces.chain(moments).chain([(deflection, state.deflection.magnitude())]);
+    let is_outside = |((what, value, bracket), size): ((String, f64, Option<[f64; 2]>), f64)| {
+        let [least, most] = bracket?;
+        let off = (least - value).max(value - most);
+        // True also of what is no number.
+        let is_inside = off <= PRINTED * value.abs() + ROUNDING * size;
+        (!is_inside).then(|| format!("{what} is {value:e} and not in [{least:e}, {most:e}]"))
+    };
+    all.filter_map(is_outside).collect()
+}
