@@ -1,7 +1,8 @@
 //! A witness as contact nodes: its places as they are, and the slopes that follow from them.
 //!
-//! Only the supports are added to its contacts, and no place is moved: an error stays, and makes the duality gap of
-//! [`proof`](super::kernel::proof) larger. At which supports the ground, level with them, holds the slope is given with the witness.
+//! Only the supports are added to its contacts, and corners that are touched where these prove little; no place is moved: an error
+//! stays, and makes the duality gap of [`proof`](super::kernel::proof) larger. At which supports the ground, level with them, holds the
+//! slope is given with the witness.
 //! Unknown are the slopes `θ` of the beam at other supports and at corners.
 //! With the places given they minimise the energy of the spans, and solve
 //!
