@@ -231,8 +231,18 @@ pub(super) fn text_of<'e>(event: &'e Event<'_>) -> Option<&'e str> {
     }
 }
 
-/// A displayed formula as MathML.
+/// A displayed formula as MathML, in parts where it has wide spaces: browsers break no formula, but lay parts on several lines.
 fn formula(latex: &str) -> Result<String, Cause> {
+    // The lines of an aligned formula belong together.
+    if latex.contains("\\begin") {
+        return mathml(latex);
+    }
+    let latex = latex.replace("\\qquad", "\\quad");
+    latex.split("\\quad").filter(|part| !part.trim().is_empty()).map(mathml).collect()
+}
+
+/// A formula, or a part of one.
+fn mathml(latex: &str) -> Result<String, Cause> {
     let storage = Storage::new();
     let events: Result<Vec<_>, _> = pulldown_latex::Parser::new(latex, &storage).collect();
     let events = events.map_err(|error| format!("the formula\n{latex}\n{error}"))?;
