@@ -60,20 +60,25 @@ impl Trial {
                 self.none += 1;
                 continue;
             }
+            let central = found.central();
+            if !derivative.one_sided {
+                match central {
+                    None => self.alone += 1,
+                    Some(true) => self.both += 1,
+                    Some(false) => {
+                        self.wrong.push(format!("{name}, two-sided, by {}: {}", derivative.by, found.shown()))
+                    }
+                }
+                continue;
+            }
             let sides = [-1.0, 1.0].map(|side| found.beside(side));
             let holds = sides.contains(&Some(true));
-            match found.central() {
-                None if !derivative.one_sided => self.alone += 1,
-                Some(true) if !derivative.one_sided => self.both += 1,
-                central if derivative.one_sided && (holds || sides == [None; 2]) => {
-                    self.one += usize::from(holds);
-                    self.alone += usize::from(!holds);
-                    self.cautious += usize::from(central == Some(true));
-                }
-                _ => {
-                    let kind = if derivative.one_sided { "one-sided" } else { "two-sided" };
-                    self.wrong.push(format!("{name}, by {}, {kind}: {}", derivative.by, found.shown()));
-                }
+            if holds || sides == [None; 2] {
+                self.one += usize::from(holds);
+                self.alone += usize::from(!holds);
+                self.cautious += usize::from(central == Some(true));
+            } else {
+                self.wrong.push(format!("{name}, one-sided, by {}: {}", derivative.by, found.shown()));
             }
         }
     }
