@@ -80,14 +80,14 @@ impl Hold {
     }
 
     /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite where the two parts are not apart.
-    pub(crate) fn shift(&self, part: [f64; 2]) -> f64 {
+    pub(crate) fn shift(&self, [a, b]: [f64; 2]) -> f64 {
         let Self(left, right) = self;
         if left.off.max(right.off) <= 0.0 {
             return 0.0;
         }
         let far = |x: f64, place: &Place| (x - place.from).abs().max((x - place.to).abs());
-        let most = part.map(|x| far(x, right) * left.off + far(x, left) * right.off);
-        if left.to < right.from { most[0].max(most[1]) / (right.from - left.to) * OUTWARDS } else { f64::INFINITY }
+        let most = |x: f64| far(x, right) * left.off + far(x, left) * right.off;
+        if left.to < right.from { most(a).max(most(b)) / (right.from - left.to) * OUTWARDS } else { f64::INFINITY }
     }
 
     /// How far a part reaches beyond the two places.

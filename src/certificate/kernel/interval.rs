@@ -148,9 +148,9 @@ impl Add for Interval {
 
     fn add(self, other: Self) -> Self {
         // A sum with zero is exact, and that of a number and its negative.
-        match [self, other].map(Self::is_zero) {
-            [true, _] => other,
-            [_, true] => self,
+        match (self.is_zero(), other.is_zero()) {
+            (true, _) => other,
+            (_, true) => self,
             _ if self == -other && self.hi <= self.lo && self.is_finite() => Self::ZERO,
             _ => Self::outward(self.lo + other.lo, self.hi + other.hi),
         }
