@@ -160,19 +160,27 @@ impl OnSprings<'_> {
     }
 
     /// Adds a part that hangs, with the moments at its two ends: by how far it is off its moments, and below the ground.
-    fn hang(&self, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
+    fn hang(&self, i: usize, span: &Span, moments: [Interval; 2], sums: &mut Sums) {
         let stiffness = Interval::exact(self.enclosed.stiffness);
         sums.square = sums.square + span.misfit(stiffness, moments) / (number(6) * stiffness);
-        for ([from, to], [v, _]) in span.curves(self.enclosed, self.enclosed.gap.breaks(span.from, span.to)) {
-            let clearance = self.enclosed.gap.about(from, [from, to]).minus(&v);
-            clearance.negative(Interval::length(from, to), |w, [_, width], end| {
-                let is_taken = end.contains(&true);
-                let below = if is_taken { self.k * Interval::exact(w).square() * width } else { Interval::ZERO };
-                sums.square = sums.square + below;
-                sums.energy = sums.energy + below.hull(Interval::ZERO);
-                is_taken
-            });
-            sums.pieces.push(Piece { from, to, v, pressed: false });
+        for (cell, curves) in span.curves(self.enclosed, self.enclosed.gap.breaks(span.from, span.to)) {
+            let half = Interval::exact(0.5 * Interval::length(cell[0], cell[1]).hi());
+            for (side, v) in curves.iter().enumerate() {
+                let clearance = self.enclosed.gap.about(cell[side], cell).minus(v);
+                let clearance = if side == 1 { clearance.mirrored() } else { clearance };
+                // Beside a pressed part it is no difference of two depths.
+                let beside = self.sunk(i + side, side == 1).filter(|_| (cell[side] - self.x(i + side)).abs() <= 0.0);
+                let known =
+                    beside.map(|[w, w1]| [-w, if side == 1 { w1 } else { -w1 }]).unwrap_or([Interval::WHOLE; 2]);
+                clearance.known(&known).negative(half, |w, [_, width], end| {
+                    let is_taken = end.contains(&true);
+                    let below = if is_taken { self.k * Interval::exact(w).square() * width } else { Interval::ZERO };
+                    sums.square = sums.square + below;
+                    sums.energy = sums.energy + below.hull(Interval::ZERO);
+                    is_taken
+                });
+            }
+            sums.pieces.push(Piece { from: cell[0], to: cell[1], v: curves[0], pressed: false });
         }
     }
 
@@ -246,7 +254,7 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     for (i, span) in spans.iter().enumerate() {
         let held = [(i, 1), (i + 1, 0)].map(|(node, side)| [moments[node][side], shears[node][side]]);
         match span {
-            Some(span) => on.hang(span, held.map(|[moment, _]| moment), &mut sums),
+            Some(span) => on.hang(i, span, held.map(|[moment, _]| moment), &mut sums),
             None => on.press(i, held, &mut sums)?,
         }
     }
