@@ -2,8 +2,7 @@
 
 use super::band::STATE;
 use super::bearings::{force, search_with};
-use super::part::Part;
-use super::{Found, deepest};
+use super::{Found, Part, beside, deepest, part_at};
 use crate::certificate::Stretch;
 use crate::scene::{Quantity, Resultant, Scaled, SceneError, Unheld};
 use crate::state::{Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce};
@@ -32,8 +31,7 @@ pub(in crate::theory) struct Springs {
 impl Springs {
     /// The part at `x`, of two the left or the right one.
     pub(in crate::theory) fn part(&self, x: f64, right: bool) -> &Part {
-        let i = self.parts.partition_point(|part| if right { part.piece.hi <= x } else { part.piece.hi < x });
-        &self.parts[i.min(self.parts.len() - 1)]
+        part_at(&self.parts, x, right)
     }
 
     /// The pressure over `EI`.
@@ -104,12 +102,13 @@ fn second(taylor: &[f64]) -> Vec<f64> {
 pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness: f64) -> Result<Exact, SceneError> {
     let springs = stiffness / scaled.scene.beam().bending_stiffness();
     let (quantity, what) = (Quantity::GroundStiffness, "the stiffness of the ground over that of the beam");
+    let pushed = !given.bearings.is_empty();
     let none = || match scaled.balance.in_units_of(&scaled.scale).resultant() {
         // Nothing presses on either side of the one place that carries the beam.
-        Some(Resultant { force, at }) if !given.bearings.is_empty() => Unheld::OnBorder { force, at }.into(),
+        Some(Resultant { force, at }) if pushed => Unheld::OnBorder { force, at }.into(),
         _ => SceneError::Overflow { quantity, what, value: springs },
     };
-    let (given, found) = search_with(&given, springs).ok_or_else(none)?;
+    let (given, found) = search_with(given, springs).ok_or_else(none)?;
     let Found { parts, stretches, solves, settled } = found;
     let violated = parts.iter().map(violation).fold(0.0, f64::max);
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
@@ -205,8 +204,7 @@ fn support(scaled: &Scaled, given: &PiecewiseScene, parts: &[Part], i: usize) ->
         // Less than nothing by rounding.
         return SupportForce::pushing(x * scale.length, force.max(0.0));
     }
-    let left = parts.iter().rfind(|part| part.piece.hi <= x).map_or([0.0; 4], |part| part.beam(x));
-    let right = parts.iter().find(|part| x <= part.piece.lo).map_or([0.0; 4], |part| part.beam(x));
+    let [left, right] = beside(parts, x);
     let moment = if left[2].abs() < right[2].abs() { -right[2] } else { -left[2] };
     SupportForce {
         pushes_only: false,
@@ -242,6 +240,6 @@ fn energy(given: &PiecewiseScene, parts: &[Part], springs: f64) -> f64 {
             0.5 * (v2 * v2 + springs * w * w) - given.load(cell, x) * v
         });
     }
-    let at = |x: f64| parts.iter().find(|part| x <= part.piece.hi).map_or(0.0, |part| part.beam(x)[0]);
+    let at = |x: f64| part_at(parts, x, false).beam(x)[0];
     given.forces().fold(sum, |sum, breakpoint| sum - breakpoint.force * at(breakpoint.x))
 }

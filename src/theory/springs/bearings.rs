@@ -11,8 +11,7 @@
 //! an end (Murty 1974). With ground that gives the problem is linear by parts only, and that is not proven: work has a limit. All of
 //! them are exchanged at once as long as fewer become wrong.
 
-use super::part::Part;
-use super::{Found, ROUNDING, Work, search};
+use super::{Found, Part, ROUNDING, Work, beside, part_at, search};
 use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 
 /// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
@@ -20,11 +19,15 @@ use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 const PATIENCE: usize = 3;
 
 /// A scene with those of the supports that only push as supports that press, and the beam on them.
-pub(super) fn search_with(given: &PiecewiseScene, springs: f64) -> Option<(PiecewiseScene, Found)> {
+pub(super) fn search_with(given: PiecewiseScene, springs: f64) -> Option<(PiecewiseScene, Found)> {
     let mut work = Work::default();
-    let all = exchange(given, springs, true, &mut work);
+    if given.bearings.is_empty() {
+        let found = search(&given, springs, &mut work)?;
+        return Some((given, found));
+    }
+    let all = exchange(&given, springs, true, &mut work);
     let is_settled = all.as_ref().is_some_and(|(_, found)| found.settled);
-    if is_settled || given.bearings.is_empty() { all } else { exchange(given, springs, false, &mut work).or(all) }
+    if is_settled { all } else { exchange(&given, springs, false, &mut work).or(all) }
 }
 
 /// The same from all of them, or from none.
@@ -67,7 +70,6 @@ fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
 fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> {
     let forces = held.supports.iter().map(|support| force(held, parts, support.breakpoint).abs());
     let force_size = forces.fold(held.total_load, f64::max);
-    let deflection = |x: f64| parts.iter().find(|part| x <= part.piece.hi).map_or(0.0, |part| part.beam(x)[0]);
     let size = parts.iter().fold(0.0, |most: f64, part| most.max(part.beam(part.piece.lo)[0].abs()));
     let is_wrong = |&i: &usize| {
         let breakpoint = held.bearings[i];
@@ -75,7 +77,7 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
             return force(held, parts, breakpoint) < -ROUNDING * force_size;
         }
         let at = &held.breakpoints[breakpoint];
-        ROUNDING * size.max(at.depth.abs()) < deflection(at.x) - at.depth
+        ROUNDING * size.max(at.depth.abs()) < part_at(parts, at.x, false).beam(at.x)[0] - at.depth
     };
     (0..presses.len()).filter(is_wrong).collect()
 }
@@ -83,8 +85,6 @@ fn wrong(held: &PiecewiseScene, parts: &[Part], presses: &[bool]) -> Vec<usize> 
 /// What holds the beam at a breakpoint, over `EI`: `v'''(x+) − v'''(x−) = P − R`.
 pub(super) fn force(given: &PiecewiseScene, parts: &[Part], breakpoint: usize) -> f64 {
     let at = &given.breakpoints[breakpoint];
-    let shear = |part: Option<&Part>| part.map_or(0.0, |part| part.beam(at.x)[3]);
-    let left = shear(parts[..parts.partition_point(|part| part.piece.hi <= at.x)].last());
-    let right = shear(parts.get(parts.partition_point(|part| part.piece.lo < at.x)));
+    let [left, right] = beside(parts, at.x).map(|derivatives| derivatives[3]);
     at.force - (right - left)
 }

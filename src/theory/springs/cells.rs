@@ -11,8 +11,8 @@
 //! Unknown are `y, y', y'', y'''` at the left end of each cell and at the right end of the beam; `y` is `w` where the ground presses
 //! and beside it, `v` elsewhere. Between cells `v, v', v''` are continuous, and `v'''` jumps by the force that acts there.
 
+use super::Part;
 use super::band::{self, Row, STATE};
-use super::part::Part;
 use crate::theory::piece::{Piece, derivatives};
 use crate::theory::piecewise::PiecewiseScene;
 

@@ -12,11 +12,10 @@
 //!
 //! An end of a stretch, `w = 0`, moves by `−w'(x)/(dw/dx)`. The energy is the least one: its derivative is that of the functional alone.
 
-use super::Springs;
 use super::answer::{integral, rule};
 use super::bearings::force;
 use super::cells::{Drive, solve_driven};
-use super::part::Part;
+use super::{Part, Springs};
 use crate::scene::{Scene, Support};
 use crate::theory::derivatives::{Asked, ContactDerivative, Derivative, Missing};
 use crate::theory::exact::Exact;

@@ -16,13 +16,48 @@ mod band;
 mod bearings;
 mod cells;
 mod change;
-mod part;
 
 pub(super) use self::answer::{Springs, exact};
 use self::cells::solve;
-use self::part::Part;
 use super::bernstein::sign_changes;
+use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
+
+/// A part of the beam with its polynomials about the anchor of its piece.
+#[derive(Debug, Clone)]
+pub(in crate::theory) struct Part {
+    pub(in crate::theory) piece: Piece,
+    /// Whether the springs press on it.
+    pub(in crate::theory) pressed: bool,
+    /// Taylor coefficients of `v`.
+    pub(in crate::theory) deflection: Vec<f64>,
+    /// Taylor coefficients of `w = v − g`.
+    pub(in crate::theory) penetration: Vec<f64>,
+}
+
+impl Part {
+    /// `v, v', v'', v'''` at a place of it.
+    pub(in crate::theory) fn beam(&self, x: f64) -> [f64; 4] {
+        derivatives(&self.deflection, x - self.piece.anchor)
+    }
+
+    /// `w, w', w'', w'''` at a place of it.
+    pub(in crate::theory) fn sunk(&self, x: f64) -> [f64; 4] {
+        derivatives(&self.penetration, x - self.piece.anchor)
+    }
+}
+
+/// The part at `x`, of two the left or the right one.
+fn part_at(parts: &[Part], x: f64, right: bool) -> &Part {
+    let i = parts.partition_point(|part| if right { part.piece.hi <= x } else { part.piece.hi < x });
+    &parts[i.min(parts.len() - 1)]
+}
+
+/// `v, v', v'', v'''` before a place between two parts and behind it, zero where there is no beam.
+fn beside(parts: &[Part], x: f64) -> [[f64; 4]; 2] {
+    let i = parts.partition_point(|part| part.piece.lo < x);
+    [i.checked_sub(1), Some(i)].map(|i| i.and_then(|i| parts.get(i)).map_or([0.0; 4], |part| part.beam(x)))
+}
 
 /// What the set is found by.
 #[derive(Debug)]
