@@ -62,8 +62,6 @@ impl Kkt {
         let Recorded { nodes, ref grid, first, ref supports, ref summed, .. } = recorded;
         let Nodes { x, deflection: v, clearance: h, contact_force: p, moment, .. } = nodes;
         let ([force, depth], length, step) = (recorded.sizes(scene), scene.beam().length(), grid.spacing());
-        let nearer =
-            |recorded: f64, moment: f64, jump: f64| (recorded - moment).abs().min((recorded - (moment + jump)).abs());
         let gives = scene.ground_stiffness().is_some();
         let (mut places, mut depths) = ([0.0; BATCH], [0.0; BATCH]);
         let mut worst = [0.0; 7];
@@ -73,10 +71,8 @@ impl Kkt {
         let tangents = summed.walk(start, slope, |walked| {
             let Walked { first: from, moments, jump, deflections } = walked;
             while let Some(support) = supports_ahead.next_if(|s| s.node < from + deflections.len()) {
-                let off = (deflections[support.node - from] - support.held.deflection).abs();
-                let couple =
-                    support.recorded.moment.map_or(0.0, |recorded| nearer(recorded, moments[0] * step, jump * step));
-                at_supports = largest_each(at_supports, [[off, couple]].into_iter());
+                let off = support.off(deflections[support.node - from], moments[0] * step, jump * step);
+                at_supports = largest_each(at_supports, [off].into_iter());
             }
             // An end of the beam that a support holds is no node of the state.
             let Some(i) = from.checked_sub(first).filter(|i| *i < p.len()) else { return };
@@ -154,6 +150,19 @@ struct RecordedSupport {
     node: usize,
     held: Held,
     recorded: SupportForce,
+}
+
+impl RecordedSupport {
+    /// How far a deflection is off what it prescribes, and its moment in the state off one beside it and beyond a jump.
+    fn off(&self, deflection: f64, moment: f64, jump: f64) -> [f64; 2] {
+        let moment = self.recorded.moment.map_or(0.0, |recorded| nearer(recorded, moment, jump));
+        [(deflection - self.held.deflection).abs(), moment]
+    }
+}
+
+/// How far a moment is off that before a jump or behind it, whichever is nearer.
+fn nearer(recorded: f64, moment: f64, jump: f64) -> f64 {
+    (recorded - moment).abs().min((recorded - (moment + jump)).abs())
 }
 
 impl<'a> Recorded<'a> {

@@ -16,7 +16,7 @@
 use std::cmp::Ordering;
 
 use super::error::shown;
-use super::{Foundation, Load, Scale, Scene};
+use super::{Foundation, Scale, Scene, Support};
 use crate::double::Double;
 
 /// The resultant of all loads.
@@ -129,74 +129,63 @@ impl Balance {
     ///
     /// [`Unheld`] if nothing balances the loads.
     pub(super) fn of(scene: &Scene) -> Result<Self, Unheld> {
-        let (load, length) = (scene.load(), scene.beam().length());
-        let gives = scene.ground_stiffness().is_some();
-        let bearings = scene.beam().bearings();
-        let ends = match (scene.foundation(), bearings) {
-            (Some(_), _) => Some([0.0, length]),
-            (None, [first, ..]) => Some([first.at, bearings[bearings.len() - 1].at]),
-            (None, []) => None,
-        };
-        let force = || Sum::of_forces(load, length);
-        let turn = |about: f64| Sum::of_moments(load, length, about);
-        // A support that only pushes on either side may keep the beam from turning about a place.
-        let braced = |about: f64| {
-            bearings.iter().any(|bearing| bearing.at < about) && bearings.iter().any(|bearing| about < bearing.at)
-        };
-        let resultant = || {
-            let force = force().value();
-            Resultant { force, at: turn(0.0).value() / force }
-        };
         match scene.beam().supports() {
-            [] => {
-                let Some(ends) = ends else { return Err(Unheld::NothingCarries) };
-                // Positive where the resultant is on the inner side of the left and of the right end.
-                let [left, right] = [turn(ends[0]), turn(ends[1]).negated()];
-                let overturns =
-                    |force, at| Unheld::Overturns { force, at, grounded: scene.foundation().is_some(), ends };
-                let (force, Resultant { force: weight, at }) = (force(), resultant());
-                match (left.sign(), right.sign()) {
-                    // Of one place alone both are of one sign, or none is.
-                    (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Greater => {
-                        Ok(Self::Neutral { resultant: resultant(), about: ends[0] })
-                    }
-                    (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Less => {
-                        Err(Unheld::PulledUp { force: -weight })
-                    }
-                    (Ordering::Equal, Ordering::Equal) => Err(Unheld::NothingPresses),
-                    (Ordering::Less, Ordering::Less) => Err(Unheld::PulledUp { force: -weight }),
-                    _ if force.sign() == Ordering::Less => Err(Unheld::PulledUp { force: -weight }),
-                    (Ordering::Less, _) | (_, Ordering::Less) if force.sign() == Ordering::Equal => {
-                        Err(Unheld::Couple { moment: left.value().abs() })
-                    }
-                    (Ordering::Less, _) | (_, Ordering::Less) => Err(overturns(weight, at)),
-                    (Ordering::Equal, _) | (_, Ordering::Equal) if gives => Err(Unheld::OnBorder { force: weight, at }),
-                    (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(), about: ends[0] }),
-                    (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(), about: ends[1] }),
-                    (Ordering::Greater, Ordering::Greater) => {
-                        let is_border = |at: f64| turn(at).sign() == Ordering::Equal && !braced(at);
-                        if gives && bearings.iter().any(|bearing| is_border(bearing.at)) {
-                            return Err(Unheld::OnBorder { force: weight, at });
-                        }
-                        // Ground that gives carries nothing at a single place.
-                        let there = |x: f64| !gives && turn(x).sign() == Ordering::Equal;
-                        let (resultant, about) = (resultant(), corner(scene, at, there));
-                        Ok(about.map_or(Self::Stands(resultant), |about| Self::Neutral { resultant, about }))
-                    }
-                }
-            }
-            [support] if support.slope.is_none() => {
-                let turn = turn(support.at);
-                match turn.sign() {
-                    Ordering::Equal if gives && braced(support.at) => Ok(Self::Stands(resultant())),
-                    Ordering::Equal if gives => Err(Unheld::OnBorder { force: force().value(), at: support.at }),
-                    Ordering::Equal => Ok(Self::Neutral { resultant: resultant(), about: support.at }),
-                    Ordering::Greater if ends.is_some_and(|ends| support.at < ends[1]) => Ok(Self::Stands(resultant())),
-                    Ordering::Less if ends.is_some_and(|ends| ends[0] < support.at) => Ok(Self::Stands(resultant())),
-                    _ => Err(Unheld::Turns { grounded: ends.is_some(), at: support.at, moment: turn.value() }),
-                }
-            }
+            [] => Self::of_free(scene),
+            [support] if support.slope.is_none() => Self::about(scene, support),
             _ => Ok(Self::Held),
+        }
+    }
+
+    /// Without a support that holds.
+    fn of_free(scene: &Scene) -> Result<Self, Unheld> {
+        let gives = scene.ground_stiffness().is_some();
+        let Some(ends) = ends(scene) else { return Err(Unheld::NothingCarries) };
+        // Positive where the resultant is on the inner side of the left and of the right end.
+        let [left, right] = [Sum::of_moments(scene, ends[0]), Sum::of_moments(scene, ends[1]).negated()];
+        let overturns = |force, at| Unheld::Overturns { force, at, grounded: scene.foundation().is_some(), ends };
+        let (force, Resultant { force: weight, at }) = (Sum::of_forces(scene), resultant(scene));
+        match (left.sign(), right.sign()) {
+            // Of one place alone both are of one sign, or none is.
+            (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Greater => {
+                Ok(Self::Neutral { resultant: resultant(scene), about: ends[0] })
+            }
+            (Ordering::Equal, Ordering::Equal) if force.sign() == Ordering::Less => {
+                Err(Unheld::PulledUp { force: -weight })
+            }
+            (Ordering::Equal, Ordering::Equal) => Err(Unheld::NothingPresses),
+            (Ordering::Less, Ordering::Less) => Err(Unheld::PulledUp { force: -weight }),
+            _ if force.sign() == Ordering::Less => Err(Unheld::PulledUp { force: -weight }),
+            (Ordering::Less, _) | (_, Ordering::Less) if force.sign() == Ordering::Equal => {
+                Err(Unheld::Couple { moment: left.value().abs() })
+            }
+            (Ordering::Less, _) | (_, Ordering::Less) => Err(overturns(weight, at)),
+            (Ordering::Equal, _) | (_, Ordering::Equal) if gives => Err(Unheld::OnBorder { force: weight, at }),
+            (Ordering::Equal, _) => Ok(Self::Neutral { resultant: resultant(scene), about: ends[0] }),
+            (_, Ordering::Equal) => Ok(Self::Neutral { resultant: resultant(scene), about: ends[1] }),
+            (Ordering::Greater, Ordering::Greater) => {
+                let is_border = |at: f64| Sum::of_moments(scene, at).sign() == Ordering::Equal && !braced(scene, at);
+                if gives && scene.beam().bearings().iter().any(|bearing| is_border(bearing.at)) {
+                    return Err(Unheld::OnBorder { force: weight, at });
+                }
+                // Ground that gives carries nothing at a single place.
+                let there = |x: f64| !gives && Sum::of_moments(scene, x).sign() == Ordering::Equal;
+                let (resultant, about) = (resultant(scene), corner(scene, at, there));
+                Ok(about.map_or(Self::Stands(resultant), |about| Self::Neutral { resultant, about }))
+            }
+        }
+    }
+
+    /// On one simple support.
+    fn about(scene: &Scene, support: &Support) -> Result<Self, Unheld> {
+        let (gives, ends) = (scene.ground_stiffness().is_some(), ends(scene));
+        let turn = Sum::of_moments(scene, support.at);
+        match turn.sign() {
+            Ordering::Equal if gives && braced(scene, support.at) => Ok(Self::Stands(resultant(scene))),
+            Ordering::Equal if gives => Err(Unheld::OnBorder { force: Sum::of_forces(scene).value(), at: support.at }),
+            Ordering::Equal => Ok(Self::Neutral { resultant: resultant(scene), about: support.at }),
+            Ordering::Greater if ends.is_some_and(|ends| support.at < ends[1]) => Ok(Self::Stands(resultant(scene))),
+            Ordering::Less if ends.is_some_and(|ends| ends[0] < support.at) => Ok(Self::Stands(resultant(scene))),
+            _ => Err(Unheld::Turns { grounded: ends.is_some(), at: support.at, moment: turn.value() }),
         }
     }
 
@@ -221,6 +210,26 @@ impl Balance {
             }
         }
     }
+}
+
+/// The outermost places that can carry a beam without supports that hold: its ends on ground, and else supports that push.
+fn ends(scene: &Scene) -> Option<[f64; 2]> {
+    match (scene.foundation(), scene.beam().bearings()) {
+        (Some(_), _) => Some([0.0, scene.beam().length()]),
+        (None, bearings) => Some([bearings.first()?.at, bearings.last()?.at]),
+    }
+}
+
+/// Whether a support that only pushes on either side may keep the beam from turning about a place.
+fn braced(scene: &Scene, about: f64) -> bool {
+    let bearings = scene.beam().bearings();
+    bearings.iter().any(|bearing| bearing.at < about) && bearings.iter().any(|bearing| about < bearing.at)
+}
+
+/// The resultant of the loads; its place is no number if they have none.
+fn resultant(scene: &Scene) -> Resultant {
+    let force = Sum::of_forces(scene).value();
+    Resultant { force, at: Sum::of_moments(scene, 0.0).value() / force }
 }
 
 impl Unheld {
@@ -288,8 +297,8 @@ impl Sum {
     const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
     /// `W = ∫q`.
-    fn of_forces(load: &Load, length: f64) -> Self {
-        let mut sum = Self::NOTHING;
+    fn of_forces(scene: &Scene) -> Self {
+        let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
         let (uniform, length) = (Double::exact(load.uniform()), Double::exact(length));
         sum.add(uniform * length, 2.0 * (uniform * length).rounded().abs());
         for q in load.linear() {
@@ -305,8 +314,8 @@ impl Sum {
     }
 
     /// `∫q (x − c)`, six times of which is a sum of products.
-    fn of_moments(load: &Load, length: f64, about: f64) -> Self {
-        let mut sum = Self::NOTHING;
+    fn of_moments(scene: &Scene, about: f64) -> Self {
+        let (mut sum, load, length) = (Self::NOTHING, scene.load(), scene.beam().length());
         let (uniform, l, c) = (load.uniform(), Double::exact(length), Double::exact(about));
         let lever = l - c - c;
         let size = 3.0 * uniform.abs() * length;
@@ -358,7 +367,7 @@ impl Sum {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Beam, LinearLoad};
+    use crate::scene::{Beam, LinearLoad, Load};
 
     /// Both ends of a part, moved by a unit in their last place, are twice as far off as rounding puts them.
     #[test]
@@ -366,7 +375,8 @@ mod tests {
         let beam = Beam::new(10.0, 1.0).expect("positive");
         let forces = |from: f64, to: f64| {
             let part = LinearLoad { from, to, start: 1.0, end: 1.0 };
-            Sum::of_forces(&Load::new(&beam, 0.0, vec![part], Vec::new()).expect("finite"), 10.0)
+            let load = Load::new(&beam, 0.0, vec![part], Vec::new()).expect("finite");
+            Sum::of_forces(&Scene::new(beam.clone(), load, None).expect("finite"))
         };
         let (given, moved) = (forces(9.5, 9.75), forces(9.5_f64.next_down(), 9.75_f64.next_up()));
         let moves = (moved.sum - given.sum).rounded();

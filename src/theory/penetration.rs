@@ -72,27 +72,30 @@ pub(super) fn deepest(
                 continue;
             }
             let part = piece.part(given, k, k);
-            let bar = |worst: Option<(f64, f64)>| worst.map_or_else(|| allowed(part.lo), |(_, depth)| depth);
-            part.clearance(given, &mut taylor);
-            part.outwards(&mut taylor);
-            if let Some((s, value)) = lowest_below(&taylor, part.width(), -bar(worst)) {
-                worst = Some((part.place(s), -value));
-            }
-            // At the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
-            let edge = &given.breakpoints[part.cell + 1];
-            let is_inside = edge.x <= part.hi && edge.x < span.b.x && given.is_edge(part.cell + 1);
-            let is_cliff = || edge.step != 0.0 || edge.depth.abs() <= given.rise(part.cell);
-            if is_inside && (!given.is_straight(part.cell) || is_cliff()) {
-                part.deflection(given, &mut taylor);
-                let depth = derivatives(&taylor, part.hi - part.anchor)[0] - edge.depth;
-                if bar(worst) < depth {
-                    worst = Some((part.hi, depth));
-                }
-            }
+            let bar = worst.map_or_else(|| allowed(part.lo), |(_, depth)| depth);
+            worst = in_cell(given, &part, span, bar, &mut taylor).or(worst);
             (i, together) = (i + 1, MORE);
         }
     }
     worst
+}
+
+/// The deepest penetration in one cell and at the edge at its end, if it is deeper than what is allowed.
+fn in_cell(given: &PiecewiseScene, part: &Piece, span: &Span, allowed: f64, taylor: &mut [f64]) -> Option<(f64, f64)> {
+    part.clearance(given, taylor);
+    part.outwards(taylor);
+    let inside = lowest_below(taylor, part.width(), -allowed).map(|(s, value)| (part.place(s), -value));
+    // At the foot of cliffs: along them the clearance is a sum of their heights, at the edge it is what is given.
+    let edge = &given.breakpoints[part.cell + 1];
+    let is_inside = edge.x <= part.hi && edge.x < span.b.x && given.is_edge(part.cell + 1);
+    let is_cliff = || edge.step != 0.0 || edge.depth.abs() <= given.rise(part.cell);
+    if !is_inside || given.is_straight(part.cell) && !is_cliff() {
+        return inside;
+    }
+    part.deflection(given, taylor);
+    let depth = derivatives(taylor, part.hi - part.anchor)[0] - edge.depth;
+    let is_deeper = inside.map_or(allowed, |(_, depth)| depth) < depth;
+    if is_deeper { Some((part.hi, depth)) } else { inside }
 }
 
 /// True if the beam reaches nowhere deeper than some depth below the shallowest point of the straight ground below a piece.
