@@ -113,10 +113,11 @@ impl Document<'_> {
                     event
                 }
                 Event::Text(text) if !in_code => Event::Text(unbroken(&text).into()),
-                Event::Code(code) if code.contains(" --") => {
+                Event::Code(code) if code.starts_with("--") || code.contains(" --") => {
                     // An option stays on one line, with what it is given.
+                    let first = if code.starts_with("--") { " class=\"option\"" } else { "" };
                     let options = escaped(&code).replace(" --", "</span> <span class=\"option\">--");
-                    Event::InlineHtml(format!("<code><span>{options}</span></code>").into())
+                    Event::InlineHtml(format!("<code><span{first}>{options}</span></code>").into())
                 }
                 Event::Start(Tag::Image { dest_url, .. }) => {
                     // The drawing has a title and a description of its own.

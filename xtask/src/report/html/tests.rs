@@ -117,10 +117,12 @@ fn a_table_says_what_its_headers_are_of() {
 
 #[test]
 fn options_and_numbers_stay_on_one_line() {
-    let html = article("theory", "# Theory\n\n0.9 % in 3 ms, `palkki solve A --method force`\n\n```text\n1 %\n```");
+    let html =
+        article("theory", "# Theory\n\n0.9 % in 3 ms, `palkki solve A --method force` `--csv A`\n\n```text\n1 %\n```");
     let html = html.expect("it is made");
     assert!(html.contains("0.9\u{a0}% in 3\u{a0}ms, <code>"), "{html}");
     assert!(html.contains("palkki solve A</span> <span class=\"option\">--method force</span>"), "{html}");
+    assert!(html.contains("<code><span class=\"option\">--csv A</span></code>"), "{html}");
     assert!(html.contains("1 %"), "code is to be copied: {html}");
 }
 

@@ -71,7 +71,7 @@ fn table(lines: &[&Line], exact: Option<f64>) -> Table {
         let solver = solver.to_owned();
         lines.iter().filter(has).filter(move |line| line.solver == solver).copied().collect::<Vec<_>>()
     };
-    let header = row!["correct digits"].into_iter().chain(DIGITS.map(|digits| digits.to_string()));
+    let header = row!["for correct digits"].into_iter().chain(DIGITS.map(|digits| format!("{digits} digits")));
     let intervals = DIGITS.map(|digits| {
         let fewest = solved("active-set", digits).into_iter().map(|line| line.intervals).min();
         fewest.map_or_else(|| "–".to_owned(), count)
