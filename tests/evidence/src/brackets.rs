@@ -1,10 +1,12 @@
-//! Whether the numbers of an answer lie between what is proven of them, as they are printed.
+//! Whether the numbers of an answer lie between what is proven of them, as they are printed and as near as beam theory is computed.
 
 use palkki::certificate::Certificate;
 use palkki::scene::Scene;
 use palkki::state::ContactState;
 
-/// Half a unit in the last digit of a table, as a share of the number.
+use crate::hostile::laws::THEORY;
+
+/// Half a unit in the last digit of a table, as a share of the number: where it is zero, so is what is printed.
 const PRINTED: f64 = 5e-6;
 /// What rounding makes of a sum of forces, as a share of the largest.
 const ROUNDING: f64 = 1e-12;
@@ -27,7 +29,7 @@ pub fn outside(scene: &Scene, state: &ContactState, certificate: &Certificate) -
         let [least, most] = bracket?;
         let off = (least - value).max(value - most);
         // True also of what is no number.
-        let is_inside = off <= PRINTED * value.abs() + ROUNDING * size;
+        let is_inside = off <= (PRINTED * value.abs()).min(THEORY * size) + ROUNDING * size;
         (!is_inside).then(|| format!("{what} is {value:e} and not in [{least:e}, {most:e}]"))
     };
     all.filter_map(is_outside).collect()

@@ -28,7 +28,7 @@ const LISTED: f64 = 1e-7;
 const SAME: f64 = 1e-4;
 
 /// Share of the sizes that make up an energy, or of the largest deflection, that twelve digits of theory leave open.
-pub(super) const THEORY: f64 = 1e-9;
+pub(crate) const THEORY: f64 = 1e-9;
 
 /// What a certified answer of theory is certain to, as a share of the forces beside.
 pub(super) const CERTAIN: f64 = 1e-6;

@@ -7,7 +7,7 @@ mod edges;
 mod energies;
 mod fractions;
 mod held;
-mod laws;
+pub(crate) mod laws;
 mod moving;
 mod near;
 mod refusals;
