@@ -63,13 +63,13 @@ impl Interval {
     }
 
     /// Lower end.
-    #[must_use]
+    #[inline]
     pub fn lo(self) -> f64 {
         self.lo
     }
 
     /// Upper end.
-    #[must_use]
+    #[inline]
     pub fn hi(self) -> f64 {
         self.hi
     }
@@ -88,14 +88,14 @@ impl Interval {
     }
 
     /// True for zero itself.
-    #[must_use]
+    #[inline]
     pub fn is_zero(self) -> bool {
         // Both zeros, and nothing else.
         self.lo.to_bits() << 1 == 0 && self.hi.to_bits() << 1 == 0
     }
 
     /// True if both ends are finite.
-    #[must_use]
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
