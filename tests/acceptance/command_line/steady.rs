@@ -40,6 +40,41 @@ pub(super) fn steady(text: &str) -> String {
     lines
 }
 
+/// JSON with an object or a list on one line where it fits there, and of a long list of numbers its ends and their count: the text
+/// tables of the same answers show all of them.
+pub(super) fn in_short(json: &str) -> String {
+    /// Letters of a line.
+    const WIDTH: usize = 120;
+    /// Numbers of a list that are all shown.
+    const NUMBERS: usize = 8;
+    let (mut lines, mut open) = (Vec::<String>::new(), Vec::new());
+    for line in json.lines() {
+        lines.push(line.to_owned());
+        let end = line.trim_start();
+        if line.ends_with(['{', '[']) {
+            open.push(lines.len() - 1);
+        } else if end.starts_with(['}', ']'])
+            && let Some(first) = open.pop()
+        {
+            let inside: Vec<&str> = lines[first + 1..lines.len() - 1].iter().map(|line| line.trim()).collect();
+            let is_number = |item: &&str| !item.contains(['"', '[', '{']);
+            let text = match inside[..] {
+                [from, .., to] if NUMBERS < inside.len() && end.starts_with(']') && inside.iter().all(is_number) => {
+                    format!("{from} …, {to} ({} numbers)", inside.len())
+                }
+                _ => inside.join(" "),
+            };
+            let gap = if end.starts_with('}') { " " } else { "" };
+            let line = format!("{}{gap}{text}{gap}{end}", lines[first]);
+            if line.chars().count() <= WIDTH {
+                lines.truncate(first);
+                lines.push(line);
+            }
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
 /// No number of these scenes is as small, but for those that would be zero without rounding.
 const ROUNDING: f64 = 2e-11;
 
@@ -107,4 +142,16 @@ fn what_flickers_is_masked() {
     let expected = "  method  seconds  error\n  force    time  1.5e-4\n  osqp      some  tiny\n\n  seconds  time\n0.123457 4 1.0\n";
     assert_eq!(steady(table), expected, "times, rounding and digits");
     assert_eq!(steady("\"residual\": 0.0, \"gap\": 1e-20"), "\"residual\": tiny, \"gap\": tiny\n");
+}
+
+#[test]
+fn json_is_shown_in_short() {
+    let list = (1..=9).map(|i| format!("    {i}")).collect::<Vec<_>>().join(",\n");
+    let json = format!(
+        "{{\n  \"of\": {{\n    \"a\": [\n      1,\n      2\n    ],\n    \"b\": null\n  }},\n  \"x\": [\n{list}\n  ]\n}}"
+    );
+    let expected = "{ \"of\": { \"a\": [1, 2], \"b\": null }, \"x\": [1, …, 9 (9 numbers)] }\n";
+    assert_eq!(in_short(&json), expected, "one line");
+    let name = "n".repeat(120);
+    assert_eq!(in_short(&format!("[\n  \"{name}\"\n]")), format!("[\n  \"{name}\"\n]\n"), "too long for one");
 }
