@@ -1,17 +1,12 @@
 //! Events: between them nothing happens, and at them something does.
 
-use palkki::scene::{Foundation, Scene, Support};
+use palkki::scene::{Foundation, Support};
 use palkki::sweep::{Event, Sweep};
 use palkki::theory::{self, Exact};
 
 use crate::scenes::{ends, on_supports};
 
-use super::{loaded, regimes, varied};
-
-fn events(scene: &Scene, path: &str, range: [f64; 2], steps: usize) -> Vec<Event> {
-    let sweep = Sweep::new(scene, path, range, steps).expect("a sweep");
-    sweep.events(&sweep.rows().expect("answers"))
-}
+use super::{events, loaded, regimes, varied};
 
 /// `q l⁴/(384 EI)` and five times that, in either direction and with any number of rows.
 #[test]

@@ -1,11 +1,11 @@
 //! Events over families of sweeps: they do not depend on the number of rows, and the kinds of the rows follow from them.
 
 use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
-use palkki::sweep::{Event, MOST_STEPS, Sweep, SweepError};
+use palkki::sweep::{MOST_STEPS, Sweep, SweepError};
 use palkki_evidence::compare::largest;
 use palkki_evidence::sweeps::faults;
 
-use super::regimes;
+use super::{events, regimes};
 
 /// Sweeps in the suite; `cargo run --release --package palkki-evidence --features full --example sweeps 0 500` makes more.
 const SWEEPS: u64 = 6;
@@ -26,11 +26,6 @@ fn events_do_not_depend_on_the_number_of_rows_or_the_direction() {
     assert!(wrong.is_empty(), "{wrong:#?}");
     let events: usize = all.iter().map(|(events, _)| events).sum();
     assert!(3 < events, "{events}");
-}
-
-fn events(scene: &Scene, path: &str, range: [f64; 2], steps: usize) -> Vec<Event> {
-    let sweep = Sweep::new(scene, path, range, steps).expect("a sweep");
-    sweep.events(&sweep.rows().expect("answers"))
 }
 
 /// Twenty waves: from row to row one crest loses its contact and another one gets one, so that there are as many as before.

@@ -7,6 +7,7 @@ mod family;
 mod rows;
 
 use palkki::scene::{Foundation, Load, PointLoad, Scene, Support};
+use palkki::sweep::{Event, Sweep};
 use palkki_evidence::random;
 
 use crate::scenes::{on_supports, uniform};
@@ -21,6 +22,12 @@ fn regimes(depth: f64) -> Scene {
 fn loaded(supports: Vec<Support>, depth: f64) -> Scene {
     let beam = [10.0, 10_000.0 / 384.0 / 20.0];
     on_supports(beam, &supports, (1.0, &[(5.0, 3.0)]), Some(Foundation::Flat { depth }))
+}
+
+/// The events of a sweep.
+fn events(scene: &Scene, path: &str, range: [f64; 2], steps: usize) -> Vec<Event> {
+    let sweep = Sweep::new(scene, path, range, steps).expect("a sweep");
+    sweep.events(&sweep.rows().expect("answers"))
 }
 
 /// A random scene with a point load, and ranges of five of its numbers, as `(path, from, to)`.
