@@ -2,13 +2,15 @@
 
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver, Status};
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, PointLoad, Scene, Support};
 use palkki::sweep::Sweep;
 use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::compare::{apart, largest};
 use palkki_evidence::differences::Trial;
 use palkki_evidence::draft::Draft;
 use palkki_evidence::random::Random;
+
+use crate::scenes::on_supports;
 
 /// What is asked for of a closed form.
 const DIGITS: f64 = 1e-12;
@@ -40,16 +42,15 @@ fn a_long_beam_is_lifted_in_its_middle() {
         let rise = first * c - 0.5 * second * c * c + third * c.powi(3) / 6.0 - q * c.powi(4) / (24.0 * bending);
         let pushes = 2.0 * (q * c - bending * third);
         let half = 40.0 / l;
-        let supports = vec![Support::pushing(half).at_level(-rise)];
-        let beam = Beam::new(2.0 * half, bending).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+        let under = |force: f64| {
+            let (support, ground) = (Support::pushing(half).at_level(-rise), Some(Foundation::Flat { depth: 0.0 }));
+            let scene = on_supports([2.0 * half, bending], &[support], (q, &[(0.5, force)]), ground);
+            scene.on_springs(k).expect("ground")
+        };
         // Nothing says how the beam is held but the ground: the load is not quite above the support.
-        let load = Load::new(&beam, q, Vec::new(), vec![PointLoad { at: 0.5, force: 1e-30 }]).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene");
-        let refused = solve_exactly(&scene.on_springs(k).expect("ground")).expect_err("the border");
+        let refused = solve_exactly(&under(1e-30)).expect_err("the border");
         assert!(refused.to_string().contains("no position is known"), "{refused}");
-        let load = Load::new(scene.beam(), q, Vec::new(), vec![PointLoad { at: 0.5, force: 1e-3 }]).expect("a load");
-        let scene = Scene::new(scene.beam().clone(), load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene");
-        let solution = certified(&scene.on_springs(k).expect("ground"));
+        let solution = certified(&under(1e-3));
         let [left, right] = solution.state.contacts[..] else { panic!("{:?}", solution.state.contacts) };
         let close = |what: &str, found: f64, expected: f64, size: f64| {
             assert!((found - expected).abs() <= DIGITS * size, "{what} for {c}: {found} instead of {expected}");
@@ -71,10 +72,8 @@ fn a_symmetric_beam_is_kept_from_turning() {
     for middle in [Support::simple(l), Support::pushing(l)] {
         let of = |deep: f64| {
             let ends = [0.0, 2.0 * l].map(|at| Support::pushing(at).at_level(deep));
-            let supports = vec![ends[0], middle, ends[1]];
-            let beam = Beam::new(2.0 * l, bending).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-            let load = Load::new(&beam, q, Vec::new(), Vec::new()).expect("a load");
-            let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 50.0 })).expect("a scene");
+            let ground = Some(Foundation::Flat { depth: 50.0 });
+            let scene = on_supports([2.0 * l, bending], &[ends[0], middle, ends[1]], (q, &[]), ground);
             scene.on_springs(20.0).expect("ground")
         };
         let found = certified(&of(0.0)).state.supports;
@@ -257,11 +256,9 @@ fn derivatives_agree_with_differences() {
 #[test]
 fn a_sweep_sees_a_support_lift_off() {
     let scene = |force: f64| {
-        let supports = vec![Support::pushing(0.0), Support::simple(6.0), Support::pushing(12.0)];
-        let beam = Beam::new(12.0, 70.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-        let load = Load::new(&beam, 0.8, Vec::new(), vec![PointLoad { at: 9.0, force }]).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.5 }));
-        scene.and_then(|scene| scene.on_springs(20.0)).expect("a scene")
+        let supports = [Support::pushing(0.0), Support::simple(6.0), Support::pushing(12.0)];
+        let ground = Some(Foundation::Flat { depth: 0.5 });
+        on_supports([12.0, 70.0], &supports, (0.8, &[(9.0, force)]), ground).on_springs(20.0).expect("ground")
     };
     let first = scene(10.0);
     let sweep = Sweep::new(&first, "load.point[0].force", [10.0, 60.0], 6).expect("a sweep");

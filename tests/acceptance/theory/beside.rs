@@ -6,6 +6,8 @@ use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 use palkki_evidence::random::Random;
 
+use crate::scenes::on_supports;
+
 /// Halvings of the beam, from a quarter to some millionths of it: distances from a support at which the clearance is looked at.
 const HALVINGS: std::ops::Range<i32> = 2..20;
 /// Share of the loads, and of the forces of the supports, that a clearance below zero may stand for.
@@ -175,16 +177,11 @@ fn however_short_contact_beside_a_support_is_its_forces_are_there() {
 fn the_shear_force_decides_where_slope_and_moment_vanish() {
     const AT: f64 = 5.0;
     let forces = |apart: f64| {
-        let beam = Beam::new(10.0, 20.0).expect("a beam");
-        let supports = vec![Support::simple(0.0).at_level(-1.0), Support::simple(AT)];
-        let beam = beam.with_supports(supports).expect("apart");
+        let supports = [Support::simple(0.0).at_level(-1.0), Support::simple(AT)];
         // `v''` rises to the first, falls through zero to the second, and rises to zero at the last.
-        let loads = [(1.0, -2.0), (3.0, 5.0 / 3.0), (4.5, -2.0 / 3.0)];
-        let mut point: Vec<PointLoad> =
-            loads.map(|(k, force)| PointLoad { at: AT + k * apart, force }).into_iter().collect();
-        point.push(PointLoad { at: 2.0, force: 1.0 });
-        let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene");
+        let [a, b, c] = [(1.0, -2.0), (3.0, 5.0 / 3.0), (4.5, -2.0 / 3.0)].map(|(k, force)| (AT + k * apart, force));
+        let ground = Some(Foundation::Flat { depth: 0.0 });
+        let scene = on_supports([10.0, 20.0], &supports, (0.0, &[a, b, c, (2.0, 1.0)]), ground);
         let exact = solve(&scene).expect("an answer");
         assert!(exact.solved, "{apart}: {:?}", exact.violations);
         let [contact] = exact.state.contacts[..] else { panic!("{apart}: {:?}", exact.state.contacts) };

@@ -9,6 +9,8 @@ use palkki::{Settings, Solution, solve, solve_exactly};
 use palkki_evidence::authority::{RBig, rational};
 use palkki_evidence::extremes::chebyshev;
 
+use crate::scenes::uniform;
+
 /// Coefficients of `m + a T_d(2x/l − 1)`.
 fn wave(degree: i32, mean: f64, amplitude: f64, length: f64) -> Vec<f64> {
     let unit = chebyshev(degree.unsigned_abs() as usize);
@@ -73,11 +75,9 @@ fn the_mirror_image_has_the_same_energy() {
         for (amplitude, load) in [(0.875, 3.0), (0.25, 100.0), (0.5, 1e5)] {
             for length in [1.0, 1024.0] {
                 let [one, other] = [amplitude, -amplitude].map(|amplitude| {
-                    let coefficients = wave(degree, 1.0, amplitude, length);
-                    let beam = Beam::new(length, 5.0 / 384.0 * length.powi(4)).expect("a beam");
-                    let load = Load::new(&beam, load, Vec::new(), Vec::new()).expect("a load");
-                    let scene = Scene::new(beam, load, Some(Foundation::Polynomial { coefficients }));
-                    solve_exactly(&scene.expect("a scene")).expect("an answer").state.energy
+                    let ground = Foundation::Polynomial { coefficients: wave(degree, 1.0, amplitude, length) };
+                    let scene = uniform(length, 5.0 / 384.0 * length.powi(4), load, ground);
+                    solve_exactly(&scene).expect("an answer").state.energy
                 });
                 assert!((one / other - 1.0).abs() < 1e-11, "degree {degree}, load {load}: {one} and {other}");
             }
