@@ -20,16 +20,16 @@ pub fn outside(scene: &Scene, state: &ContactState, certificate: &Certificate) -
     let forces = state.supports.iter().zip(&certificate.reactions);
     let forces = forces.map(|(support, bracket)| (format!("the force at {}", support.at), support.force, *bracket));
     let forces = forces.chain([("the contact force".to_owned(), contact, certificate.contact_force)]);
-    let forces = forces.map(|number| (number, largest));
+    let forces = forces.map(|number| (number, largest, THEORY));
     let moments = [state.moment.max, state.moment.min].into_iter().zip(certificate.moments);
-    let moments = moments.map(|(value, bracket)| (("a moment".to_owned(), value, bracket), largest * length));
+    let moments = moments.map(|(value, bracket)| (("a moment".to_owned(), value, bracket), largest * length, THEORY));
     let deflection = ("the greatest deflection".to_owned(), state.deflection.max, certificate.deflection_max);
-    let all = forces.chain(moments).chain([(deflection, state.deflection.magnitude())]);
-    let is_outside = |((what, value, bracket), size): ((String, f64, Option<[f64; 2]>), f64)| {
+    let all = forces.chain(moments).chain([(deflection, state.deflection.magnitude(), PRINTED)]);
+    let is_outside = |((what, value, bracket), size, share): ((String, f64, Option<[f64; 2]>), f64, f64)| {
         let [least, most] = bracket?;
         let off = (least - value).max(value - most);
         // True also of what is no number.
-        let is_inside = off <= (PRINTED * value.abs()).min(THEORY * size) + ROUNDING * size;
+        let is_inside = off <= (PRINTED * value.abs()).min(share * size) + ROUNDING * size;
         (!is_inside).then(|| format!("{what} is {value:e} and not in [{least:e}, {most:e}]"))
     };
     all.filter_map(is_outside).collect()
