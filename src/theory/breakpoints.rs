@@ -316,5 +316,6 @@ mod tests {
         assert_eq!(found.map(f64::to_bits), [2.0_f64, 0.5, 0.0].map(f64::to_bits));
         assert_eq!(given.reach(3), (2.0, 4.0));
         assert!(given.is_edge(2) && !given.is_edge(1));
+        assert_eq!([0, 1, 2, 3, 4].map(|i| given.load_changes_at(i)), [false, true, true, true, false]);
     }
 }

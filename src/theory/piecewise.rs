@@ -234,12 +234,13 @@ impl PiecewiseScene {
         [i.saturating_sub(1), i.min(self.cells.len() - 1)]
     }
 
-    /// True if the load is not one straight line across breakpoint `i`.
+    /// True if the load is not one straight line across breakpoint `i`; at an end of the beam, if a point load stands there.
     pub(super) fn load_changes_at(&self, i: usize) -> bool {
         /// Rounding of a line that is evaluated in two cells.
         const ROUNDING: f64 = 1e-9;
-        let (left, right, x) = (&self.cells[i - 1], &self.cells[i], self.breakpoints[i].x);
-        let jump = (self.load(i - 1, x) - right.load).abs();
+        let ([before, beyond], x) = (self.cells_beside(i), self.breakpoints[i].x);
+        let (left, right) = (&self.cells[before], &self.cells[beyond]);
+        let jump = (self.load(before, x) - self.load(beyond, x)).abs();
         let turn = (left.load_slope - right.load_slope).abs() * self.length;
         self.breakpoints[i].force != 0.0
             || ROUNDING * (left.load.abs() + right.load.abs() + right.load_slope.abs() * self.length) < jump.max(turn)

@@ -53,9 +53,12 @@ const ONCE_WRONG_ON_SUPPORTS: [u64; 3] = [8_589_935_382, 8_589_935_492, 8_589_93
 /// And about supports: loads that start or end at a support that moves; deflections below `10⁻¹⁴⁰`, certified with any error;
 /// bodies in balance above an inner crest; a margin of what stands that is negative; a free body that touches perhaps; a load so near
 /// to a support that its lever has few digits; events that depend on the number of rows; a zone that starts at a load, or that does not
-/// press at an end; loads over a unit in the last place. The last four: laws that were too sharp, of ground that is level but for
-/// rounding, of forces and places on waves, of nothing at all.
-const ONCE_WRONG_AT_SUPPORTS: [u64; 22] = [
+/// press at an end; loads over a unit in the last place; derivatives beside the end of a kind, and a node beyond the beam. The last
+/// four: laws that were too sharp, of ground that is level but for rounding, of forces and places on waves, of nothing at all.
+const ONCE_WRONG_AT_SUPPORTS: [u64; 25] = [
+    17_179_896_566,
+    17_179_881_406,
+    17_179_972_017,
     17_179_869_202,
     17_179_869_879,
     17_179_869_368,
