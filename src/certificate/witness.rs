@@ -71,25 +71,29 @@ pub(super) fn nodes(
     nodes
 }
 
-/// A list of contacts with the corners besides that the beam touches but for what its deflection was lifted by: a body at rest lies on
-/// corners that carry nothing. [`None`] if there are none.
+/// A list of contacts with the corners and ends besides that the beam touches but for what its deflection was lifted by: a body at rest
+/// lies on some that carry nothing. [`None`] if there are none.
 pub(super) fn with_touched(
     enclosed: &EnclosedScene<'_>,
     contacts: &[Contact],
     pair: &Pair,
     scale: &Scale,
 ) -> Option<Vec<Contact>> {
+    /// What is lifted by a rounding on one side of a place is above the ground on the other side by as much, by the ratio of their arms
+    /// (*tuned* on sleepers drawn anywhere).
+    const ARMS: f64 = 16.0;
     let mut all = contacts.to_vec();
     for Piece { from, to, v, .. } in pair.pieces.iter().filter(|piece| !piece.pressed && 0.0 < pair.lifted) {
         let touches = |x: &f64| {
             let clearance = enclosed.gap.depth(*x) - v.at(Interval::length(*from, *x));
-            clearance.lo() <= pair.lifted && enclosed.gap.is_corner(*x) && enclosed.support(*x).is_none()
+            let carries = *x <= 0.0 || enclosed.length <= *x || enclosed.gap.is_corner(*x);
+            clearance.lo() <= ARMS * pair.lifted && carries && enclosed.support(*x).is_none()
         };
-        let corners = enclosed.gap.breaks(*from, *to).into_iter().filter(touches);
-        all.extend(corners.map(|x| Contact::at(x * scale.length, 0.0)));
+        let places = enclosed.gap.breaks(*from, *to).into_iter().chain([*from, *to]);
+        all.extend(places.filter(touches).map(|x| Contact::at(x * scale.length, 0.0)));
     }
     all.sort_by(|a, b| a.from.total_cmp(&b.from));
-    // A step has two points.
+    // A step has two points, and a contact may be there already.
     all.dedup_by(|second, first| second.from <= first.from);
     (contacts.len() < all.len()).then_some(all)
 }

@@ -146,19 +146,34 @@ fn bodies_at_rest_at_depth_zero() {
         let length = random.pick(&[10.0, 1.0, 7.3]);
         let mut at: Vec<f64> = (0..random.pick(&[2, 3, 3, 4])).map(|_| random.between(0.05, 0.95) * length).collect();
         at.sort_by(f64::total_cmp);
-        let nearest = at.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
-        let width = 0.3 * nearest.min(at[0]).min(length - at[at.len() - 1]);
-        let mut points = vec![[0.0, 3.0]];
-        points.extend(at.iter().flat_map(|&x| [[x - width, 3.0], [x, 0.0], [x + width, 3.0]]));
-        points.push([length, 3.0]);
-        let above = random.below(at.len());
+        let last = at.len() - 1;
+        // Sleepers at the ends, and the load above an inner one.
+        let ends = [2, 4].map(|once| 1 < last && random.once_in(once));
+        if ends[0] {
+            at[0] = 0.0;
+        }
+        if ends[1] {
+            at[last] = length;
+        }
+        let above = if ends == [false; 2] { random.below(at.len()) } else { 1 + random.below(last - 1) };
+        let gaps = [[0.0, at[0]], [at[last], length]].into_iter().chain(at.windows(2).map(|w| [w[0], w[1]]));
+        let width = 0.3 * gaps.map(|[a, b]| b - a).filter(|gap| 0.0 < *gap).fold(length, f64::min);
+        let sleeper = |&x: &f64| [[x - width, 3.0], [x, 0.0], [x + width, 3.0]];
+        let mut points: Vec<[f64; 2]> =
+            at.iter().flat_map(sleeper).filter(|p| (0.0..=length).contains(&p[0])).collect();
+        if 0.0 < at[0] {
+            points.insert(0, [0.0, 3.0]);
+        }
+        if at[last] < length {
+            points.push([length, 3.0]);
+        }
         let force = power_of_ten(&mut random, -2.0, 2.0);
         let of = |loads: &[(f64, f64)]| body(length, Foundation::Polyline { points: points.clone() }, 0.0, loads);
         let scene = of(&[(at[above], force)]);
         certified(&scene, &format!("{} of {at:?}", at[above]));
         let exact = theory::solve(&scene).expect("an answer");
         let certificate = Verdict::of_exact(&scene, &exact, &demand).certificate.expect("bounds");
-        let inner = 0 < above && above + 1 < at.len();
+        let inner = 0 < above && above < last;
         assert_eq!(certificate.up_to_a_turn.is_none(), inner, "{certificate:?}");
         assert!(certificate.at_rest || !inner, "{certificate:?}");
         *(if inner { &mut rests } else { &mut turns }) += 1;
