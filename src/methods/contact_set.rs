@@ -183,13 +183,15 @@ impl ContactSet {
         equations.push(given(outermost[0]))?;
         // Report: three-moments
         let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
+        // Of a span what its right end needs: its length, zero for a beam and 1/a for a chain of links, its rotation.
+        let at_end = |span: Span| (span.steps, links(discretisation, span.steps), span.rotations[1]);
         // Of a beam on two nodes all moments are given, and no span has to be known.
-        let mut left = if 1 < end { span(nodes[0], nodes[1]) } else { Span::INTERVAL };
+        let mut left = at_end(if 1 < end { span(nodes[0], nodes[1]) } else { Span::INTERVAL });
         for i in 1..end {
             let right = span(nodes[i], nodes[i + 1]);
-            let (a, b) = (left.steps, right.steps);
-            // Zero for a beam, 1/a and 1/b for a chain of links.
-            let [at_left, at_right] = [a, b].map(|steps| links(discretisation, steps));
+            let (a, at_left, rotation) = left;
+            left = at_end(right);
+            let (b, at_right, _) = left;
             let bend = discrete.bend(nodes[i - 1], nodes[i], nodes[i + 1]);
             // Beside the outermost nodes one moment is known.
             let from_left = if i == 1 { (a - at_left) * outermost[0] } else { 0.0 };
@@ -198,9 +200,8 @@ impl ContactSet {
             equations.push(Row {
                 diagonal: 2.0 * (a + b) + (at_left + at_right),
                 above: [above],
-                right: -(left.rotations[1] + right.rotations[0]) - unit * bend - (from_left + from_right),
+                right: -(rotation + right.rotations[0]) - unit * bend - (from_left + from_right),
             })?;
-            left = right;
         }
         // Report: end
         equations.push(given(outermost[1]))?;

@@ -26,7 +26,8 @@ impl Spans {
         Self { levels }
     }
 
-    /// The beam between two nodes, `first < last`, as a simple beam.
+    /// The beam between two nodes, `first < last`, as a simple beam. Out of line: in dense contact the caller has single intervals only.
+    #[inline(never)]
     pub(super) fn between(&self, loads: &[f64], first: usize, last: usize) -> Span {
         if last <= first + LEAF {
             return Span::summed(&loads[first + 1..last]);

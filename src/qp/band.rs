@@ -53,8 +53,8 @@ impl<const W: usize> Band<W> {
         let taken = self.taken[0];
         let pivot = row.diagonal - taken.diagonal;
         let rest = row.right - taken.right;
-        // The comparisons also refuse NaN.
-        if !((0.0 < pivot) & (pivot < f64::INFINITY) & (rest.abs() < f64::INFINITY)) {
+        // The comparisons also refuse NaN, and the sum whatever is infinite.
+        if !((0.0 < pivot) & (pivot + rest.abs() < f64::INFINITY)) {
             return Err(self.refused(pivot));
         }
         let inverse = 1.0 / pivot;
