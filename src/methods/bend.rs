@@ -11,10 +11,9 @@ impl Discrete {
         if !self.supports().are_outside(left, right) {
             return self.bend_at_supports(left, node, right);
         }
-        match (self.profile.as_deref(), &self.shape) {
-            (Some(Foundation::Flat { .. }), None) => 0.0,
-            (Some(profile), shape) => self.bend_of_ground(profile, shape.as_deref(), [left, node, right]),
-            (None, _) => self.bend_at_supports(left, node, right),
+        match self.profile.as_deref() {
+            Some(profile) => self.bend_of_ground(profile, [left, node, right]),
+            None => self.bend_at_supports(left, node, right),
         }
     }
 
@@ -24,7 +23,12 @@ impl Discrete {
     }
 
     /// The bend of the gap between a profile and an own shape.
-    fn bend_of_ground(&self, profile: &Foundation, shape: Option<&Foundation>, nodes: [usize; 3]) -> f64 {
+    #[inline]
+    fn bend_of_ground(&self, profile: &Foundation, nodes: [usize; 3]) -> f64 {
+        let shape = self.shape.as_deref();
+        if matches!((profile, shape), (Foundation::Flat { .. }, None)) {
+            return 0.0;
+        }
         let [before, behind] = self.chords(nodes);
         let [left, place, right] = nodes.map(|i| self.grid.place(i));
         let bend = |profile: &Foundation| match profile {
@@ -36,20 +40,21 @@ impl Discrete {
 
     /// The same where supports may hold some of the nodes, or where the ground is known at the nodes only.
     fn bend_at_supports(&self, left: usize, node: usize, right: usize) -> f64 {
-        let [before, behind] = self.chords([left, node, right]);
-        let chord = |from: usize, to: usize, length: f64| (self.level(to) - self.level(from)) / length;
+        let nodes = [left, node, right];
+        let [before, behind] = self.chords(nodes);
+        let levels = nodes.map(|i| self.level(i));
+        // Not of a chord of no length, beside a node that is there twice.
+        let [to_left, to_right] = [(levels[1] - levels[0]) / before, (levels[2] - levels[1]) / behind];
         if left == node || node == right {
             let held = self.supports().at(node).and_then(|support| support.held.slope).unwrap_or(0.0);
-            return if left == node { chord(node, right, behind) - held } else { held - chord(left, node, before) };
+            return if left == node { to_right - held } else { held - to_left };
         }
-        let Some(profile) = self.profile.as_deref() else {
-            return chord(node, right, behind) - chord(left, node, before);
-        };
-        let below = [left, node, right].map(|i| self.supports().below(i));
-        if below != [None; 3] && self.drops_off([left, node, right], below, [before, behind]) {
-            return chord(node, right, behind) - chord(left, node, before);
+        let Some(profile) = self.profile.as_deref() else { return to_right - to_left };
+        let below = nodes.map(|i| self.supports().below(i));
+        if below != [None; 3] && drops_off(levels, below, [before, behind]) {
+            return to_right - to_left;
         }
-        let mut bend = self.bend_of_ground(profile, self.shape.as_deref(), [left, node, right]);
+        let mut bend = self.bend_of_ground(profile, nodes);
         // Supports are not on the foundation.
         if let Some(below) = below[0] {
             bend -= below / before;
@@ -59,13 +64,13 @@ impl Discrete {
         }
         below[1].map_or(bend, |below| bend + (below / before + below / behind))
     }
+}
 
-    /// Whether the ground lies so far below one of three nodes with a support that slopes to its depth there, which have no effect
-    /// on the beam, would cost more digits than the plain differences of the levels at which the nodes are held.
-    fn drops_off(&self, nodes: [usize; 3], below: [Option<f64>; 3], [before, behind]: [f64; 2]) -> bool {
-        let [u0, u1, u2] = nodes.map(|i| self.level(i).abs());
-        let plain = (u0 + u1) / before + (u1 + u2) / behind;
-        let [left, middle, right] = below.map(|below| below.unwrap_or(0.0).abs());
-        plain < (left.max(middle) / before).max(right.max(middle) / behind)
-    }
+/// Whether the ground lies so far below one of three nodes with a support that slopes to its depth there, which have no effect on the
+/// beam, would cost more digits than the plain differences of the levels at which the nodes are held.
+fn drops_off(levels: [f64; 3], below: [Option<f64>; 3], [before, behind]: [f64; 2]) -> bool {
+    let [u0, u1, u2] = levels.map(f64::abs);
+    let plain = (u0 + u1) / before + (u1 + u2) / behind;
+    let [left, middle, right] = below.map(|below| below.unwrap_or(0.0).abs());
+    plain < (left.max(middle) / before).max(right.max(middle) / behind)
 }

@@ -257,6 +257,7 @@ impl Discrete {
     }
 
     /// Level at which a node is held: that of its support, or of the ground.
+    #[inline]
     pub(super) fn level(&self, node: usize) -> f64 {
         self.supports.at(node).map_or_else(|| self.gap(node), |support| support.held.deflection)
     }
