@@ -245,10 +245,10 @@ impl Discrete {
         let room = |(node, gap): (usize, &f64)| {
             if self.is_open_at(node) { f64::INFINITY } else { (gap - line(node)).abs() + settled }
         };
-        let room: Vec<f64> = self.nodes().zip(&self.depths).map(room).collect();
+        let room = self.nodes().zip(&self.depths).map(room).skip(offset);
         let loads = self.nodes().filter(|node| self.supports.at(*node).is_none()).map(|node| self.loads[node]);
         let length = self.grid.place(self.intervals);
-        size(&free, &room[offset..], loads, self.stiffness, length)
+        size(&free, room, loads, self.stiffness, length)
     }
 
     /// Gap below a node that is no supported end.
@@ -316,11 +316,17 @@ pub(super) fn as_float(n: usize) -> f64 {
 }
 
 /// See [`Discrete::sizes`]: from the free deflection, the room below it, and the loads.
-fn size(free: &[f64], room: &[f64], loads: impl Iterator<Item = f64>, stiffness: f64, length: f64) -> Sizes {
+fn size(
+    free: &[f64],
+    room: impl Iterator<Item = f64> + Clone,
+    loads: impl Iterator<Item = f64>,
+    stiffness: f64,
+    length: f64,
+) -> Sizes {
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
-    let mut deflection = largest(&mut free.iter().zip(room).map(|(v, u)| v.abs().min(u.abs())));
+    let mut deflection = largest(&mut free.iter().zip(room.clone()).map(|(v, u)| v.abs().min(u.abs())));
     if deflection <= 0.0 {
-        deflection = largest(&mut room.iter().map(|u| u.abs()).filter(|u| u.is_finite()));
+        deflection = largest(&mut room.map(f64::abs).filter(|u| u.is_finite()));
     }
     if deflection <= 0.0 {
         deflection = ON_THE_GROUND * largest(&mut free.iter().map(|v| v.abs()));

@@ -79,17 +79,18 @@ impl Discrete {
     /// descent can start.
     #[expect(clippy::cast_precision_loss, reason = "grids stay far below 2⁵³ nodes")]
     pub(crate) fn resting(&self) -> Vec<usize> {
-        let [force, moment] = self.resultant();
         match self.supports().all() {
             [] => {
                 let hull = lower_hull(self.touchable().map(|node| (node, self.depths[node])));
                 if hull.len() < 2 {
                     return hull;
                 }
+                let [force, moment] = self.resultant();
                 let right = hull.partition_point(|&node| (node as f64) < moment / force).clamp(1, hull.len() - 1);
                 hull[right - 1..=right].to_vec()
             }
             [support] if support.held.slope.is_none() => {
+                let [force, moment] = self.resultant();
                 let to_right = force * support.node as f64 <= moment;
                 let slope =
                     |node: &usize| (self.level(*node) - support.held.deflection) / node.abs_diff(support.node) as f64;
