@@ -117,7 +117,7 @@ impl Beam {
     /// All supports from left to right.
     #[must_use]
     pub fn all_supports(&self) -> Vec<Support> {
-        let mut all = self.supports_as_given();
+        let mut all = [self.supports(), self.bearings()].concat();
         all.sort_by(|a, b| a.at.total_cmp(&b.at));
         all
     }

@@ -111,8 +111,9 @@ impl Grid {
     /// Every grid with a node at each support of `scene` has a multiple of so many intervals; 1 if there are supports at the ends
     /// only.
     pub(crate) fn step(scene: &Scene) -> Option<usize> {
-        let (length, supports) = (scene.beam().length(), scene.beam().all_supports());
-        let inside = supports.iter().any(|support| 0.0 < support.at && support.at < length);
+        let beam = scene.beam();
+        let mut supports = beam.supports().iter().chain(beam.bearings());
+        let inside = supports.any(|support| 0.0 < support.at && support.at < beam.length());
         if inside { Self::least_fitting(scene) } else { Some(1) }
     }
 
