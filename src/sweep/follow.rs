@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use super::GOLDEN;
 use super::events::{At, BESIDE, PAST, Root, Search};
-use crate::theory::{Exact, Margin};
+use crate::theory::{Condition, Exact};
 
 /// Farther from an event, by these factors, the scene is solved again where its kind is not decided.
 const FARTHER: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
@@ -90,9 +90,9 @@ impl Search<'_> {
         let [a, near_a, near_b, b] = places.map(margins);
         let (a, near_a, near_b, b) = (a?, near_a?, near_b?, b?);
         self.count(4 * left.exact.work_to_move());
-        let others = [near_a, near_b, b].map(|list| list.into_iter().collect::<HashMap<Margin, f64>>());
-        for (margin, at_a) in a {
-            let [Some(&next), Some(&last), Some(&at_b)] = others.each_ref().map(|list| list.get(&margin)) else {
+        let others = [near_a, near_b, b].map(|list| list.into_iter().collect::<HashMap<Condition, f64>>());
+        for (condition, at_a) in a {
+            let [Some(&next), Some(&last), Some(&at_b)] = others.each_ref().map(|list| list.get(&condition)) else {
                 continue;
             };
             let (falls, rises) = ((at_a - next) / STEP, (at_b - last) / STEP);
@@ -101,7 +101,7 @@ impl Search<'_> {
             if !(0.0 < falls && 0.0 < rises && lowest < 0.0 && 0.0 < at_a && 0.0 < at_b) {
                 continue;
             }
-            let value = |share: f64| self.margin(left, left.value + share * width, margin);
+            let value = |share: f64| self.margin(left, left.value + share * width, condition);
             let (mut lo, mut hi) = (0.0, 1.0);
             for _ in 0..SECTIONS {
                 let (c, d) = (hi - GOLDEN * (hi - lo), lo + GOLDEN * (hi - lo));
@@ -169,8 +169,9 @@ impl Search<'_> {
 
     /// The first event on the way from `from` to `to`, which may be against the sweep, with an answer just beyond it as `after`.
     fn next_event(&self, from: &At, to: &At) -> Option<Root> {
-        let margins = from.exact.failing(&self.sweep.scene(to.value).ok()?)?;
-        let mut roots: Vec<f64> = margins.into_iter().filter_map(|margin| self.root(from, to.value, margin)).collect();
+        let violated = from.exact.violated_conditions(&self.sweep.scene(to.value).ok()?)?;
+        let mut roots: Vec<f64> =
+            violated.into_iter().filter_map(|condition| self.root(from, to.value, condition)).collect();
         roots.sort_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()));
         let [start, end] = self.sweep.range;
         let step = BESIDE * (end - start).abs() * (to.value - from.value).signum();
@@ -203,22 +204,22 @@ impl Search<'_> {
     }
 
     /// A margin of the contacts of an answer at another value.
-    fn margin(&self, of: &At, value: f64, margin: Margin) -> Option<f64> {
+    fn margin(&self, of: &At, value: f64, condition: Condition) -> Option<f64> {
         if self.is_spent() {
             return None;
         }
         self.count(of.exact.work_to_move());
-        of.exact.margin(&self.sweep.scene(value).ok()?, margin)
+        of.exact.margin(&self.sweep.scene(value).ok()?, condition)
     }
 
     /// Where a margin of the contacts at `from` changes its sign before `to`, at which it is negative: the secant, with the value
     /// at an end that stays halved (Illinois), and the middle where that does not halve the interval soon.
-    pub(super) fn root(&self, from: &At, to: f64, margin: Margin) -> Option<f64> {
+    pub(super) fn root(&self, from: &At, to: f64, condition: Condition) -> Option<f64> {
         /// Secants in turn before the middle is taken.
         const SECANTS: u32 = 3;
         /// What a margin may be below zero at a root, as a share of what it is at `to`.
         const NONE: f64 = 1e-2;
-        let of = |value: f64| self.margin(from, value, margin);
+        let of = |value: f64| self.margin(from, value, condition);
         let (mut good, mut bad) = (from.value, to);
         let (mut at_good, mut at_bad) = (of(good), of(bad).filter(|m| *m < 0.0)?);
         if at_good.is_some_and(|m| m <= 0.0) {

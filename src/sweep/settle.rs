@@ -57,8 +57,8 @@ impl Search<'_> {
 
     /// Where the contacts of an answer first violate a condition on the way to a value, at which they do.
     fn crossing(&self, from: &At, to: f64) -> Option<f64> {
-        let failing = from.exact.failing(&self.sweep.scene(to).ok()?)?;
-        let roots = failing.into_iter().filter_map(|margin| self.root(from, to, margin));
+        let violated = from.exact.violated_conditions(&self.sweep.scene(to).ok()?)?;
+        let roots = violated.into_iter().filter_map(|condition| self.root(from, to, condition));
         roots.min_by(|a, b| (a - from.value).abs().total_cmp(&(b - from.value).abs()))
     }
 }

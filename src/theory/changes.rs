@@ -46,19 +46,19 @@ impl Exact {
         let Some(index) = node.support(given) else { return Ground::default() };
         let support = &given.supports[index];
         let bridged = self.bridged(support);
-        let crowded = self.crowded(i);
+        let unresolved = self.unresolved(i);
         let by_ground = !support.built_in && support.slope.is_some();
         let meets = bridged || held.meets.contains(&true);
         let loaded = standing(given, &self.list, i) != 0.0;
         // A load that leaves the support for a stretch that lies on the ground presses there at once.
         let leaves = meets && loaded && self.lies();
-        let rests = (by_ground || leaves || node.is_held() || crowded).then(|| {
+        let rests = (by_ground || leaves || node.is_held() || unresolved).then(|| {
             let pushes = |zone: bool, cell: usize| zone && given.drive(cell, node.x) != 0.0;
             let pressed = pushes(self.list.in_zone_before(i), given.cell_to(node.x))
                 || pushes(self.list.in_zone_before(i + 1), given.cell_from(node.x));
             let [left, right] = self.bends(i);
             let couple = AT_A_CHANGE * self.largest_node_force() * given.length < (right - left).abs();
-            if pressed || couple || crowded { Missing::Parts } else { Missing::Unloaded }
+            if pressed || couple || unresolved { Missing::Parts } else { Missing::Unloaded }
         });
         // Level ground on both sides, where there is a beam.
         let level = scene.foundation().is_some_and(|ground| {
@@ -80,7 +80,7 @@ impl Exact {
 
     /// True of a support and of a contact that are side by side: a gap that is small is bridged over a distance that is small as
     /// its root.
-    pub(super) fn crowded(&self, i: usize) -> bool {
+    pub(super) fn unresolved(&self, i: usize) -> bool {
         let nodes = &self.list.nodes;
         let near = |[a, b]: [&Node; 2]| {
             let [left, right] = [a, b].map(|node| node.support(&self.given));

@@ -13,7 +13,7 @@ use crate::certificate::CERTIFIED_RESIDUAL;
 
 /// A list with everything that follows from it.
 #[derive(Debug, Clone)]
-pub(super) struct Checked {
+pub(super) struct Check {
     /// The beam by pieces, from end to end.
     pub(super) pieces: Vec<Piece>,
     /// The spans and overhangs, each with the index of the node to its right.
@@ -30,7 +30,7 @@ pub(super) struct Checked {
     scale: Scale,
 }
 
-impl Checked {
+impl Check {
     /// By how much a span may penetrate the ground at a place.
     pub(super) fn allowed(&self, given: &PiecewiseScene, span: &Span, at: f64) -> f64 {
         TOLERANCE * self.scale.depth_in(given, span, at)
@@ -62,7 +62,7 @@ const PLACE: f64 = 4e-15;
 /// A contact that would have to move by more than this fraction of a span beside it leaves that span without a correct
 /// digit or two: what is in it, the lift-off beside a support for example, is rounding, however small its forces are beside
 /// the load.
-const CROWDED: f64 = 1e-3;
+const UNRESOLVED: f64 = 1e-3;
 
 /// What a force out of balance counts as a violation: a thousand-millionth of the forces may be, which is what
 /// [`CERTIFIED_RESIDUAL`] allows a discretised answer. A force between contacts that are close together is the difference of far
@@ -70,7 +70,7 @@ const CROWDED: f64 = 1e-3;
 const BALANCE: f64 = TOLERANCE / CERTIFIED_RESIDUAL;
 
 /// Checks `list`.
-pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
+pub(super) fn check(given: &PiecewiseScene, list: &List) -> Check {
     let mut judge = Judge { faults: Vec::new(), worst: 0.0 };
     judge.places(given, list);
     let mut spans = Vec::with_capacity(list.nodes.len());
@@ -126,7 +126,7 @@ pub(super) fn check(given: &PiecewiseScene, list: &List) -> Checked {
     let carried = scale.force.max(AT_REST * given.resultant.abs());
     judge.measure(BALANCE * force.abs(), carried, 0, Violation::Unbalanced { force });
     let Judge { faults, worst } = judge;
-    Checked { pieces, spans, forces, moments, faults, worst, scale }
+    Check { pieces, spans, forces, moments, faults, worst, scale }
 }
 
 /// The beam by pieces, from end to end.
@@ -262,12 +262,12 @@ impl Judge {
 
     /// The equations of the list hold, and its spans are long enough for them to have an answer: false if one is not.
     fn equations(&mut self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], scale: &Scale) -> bool {
-        let newton::Residual { jump, step, crowded } = newton::residual(given, list, spans);
+        let newton::Residual { jump, step, unresolved } = newton::residual(given, list, spans);
         let fixed = (0..list.nodes.len()).all(|i| list.unknown(given, i) != Some(Unknown::Place));
         let rounded = if fixed { jump } else { jump.min(step / PLACE * TOLERANCE * scale.moment) };
         self.measure(rounded, scale.moment, 0, Violation::Jump { jump });
-        let (part, span) = crowded;
-        if part <= CROWDED {
+        let (part, span) = unresolved;
+        if part <= UNRESOLVED {
             return true;
         }
         let from = span.checked_sub(1).map_or(0.0, |i| list.nodes[i].x);
@@ -358,7 +358,7 @@ mod tests {
         let load = Load::uniform_on(&beam, 1.0).expect("a load");
         let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("a scene");
         let given = PiecewiseScene::new(&scene);
-        let Checked { faults, worst, scale, .. } = check(&given, &List::free(&given));
+        let Check { faults, worst, scale, .. } = check(&given, &List::free(&given));
         let turn = LENGTH * LENGTH * LENGTH / 24.0;
         let expected = turn * LENGTH / scale.deflection;
         assert!((worst / expected - 1.0).abs() < 1e-12, "{worst} instead of {expected}");

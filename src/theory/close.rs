@@ -3,16 +3,16 @@
 //! A contact that is missing there costs next to nothing in deflection or energy. But an admissible deflection has to be lifted over
 //! it, by as much as the beam is too deep, and what that costs is of the size of the bend of so short a span.
 
-use super::check::{Checked, check};
+use super::check::{Check, check};
 use super::list::{List, Node};
 use super::newton;
-use super::normal::normalised;
+use super::normal::merged;
 use super::penetration::deepest;
 use super::piece::NEAR;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
 use super::room;
-use super::search::Found;
+use super::search::Candidate;
 use super::span::Span;
 use super::violation::Violation;
 
@@ -31,27 +31,27 @@ const MANY: usize = 150;
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// The list, or the last one of those that follow from a close look at it that is solved; with the work of all.
-pub(super) fn closer(given: &PiecewiseScene, mut found: Found) -> Found {
+pub(super) fn closer(given: &PiecewiseScene, mut found: Candidate) -> Candidate {
     let mut faults = closely(given, &found.list, &found.checked);
     let mut last = None;
     for _ in 0..ROUNDS {
         if faults.is_empty() {
             break;
         }
-        let Found { list, checked, .. } = last.as_ref().unwrap_or(&found);
+        let Candidate { list, checked, .. } = last.as_ref().unwrap_or(&found);
         let mut list =
             tangent(given, list, checked, &faults).unwrap_or_else(|| repaired(given, list, checked, &faults));
         if room::for_contacts(given, list.nodes.len()).is_err() {
             break;
         }
         let run = newton::solve(given, &mut list);
-        let normal = normalised(given, &list.nodes);
+        let normal = merged(given, &list.nodes);
         let converged = run.converged && normal == list;
         let checked = check(given, &normal);
         faults = closely(given, &normal, &checked);
         found.steps += run.steps;
         found.lists += 1;
-        let next = Found { list: normal, checked, converged, ..found };
+        let next = Candidate { list: normal, checked, converged, ..found };
         if next.solved() {
             found = next;
             last = None;
@@ -65,7 +65,7 @@ pub(super) fn closer(given: &PiecewiseScene, mut found: Found) -> Found {
 
 /// The list without the two edges of one straight cell between which the beam sags into it: it touches that cell in one point between
 /// them, which its two neighbours so close by would keep Newton's method from finding. [`None`] where no fault is of that kind.
-fn tangent(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(usize, Violation)]) -> Option<List> {
+fn tangent(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usize, Violation)]) -> Option<List> {
     let mut nodes = list.nodes.clone();
     for (i, fault) in faults.iter().rev() {
         let (Violation::Penetration { at, .. }, Some(left)) = (fault, i.checked_sub(1)) else { continue };
@@ -78,11 +78,11 @@ fn tangent(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(us
             nodes.splice(left..=*i, [Node::touch(*at, span.a.cell)]);
         }
     }
-    (nodes.len() < list.nodes.len()).then(|| normalised(given, &nodes))
+    (nodes.len() < list.nodes.len()).then(|| merged(given, &nodes))
 }
 
 /// What a close look finds: penetration of straight ground as a share of the bow as far as the next contact, and slopes beside edges.
-fn closely(given: &PiecewiseScene, list: &List, checked: &Checked) -> Vec<(usize, Violation)> {
+fn closely(given: &PiecewiseScene, list: &List, checked: &Check) -> Vec<(usize, Violation)> {
     let mut faults = Vec::new();
     if !given.founded || !given.is_straight(0) || given.cells.len() < MANY {
         return faults;
@@ -119,7 +119,7 @@ fn steepest(given: &PiecewiseScene, cells: std::ops::RangeInclusive<usize>) -> f
 
 /// An edge at an end of span `i` beside which the beam goes below the ground and comes up again at once: it touches the slope there
 /// instead.
-fn turned(given: &PiecewiseScene, list: &List, checked: &Checked, i: usize, span: &Span) -> Option<Violation> {
+fn turned(given: &PiecewiseScene, list: &List, checked: &Check, i: usize, span: &Span) -> Option<Violation> {
     let ends = [(i.checked_sub(1), 1.0, &span.a, &span.at_a), (Some(i), -1.0, &span.b, &span.at_b)];
     ends.into_iter().find_map(|(node, side, end, at)| {
         // Beside a support that only pushes the ground is farther down.

@@ -3,10 +3,10 @@
 use super::check::check;
 use super::exact::Exact;
 use super::list::{List, Node};
-use super::margin::{Margin, all, failing, stopped};
+use super::margin::{Condition, all, stopped, violated_conditions};
 use super::newton;
 use super::piecewise::PiecewiseScene;
-use super::search::Found;
+use super::search::Candidate;
 use super::springs::Springs;
 use crate::certificate::Slope;
 use crate::scene::{Scale, Scene};
@@ -34,16 +34,16 @@ const STEPS: usize = 4;
 const MOVED: usize = 4;
 
 impl Exact {
-    /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: a [`Margin`] for each
-    /// condition that can be followed from one scene to the other. Where there are no such contacts because one of them cannot go on, it
+    /// What the contacts of this solution violate in `scene`, if they are kept as they are and only move: each condition
+    /// that can be followed from one scene to the other. Where there are no such contacts because one of them cannot go on, it
     /// is that. [`None`] if there are none for another reason.
     #[must_use]
-    pub fn failing(&self, scene: &Scene) -> Option<Vec<Margin>> {
+    pub fn violated_conditions(&self, scene: &Scene) -> Option<Vec<Condition>> {
         let (given, list, converged) = self.tried(scene)?;
         if !converged {
-            return stopped(&given, &list).map(|margin| vec![margin]);
+            return stopped(&given, &list).map(|condition| vec![condition]);
         }
-        Some(failing(&given, &list, &check(&given, &list), &self.pattern().pulls))
+        Some(violated_conditions(&given, &list, &check(&given, &list), &self.pattern().pulls))
     }
 
     /// This solution with its contacts moved to where they are in `scene` and kept as they are, if that is an answer there, with
@@ -54,10 +54,11 @@ impl Exact {
         let scaled = scene.scaled().ok()?;
         let (given, list) = self.kept(scene)?;
         let checked = check(&given, &list);
-        if !checked.faults.is_empty() || !failing(&given, &list, &checked, &self.pattern().pulls).is_empty() {
+        if !checked.faults.is_empty() || !violated_conditions(&given, &list, &checked, &self.pattern().pulls).is_empty()
+        {
             return None;
         }
-        let found = Found { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
+        let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
         let stiffness = scaled.scene.beam().bending_stiffness();
         Some(Self::new(given, found, scaled.scale, stiffness))
     }
@@ -65,15 +66,15 @@ impl Exact {
     /// How far the contacts of this solution, kept as they are, are from violating a condition in `scene`: a smooth function of
     /// the numbers of the scene, negative where the condition is violated. [`None`] where it has no meaning.
     #[must_use]
-    pub fn margin(&self, scene: &Scene, margin: Margin) -> Option<f64> {
-        let Some((given, list)) = self.kept(scene) else { return margin.without_list() };
-        margin.value(&given, &list)
+    pub fn margin(&self, scene: &Scene, condition: Condition) -> Option<f64> {
+        let Some((given, list)) = self.kept(scene) else { return condition.without_list() };
+        condition.value(&given, &list)
     }
 
     /// How far the contacts of this solution, kept as they are, are from violating each condition in `scene` that can be told before
     /// it fails. [`None`] if there are no such contacts there.
     #[must_use]
-    pub fn margins(&self, scene: &Scene) -> Option<Vec<(Margin, f64)>> {
+    pub fn margins(&self, scene: &Scene) -> Option<Vec<(Condition, f64)>> {
         let (given, list) = self.kept(scene)?;
         Some(all(&given, &list, &self.pattern().pulls))
     }

@@ -67,7 +67,7 @@ pub enum Missing {
     /// Where a zone ends nothing presses: its place is not determined.
     Undetermined,
     /// A contact is so near a support that of the two forces only the couple is certain.
-    Crowded,
+    Unresolved,
 }
 
 impl Missing {
@@ -88,7 +88,7 @@ impl Missing {
                 "in part: the force at the end of a zone jumps as the load that stands there comes into the zone or leaves it"
             }
             Self::Pulls => "none: one of the loads at this place pulls, and lifts the beam off as soon as they part",
-            Self::Crowded => {
+            Self::Unresolved => {
                 "in part: a contact is so near a support that only the sum and the couple of their forces are certain"
             }
             Self::Undetermined => "in part: nothing presses where a zone ends, so that the place is not determined",
@@ -246,7 +246,7 @@ impl Exact {
         let parts = asked.parts.or((holds == [false; 2]).then_some(Missing::Unloaded));
         let scaled = Scaled { exact: self, of, unit, towards };
         let jumping = |i: usize| self.jumps(i, of, towards * changes[i].place);
-        let certain = |i: usize, value: f64| if self.crowded(i) || jumping(i) { f64::NAN } else { value };
+        let certain = |i: usize, value: f64| if self.unresolved(i) || jumping(i) { f64::NAN } else { value };
         let (mut supports, mut contacts) = (Vec::new(), Vec::new());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
@@ -280,10 +280,10 @@ impl Exact {
         }
         let energy = self.energy_by(of, &changes) * self.stiffness * self.scale.energy() / unit + 0.0;
         let jumps = (0..nodes.len()).any(jumping).then_some(Missing::Jumps);
-        let crowded = || (0..nodes.len()).any(|i| self.crowded(i)).then_some(Missing::Crowded);
+        let unresolved = || (0..nodes.len()).any(|i| self.unresolved(i)).then_some(Missing::Unresolved);
         let determined = contacts.iter().all(|c| c.from.is_finite() && c.to.is_finite());
         let undetermined = || (!determined).then_some(Missing::Undetermined);
-        let missing = parts.or(jumps).or_else(undetermined).or_else(crowded);
+        let missing = parts.or(jumps).or_else(undetermined).or_else(unresolved);
         let there = Derivative { by, one_sided, missing, supports, contacts, energy };
         if parts.is_some() { there.without_numbers() } else { there }
     }

@@ -4,7 +4,7 @@
 use super::list::{List, Node};
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
-use super::search::Found;
+use super::search::Candidate;
 use super::span::Span;
 use super::springs::Springs;
 use super::summary;
@@ -58,11 +58,11 @@ impl Exact {
     }
 
     /// From the search's result.
-    pub(super) fn new(given: PiecewiseScene, found: Found, scale: Scale, stiffness: f64) -> Self {
+    pub(super) fn new(given: PiecewiseScene, found: Candidate, scale: Scale, stiffness: f64) -> Self {
         let state = summary::state(&given, &found, &scale, stiffness);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
-        let Found { list, checked, steps, lists, samples, converged } = found;
+        let Candidate { list, checked, steps, lists, samples, converged } = found;
         let faults = checked.faults.iter().map(|(_, fault)| fault.in_units(&scale, stiffness));
         let violations = faults.chain(overflow).collect();
         let support_couples =

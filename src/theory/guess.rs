@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use super::chain::{Chain, ChainSample, Guess};
 use super::list::{List, Node};
-use super::normal::{edge_node, normalised};
+use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
 use super::tension::zones_between;
 
@@ -291,7 +291,7 @@ impl Samples {
                 builder.nodes.push(edge_node(given, breakpoint));
             }
         }
-        normalised(given, &builder.nodes)
+        merged(given, &builder.nodes)
     }
 }
 

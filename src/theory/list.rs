@@ -24,7 +24,7 @@
 //! support is said to take all of it.
 
 use super::piecewise::PiecewiseScene;
-use super::span::{End, Hold, Overhang, Span};
+use super::span::{End, EndCondition, Overhang, Span};
 use crate::certificate::Slope;
 
 /// What is not known of a node.
@@ -310,27 +310,27 @@ impl Node {
 
     /// Makes a hinge of the end of a span at the outermost node on a side, if that leaves the slope free.
     fn hinge(&self, given: &PiecewiseScene, end: &mut End, at_left: bool) {
-        if let Hold::Edge { height, level, .. } = end.hold
+        if let EndCondition::Edge { height, level, .. } = end.hold
             && self.held_slope(given).is_none()
         {
-            end.hold = Hold::Hinge { height, level, curvature: Overhang::of(given, self.x, at_left).moment };
+            end.hold = EndCondition::Hinge { height, level, curvature: Overhang::of(given, self.x, at_left).moment };
         }
     }
 
     /// How the node holds that span.
-    fn end_condition(&self, given: &PiecewiseScene, cell: usize) -> Hold {
+    fn end_condition(&self, given: &PiecewiseScene, cell: usize) -> EndCondition {
         let Some(breakpoint) = self.breakpoint else { return self.moving_end(given, cell) };
         let [left, _] = given.cells_beside(breakpoint);
         let on_the_right = cell != left || self.x <= 0.0;
         if self.slope == (Slope::OfGround { from_the_left: !on_the_right }) {
-            return Hold::Resting;
+            return EndCondition::Resting;
         }
         let (height, level) = match self.support(given).map(|support| &given.supports[support]) {
             Some(support) => (support.clearance[usize::from(on_the_right)], support.level),
             // The lower side of a step lies below the beam, which rests on the upper one.
             None => (given.height(breakpoint, cell), given.breakpoints[breakpoint].depth),
         };
-        Hold::Edge {
+        EndCondition::Edge {
             height,
             level,
             slope: self.held_slope(given).map_or_else(|| self.free_slope(), |slope| [slope, 0.0]),
@@ -338,11 +338,11 @@ impl Node {
     }
 
     /// The same of one that can move: at the very end of its piece of the profile it has the next one on its other side.
-    fn moving_end(&self, given: &PiecewiseScene, cell: usize) -> Hold {
+    fn moving_end(&self, given: &PiecewiseScene, cell: usize) -> EndCondition {
         if given.cells[cell].shape == given.cells[self.cell].shape {
-            return Hold::Resting;
+            return EndCondition::Resting;
         }
         let [level, slope] = [0, 1].map(|order| given.derivative(self.cell, self.x, order));
-        Hold::Edge { height: given.derivative(cell, self.x, 0) - level, level, slope: [slope, 0.0] }
+        EndCondition::Edge { height: given.derivative(cell, self.x, 0) - level, level, slope: [slope, 0.0] }
     }
 }

@@ -1,7 +1,7 @@
 //! How far a list of contacts is from violating a condition: what changes its sign where the kind of the answer changes.
 
 use super::bernstein::{sign_changes, value};
-use super::check::Checked;
+use super::check::Check;
 use super::forces::{forces, moments};
 use super::list::{List, Node};
 use super::penetration::in_bearings;
@@ -12,10 +12,7 @@ use super::violation::Violation;
 
 /// A condition of a list of contacts that can be followed from scene to scene. Indices are those of the nodes of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Margin(Condition);
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Condition {
+pub enum Condition {
     /// A contact presses.
     Presses(usize),
     /// At a smooth point the profile is bent more than the beam, `h'' ≥ 0` on both sides.
@@ -39,14 +36,19 @@ enum Condition {
 }
 
 /// The conditions that a list violates, as far as they can be followed; `pulls` says which supports pulled.
-pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pulls: &[bool]) -> Vec<Margin> {
+pub(super) fn violated_conditions(
+    given: &PiecewiseScene,
+    list: &List,
+    checked: &Check,
+    pulls: &[bool],
+) -> Vec<Condition> {
     let bent = |node: usize| {
         checked.faults.iter().any(|(i, fault)| *i == node && matches!(fault, Violation::CurvatureGap { .. }))
     };
-    let mut margins = Vec::new();
+    let mut conditions = Vec::new();
     let mut add = |condition: Condition| {
-        if !margins.contains(&Margin(condition)) {
-            margins.push(Margin(condition));
+        if !conditions.contains(&condition) {
+            conditions.push(condition);
         }
     };
     for &(i, fault) in &checked.faults {
@@ -91,19 +93,19 @@ pub(super) fn failing(given: &PiecewiseScene, list: &List, checked: &Checked, pu
             }
         }
     }
-    margins
+    conditions
 }
 
 /// What has stopped Newton's method: a zone beside a stretch in which it would pull, or a contact at the end of its smooth piece of the
 /// profile. It goes nine tenths of the way there in each of its steps.
-pub(super) fn stopped(given: &PiecewiseScene, list: &List) -> Option<Margin> {
+pub(super) fn stopped(given: &PiecewiseScene, list: &List) -> Option<Condition> {
     /// As a share of the beam.
     const THERE: f64 = 1e-12;
     let nodes = list.nodes.iter().enumerate().filter(|(_, node)| node.can_move());
     let stays = nodes.map(|(i, _)| Condition::Stays(i));
-    let margins = list.zones().map(|zone| Condition::ZonePresses(zone.node)).chain(stays).map(Margin);
-    let mut there = margins.filter(|margin| {
-        let far = margin.of(given, list, &[], &[]);
+    let conditions = list.zones().map(|zone| Condition::ZonePresses(zone.node)).chain(stays);
+    let mut there = conditions.filter(|condition| {
+        let far = condition.of(given, list, &[], &[]);
         far.is_some_and(|far| far.abs() <= THERE * given.length)
     });
     there.next()
@@ -114,11 +116,11 @@ fn rests(given: &PiecewiseScene, list: &List, node: usize) -> bool {
     list.nodes.get(node).is_some_and(|node| node.rests_at_support(given))
 }
 
-impl Margin {
+impl Condition {
     /// The same where the list is none of any beam, as Newton's method is stopped: a zone that has been entered by a load that pulls, or
     /// a contact that has left its piece of the profile. Of other conditions nothing is known.
     pub(super) fn without_list(self) -> Option<f64> {
-        matches!(self.0, Condition::ZonePresses(_) | Condition::Stays(_)).then_some(f64::NEG_INFINITY)
+        matches!(self, Condition::ZonePresses(_) | Condition::Stays(_)).then_some(f64::NEG_INFINITY)
     }
 
     /// The margin of a list whose equations hold; negative where the condition is violated. [`None`] where there is no such
@@ -132,7 +134,7 @@ impl Margin {
     /// The same with the spans of the list and the forces of its nodes.
     fn of(self, given: &PiecewiseScene, list: &List, spans: &[(usize, Span)], forces: &[f64]) -> Option<f64> {
         let before = |node: usize| spans.binary_search_by_key(&node, |(i, _)| *i).ok().map(|i| &spans[i].1);
-        match self.0 {
+        match self {
             Condition::Presses(node) => forces.get(node).copied(),
             Condition::Bends(node) => {
                 let sides = [before(node).map(|span| span.at_b[2]), before(node + 1).map(|span| span.at_a[2])];
@@ -173,7 +175,7 @@ impl Margin {
 }
 
 /// The conditions of a list that can be told before they fail, with their values: forces, bends, lengths of zones and clearances.
-pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(Margin, f64)> {
+pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(Condition, f64)> {
     let spans: Vec<(usize, Span)> = list.spans(given).collect();
     let forces = forces(given, list, &spans);
     let of_node = |(i, node): (usize, &Node)| match node.support(given) {
@@ -184,7 +186,7 @@ pub(super) fn all(given: &PiecewiseScene, list: &List, pulls: &[bool]) -> Vec<(M
     };
     let nodes = list.nodes.iter().enumerate().flat_map(of_node).flatten();
     let clearances = spans.iter().filter(|_| given.has_obstacle()).map(|(i, _)| Condition::Clears(*i));
-    let value = |condition| Some((Margin(condition), Margin(condition).of(given, list, &spans, &forces)?));
+    let value = |condition: Condition| Some((condition, condition.of(given, list, &spans, &forces)?));
     nodes.chain(clearances).filter_map(value).collect()
 }
 

@@ -60,7 +60,7 @@ mod violation;
 
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
-pub use margin::Margin;
+pub use margin::Condition;
 pub use pattern::{Pattern, Touch, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};
 pub use spread::Spread;

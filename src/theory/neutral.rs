@@ -10,17 +10,17 @@
 //! that level on both sides without a corner it leaves one slope, its own: the position is found as always.
 
 use super::bernstein::lowest_below;
-use super::check::{Checked, check};
+use super::check::{Check, check};
 use super::list::{List, Node};
 use super::normal::edge_node;
 use super::penetration::in_bearings;
 use super::piecewise::PiecewiseScene;
-use super::search::Found;
+use super::search::Candidate;
 use crate::certificate::Slope;
 
 /// The beam in its position with the slope nearest to zero, and the interval of slopes if there is more than one; [`None`] if it does
 /// not rest on this place, `about`, alone.
-pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Option<[f64; 2]>)> {
+pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Candidate, Option<[f64; 2]>)> {
     /// Slopes that differ by less than this share are one.
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     let node = match given.supports.first() {
@@ -41,7 +41,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Opt
     let slope = 0.0_f64.max(slopes[0]).min(slopes[1]);
     let list = List { nodes: vec![Node { slope: Slope::Free(slope), ..node }] };
     let checked = check(given, &list);
-    let found = Found { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
+    let found = Candidate { list, checked, steps: 0, lists: 1, samples: 0, converged: true };
     found.solved().then_some((found, turns.then_some(slopes)))
 }
 
@@ -49,7 +49,7 @@ pub(super) fn balanced(given: &PiecewiseScene, about: f64) -> Option<(Found, Opt
 fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
     /// Each step is to a place that limits more; a handful are enough, as with Newton's method.
     const STEPS: usize = 60;
-    let Checked { pieces, spans, .. } = check(given, level);
+    let Check { pieces, spans, .. } = check(given, level);
     let mut taylor = vec![0.0; given.terms];
     let mut bound = |left: bool| {
         let sign = if left { -1.0 } else { 1.0 };

@@ -140,7 +140,7 @@ pub(super) struct Residual {
     /// place long before the jump is small.
     pub(super) step: f64,
     /// The largest fraction of a span beside it by which a contact would have to move, and the node to the right of that span.
-    pub(super) crowded: (f64, usize),
+    pub(super) unresolved: (f64, usize),
 }
 
 /// The residual of the equations of `list` with its `spans`.
@@ -150,21 +150,21 @@ pub(super) fn residual(given: &PiecewiseScene, list: &List, spans: &[(usize, Spa
     let rows = equations(given, list, spans.iter().copied());
     let jump = rows.iter().map(|row| row.jump).fold(0.0, most);
     let Some(rows) = newton_step(rows) else {
-        return Residual { jump, step: f64::INFINITY, crowded: (0.0, 0) };
+        return Residual { jump, step: f64::INFINITY, unresolved: (0.0, 0) };
     };
     let moving = |row: &&Row| row.unknown == Some(Unknown::Place);
     let step = rows.iter().filter(moving).map(|row| row.step / given.length).fold(0.0, most);
-    let mut crowded = (0.0, 0);
+    let mut unresolved = (0.0, 0);
     for &(i, span) in spans {
         let beside = i.saturating_sub(1)..rows.len().min(i + 1);
         for row in rows[beside].iter().filter(moving) {
             let part = row.step.abs() / span.length();
-            if crowded.0 < part {
-                crowded = (part, i);
+            if unresolved.0 < part {
+                unresolved = (part, i);
             }
         }
     }
-    Residual { jump, step, crowded }
+    Residual { jump, step, unresolved }
 }
 
 /// The equations with Newton's step; [`None`] if the system is singular.

@@ -6,7 +6,7 @@ use crate::certificate::Slope;
 
 /// The list without nodes that are not valid: starts and ends of zones that have lost their partner, and neighbours that
 /// leave no span between them. Supports stay.
-pub(super) fn normalised(given: &PiecewiseScene, nodes: &[Node]) -> List {
+pub(super) fn merged(given: &PiecewiseScene, nodes: &[Node]) -> List {
     let mut normal = Normal {
         given,
         closed: 1e-11 * given.length,

@@ -4,7 +4,7 @@
 use super::bernstein::{lowest_below, range};
 use super::piece::{NEAR, Piece, derivatives};
 use super::piecewise::PiecewiseScene;
-use super::span::{Hold, Span};
+use super::span::{EndCondition, Span};
 
 /// Cells that are looked at together, at most, and how many times more of them after some that are clear.
 const MOST: usize = 4096;
@@ -18,7 +18,7 @@ pub(super) fn in_bearings<'a>(
     span: &'a Span,
 ) -> impl Iterator<Item = (f64, f64)> + 'a {
     let under = |x: f64| {
-        let [a, b] = [&span.a, &span.b].map(|end| (end.x, end.hold == Hold::Free));
+        let [a, b] = [&span.a, &span.b].map(|end| (end.x, end.hold == EndCondition::Free));
         (a.0 < x || a.1 && a.0 <= x) && (x < b.0 || b.1 && x <= b.0)
     };
     let bearings = given.bearings.iter().map(|&i| &given.breakpoints[i]).filter(move |bearing| under(bearing.x));

@@ -2,7 +2,7 @@
 //! contact, or to the middle between the two. In each of its cells the clearance is one polynomial (or nearly so, for a cosine).
 
 use super::piecewise::PiecewiseScene;
-use super::span::{End, Hold, Span, difference};
+use super::span::{End, EndCondition, Span, difference};
 
 /// A part of the beam that is one polynomial.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -199,10 +199,10 @@ fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
     const BESIDE_HELD: f64 = 1e-3;
     let (a, b) = (&span.a, &span.b);
     let [near_a, near_b] = [a, b].map(|end| {
-        let held = matches!(end.hold, Hold::Edge { .. });
+        let held = matches!(end.hold, EndCondition::Edge { .. });
         span.length() * if held { BESIDE_HELD } else { BESIDE }
     });
-    let loaded = |end: &End, i: &usize| end.hold != Hold::Free && given.load_changes_at(*i);
+    let loaded = |end: &End, i: &usize| end.hold != EndCondition::Free && given.load_changes_at(*i);
     let left = given.breakpoints_inside(a.x, a.x + near_a).rfind(|i| loaded(a, i));
     let right = given.breakpoints_inside(b.x - near_b, b.x).find(|i| loaded(b, i));
     match (left, right) {

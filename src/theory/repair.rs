@@ -1,19 +1,19 @@
 //! What to try next when a list of contacts fails its check: each fault has its repair.
 //!
 //! A point that pulls goes, one at which the beam bends more than the profile becomes a zone, and where the beam penetrates
-//! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::normal::normalised`]).
+//! the profile deepest it touches. Two contacts that cannot be two are one zone afterwards ([`super::normal::merged`]).
 //! What pulls inside a zone or at a support, the next guess of the chain leaves out.
 
-use super::check::Checked;
+use super::check::Check;
 use super::list::{List, Node};
-use super::normal::{edge_node, normalised};
+use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
 use super::span::Span;
 use super::violation::Violation;
 use crate::certificate::Slope;
 
 /// The list with these faults repaired as far as each of them says how.
-pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked, faults: &[(usize, Violation)]) -> List {
+pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Check, faults: &[(usize, Violation)]) -> List {
     let mut repair = Repair { given, list, checked, keep: vec![true; list.nodes.len()], added: Vec::new() };
     for &(i, fault) in faults {
         match fault {
@@ -38,14 +38,14 @@ pub(super) fn repaired(given: &PiecewiseScene, list: &List, checked: &Checked, f
     };
     let mut nodes: Vec<Node> = list.nodes.iter().enumerate().filter_map(kept).chain(added).collect();
     nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-    normalised(given, &nodes)
+    merged(given, &nodes)
 }
 
 /// A list and what becomes of it.
 struct Repair<'a> {
     given: &'a PiecewiseScene,
     list: &'a List,
-    checked: &'a Checked,
+    checked: &'a Check,
     /// Which of its nodes are kept; supports always are.
     keep: Vec<bool>,
     /// Additions, in any order.

@@ -2,7 +2,7 @@
 //! far more than the beam bends, that is where to start.
 
 use super::list::List;
-use super::normal::{edge_node, normalised};
+use super::normal::{edge_node, merged};
 use super::piecewise::PiecewiseScene;
 use super::span::Overhang;
 
@@ -12,7 +12,7 @@ pub(super) fn lists(given: &PiecewiseScene) -> [List; 2] {
         let mut nodes = List::free(given).nodes;
         nodes.extend(bearings.into_iter().map(|i| edge_node(given, i)));
         nodes.sort_by(|a, b| a.x.total_cmp(&b.x));
-        normalised(given, &nodes)
+        merged(given, &nodes)
     })
 }
 

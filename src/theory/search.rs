@@ -5,12 +5,12 @@
 //! and where the check failed. Lists of a scene near by, of a rigid beam at rest and without contact are tried besides. A list that
 //! passes is looked at once more ([`super::close`]).
 
-use super::check::{Checked, check};
+use super::check::{Check, check};
 use super::close::closer;
 use super::guess::{LONG, Samples};
 use super::list::List;
 use super::newton;
-use super::normal::normalised;
+use super::normal::merged;
 use super::piecewise::PiecewiseScene;
 use super::repair::repaired;
 use super::resting;
@@ -37,11 +37,11 @@ const STRIKES: usize = 6;
 
 /// The best list that was found.
 #[derive(Debug, Clone)]
-pub(super) struct Found {
+pub(super) struct Candidate {
     /// The list.
     pub(super) list: List,
     /// What follows from it.
-    pub(super) checked: Checked,
+    pub(super) checked: Check,
     /// Newton steps, those of lists that were tried before included.
     pub(super) steps: usize,
     /// Lists that were tried, this one included.
@@ -52,7 +52,7 @@ pub(super) struct Found {
     pub(super) converged: bool,
 }
 
-impl Found {
+impl Candidate {
     /// True if every condition holds.
     pub(super) fn solved(&self) -> bool {
         self.checked.faults.is_empty() && self.converged
@@ -68,12 +68,12 @@ impl Found {
 }
 
 /// The beam without contact.
-fn free(given: &PiecewiseScene) -> Found {
+fn free(given: &PiecewiseScene) -> Candidate {
     let mut list = List::free(given);
     // Slopes over inner supports are unknown even so.
     let run = newton::solve(given, &mut list);
     let checked = check(given, &list);
-    Found { list, checked, steps: run.steps, lists: 1, samples: 0, converged: run.converged }
+    Candidate { list, checked, steps: run.steps, lists: 1, samples: 0, converged: run.converged }
 }
 
 /// The exact solution, looked for from lists `near` it first, in turn.
@@ -84,12 +84,12 @@ fn free(given: &PiecewiseScene) -> Found {
 /// # Errors
 ///
 /// [`TheoryError::NoMemory`] for more samples or contacts than there is memory for.
-pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Result<Found, TheoryError> {
+pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -> Result<Candidate, TheoryError> {
     // On a profile of so many cells a guess, which may be the free beam, is cheaper than this check, which most beams fail.
     let is_long = LONG < given.cells.len();
     let nothing = !given.has_obstacle();
     let mut best = (nothing || !is_long).then(|| free(given));
-    let is_solved = |best: &Option<Found>| best.as_ref().is_some_and(Found::solved);
+    let is_solved = |best: &Option<Candidate>| best.as_ref().is_some_and(Candidate::solved);
     if let Some(free) = best.take_if(|free| free.solved() || nothing) {
         return Ok(free);
     }
@@ -141,11 +141,11 @@ pub(super) fn search(given: &PiecewiseScene, near: impl Iterator<Item = List>) -
         Some(found) if found.solved() || !is_long => found,
         found => better(found, free(given)),
     };
-    Ok(Found { samples: taken, ..found })
+    Ok(Candidate { samples: taken, ..found })
 }
 
 /// The better of what was found before, if anything was, and of a list.
-fn better(before: Option<Found>, found: Found) -> Found {
+fn better(before: Option<Candidate>, found: Candidate) -> Candidate {
     match before {
         Some(before) => before.better(found),
         None => found,
@@ -158,19 +158,19 @@ fn with_repairs(
     given: &PiecewiseScene,
     mut list: List,
     rounds: usize,
-    mut best: Option<Found>,
+    mut best: Option<Candidate>,
     places: &mut Vec<f64>,
-) -> Result<Option<Found>, TheoryError> {
+) -> Result<Option<Candidate>, TheoryError> {
     let (mut strikes, mut fewest) = (0, usize::MAX);
     for _ in 0..rounds {
         room::for_contacts(given, list.nodes.len())?;
         let run = newton::solve(given, &mut list);
-        let normal = normalised(given, &list.nodes);
+        let normal = merged(given, &list.nodes);
         // Without the nodes that made no sense the equations are others: Newton's method has not solved them.
         let changed = normal != list;
         let checked = check(given, &normal);
         let converged = run.converged && !changed;
-        let found = Found { list: normal, checked, steps: run.steps, lists: 1, samples: 0, converged };
+        let found = Candidate { list: normal, checked, steps: run.steps, lists: 1, samples: 0, converged };
         if found.solved() {
             return Ok(Some(better(best, closer(given, found))));
         }

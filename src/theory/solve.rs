@@ -7,7 +7,7 @@ use super::neutral;
 use super::normal;
 use super::piecewise::PiecewiseScene;
 use super::room::{self, MEMORY};
-use super::search::{Found, search};
+use super::search::{Candidate, search};
 use super::springs;
 use crate::scene::{Balance, Foundation, Profile, Scene, SceneError};
 
@@ -119,8 +119,8 @@ pub fn solve_near(scene: &Scene, near: &[&Exact]) -> Result<Exact, TheoryError> 
 }
 
 /// An answer with zones that end next to a free end, as one whose zones reach it, if all conditions hold for that as well.
-fn reaching_free_ends(given: &PiecewiseScene, found: Found) -> Found {
+fn reaching_free_ends(given: &PiecewiseScene, found: Candidate) -> Candidate {
     let Some(list) = normal::reaching_free_ends(given, &found.list).filter(|_| found.solved()) else { return found };
-    let reached = Found { checked: check(given, &list), list, ..found };
+    let reached = Candidate { checked: check(given, &list), list, ..found };
     if reached.solved() { reached } else { found }
 }

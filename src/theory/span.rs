@@ -18,7 +18,7 @@ use super::piecewise::PiecewiseScene;
 
 /// How a span begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Hold {
+pub(super) enum EndCondition {
     /// On a smooth piece of the profile, or clamped to it: `h = h' = 0`.
     Resting,
     /// On a break of the profile: `v` and `v'` are given.
@@ -45,7 +45,7 @@ pub(super) enum Hold {
     Free,
 }
 
-impl Hold {
+impl EndCondition {
     /// `h`.
     fn height(self) -> f64 {
         match self {
@@ -78,13 +78,13 @@ pub(super) struct End {
     /// The cell of the span that ends there.
     pub(super) cell: usize,
     /// How it is held.
-    pub(super) hold: Hold,
+    pub(super) hold: EndCondition,
 }
 
 impl End {
     /// An end that rests on a smooth piece of the profile.
     pub(super) fn resting(x: f64, cell: usize) -> Self {
-        Self { x, rest: 0.0, cell, hold: Hold::Resting }
+        Self { x, rest: 0.0, cell, hold: EndCondition::Resting }
     }
 }
 
@@ -124,20 +124,25 @@ impl Span {
         let in_clearance = chord(terms).max(profiles[0][2].abs().max(profiles[1][2].abs()));
         let in_beam = chord(levels) < in_clearance || is_broken(given, &a, &b, chord(levels));
         let rise = if in_beam {
-            let beyond = |i: usize| if ends[i].hold == Hold::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
+            let beyond =
+                |i: usize| if ends[i].hold == EndCondition::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
             levels[1] - levels[0] + (beyond(1) - beyond(0))
         } else {
             heights[1] - heights[0]
         };
         let incline = rise / l;
         let held = [0, 1].map(|i| match (ends[i].hold, in_beam) {
-            (Hold::Resting, true) => Held::Slope(profiles[i][1] + profiles[i][2] * ends[i].rest - incline),
-            (Hold::Resting, false) => Held::Slope(-incline),
-            (Hold::Edge { slope: [slope, rest], .. }, true) => Held::Slope(slope - incline + rest),
-            (Hold::Edge { slope: [slope, rest], .. }, false) => Held::Slope(profiles[i][1] - slope - rest - incline),
-            (Hold::Hinge { curvature, .. }, true) => Held::Curvature(curvature),
-            (Hold::Hinge { curvature, .. }, false) => Held::Curvature(profiles[i][2] - curvature),
-            (Hold::Free, _) => Held::Curvature(0.0),
+            (EndCondition::Resting, true) => {
+                Prescribed::Slope(profiles[i][1] + profiles[i][2] * ends[i].rest - incline)
+            }
+            (EndCondition::Resting, false) => Prescribed::Slope(-incline),
+            (EndCondition::Edge { slope: [slope, rest], .. }, true) => Prescribed::Slope(slope - incline + rest),
+            (EndCondition::Edge { slope: [slope, rest], .. }, false) => {
+                Prescribed::Slope(profiles[i][1] - slope - rest - incline)
+            }
+            (EndCondition::Hinge { curvature, .. }, true) => Prescribed::Curvature(curvature),
+            (EndCondition::Hinge { curvature, .. }, false) => Prescribed::Curvature(profiles[i][2] - curvature),
+            (EndCondition::Free, _) => Prescribed::Curvature(0.0),
         });
         let solved = solve(l, held, &fixed_end(given, &a, &b, if in_beam { Drive::Load } else { Drive::Clearance }));
         let mut at = [[0.0; 4]; 2];
@@ -155,12 +160,12 @@ impl Span {
             // What is given is known without rounding.
             at[i][0] = heights[i];
             match ends[i].hold {
-                Hold::Resting => at[i][1] = 0.0,
-                Hold::Edge { slope: [slope, rest], .. } => {
+                EndCondition::Resting => at[i][1] = 0.0,
+                EndCondition::Edge { slope: [slope, rest], .. } => {
                     (at[i][1], beam[i][1]) = (profile[1] - slope - rest, slope);
                 }
-                Hold::Hinge { curvature, .. } => (at[i][2], beam[i][2]) = (profile[2] - curvature, curvature),
-                Hold::Free => {}
+                EndCondition::Hinge { curvature, .. } => (at[i][2], beam[i][2]) = (profile[2] - curvature, curvature),
+                EndCondition::Free => {}
             }
         }
         let [at_a, at_b] = at;
@@ -176,7 +181,7 @@ impl Span {
     /// ```
     pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: bool) -> Self {
         let (x, cell) = if at_left { (0.0, 0) } else { (given.length, given.cells.len() - 1) };
-        let free = End { x, rest: 0.0, cell, hold: Hold::Free };
+        let free = End { x, rest: 0.0, cell, hold: EndCondition::Free };
         let length = (held.x - free.x).abs();
         let Overhang { force, moment, turn, sag } = Overhang::of(given, held.x, at_left);
         let profiles = [given.derivatives(held.cell, held.x), given.derivatives(free.cell, free.x)];
@@ -190,7 +195,7 @@ impl Span {
         let beam_free = [level - sign * slope * length + sag, slope - sign * turn, 0.0, sign * shear];
         let mut at_held = difference(&profiles[0], &beam_held);
         at_held[0] = held.hold.height();
-        if held.hold == Hold::Resting {
+        if held.hold == EndCondition::Resting {
             at_held[1] = 0.0;
         }
         let at_free = difference(&profiles[1], &beam_free);
@@ -203,7 +208,7 @@ impl Span {
 
     /// True if it ends at a free end of the beam.
     pub(super) fn is_overhang(&self) -> bool {
-        self.a.hold == Hold::Free || self.b.hold == Hold::Free
+        self.a.hold == EndCondition::Free || self.b.hold == EndCondition::Free
     }
 
     /// Its length `ℓ`.
@@ -291,7 +296,7 @@ pub(super) fn difference(u: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
 
 /// What is given at an end of a span.
 #[derive(Debug, Clone, Copy)]
-enum Held {
+enum Prescribed {
     /// The slope, counted from the straight line through both ends.
     Slope(f64),
     /// The second derivative.
@@ -300,27 +305,31 @@ enum Held {
 
 /// The slope-deflection equations: slope, counted from the straight line through both ends, second and third derivative at
 /// both ends of a span of length `l`.
-fn solve(l: f64, [a, b]: [Held; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
+fn solve(l: f64, [a, b]: [Prescribed; 2], fixed: &FixedEnd) -> [[f64; 3]; 2] {
     let [rest_a, rest_b] = fixed.moment;
     let (slope_a, slope_b) = match (a, b) {
-        (Held::Slope(left), Held::Slope(right)) => (left, right),
-        (Held::Curvature(curvature), Held::Slope(slope)) => (0.25 * l * (rest_a - curvature) - 0.5 * slope, slope),
-        (Held::Slope(slope), Held::Curvature(curvature)) => (slope, 0.25 * l * (curvature - rest_b) - 0.5 * slope),
-        (Held::Curvature(left), Held::Curvature(right)) => {
+        (Prescribed::Slope(left), Prescribed::Slope(right)) => (left, right),
+        (Prescribed::Curvature(curvature), Prescribed::Slope(slope)) => {
+            (0.25 * l * (rest_a - curvature) - 0.5 * slope, slope)
+        }
+        (Prescribed::Slope(slope), Prescribed::Curvature(curvature)) => {
+            (slope, 0.25 * l * (curvature - rest_b) - 0.5 * slope)
+        }
+        (Prescribed::Curvature(left), Prescribed::Curvature(right)) => {
             // 4 φ_a + 2 φ_b = ℓ (rest_a − left),  2 φ_a + 4 φ_b = ℓ (right − rest_b).
             let (first, second) = (l * (rest_a - left), l * (right - rest_b));
             ((2.0 * first - second) / 6.0, (2.0 * second - first) / 6.0)
         }
     };
     let curvature_a = match a {
-        Held::Slope(_) => rest_a - (4.0 * slope_a + 2.0 * slope_b) / l,
-        Held::Curvature(curvature) => curvature,
+        Prescribed::Slope(_) => rest_a - (4.0 * slope_a + 2.0 * slope_b) / l,
+        Prescribed::Curvature(curvature) => curvature,
     };
     let curvature_b = match b {
-        Held::Slope(_) => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
-        Held::Curvature(curvature) => curvature,
+        Prescribed::Slope(_) => rest_b + (2.0 * slope_a + 4.0 * slope_b) / l,
+        Prescribed::Curvature(curvature) => curvature,
     };
-    let [third_a, third_b] = if let (Held::Curvature(_), Held::Curvature(_)) = (a, b) {
+    let [third_a, third_b] = if let (Prescribed::Curvature(_), Prescribed::Curvature(_)) = (a, b) {
         let across = (curvature_b - curvature_a) / l;
         [across - fixed.shear[0], across + fixed.shear[1]]
     } else {

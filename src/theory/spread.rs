@@ -33,7 +33,7 @@ impl Exact {
         });
         // Where the ground parts from a support forces change as a root of the distance.
         let rests = |i: usize| {
-            nodes[i].rests_at_support(&self.given) || nodes[i].support(&self.given).is_some() && self.crowded(i)
+            nodes[i].rests_at_support(&self.given) || nodes[i].support(&self.given).is_some() && self.unresolved(i)
         };
         if (0..nodes.len()).any(rests) {
             return None;

@@ -5,12 +5,12 @@ use super::forces::zone_force;
 use super::list::List;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
-use super::search::Found;
+use super::search::Candidate;
 use crate::scene::Scale;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce};
 
 /// The state of the beam.
-pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> ContactState {
+pub(super) fn state(given: &PiecewiseScene, found: &Candidate, scale: &Scale, stiffness: f64) -> ContactState {
     let force = |f: f64| f * stiffness * scale.force;
     let pieces = &found.checked.pieces;
     let supports = supports(given, found, scale, stiffness);
@@ -45,7 +45,7 @@ pub(super) fn state(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffn
 }
 
 /// The forces of the supports, from left to right, those that only push among them.
-fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64) -> Vec<SupportForce> {
+fn supports(given: &PiecewiseScene, found: &Candidate, scale: &Scale, stiffness: f64) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
         let support = &given.supports[node.support(given)?];
@@ -71,7 +71,7 @@ fn supports(given: &PiecewiseScene, found: &Found, scale: &Scale, stiffness: f64
 }
 
 /// The contacts from left to right.
-fn contacts(given: &PiecewiseScene, found: &Found) -> Vec<Contact> {
+fn contacts(given: &PiecewiseScene, found: &Candidate) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
