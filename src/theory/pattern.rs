@@ -39,8 +39,9 @@ impl Crest {
     }
 }
 
-/// A contact that moves farther than this share of the beam, or than half a wave of the ground, may be another one.
+/// A contact that moves farther than this share of the beam may be another one.
 const NEAR: f64 = 0.02;
+/// Waves from a crest to the next hollow: beyond it the next crest is nearer.
 const HALF_A_WAVE: f64 = 0.5;
 
 /// A contact.

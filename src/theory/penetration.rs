@@ -6,8 +6,9 @@ use super::piece::{NEAR, Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::span::{EndCondition, Span};
 
-/// Cells that are looked at together, at most, and how many times more of them after some that are clear.
+/// Cells that are looked at together, at most: so many cost next to nothing each.
 const MOST: usize = 4096;
+/// How many times more cells are looked at after some that are clear, and fewer after some that are not.
 const MORE: usize = 4;
 
 /// How deep the beam would be in each support that only pushes under a span and does not hold it: `(place, depth)`, negative where

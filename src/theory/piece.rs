@@ -194,8 +194,9 @@ fn beam_taylor(given: &PiecewiseScene, cell: usize, x: f64, [v, v1, v2, v3]: &[f
 /// numbers there, is known from the other end.
 fn meeting(given: &PiecewiseScene, span: &Span) -> f64 {
     /// Share of the span; at this distance six of the digits of the shear force would be lost: what is left of it beyond the load
-    /// falls with the distance from an end that is free to turn, and with its square from one that is not.
+    /// falls with the distance from an end that is free to turn.
     const BESIDE: f64 = 1e-6;
+    /// The same from an end that is not free to turn: with the square of the distance.
     const BESIDE_HELD: f64 = 1e-3;
     let (a, b) = (&span.a, &span.b);
     let [near_a, near_b] = [a, b].map(|end| {

@@ -115,6 +115,7 @@ impl PiecewiseScene {
 
     /// `u^{(order)}(x)` in `cell`, for an order up to 4.
     pub(super) fn derivative(&self, cell: usize, x: f64, order: usize) -> f64 {
+        /// `j!`.
         const FACTORIAL: [f64; 5] = [1.0, 1.0, 2.0, 6.0, 24.0];
         let mut taylor = [0.0; 5];
         self.profile(cell, x, &mut taylor);

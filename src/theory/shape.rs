@@ -149,6 +149,7 @@ impl Shape {
     /// How far the profile turns between its slope at `x` and the chord to `x + t`, `|(u(x + t) − u(x))/t − u'(x)|` with the
     /// sign of `u''`, to the digits of a small number; `even` leaves out the odd powers of its Taylor series.
     pub(super) fn bow(&self, x: f64, t: f64, even: bool) -> f64 {
+        /// Those of a cosine and of a long polynomial, see [`LONG_TERMS`](crate::scene::polynomial::LONG_TERMS).
         const TERMS: usize = 22;
         let terms = match self {
             Self::Line { .. } => return 0.0,

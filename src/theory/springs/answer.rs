@@ -145,6 +145,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
 
 /// What a penetration is rounded by: the digits of the deflection, and how far it changes by those of a place.
 fn rounding(part: &Part, length: f64) -> f64 {
+    /// A handful of roundings of each.
     const UNITS: f64 = 16.0;
     let size = [part.piece.lo, part.piece.hi].map(|x| part.beam(x)[0].abs() + length * part.sunk(x)[1].abs());
     UNITS * f64::EPSILON * size[0].max(size[1])

@@ -117,9 +117,11 @@ fn search(given: &PiecewiseScene, springs: f64, work: &mut Work) -> Option<Found
 }
 
 fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, work: &mut Work) -> Option<Found> {
-    /// Shares of the length: a set of softer ground is a start, that of the given one has all its digits, or as many as there are.
+    /// Of the length: a set of softer ground is a start, and no more.
     const START: f64 = 1e-6;
+    /// That of the given ground has all its digits.
     const DIGITS: f64 = 4.0 * f64::EPSILON;
+    /// Or as many as there are: below this a set that comes no nearer is rounding.
     const FEW: f64 = 1e-12;
     let mut stretches = vec![[0.0, given.length]];
     let square = given.length * given.length;
@@ -168,9 +170,11 @@ fn deepest(parts: &[Part]) -> f64 {
 
 /// The stretches on which a beam is below the surface of the ground, from left to right.
 fn pressed(given: &PiecewiseScene, parts: &[Part]) -> Vec<[f64; 2]> {
-    /// Places that are one, and stretches that are none, as shares of the length.
+    /// Places that are one, as a share of the length: two units in the last place.
     const SAME: f64 = 4e-16;
+    /// Stretches that are none: a few of these.
     const NOTHING: f64 = 1e-15;
+    /// An end that is so near to a break is there: between them a penetration is rounding.
     const BESIDE: f64 = 1e-12;
     let rounding = ROUNDING * deepest(parts);
     let mut stretches: Vec<[f64; 2]> = Vec::new();

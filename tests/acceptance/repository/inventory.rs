@@ -2,8 +2,8 @@
 
 use super::text::{code, files, none, rust_files};
 
-/// Rooms whose numbers are not all explained yet: beam theory, and the measures of a drawing.
-const NOT_YET: [&str; 2] = ["src/theory/", "src/plot/"];
+/// The room whose numbers are not all explained yet: the measures of a drawing.
+const NOT_YET: [&str; 1] = ["src/plot/"];
 
 /// Whether a line gives a name to a number, or to some of them.
 fn names_a_number(line: &str) -> bool {
