@@ -3,6 +3,7 @@
 use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::tests::{Kind, node};
+use crate::certificate::kernel::polynomial::Polynomial;
 use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
@@ -101,5 +102,31 @@ fn parts_of_zones_hold_with_what_is_apart() {
         for place in [left, right].into_iter().filter(|place| place.presses.is_finite()) {
             assert!(GAP <= place.off * place.presses * (1.0 + 1e-15) && 0.0 < place.presses, "{place:?}");
         }
+    }
+}
+
+/// A beam that lies level on a crest: beside it the clearance is `c s²`, far below the digits of both depths.
+#[test]
+fn beside_a_crest_stops_are_as_far_off_as_the_ground() {
+    /// Depths and coefficients are sums of powers of two.
+    const BEND: f64 = 1.0 / 128.0;
+    const LEVEL: f64 = 0.5;
+    const APART: f64 = 1e-3;
+    /// Of a product, beside `10⁻⁸` of a difference of two depths.
+    const ROUNDING: f64 = 1e-12;
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive").with_supports(Vec::new()).expect("none");
+    let crest = 0.5 * LENGTH;
+    let coefficients = vec![LEVEL + BEND * crest * crest, -2.0 * BEND * crest, BEND];
+    let load = Load::uniform_on(&beam, LOAD).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Polynomial { coefficients })).expect("well posed");
+    let v = Polynomial::new(&[Interval::exact(LEVEL)]);
+    let pieces = [[0.0, crest], [crest, LENGTH]].map(|[from, to]| Piece { from, to, v, pressed: false });
+    let found = in_intervals(&scene, Balance::Held, |enclosed| stops(enclosed, &pieces, crest, APART));
+    let Some(Hold(left, right)) = found else { panic!("ground on both sides") };
+    for (place, side) in [(left, -1.0), (right, 1.0)] {
+        let distance = side * (place.from - crest);
+        let expected = BEND * distance * distance;
+        assert!((distance - APART).abs() < 1e-12, "{place:?}");
+        assert!((place.off - expected).abs() <= ROUNDING * expected, "{place:?}, not {expected:e}");
     }
 }
