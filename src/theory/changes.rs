@@ -6,7 +6,7 @@ use super::exact::Exact;
 use super::list::Node;
 use super::piecewise::{AtSupport, Cell};
 use super::sensitivity::{Change, standing};
-use super::span::{Hold, Span};
+use super::span::{EndCondition, Span};
 use crate::scene::{Foundation, Held, Scene};
 
 /// The ground at a support.
@@ -136,7 +136,7 @@ impl Exact {
             let (lo, hi) = (given.cells[i].lo.max(from), given.cells[i].hi.min(to));
             (hi - lo) * given.load(i, lo).abs().max(given.load(i, hi).abs())
         });
-        let free = [&span.a, &span.b].into_iter().filter(|end| end.hold == Hold::Free);
+        let free = [&span.a, &span.b].into_iter().filter(|end| end.hold == EndCondition::Free);
         let at = given.breakpoints_inside(from, to).chain(free.filter_map(|end| given.breakpoint_at(end.x)));
         let loads: f64 = spread.sum::<f64>() + at.map(|i| given.breakpoints[i].force.abs()).sum::<f64>();
         AT_A_CHANGE * self.largest_force() < loads

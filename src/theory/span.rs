@@ -118,7 +118,7 @@ impl Span {
         let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
         let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / (l * l);
         // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
-        let rests = ends.iter().any(|end| end.hold == Hold::Resting);
+        let rests = ends.iter().any(|end| end.hold == EndCondition::Resting);
         let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
         let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
         let in_clearance = chord(terms).max(profiles[0][2].abs().max(profiles[1][2].abs()));
