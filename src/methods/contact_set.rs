@@ -183,9 +183,8 @@ impl ContactSet {
         equations.push(given(outermost[0]))?;
         // Report: three-moments
         let unit = 6.0 * discrete.stiffness / (discrete.spacing * discrete.spacing);
-        // Of a span what its right end needs: its length, zero for a beam and 1/a for a chain of links, its rotation.
+        // What the right end of a span needs: its length, 0 of a beam or 1/a of a chain of links, its rotation. Two nodes need no span.
         let at_end = |span: Span| (span.steps, links(discretisation, span.steps), span.rotations[1]);
-        // Of a beam on two nodes all moments are given, and no span has to be known.
         let mut left = at_end(if 1 < end { span(nodes[0], nodes[1]) } else { Span::INTERVAL });
         for i in 1..end {
             let right = span(nodes[i], nodes[i + 1]);
