@@ -122,3 +122,88 @@ fn only_rigid_ground_that_bends_away_is_clear_whatever_the_pair() {
         assert!(clear_from(enclosed, &pair(Some(Interval::ZERO)), HELD, LENGTH) <= HELD);
     });
 }
+
+/// A beam on its two ends, under a load on it, with level ground at a depth, and a pair of one piece.
+fn on_two_ends(depth: f64, load: f64, gap: f64, piece: Piece, test: impl FnOnce(&EnclosedScene<'_>, &Pair)) {
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, load).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("well posed");
+    let pair = Pair {
+        pieces: vec![piece],
+        gap,
+        carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
+        holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
+        turns_about: None,
+        lifted: 0.0,
+        ground: None,
+    };
+    in_intervals(&scene, Balance::Held, |enclosed| test(enclosed, &pair));
+}
+
+/// A beam that rises from its support by a slope is clear of level ground if that is more than the deflection is off, over the distance.
+#[test]
+fn a_beam_is_clear_beside_a_support_whose_level_is_the_ground() {
+    const SLOPE: f64 = 0.03;
+    let most = factor(1.0, STIFFNESS) * LENGTH.sqrt() / SLOPE;
+    for (share, is_clear) in [(0.999, true), (1.001, false)] {
+        on_two_ends(0.0, 1.0, (share / most).powi(2), piece([0.0, LENGTH], &[0.0, -SLOPE]), |enclosed, pair| {
+            assert_eq!(0.0 < clear_from(enclosed, pair, 0.0, LENGTH), is_clear, "{share}");
+        });
+    }
+}
+
+/// A load `q` on a pressed piece of length `w`: `∫ q φ > √(2 gap EI ∫ φ''²)` for `φ = s² (w − s)²`, `q w⁵/30` and `4 w⁵/5`.
+#[test]
+fn a_beam_lies_beside_a_support_where_the_load_is_more_than_the_gap() {
+    const WIDTH: f64 = 5.0;
+    let most = WIDTH.powi(5) / (1440.0 * STIFFNESS);
+    for (share, lies) in [(0.999, true), (1.001, false)] {
+        let pressed = Piece { pressed: true, ..piece([0.0, WIDTH], &[0.0]) };
+        on_two_ends(0.0, 1.0, share * most, pressed, |enclosed, pair| {
+            assert_eq!(lies_beside(enclosed, pair, 0.0, 1), lies, "{share}");
+        });
+    }
+}
+
+/// A line on soft ground, and on stiff ground a bent shape of the best width.
+#[test]
+fn reactions_on_ground_that_gives_are_known_to_the_least_of_two_bounds() {
+    const GAP: f64 = 0.02;
+    let width = |k: f64| (1260.0 * STIFFNESS / (13.0 * k)).sqrt().sqrt();
+    let bent = |k: f64| 12.0 * STIFFNESS / width(k).powi(3) + 13.0 * k * width(k) / 35.0;
+    for (k, size) in [(0.01, 0.01 * LENGTH / 3.0), (100.0, bent(100.0))] {
+        on_two_ends(1.0, 1.0, GAP, piece([0.0, LENGTH], &[0.0]), |enclosed, pair| {
+            for (bracket, middle) in on_springs(enclosed, k, pair).iter().zip([3.0, 4.0]) {
+                sharp(bracket.hi() - middle, (2.0 * GAP * size).sqrt());
+                sharp(middle - bracket.lo(), (2.0 * GAP * size).sqrt());
+            }
+        });
+    }
+}
+
+/// What is next to a beam in balance above its middle keeps it from turning: of the ground and of a support that only pushes, what is
+/// nearer to it in relation to the lever.
+#[test]
+fn a_support_that_only_pushes_may_carry_a_part_of_a_load_in_balance() {
+    const MIDDLE: f64 = 0.5 * LENGTH;
+    let off = factor(1.0, STIFFNESS) * LENGTH.sqrt();
+    for (level, carries) in [(0.1, false), (0.9, true)] {
+        let supports = vec![Support::pushing(5.0).at_level(level), Support::simple(MIDDLE)];
+        let beam = Beam::new(LENGTH, STIFFNESS).and_then(|beam| beam.with_supports(supports)).expect("two supports");
+        let load = Load::uniform_on(&beam, 1.0).expect("finite");
+        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("well posed");
+        let pair = Pair {
+            pieces: vec![piece([0.0, LENGTH], &[0.0])],
+            // The ground alone leaves 1/10 on either side, twice this is a quarter less.
+            gap: (0.075 / off).powi(2),
+            carried: Vec::new(),
+            holds: Vec::new(),
+            turns_about: None,
+            lifted: 0.0,
+            ground: None,
+        };
+        in_intervals(&scene, Balance::Held, |enclosed| {
+            assert_eq!(carries_all(enclosed, &pair, MIDDLE), carries, "{level}");
+        });
+    }
+}
