@@ -53,7 +53,12 @@ impl EnclosedGap<'_> {
     pub(crate) fn kink(&self, x: f64) -> Option<Interval> {
         let kink = |of: EnclosedFoundation<'_>| of.jet(x, false)[1] - of.jet(x, true)[1];
         let [ground, own] = [self.ground, self.shape].map(|u| if u.is_smooth_at(x) { Interval::ZERO } else { kink(u) });
-        (self.ground.points_at(x).len().max(self.shape.points_at(x).len()) < 2).then(|| ground - own)
+        self.is_continuous_at(x).then(|| ground - own)
+    }
+
+    /// False at a step.
+    pub(crate) fn is_continuous_at(&self, x: f64) -> bool {
+        self.ground.points_at(x).len().max(self.shape.points_at(x).len()) < 2
     }
 }
 

@@ -146,7 +146,7 @@ fn a_beam_is_clear_beside_a_support_whose_level_is_the_ground() {
     const SLOPE: f64 = 0.03;
     let most = factor(1.0, STIFFNESS) * LENGTH.sqrt() / SLOPE;
     for (share, is_clear) in [(0.999, true), (1.001, false)] {
-        on_two_ends(0.0, 1.0, (share / most).powi(2), piece([0.0, LENGTH], &[0.0, -SLOPE]), |enclosed, pair| {
+        on_two_ends(0.0, 1.0, share * share / (most * most), piece([0.0, LENGTH], &[0.0, -SLOPE]), |enclosed, pair| {
             assert_eq!(0.0 < clear_from(enclosed, pair, 0.0, LENGTH), is_clear, "{share}");
         });
     }
@@ -156,7 +156,7 @@ fn a_beam_is_clear_beside_a_support_whose_level_is_the_ground() {
 #[test]
 fn a_beam_lies_beside_a_support_where_the_load_is_more_than_the_gap() {
     const WIDTH: f64 = 5.0;
-    let most = WIDTH.powi(5) / (1440.0 * STIFFNESS);
+    let most = WIDTH * WIDTH * WIDTH * WIDTH * WIDTH / (1440.0 * STIFFNESS);
     for (share, lies) in [(0.999, true), (1.001, false)] {
         let pressed = Piece { pressed: true, ..piece([0.0, WIDTH], &[0.0]) };
         on_two_ends(0.0, 1.0, share * most, pressed, |enclosed, pair| {
@@ -170,7 +170,7 @@ fn a_beam_lies_beside_a_support_where_the_load_is_more_than_the_gap() {
 fn reactions_on_ground_that_gives_are_known_to_the_least_of_two_bounds() {
     const GAP: f64 = 0.02;
     let width = |k: f64| (1260.0 * STIFFNESS / (13.0 * k)).sqrt().sqrt();
-    let bent = |k: f64| 12.0 * STIFFNESS / width(k).powi(3) + 13.0 * k * width(k) / 35.0;
+    let bent = |k: f64| 12.0 * STIFFNESS / (width(k) * width(k) * width(k)) + 13.0 * k * width(k) / 35.0;
     for (k, size) in [(0.01, 0.01 * LENGTH / 3.0), (100.0, bent(100.0))] {
         on_two_ends(1.0, 1.0, GAP, piece([0.0, LENGTH], &[0.0]), |enclosed, pair| {
             for (bracket, middle) in on_springs(enclosed, k, pair).iter().zip([3.0, 4.0]) {
@@ -195,7 +195,7 @@ fn a_support_that_only_pushes_may_carry_a_part_of_a_load_in_balance() {
         let pair = Pair {
             pieces: vec![piece([0.0, LENGTH], &[0.0])],
             // The ground alone leaves 1/10 on either side, twice this is a quarter less.
-            gap: (0.075 / off).powi(2),
+            gap: 0.075 * 0.075 / (off * off),
             carried: Vec::new(),
             holds: Vec::new(),
             turns_about: None,
