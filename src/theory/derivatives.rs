@@ -38,8 +38,8 @@ impl std::fmt::Display for By {
 pub struct Derivative {
     /// The number.
     pub by: By,
-    /// True at a change of the kind of the answer, where to the other side the derivatives are others, and where the scene there is
-    /// refused.
+    /// True at a change of the kind of the answer, or where 1e-9 of the size of the number leads to one: to the other side the derivatives
+    /// are others. True as well where the scene there is refused.
     pub one_sided: bool,
     /// Why numbers below are missing, that is not numbers; [`None`] if all of them are there.
     pub missing: Option<Missing>,
