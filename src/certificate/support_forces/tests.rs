@@ -21,6 +21,19 @@ fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
     Piece { from, to, v: Polynomial::new(&coefficients), pressed: false }
 }
 
+/// A pair of a beam on its two ends, with forces of 3 and 4.
+fn pair_on_two_ends(pieces: Vec<Piece>, gap: f64) -> Pair {
+    Pair {
+        pieces,
+        gap,
+        carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
+        holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
+        turns_about: None,
+        lifted: 0.0,
+        ground: None,
+    }
+}
+
 /// Moments `κ x` up to the distance `c` from a support, and not beyond, store `κ² c³/6 EI`.
 #[test]
 fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
@@ -31,15 +44,7 @@ fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
     /// Parts that are clear: until `0.4 − v` is less than the bound.
     const CLEAR: [f64; 2] = [13.0 * 7.0 / 16.0, 8.0 * 13.0 / 16.0];
     let slopes = [piece([0.0, 7.0], &[0.0, sag / 7.0]), piece([7.0, LENGTH], &[sag, -sag / 13.0])];
-    let pair = Pair {
-        pieces: slopes.to_vec(),
-        gap,
-        carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
-        holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
-        turns_about: None,
-        lifted: 0.0,
-        ground: None,
-    };
+    let pair = pair_on_two_ends(slopes.to_vec(), gap);
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, 1.0).expect("finite");
     let over = |pair: &Pair, depth: f64| {
@@ -128,15 +133,7 @@ fn on_two_ends(depth: f64, load: f64, gap: f64, piece: Piece, test: impl FnOnce(
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
     let load = Load::uniform_on(&beam, load).expect("finite");
     let scene = Scene::new(beam, load, Some(Foundation::Flat { depth })).expect("well posed");
-    let pair = Pair {
-        pieces: vec![piece],
-        gap,
-        carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
-        holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
-        turns_about: None,
-        lifted: 0.0,
-        ground: None,
-    };
+    let pair = pair_on_two_ends(vec![piece], gap);
     in_intervals(&scene, Balance::Held, |enclosed| test(enclosed, &pair));
 }
 
