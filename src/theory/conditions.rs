@@ -12,7 +12,7 @@ use crate::state::Contact;
 
 /// A condition of the answer that may fail to one side of the scene.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Condition {
+pub(super) enum OneSidedCondition {
     /// This node presses.
     Force(usize),
     /// Ground and the support of this node push at each other.
@@ -34,7 +34,7 @@ pub(super) enum Condition {
 /// The conditions of an answer, and what each has to spare, as a force, a bend, a length or a clearance: nothing where that is rounding.
 #[derive(Debug, Default)]
 pub(super) struct Conditions {
-    all: Vec<(Condition, f64)>,
+    all: Vec<(OneSidedCondition, f64)>,
     /// The largest force that acts on the beam, also of what stands on a support: the size of a load.
     largest: f64,
 }
@@ -71,47 +71,36 @@ impl Exact {
             let beside = force_beside(&self.spans, i) * spans.fold(0.0, |most: f64, span| most.max(span.length()));
             beside.max(self.rest() * given.length)
         };
-        let size = self.state.deflection.magnitude() / self.scale.depth;
         let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
         let spare = |value: f64, scale: f64| if small(value, scale) { 0.0 } else { value.abs() };
         let mut all = Vec::new();
         for (i, node) in nodes.iter().enumerate() {
-            let mut add = |is: bool, condition: Condition, spare: f64| all.extend(is.then_some((condition, spare)));
+            let mut add =
+                |is: bool, condition: OneSidedCondition, spare: f64| all.extend(is.then_some((condition, spare)));
             let force = spare(self.forces[i], largest);
             match node.support(given) {
                 None if node.is_point(given) => {
-                    add(true, Condition::Force(i), force);
+                    add(true, OneSidedCondition::Force(i), force);
                     let bend = if node.can_move() { spare(bend(&self.spans, i), bent(i)) } else { f64::INFINITY };
-                    [0, 1].into_iter().for_each(|side| add(node.can_move(), Condition::Bend(i, side), bend));
+                    [0, 1].into_iter().for_each(|side| add(node.can_move(), OneSidedCondition::Bend(i, side), bend));
                 }
                 None if node.can_move() => {
-                    add(true, Condition::Force(i), force);
-                    add(force == 0.0, Condition::Bend(i, usize::from(node.ends_zone())), 0.0);
-                    add(true, Condition::Place(i), 0.0);
+                    add(true, OneSidedCondition::Force(i), force);
+                    add(force == 0.0, OneSidedCondition::Bend(i, usize::from(node.ends_zone())), 0.0);
+                    add(true, OneSidedCondition::Place(i), 0.0);
                 }
-                Some(index) if node.is_held() => {
-                    let [left, right] = self.bends(i);
-                    let couple = small(right - left, bent(i).max(largest * given.length));
-                    add(couple, Condition::Couple(i), 0.0);
-                    add(self.list.ends_zone(i), Condition::Place(i), 0.0);
-                    let ends = super::sensitivity::ends(&self.spans, i);
-                    let clear = [ends[0].map(|span| span.at_b), ends[1].map(|span| span.at_a)];
-                    let bridged = given.supports[index].clearance.map(|gap| gap <= AT_A_CHANGE * size);
-                    for side in [0, 1] {
-                        let level = clear[side].is_some_and(|[_, slope, ..]| small(slope * given.length, size));
-                        let straight = clear[side].is_some_and(|[_, _, bend, _]| small(bend, bent(i)));
-                        add(bridged[side] && level && straight, Condition::Bend(i, side), 0.0);
-                    }
-                }
+                Some(index) if node.is_held() => all.extend(self.support_conditions(i, index, bent(i))),
                 None => {
                     let zone = if self.list.in_zone_before(i) { i } else { i + 1 };
-                    add(!self.presses(i, zone), Condition::Force(i), 0.0);
+                    add(!self.presses(i, zone), OneSidedCondition::Force(i), 0.0);
                 }
                 Some(_) => {}
             }
         }
-        let lengths =
-            self.list.zones().map(|zone| (Condition::Length(zone.node), spare(zone.to - zone.from, given.length)));
+        let lengths = self
+            .list
+            .zones()
+            .map(|zone| (OneSidedCondition::Length(zone.node), spare(zone.to - zone.from, given.length)));
         all.extend(lengths);
         // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
         let carried = self.touches();
@@ -120,19 +109,38 @@ impl Exact {
             |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);
         let contacts = &self.state.contacts;
         let unloaded = carried.len() != contacts.len() || !carried.iter().map(|(_, c)| c).zip(contacts).all(same);
-        all.extend(self.list.zones().filter(|_| unloaded).map(|zone| (Condition::Zone(zone.node), 0.0)));
+        all.extend(self.list.zones().filter(|_| unloaded).map(|zone| (OneSidedCondition::Zone(zone.node), 0.0)));
         all.extend(self.list.zones().flat_map(|zone| self.unpressed(zone.node)).map(|condition| (condition, 0.0)));
         if given.has_obstacle() {
             let clearances =
                 self.spans.iter().enumerate().filter_map(|(j, (_, span))| Some((j, lowest(given, span)?.abs())));
-            all.extend(clearances.flat_map(|(j, least)| [0, 1].map(|end| (Condition::Span(j, end), least))));
+            all.extend(clearances.flat_map(|(j, least)| [0, 1].map(|end| (OneSidedCondition::Span(j, end), least))));
         }
         let exerted = (0..nodes.len()).map(|i| self.exerted(i).abs());
         Conditions { all, largest: exerted.fold(self.largest_force(), f64::max) }
     }
 
+    /// Those at a support where the ground holds the slope, beside what can be `bent` there.
+    fn support_conditions(&self, i: usize, index: usize, bent: f64) -> impl Iterator<Item = (OneSidedCondition, f64)> {
+        let given = &self.given;
+        let size = self.state.deflection.magnitude() / self.scale.depth;
+        let small = |value: f64, scale: f64| value.abs() <= AT_A_CHANGE * scale;
+        let [left, right] = self.bends(i);
+        let couple = small(right - left, bent.max(self.largest_node_force() * given.length));
+        let ends = super::sensitivity::ends(&self.spans, i);
+        let clear = [ends[0].map(|span| span.at_b), ends[1].map(|span| span.at_a)];
+        let bends = [0, 1].map(|side| {
+            let bridged = given.supports[index].clearance[side] <= AT_A_CHANGE * size;
+            let level = clear[side].is_some_and(|[_, slope, ..]| small(slope * given.length, size));
+            let straight = clear[side].is_some_and(|[_, _, bend, _]| small(bend, bent));
+            (bridged && level && straight, OneSidedCondition::Bend(i, side))
+        });
+        let at = [(couple, OneSidedCondition::Couple(i)), (self.list.ends_zone(i), OneSidedCondition::Place(i))];
+        at.into_iter().chain(bends).filter_map(|(is, condition)| is.then_some((condition, 0.0)))
+    }
+
     /// Where a zone does not press at a change of the load inside it, or at an end that stays where it is.
-    fn unpressed(&self, node: usize) -> Vec<Condition> {
+    fn unpressed(&self, node: usize) -> Vec<OneSidedCondition> {
         let (given, ends) = (&self.given, [node - 1, node].map(|i| &self.list.nodes[i]));
         let [from, to] = ends.map(|end| end.x);
         let stays = |end: &Node| !end.can_move();
@@ -145,43 +153,43 @@ impl Exact {
         });
         let presses = |x: f64, cell: usize| least < given.drive(cell, x).abs() * given.length;
         let none = fixed.filter(|&(breakpoint, cell)| !presses(given.breakpoints[breakpoint].x, cell));
-        none.map(|(breakpoint, cell)| Condition::Pressure(breakpoint, cell)).collect()
+        none.map(|(breakpoint, cell)| OneSidedCondition::Pressure(breakpoint, cell)).collect()
     }
 
     /// How a condition with nothing to spare over the `least` change changes itself: below zero it fails, [`None`] where it is of no sign
     /// and not zero.
-    fn rate(&self, condition: Condition, of: Change, changes: &[NodeChange], least: f64) -> Option<f64> {
+    fn rate(&self, condition: OneSidedCondition, of: Change, changes: &[NodeChange], least: f64) -> Option<f64> {
         let zero = |is: bool| is.then_some(0.0);
         match condition {
-            Condition::Force(i) => Some(rounded(changes[i].force, changes[i].ends.third)),
-            Condition::Couple(i) => {
+            OneSidedCondition::Force(i) => Some(rounded(changes[i].force, changes[i].ends.third)),
+            OneSidedCondition::Couple(i) => {
                 let index = self.list.nodes[i].support(&self.given)?;
                 let [left, right] = changes[i].ends.bend;
                 let jump = rounded(left - right, [left, right]);
                 Some(-pulling_couple(&self.given, index, self.list.rests(i), jump).unwrap_or(0.0))
             }
-            Condition::Bend(i, side) => {
+            OneSidedCondition::Bend(i, side) => {
                 let bends = changes[i].ends.bend;
                 zero(rounded(bends[side], bends) == 0.0)
             }
-            Condition::Place(i) => {
+            OneSidedCondition::Place(i) => {
                 let place = changes[i].place;
                 let near = (least * place.abs()).max(AT_A_CHANGE * self.given.length);
                 zero(place == 0.0 || !self.is_at_load(self.list.nodes[i].x, near))
             }
-            Condition::Length(_) => None,
-            Condition::Span(j, end) => {
+            OneSidedCondition::Length(_) => None,
+            OneSidedCondition::Span(j, end) => {
                 let rises = Self::rises(&self.spans[j], of, changes);
                 let rises = rises.map(|end| end.into_iter().find(|rise| *rise != 0.0).unwrap_or(0.0));
                 let stays = rises.iter().all(|rise| *rise == 0.0);
                 (stays || self.lies_along(&self.spans[j].1)).then_some(rises[end])
             }
-            Condition::Pressure(breakpoint, cell) => Some(match of {
+            OneSidedCondition::Pressure(breakpoint, cell) => Some(match of {
                 Change::Uniform(more) => more,
                 Change::Unload => -self.given.load(cell, self.given.breakpoints[breakpoint].x),
                 _ => 0.0,
             }),
-            Condition::Zone(i) => {
+            OneSidedCondition::Zone(i) => {
                 let [from, to] = [i - 1, i].map(|end| self.list.nodes[end].x);
                 zero(!matches!(of, Change::Uniform(_)) && !matches!(of, Change::Force(at, _) if from <= at && at <= to))
             }
@@ -189,16 +197,16 @@ impl Exact {
     }
 
     /// How fast what a condition has to spare changes.
-    fn speed(&self, condition: Condition, of: Change, changes: &[NodeChange]) -> f64 {
+    fn speed(&self, condition: OneSidedCondition, of: Change, changes: &[NodeChange]) -> f64 {
         match condition {
-            Condition::Force(i) => rounded(changes[i].force, changes[i].ends.third).abs(),
-            Condition::Bend(i, side) => {
+            OneSidedCondition::Force(i) => rounded(changes[i].force, changes[i].ends.third).abs(),
+            OneSidedCondition::Bend(i, side) => {
                 let [left, right] = super::sensitivity::ends(&self.spans, i);
                 let third = [left.map(|span| span.at_b[3]), right.map(|span| span.at_a[3])][side].unwrap_or(0.0);
                 changes[i].ends.bend[side].abs() + (third * changes[i].place).abs()
             }
-            Condition::Length(i) => (changes[i].place - changes[i - 1].place).abs(),
-            Condition::Span(j, _) => {
+            OneSidedCondition::Length(i) => (changes[i].place - changes[i - 1].place).abs(),
+            OneSidedCondition::Span(j, _) => {
                 let rises = Self::rises(&self.spans[j], of, changes);
                 rises.as_flattened().iter().fold(0.0, |most, rise| most.max(rise.abs()))
             }
@@ -226,7 +234,7 @@ impl Exact {
     /// spare, of those that have a sign; and whether there are such that keep on neither, or have none.
     pub(super) fn keeps(&self, conditions: &Conditions, of: Change, changes: &[NodeChange]) -> ([bool; 2], bool) {
         let least = self.least(of, conditions.largest);
-        let weak = |&&(condition, spare): &&(Condition, f64)| {
+        let weak = |&&(condition, spare): &&(OneSidedCondition, f64)| {
             spare == 0.0 || spare <= least * self.speed(condition, of, changes)
         };
         let rates = conditions.all.iter().filter(weak).map(|&(condition, _)| self.rate(condition, of, changes, least));
