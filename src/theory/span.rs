@@ -116,13 +116,7 @@ impl Span {
         let ends = [&a, &b];
         let heights = [0, 1].map(|i| ends[i].hold.height());
         let levels = [0, 1].map(|i| ends[i].hold.level(profiles[i][0]));
-        let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / (l * l);
-        // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
-        let rests = ends.iter().any(|end| end.hold == EndCondition::Resting);
-        let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
-        let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
-        let in_clearance = chord(terms).max(profiles[0][2].abs().max(profiles[1][2].abs()));
-        let in_beam = chord(levels) < in_clearance || is_broken(given, &a, &b, chord(levels));
+        let in_beam = is_in_beam(given, ends, heights, levels, profiles.map(|profile| profile[2]));
         let rise = if in_beam {
             let beyond =
                 |i: usize| if ends[i].hold == EndCondition::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
@@ -259,6 +253,17 @@ impl Overhang {
         }
         sum
     }
+}
+
+/// Whether a span is computed in its deflection, and not in its clearance: the one whose chord and bend are smaller.
+fn is_in_beam(given: &PiecewiseScene, [a, b]: [&End; 2], heights: [f64; 2], levels: [f64; 2], bends: [f64; 2]) -> bool {
+    let chord = |at: [f64; 2]| 6.0 * at[0].abs().max(at[1].abs()) / ((b.x - a.x) * (b.x - a.x));
+    // Between supports and edges levels are given, and a clearance that is not zero is the rounded difference of a depth and a level.
+    let rests = [a, b].iter().any(|end| end.hold == EndCondition::Resting);
+    let rounded = [0, 1].map(|i| if rests || heights[i] == 0.0 { 0.0 } else { levels[i].abs() });
+    let terms = [0, 1].map(|i| heights[i].abs() + rounded[i]);
+    let in_clearance = chord(terms).max(bends[0].abs().max(bends[1].abs()));
+    chord(levels) < in_clearance || is_broken(given, a, b, chord(levels))
 }
 
 /// True if one of the kinks and steps inside a span does more than this to `h''`: over a cliff that goes down and up again they
