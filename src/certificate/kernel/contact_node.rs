@@ -140,8 +140,8 @@ impl EnclosedScene<'_> {
     /// `v₁ − v₀ − θ₀ L` between two contacts, from what the gap rises by on each cell, so that rounding is that of slopes, and not that of
     /// depths; [`None`] across a step.
     pub(crate) fn rise(&self, left: Option<&ContactNode>, right: Option<&ContactNode>) -> Option<Interval> {
-        /// Of more lines, and of more cells of a curve, the sum is no better known. *Tuned* on smooth surveys of up to 10⁶ points; of curves, so that
-        /// three waves take no longer than without.
+        /// Of more lines the sum is no better known: *tuned* on smooth surveys of up to 10⁶ points. Cells of a curve take time: *tuned* on
+        /// the scene of three waves, which takes 3 % more instructions than without.
         const MOST: [usize; 2] = [256, 4];
         let on_ground = |node: &&ContactNode| self.support(node.x).is_none();
         let (node, to) = (left.filter(on_ground)?, right.filter(on_ground)?.x);
