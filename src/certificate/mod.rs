@@ -19,7 +19,7 @@
 //! A support that only pushes is a point of the ground: `g` is less there than beside it, and its force is a part of `p`. Nothing
 //! above needs `g` to be continuous. Beside ground that gives it is a support that holds, or none (module `bearings`).
 //!
-//! The flexibility `c` on other supports, and what takes its place where contact alone holds the beam, is in `kernel/hold.rs`.
+//! The flexibility `c` on other supports, and what takes its place where contact alone holds the beam, is in `kernel/reference.rs`.
 //!
 //! This is the paper's closing remark, that the structural stiffness is bounded from both sides if there is no tension and no
 //! penetration between the nodes, carried out.

@@ -35,10 +35,10 @@
 //! that, and this its third root.
 
 use super::kernel::contact_node::{EnclosedScene, EnclosedSupport};
-use super::kernel::hold::OUTWARDS;
 use super::kernel::interval::Interval;
 use super::kernel::polynomial::Polynomial;
 use super::kernel::proof::Pair;
+use super::kernel::reference::OUTWARDS;
 use super::largest::extremes;
 use super::support_forces::{clear_from, lies_beside};
 

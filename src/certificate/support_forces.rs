@@ -33,11 +33,11 @@
 use super::kernel::contact_node::EnclosedScene;
 use super::kernel::distance::{factor, on_part};
 use super::kernel::foundation::inside;
-use super::kernel::hold::{OUTWARDS, Place, near};
 use super::kernel::interval::Interval;
 use super::kernel::load::cells;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
+use super::kernel::reference::{Datum, Line, OUTWARDS, near};
 use super::largest::least_magnitude;
 use super::quantities::{moment, resultant};
 use crate::scene::Scene;
@@ -252,20 +252,21 @@ fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f6
 /// How far from a place towards another one the beam is proven to be clear of the ground, and the pair has no contact load: a wrong
 /// witness may press where `v̂` is clear of ground that gives.
 pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end: f64) -> f64 {
-    let (meets, factor) = (enclosed.support(x).map_or([false; 2], |s| s.meets), factor(pair.gap, enclosed.stiffness));
+    let (at_level, factor) =
+        (enclosed.support(x).map_or([false; 2], |s| s.at_level), factor(pair.gap, enclosed.stiffness));
     let towards = usize::from(x < end);
     // Of the supports that only push those strictly between.
     let stands = |y: &f64| x.min(end) < *y && *y < x.max(end) && enclosed.pushes_at(*y);
     let is_clear = |part: &Part<'_>| {
-        let beside = part.ends[1 - towards].total_cmp(&x).is_eq() && meets[towards];
+        let beside = part.ends[1 - towards].total_cmp(&x).is_eq() && at_level[towards];
         let by = if beside {
             // A deflection that is known at the support is off by no more than this, over the distance from there.
-            let is_here = |at: &Place| at.from.max(at.to) <= x && x <= at.from;
-            let known = near(&pair.holds, part.ends)
+            let is_here = |at: &Datum| at.from.max(at.to) <= x && x <= at.from;
+            let known = near(&pair.lines, part.ends)
                 .iter()
-                .filter(|hold| hold.0.off.max(hold.1.off) <= 0.0 && [hold.0, hold.1].iter().any(is_here));
-            let off = known.map(|hold| {
-                let reach = hold.1.to.max(part.ends[1]) - hold.0.from.min(part.ends[0]);
+                .filter(|Line(a, b)| a.uncertainty.max(b.uncertainty) <= 0.0 && (is_here(a) || is_here(b)));
+            let off = known.map(|Line(a, b)| {
+                let reach = b.to.max(part.ends[1]) - a.from.min(part.ends[0]);
                 factor * reach.sqrt() * OUTWARDS
             });
             off.fold(f64::INFINITY, f64::min) < part.clearance.divided(1).range(part.width).lo()
@@ -321,9 +322,9 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, sid
         return false;
     };
     let at_end = x <= 0.0 || enclosed.length <= x;
-    let fixed = support.is_fixed && (support.slope.is_none() || support.grounded[side]);
+    let fixed = support.is_fixed && (support.slope.is_none() || support.tangent[side]);
     let hinged = at_end && support.slope.is_none() && 0.0 <= enclosed.gap.jet(x, to_the_left)[2].lo();
-    if !(support.meets[side] && (fixed || hinged)) {
+    if !(support.at_level[side] && (fixed || hinged)) {
         return false;
     }
     let cell = [piece.from, piece.to];

@@ -102,7 +102,7 @@ impl EnclosedSupport {
     /// From which side the ground holds the slope: from that which is said if it is level with a simple support there, and where no
     /// other slope is possible from either.
     fn held_side(&self, said: Option<bool>) -> Option<bool> {
-        let is_level = |from_the_left: &bool| self.grounded[usize::from(!from_the_left)];
+        let is_level = |from_the_left: &bool| self.tangent[usize::from(!from_the_left)];
         said.or(self.is_fixed.then_some(true)).filter(is_level).filter(|_| self.slope.is_none())
     }
 }
@@ -297,8 +297,8 @@ fn along_level_ground(enclosed: &EnclosedScene<'_>, nodes: &mut [ContactNode]) {
 
 /// The slopes of the ground on the two sides of a simple support, where it is level with the support.
 fn level_slopes(enclosed: &EnclosedScene<'_>, x: f64) -> [Option<f64>; 2] {
-    let grounded = enclosed.support(x).filter(|s| s.slope.is_none()).map_or([false; 2], |s| s.grounded);
-    [0, 1].map(|side| grounded[side].then(|| enclosed.gap.jet(x, side == 0)[1].middle()))
+    let tangent = enclosed.support(x).filter(|s| s.slope.is_none()).map_or([false; 2], |s| s.tangent);
+    [0, 1].map(|side| tangent[side].then(|| enclosed.gap.jet(x, side == 0)[1].middle()))
 }
 
 impl EnclosedGap<'_> {

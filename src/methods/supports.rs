@@ -150,7 +150,7 @@ impl Supports {
     pub(super) fn completed(&self) -> Self {
         let ghost = |node: usize| NodeSupport {
             node,
-            held: Held { at: 0.0, deflection: 0.0, slope: None, meets: [false; 2], grounded: [false; 2] },
+            held: Held { at: 0.0, deflection: 0.0, slope: None, at_level: [false; 2], tangent: [false; 2] },
             below: 0.0,
         };
         let mut all = self.all.clone();

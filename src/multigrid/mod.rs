@@ -10,7 +10,7 @@
 //! *Windows* (`windows.rs`) around the borders of contact, where a guess from a coarser grid is wrong as a rule, are solved for
 //! themselves before the whole. An optimum is only returned after a solve of the whole with all signs right.
 
-mod part;
+mod local_beam;
 mod refined;
 mod spans;
 mod windows;
@@ -21,7 +21,7 @@ use crate::scene::{Grid, Scene, SceneError};
 use crate::solvers::active_set::{Reduced, optimum, solves_within, violators};
 use crate::solvers::{Answer, MOST_WORK, active_set};
 use crate::state::Contact;
-use part::Parts;
+use local_beam::LocalBeam;
 use refined::refined;
 use windows::Windows;
 
@@ -63,7 +63,7 @@ pub(crate) fn solve(
         Some(near) => near,
         None => start(scene, method, discrete, &mut cost)?,
     };
-    let beam = Parts::new(discrete, method.discretisation());
+    let beam = LocalBeam::new(discrete, method.discretisation());
     let end = if discrete.gives() {
         by_newton(&beam, &mut free, &mut cost)
     } else {
@@ -102,7 +102,7 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
     }
     let coarse = discrete.coarser(scene, coarse)?;
     let mut free = start(scene, method, &coarse, cost)?;
-    let beam = Parts::new(&coarse, method.discretisation());
+    let beam = LocalBeam::new(&coarse, method.discretisation());
     if discrete.gives() {
         // A solve that fails here fails again on the finest grid, where the error is returned.
         let _ = by_newton(&beam, &mut free, cost);
@@ -114,7 +114,11 @@ fn start(scene: &Scene, method: Method, discrete: &Discrete, cost: &mut Cost) ->
 
 /// The optimum on ground that gives, where a change at a contact changes the forces at all others, so that there are no windows: all
 /// variables on the wrong side change together, Newton's method for springs that cannot pull, and if that does not end, as elsewhere.
-fn by_newton(beam: &Parts<'_>, free: &mut FreeSet, cost: &mut Cost) -> Result<(Stationary, bool), NotPositiveDefinite> {
+fn by_newton(
+    beam: &LocalBeam<'_>,
+    free: &mut FreeSet,
+    cost: &mut Cost,
+) -> Result<(Stationary, bool), NotPositiveDefinite> {
     /// A handful are the rule.
     const STEPS: usize = 60;
     let n = free.dimension();

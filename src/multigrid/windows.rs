@@ -12,7 +12,7 @@
 use std::ops::Range;
 
 use super::Cost;
-use super::part::Parts;
+use super::local_beam::LocalBeam;
 use crate::qp::{FreeSet, NotPositiveDefinite, Stationary};
 use crate::solvers::MOST_WORK;
 use crate::solvers::active_set::{PATIENCE, Reduced, descend, exchange, optimum, solves_within, violators};
@@ -35,7 +35,7 @@ const SOLVE: usize = 200;
 
 /// Windows of a beam, and what they have cost.
 pub(super) struct Windows<'a> {
-    pub(super) beam: &'a Parts<'a>,
+    pub(super) beam: &'a LocalBeam<'a>,
     pub(super) cost: &'a mut Cost,
 }
 

@@ -69,9 +69,9 @@ pub struct Held {
     /// `v'(x_s) = φ_s = slope − w0'(x_s)` where the beam is built in.
     pub slope: Option<f64>,
     /// True if there is ground to the left and to the right of it that starts at its level, up to the rounding of its depth there.
-    pub meets: [bool; 2],
+    pub at_level: [bool; 2],
     /// The same of ground that starts in its direction besides where the beam is built in, so that the beam can follow it.
-    pub grounded: [bool; 2],
+    pub tangent: [bool; 2],
 }
 
 /// A support that only pushes, as all methods use it: `v(x_s) ≤ d_s`, like ground.
@@ -177,7 +177,7 @@ impl Scene {
     fn held_by(&self, &Support { at, level, slope, .. }: &Support) -> Held {
         let [own, turn] =
             self.beam().shape().map_or([0.0; 2], |shape| shape.sides(at)[usize::from(at < self.beam().length())]);
-        let [meets, grounded] = self.foundation().map_or([[false; 2]; 2], |foundation| {
+        let [at_level, tangent] = self.foundation().map_or([[false; 2]; 2], |foundation| {
             let within = foundation.level_within(at, self.beam().length());
             // At an end of the beam with a step the smaller depth governs, and there is ground on one side only.
             let [first, last] = [at <= 0.0, self.beam().length() <= at];
@@ -189,9 +189,9 @@ impl Scene {
                 let rounding = pieces::LEVEL * (foundation.slope_size(at) + slope.unwrap_or(0.0).abs());
                 slope.is_none_or(|slope| (ground - slope).abs() <= rounding)
             });
-            let meets = [!first && left <= level + within, !last && right <= level + within];
-            [meets, [meets[0] && along[0], meets[1] && along[1]]]
+            let at_level = [!first && left <= level + within, !last && right <= level + within];
+            [at_level, [at_level[0] && along[0], at_level[1] && along[1]]]
         });
-        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), meets, grounded }
+        Held { at, deflection: level - own, slope: slope.map(|slope| slope - turn), at_level, tangent }
     }
 }

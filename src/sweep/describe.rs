@@ -2,7 +2,7 @@
 
 use crate::state::{Contact, Regime};
 use crate::text::significant;
-use crate::theory::{Exact, Touch, ZoneEnd};
+use crate::theory::{ContactKind, Exact, ZoneEnd};
 
 /// What happens from one answer to the next.
 pub(super) fn describe(before: &Exact, after: &Exact) -> String {
@@ -16,7 +16,7 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
     let bearings = after.state.supports.iter().filter(|support| support.pushes_only);
     for (i, support) in bearings.enumerate() {
         let place = at(support.at);
-        match [&old, &new].map(|pattern| pattern.touches.contains(&Touch::Bearing(i))) {
+        match [&old, &new].map(|pattern| pattern.kinds.contains(&ContactKind::Bearing(i))) {
             [true, false] => sentences.push(format!("the beam lifts off its support {place}")),
             [false, true] => sentences.push(format!("the beam comes to bear on its support {place}")),
             _ => {}
@@ -38,7 +38,7 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
             _ => {}
         }
     }
-    let [from, to] = [&old, &new].map(|pattern| regime(&pattern.touches));
+    let [from, to] = [&old, &new].map(|pattern| regime(&pattern.kinds));
     if from != to {
         sentences.push(format!("the regime changes from {} to {}", from.name(), to.name()));
     }
@@ -46,40 +46,40 @@ pub(super) fn describe(before: &Exact, after: &Exact) -> String {
 }
 
 /// Whether it is a contact with the ground.
-fn is_ground(touch: &Touch) -> bool {
-    !matches!(touch, Touch::Bearing(_))
+fn is_ground(kind: &ContactKind) -> bool {
+    !matches!(kind, ContactKind::Bearing(_))
 }
 
 /// The regime of contacts by their kinds: beside an event the length of a zone may be below the last digit of its place.
-fn regime(touches: &[Touch]) -> Regime {
-    match touches {
-        _ if !touches.iter().any(is_ground) => Regime::None,
-        _ if touches.iter().any(|touch| matches!(touch, Touch::Zone(_))) => Regime::Zone,
+fn regime(kinds: &[ContactKind]) -> Regime {
+    match kinds {
+        _ if !kinds.iter().any(is_ground) => Regime::None,
+        _ if kinds.iter().any(|kind| matches!(kind, ContactKind::Zone(_))) => Regime::Zone,
         _ => Regime::Points,
     }
 }
 
 /// The contacts of two answers that lie at one place, and whether they are the same on both sides.
-fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(Touch, Contact)>; 2]> {
+fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(ContactKind, Contact)>; 2]> {
     let mut all = Vec::new();
     for (side, exact) in [before, after].into_iter().enumerate() {
-        let ground = exact.touches().into_iter().filter(|(touch, _)| is_ground(touch));
-        all.extend(ground.map(|(touch, contact)| (side, touch, contact)));
+        let ground = exact.contacts_by_kind().into_iter().filter(|(kind, _)| is_ground(kind));
+        all.extend(ground.map(|(kind, contact)| (side, kind, contact)));
     }
     all.sort_by(|a, b| a.2.from.total_cmp(&b.2.from));
     let reach = NEAR * all.iter().fold(0.0, |most: f64, (.., contact)| most.max(contact.to));
-    let mut groups: Vec<[Vec<(Touch, Contact)>; 2]> = Vec::new();
+    let mut groups: Vec<[Vec<(ContactKind, Contact)>; 2]> = Vec::new();
     let mut end = f64::NEG_INFINITY;
-    for (side, touch, contact) in all {
+    for (side, kind, contact) in all {
         if end + reach < contact.from {
             groups.push([Vec::new(), Vec::new()]);
         }
         end = end.max(contact.to);
         if let Some(group) = groups.last_mut() {
-            group[side].push((touch, contact));
+            group[side].push((kind, contact));
         }
     }
-    let kinds = |side: &[(Touch, Contact)]| side.iter().map(|(touch, _)| *touch).collect::<Vec<_>>();
+    let kinds = |side: &[(ContactKind, Contact)]| side.iter().map(|(kind, _)| *kind).collect::<Vec<_>>();
     groups.retain(|[old, new]| kinds(old) != kinds(new));
     groups
 }
@@ -88,27 +88,31 @@ fn changes(before: &Exact, after: &Exact) -> Vec<[Vec<(Touch, Contact)>; 2]> {
 const NEAR: f64 = 1e-5;
 
 /// What happens to one group of contacts.
-fn change([old, new]: [&[Touch]; 2], [before, after]: [&[Contact]; 2]) -> String {
+fn change([old, new]: [&[ContactKind]; 2], [before, after]: [&[Contact]; 2]) -> String {
     let places = |contacts: &[Contact]| contacts.iter().map(place).collect::<Vec<_>>().join(" and ");
     match (old, new) {
-        ([], [Touch::Zone(_)]) => format!("a zone of contact appears {}", places(after)),
+        ([], [ContactKind::Zone(_)]) => format!("a zone of contact appears {}", places(after)),
         ([], [_]) => format!("a contact appears {}", places(after)),
         ([], _) => format!("contacts appear {}", places(after)),
-        ([Touch::Zone(_)], []) => format!("the zone {} goes", places(before)),
+        ([ContactKind::Zone(_)], []) => format!("the zone {} goes", places(before)),
         ([_], []) => format!("the contact {} goes", places(before)),
         (_, []) => format!("the contacts {} go", places(before)),
-        ([Touch::Zone(from)], [Touch::Zone(to)]) => format!("the zone {} {}", places(before), ends(from, to)),
-        ([Touch::Zone(_)], [Touch::Edge(_)]) => format!("the zone {} becomes a contact at an edge", places(after)),
-        ([Touch::Zone(_)], [_]) => format!("the zone {} becomes a point", places(after)),
-        ([_], [Touch::Zone(_)]) => format!("the point {} becomes a zone", places(before)),
-        ([Touch::Edge(_)], [Touch::Edge(_)]) => {
+        ([ContactKind::Zone(from)], [ContactKind::Zone(to)]) => {
+            format!("the zone {} {}", places(before), ends(from, to))
+        }
+        ([ContactKind::Zone(_)], [ContactKind::Edge(_)]) => {
+            format!("the zone {} becomes a contact at an edge", places(after))
+        }
+        ([ContactKind::Zone(_)], [_]) => format!("the zone {} becomes a point", places(after)),
+        ([_], [ContactKind::Zone(_)]) => format!("the point {} becomes a zone", places(before)),
+        ([ContactKind::Edge(_)], [ContactKind::Edge(_)]) => {
             format!("the contact moves from the edge {} to the edge {}", places(before), places(after))
         }
-        ([_], [Touch::Edge(_)]) => format!("the contact {} moves onto an edge", places(after)),
-        ([Touch::Edge(_)], [_]) => format!("the contact {} moves off its edge", places(before)),
+        ([_], [ContactKind::Edge(_)]) => format!("the contact {} moves onto an edge", places(after)),
+        ([ContactKind::Edge(_)], [_]) => format!("the contact {} moves off its edge", places(before)),
         ([_], [_]) => format!("the contact {} moves over an edge", places(before)),
-        ([Touch::Zone(_)], _) => format!("the zone {} splits", places(before)),
-        (_, [Touch::Zone(_)]) => format!("the contacts {} merge into a zone", places(before)),
+        ([ContactKind::Zone(_)], _) => format!("the zone {} splits", places(before)),
+        (_, [ContactKind::Zone(_)]) => format!("the contacts {} merge into a zone", places(before)),
         ([_], _) => format!("the contact {} splits", places(before)),
         (_, [_]) => format!("the contacts {} merge", places(before)),
         _ => format!("the contacts {} become contacts {}", places(before), places(after)),

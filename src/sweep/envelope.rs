@@ -87,7 +87,7 @@ impl Extreme {
 
 /// An extreme that was found: value of the number varied, size times sign, place.
 #[derive(Debug, Clone, Copy)]
-struct Found {
+struct Largest {
     extreme: Extreme,
     value: f64,
     size: f64,
@@ -103,7 +103,7 @@ pub struct Gathered<'a> {
     x: Vec<f64>,
     moment: Vec<[f64; 2]>,
     shear: Vec<[f64; 2]>,
-    found: Vec<Found>,
+    found: Vec<Largest>,
     last: Option<f64>,
 }
 
@@ -135,7 +135,7 @@ impl<'a> Gathered<'a> {
             let supports = 0..exact.state.supports.len();
             let of_moment = [1.0, -1.0].map(|sign| Extreme::Moment { sign });
             let of_supports = supports.flat_map(|index| [1.0, -1.0].map(|sign| Extreme::Support { index, sign }));
-            let none = |extreme| Found { extreme, value, size: f64::NEG_INFINITY, at: 0.0, beside: [value; 2] };
+            let none = |extreme| Largest { extreme, value, size: f64::NEG_INFINITY, at: 0.0, beside: [value; 2] };
             self.found = of_moment.into_iter().chain(of_supports).map(none).collect();
         }
         for found in &mut self.found {
@@ -144,7 +144,8 @@ impl<'a> Gathered<'a> {
                 found.beside[1] = value;
             }
             if let Some([size, at]) = found.extreme.of(exact).filter(|[size, _]| found.size < *size) {
-                *found = Found { extreme: found.extreme, value, size, at, beside: [self.last.unwrap_or(value), value] };
+                *found =
+                    Largest { extreme: found.extreme, value, size, at, beside: [self.last.unwrap_or(value), value] };
             }
         }
         self.last = Some(value);
@@ -161,10 +162,11 @@ impl<'a> Gathered<'a> {
     #[must_use]
     pub fn envelope_within(self, work: u64) -> (Option<Envelope>, bool) {
         let (sweep, left) = (self.sweep, Cell::new(work));
-        let found: Vec<Found> = self.found.into_iter().map(|found| refined(sweep, found, &left)).collect();
+        let found: Vec<Largest> = self.found.into_iter().map(|found| refined(sweep, found, &left)).collect();
         let enough = 0 < left.get();
         let [max, min, supports @ ..] = &found[..] else { return (None, enough) };
-        let moment = |found: &Found, sign: f64| Moment { moment: sign * found.size, at: found.at, value: found.value };
+        let moment =
+            |found: &Largest, sign: f64| Moment { moment: sign * found.size, at: found.at, value: found.value };
         let supports = supports.chunks_exact(2).map(|pair| SupportEnvelope {
             at: pair[0].at,
             max: pair[0].size,
@@ -188,7 +190,7 @@ impl<'a> Gathered<'a> {
 
 /// The extreme between the values beside the one where it is largest, by golden section: it is taken for one hill there.
 /// Ends where no work is left.
-fn refined(sweep: &Sweep<'_>, found: Found, left: &Cell<u64>) -> Found {
+fn refined(sweep: &Sweep<'_>, found: Largest, left: &Cell<u64>) -> Largest {
     let mut best = found;
     let mut near: Option<Exact> = None;
     let mut size_at = |value: f64| {
@@ -202,7 +204,7 @@ fn refined(sweep: &Sweep<'_>, found: Found, left: &Cell<u64>) -> Found {
         };
         left.set(left.get().saturating_sub(exact.work()));
         if exact.solved && best.size < size {
-            best = Found { value, size, at, ..best };
+            best = Largest { value, size, at, ..best };
         }
         near = Some(exact);
         size

@@ -65,12 +65,12 @@ impl PiecewiseScene {
         given.tension = tension_intervals(&given);
         given.total_load = load_between_supports(&given).unwrap_or(given.total_load);
         for i in 0..given.supports.len() {
-            let AtSupport { breakpoint, level, slope, grounded, .. } = given.supports[i];
+            let AtSupport { breakpoint, level, slope, tangent, .. } = given.supports[i];
             let Breakpoint { x, kink, .. } = given.breakpoints[breakpoint];
             let clearance = |cell| given.derivative(cell, x, 0) - level;
             given.supports[i].clearance = given.cells_beside(breakpoint).map(clearance);
             // Level ground on both sides of a support has the beam lie along it there.
-            if slope.is_none() && grounded == [true; 2] && kink <= 0.0 {
+            if slope.is_none() && tangent == [true; 2] && kink <= 0.0 {
                 let [left, _] = given.cells_beside(breakpoint);
                 given.supports[i].slope = Some(given.derivative(left, x, 1));
             }
@@ -94,7 +94,7 @@ fn at_support(
         slope: held.slope,
         built_in: held.slope.is_some(),
         clearance: [f64::INFINITY; 2],
-        grounded: held.grounded,
+        tangent: held.tangent,
         size: size(foundation) + own.map_or(0.0, size),
     }
 }

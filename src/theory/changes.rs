@@ -13,11 +13,11 @@ use crate::scene::{Foundation, Held, Scene};
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ground {
     /// It starts at the level of the support, and cannot rise.
-    pub(super) meets: bool,
+    pub(super) at_level: bool,
     /// The beam lies on it beside the support, and how it leaves it.
     pub(super) rests: Option<Missing>,
     /// It is level around the support, which may move along it: no load stands there.
-    pub(super) level: bool,
+    pub(super) flat: bool,
     /// The slope of the axis of the beam to its left and to its right.
     pub(super) axis: [f64; 2],
 }
@@ -31,8 +31,8 @@ impl Exact {
     /// What the ground does at the supports, from left to right.
     pub(super) fn at_supports(&self, scene: &Scene) -> Vec<Ground> {
         if self.springs.is_some() {
-            let meets = |held: &Held| held.meets.contains(&true);
-            return scene.held().iter().map(|held| Ground { meets: meets(held), ..Ground::default() }).collect();
+            let at_level = |held: &Held| held.at_level.contains(&true);
+            return scene.held().iter().map(|held| Ground { at_level: at_level(held), ..Ground::default() }).collect();
         }
         let nodes = self.list.nodes.iter().enumerate();
         let held = scene.held();
@@ -48,10 +48,10 @@ impl Exact {
         let bridged = self.bridged(support);
         let unresolved = self.unresolved(i);
         let by_ground = !support.built_in && support.slope.is_some();
-        let meets = bridged || held.meets.contains(&true);
+        let at_level = bridged || held.at_level.contains(&true);
         let loaded = standing(given, &self.list, i) != 0.0;
         // A load that leaves the support for a stretch that lies on the ground presses there at once.
-        let leaves = meets && loaded && self.lies();
+        let leaves = at_level && loaded && self.lies();
         let rests = (by_ground || leaves || node.is_held() || unresolved).then(|| {
             let pushes = |zone: bool, cell: usize| zone && given.drive(cell, node.x) != 0.0;
             let pressed = pushes(self.list.in_zone_before(i), given.cell_to(node.x))
@@ -61,15 +61,15 @@ impl Exact {
             if pressed || couple || unresolved { Missing::Parts } else { Missing::Unloaded }
         });
         // Level ground on both sides, where there is a beam.
-        let level = scene.foundation().is_some_and(|ground| {
-            let flat = ground.sides(held.at).into_iter().all(|[_, slope]| slope == 0.0);
-            !loaded && flat && curvature(ground, held.at) == 0.0 && held.meets == [0.0 < held.at, held.at < length]
+        let flat = scene.foundation().is_some_and(|ground| {
+            let level = ground.sides(held.at).into_iter().all(|[_, slope]| slope == 0.0);
+            !loaded && level && curvature(ground, held.at) == 0.0 && held.at_level == [0.0 < held.at, held.at < length]
         });
         let ends = super::sensitivity::ends(&self.spans, i);
         let slope = ends[0].map(|span| span.beam_b[1]).or(ends[1].map(|span| span.beam_a[1])).unwrap_or(0.0);
         let own = scene.beam().shape().map_or([0.0; 2], |own| own.sides(held.at).map(|[_, slope]| slope));
         let axis = own.map(|own| own + slope * self.scale.depth / self.scale.length);
-        Ground { meets, rests, level, axis }
+        Ground { at_level, rests, flat, axis }
     }
 
     /// True if the gap between a support and the ground is none, or next to none.

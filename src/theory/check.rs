@@ -215,7 +215,7 @@ impl Judge {
             let Some(node) = node.filter(|&node| node < list.nodes.len()) else { continue };
             let Some(index) = list.nodes[node].support(given) else { continue };
             let support = &given.supports[index];
-            if !support.grounded[side] {
+            if !support.tangent[side] {
                 continue;
             }
             let turn = -outwards * at[1];

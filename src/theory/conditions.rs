@@ -103,7 +103,7 @@ impl Exact {
             .map(|zone| (OneSidedCondition::Length(zone.node), spare(zone.to - zone.from, given.length)));
         all.extend(lengths);
         // Ground that carries nothing where the beam lies on it carries something as soon as a load is there.
-        let carried = self.touches();
+        let carried = self.contacts_by_kind();
         let near = |a: f64, b: f64| small((a - b) / self.scale.length, given.length);
         let same =
             |(carried, whole): (&Contact, &Contact)| near(carried.from, whole.from) && near(carried.to, whole.to);

@@ -151,8 +151,8 @@ fn carried(list: &List, i: usize, from: &PiecewiseScene, to: &PiecewiseScene, [u
     let at = match (node.support(from), breakpoint) {
         (Some(index), _) => {
             let support = to.supports.get(index)?;
-            let grounded = list.rests(i).into_iter().zip(support.grounded).all(|(rests, grounded)| grounded || !rests);
-            grounded.then_some(support.breakpoint)?
+            let tangent = list.rests(i).into_iter().zip(support.tangent).all(|(rests, tangent)| tangent || !rests);
+            tangent.then_some(support.breakpoint)?
         }
         (None, bearing) if from.is_bearing(bearing) => to.bearings[from.bearings.binary_search(&bearing).ok()?],
         (None, 0) => 0,

@@ -173,7 +173,7 @@ impl Exact {
         };
         if scene.foundation().is_some() {
             let parts = supports.iter().find_map(|s| s.rests);
-            add(By::Depth, Change::Ground, scale.depth, [!supports.iter().any(|s| s.meets), true], false, parts);
+            add(By::Depth, Change::Ground, scale.depth, [!supports.iter().any(|s| s.at_level), true], false, parts);
         }
         add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, [true; 2], false, None);
         if let Some(ground) = scene.ground_stiffness() {
@@ -201,7 +201,7 @@ impl Exact {
             let i = if support.pushes_only { pushes() } else { before(scene.beam().supports()) };
             let alone = Ground::default();
             let here = supports.get(i).unwrap_or(&alone);
-            let open = [true, !here.meets];
+            let open = [true, !here.at_level];
             let by = By::Number(Quantity::SupportLevel(given));
             if self.springs.is_some() {
                 let at = self.given.breakpoint_at(support.at / scale.length);
@@ -213,9 +213,9 @@ impl Exact {
             let (at_left, at_right) = (support.at <= 0.0, scene.beam().length() <= support.at);
             // Where the ground meets the support the beam may pass this place on one side only.
             let blocked = match (at_left, at_right) {
-                (true, _) => [true, here.meets && here.axis[1] <= 0.0],
-                (_, true) => [here.meets && 0.0 <= here.axis[0], true],
-                _ => [here.meets && 0.0 < here.axis[0], here.meets && here.axis[1] < 0.0],
+                (true, _) => [true, here.at_level && here.axis[1] <= 0.0],
+                (_, true) => [here.at_level && 0.0 <= here.axis[0], true],
+                _ => [here.at_level && 0.0 < here.axis[0], here.at_level && here.axis[1] < 0.0],
             };
             let side = usize::from(!blocked[1]);
             let (own, kinked) = scene.beam().shape().map_or(([0.0; 2], false), |shape| {
@@ -224,10 +224,10 @@ impl Exact {
                 ([slopes[side] * unit, curvature(shape, support.at) * unit * scale.length], kinked)
             });
             let at_end = at_left || at_right;
-            let one_sided = kinked || here.meets && !here.level;
+            let one_sided = kinked || here.at_level && !here.flat;
             let open = [0, 1].map(|to| !blocked[to] && (to == side || !kinked));
             let touches = blocked == [true; 2] || at_end && here.rests.is_some();
-            let parts = here.rests.filter(|_| !here.level).or(touches.then_some(Missing::Touches));
+            let parts = here.rests.filter(|_| !here.flat).or(touches.then_some(Missing::Touches));
             add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, open, one_sided, parts);
         }
         all

@@ -326,11 +326,11 @@ impl Builder<'_> {
     fn add(&mut self, run: Range<usize>) {
         let (given, x) = (self.given, &self.samples.x);
         let last = x.len() - 1;
-        let grounded = |i: Option<usize>, side: usize| {
+        let tangent = |i: Option<usize>, side: usize| {
             let support = i.filter(|&i| i <= last).and_then(|i| self.samples.support(given, i));
-            support.filter(|&support| given.supports[support].grounded[side])
+            support.filter(|&support| given.supports[support].tangent[side])
         };
-        let (left, right) = (grounded(run.start.checked_sub(1), 1), grounded(Some(run.end), 0));
+        let (left, right) = (tangent(run.start.checked_sub(1), 1), tangent(Some(run.end), 0));
         let at_tip = [run.start == 0, run.end == last + 1];
         if 2 < run.len() {
             let start = match run.start.checked_sub(1) {

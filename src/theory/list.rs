@@ -305,7 +305,7 @@ impl Node {
 
     /// The end of a span that lies in `cell` beside the node.
     fn span_end(&self, given: &PiecewiseScene, cell: usize) -> End {
-        End { x: self.x, rest: self.low, cell, hold: self.end_condition(given, cell) }
+        End { x: self.x, low: self.low, cell, hold: self.end_condition(given, cell) }
     }
 
     /// Makes a hinge of the end of a span at the outermost node on a side, if that leaves the slope free.

@@ -61,7 +61,7 @@ mod violation;
 pub use derivatives::{By, ContactDerivative, Derivative, Missing};
 pub use exact::{Exact, Sample};
 pub use margin::Condition;
-pub use pattern::{Pattern, Touch, ZoneEnd};
+pub use pattern::{ContactKind, Pattern, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};
 pub use spread::Spread;
 pub use violation::Violation;

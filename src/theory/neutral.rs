@@ -53,7 +53,7 @@ fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
     let mut taylor = vec![0.0; given.terms];
     let mut bound = |left: bool| {
         let sign = if left { -1.0 } else { 1.0 };
-        let grounded = given.supports.first().is_some_and(|support| support.grounded[usize::from(!left)]);
+        let tangent = given.supports.first().is_some_and(|support| support.tangent[usize::from(!left)]);
         // With x₀ at the left of all: how far the beam may turn down on this side.
         let bearings = spans.iter().flat_map(|(_, span)| in_bearings(given, &pieces, span));
         let arms = bearings.map(|(x, depth)| (sign * (x - about), -depth)).filter(|(arm, _)| 0.0 < *arm);
@@ -70,7 +70,7 @@ fn slopes(given: &PiecewiseScene, level: &List, about: f64) -> [f64; 2] {
                 piece.outwards(&mut taylor);
                 let rounding = if least.is_finite() { -f64::EPSILON * least.abs() } else { f64::INFINITY };
                 let beside = (piece.anchor - about).abs() <= 0.0;
-                if beside && (grounded || taylor[0] <= 0.0) {
+                if beside && (tangent || taylor[0] <= 0.0) {
                     // The ground starts at x₀ at the level of the beam: h/(x − x₀) is a polynomial, its limit at x₀ among its values.
                     if let Some((_, rate)) = lowest_below(&taylor[1..], piece.width(), rounding) {
                         least = least.min(base + rate);

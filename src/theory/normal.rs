@@ -64,7 +64,7 @@ impl Normal<'_> {
             self.inside = true;
             match (support, self.nodes.last_mut()) {
                 // A zone that starts in the last digits beside a support where the ground starts as well.
-                (Some(index), Some(last)) if given.supports[index].grounded[1] => {
+                (Some(index), Some(last)) if given.supports[index].tangent[1] => {
                     last.lies = true;
                     last.hold(false);
                 }
@@ -103,15 +103,15 @@ impl Normal<'_> {
     }
 
     fn add_support(&mut self, index: usize, mut node: Node) {
-        let grounded = self.given.supports[index].grounded[0];
+        let tangent = self.given.supports[index].tangent[0];
         let mut shrunk = false;
         while let Some(last) =
             self.nodes.pop_if(|last| last.support(self.given).is_none() && node.x - last.x <= self.least)
         {
-            shrunk = grounded && self.inside && last.starts_zone();
+            shrunk = tangent && self.inside && last.starts_zone();
             self.inside = last.ends_zone();
         }
-        if self.inside && !grounded {
+        if self.inside && !tangent {
             self.give_up();
         }
         if self.inside || shrunk {

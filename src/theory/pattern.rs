@@ -11,7 +11,7 @@ use crate::state::Contact;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pattern {
     /// What each of its contacts is, in their order.
-    pub touches: Vec<Touch>,
+    pub kinds: Vec<ContactKind>,
     /// Whether the ground holds the slope of the beam beside each support, to its left and to its right.
     pub clamped: Vec<[bool; 2]>,
     /// Which of the supports pull the beam down.
@@ -46,7 +46,7 @@ const HALF_A_WAVE: f64 = 0.5;
 
 /// A contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Touch {
+pub enum ContactKind {
     /// A point on the smooth piece of that index.
     Point(usize),
     /// The edge at which the smooth piece of that index starts, or a free end of the beam.
@@ -94,11 +94,12 @@ impl Pattern {
             return false;
         }
         if self.pieces == other.pieces {
-            return self.touches == other.touches;
+            return self.kinds == other.kinds;
         }
         // Points of a survey that come to lie on one line are one piece less.
-        let kinds = |touches: &[Touch]| touches.iter().map(|touch| matches!(touch, Touch::Zone(_))).collect::<Vec<_>>();
-        kinds(&self.touches) == kinds(&other.touches)
+        let zones =
+            |kinds: &[ContactKind]| kinds.iter().map(|kind| matches!(kind, ContactKind::Zone(_))).collect::<Vec<_>>();
+        zones(&self.kinds) == zones(&other.kinds)
     }
 }
 
@@ -114,13 +115,13 @@ impl Exact {
             let support = holding.get(node.support(given)?)?;
             Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
         });
-        let (touches, contacts): (Vec<_>, Vec<_>) = self.touches().into_iter().unzip();
+        let (kinds, contacts): (Vec<_>, Vec<_>) = self.contacts_by_kind().into_iter().unzip();
         let forces = || self.state.supports.iter().map(|support| support.force);
         let no_force = NO_FORCE * forces().fold(self.state.contact_force(), |sum, force| sum + force.abs());
         let pulls =
             if self.springs.is_some() { forces().map(|force| force < -no_force).collect() } else { pulling.collect() };
         Pattern {
-            touches,
+            kinds,
             clamped: supports.collect(),
             pulls,
             crests: contacts.iter().map(|contact| self.crest(contact)).collect(),
@@ -129,29 +130,29 @@ impl Exact {
     }
 
     /// What carries something, with its contact: a contact without a force is none, and a zone goes no farther than its pressure.
-    pub(crate) fn touches(&self) -> Vec<(Touch, Contact)> {
+    pub(crate) fn contacts_by_kind(&self) -> Vec<(ContactKind, Contact)> {
         if self.springs.is_some() {
             let sunk = self.state.contacts.iter().map(|contact| (self.sunk(contact), *contact));
             let bearings = self.state.supports.iter().filter(|support| support.pushes_only).enumerate();
             let pressed = bearings.filter(|(_, support)| 0.0 < support.force);
-            let pushed = pressed.map(|(i, support)| (Touch::Bearing(i), Contact::at(support.at, support.force)));
-            let mut touches: Vec<_> = sunk.chain(pushed).collect();
-            touches.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
-            return touches;
+            let pushed = pressed.map(|(i, support)| (ContactKind::Bearing(i), Contact::at(support.at, support.force)));
+            let mut found: Vec<_> = sunk.chain(pushed).collect();
+            found.sort_by(|a, b| a.1.from.total_cmp(&b.1.from));
+            return found;
         }
         let (given, nodes, rest) = (&self.given, &self.list.nodes, self.rest());
         let mut contacts = self.state.contacts.iter();
-        let mut touches = Vec::with_capacity(contacts.len());
+        let mut found = Vec::with_capacity(contacts.len());
         for i in 0..=nodes.len() {
             if self.list.in_zone_before(i) {
-                touches.extend(contacts.next().into_iter().flat_map(|contact| self.pressed(i, *contact, rest)));
+                found.extend(contacts.next().into_iter().flat_map(|contact| self.pressed(i, *contact, rest)));
             }
             let Some(node) = nodes.get(i) else { continue };
-            let touch = match node.breakpoint {
-                None if node.is_smooth() => Touch::Point(given.cells[node.cell].shape),
+            let kind = match node.breakpoint {
+                None if node.is_smooth() => ContactKind::Point(given.cells[node.cell].shape),
                 Some(breakpoint) if node.is_edge(given) => match given.bearings.binary_search(&breakpoint) {
-                    Ok(bearing) => Touch::Bearing(bearing),
-                    Err(_) => Touch::Edge(edge(given, breakpoint)),
+                    Ok(bearing) => ContactKind::Bearing(bearing),
+                    Err(_) => ContactKind::Edge(edge(given, breakpoint)),
                 },
                 _ => continue,
             };
@@ -159,20 +160,20 @@ impl Exact {
                 let support = self.state.supports.iter().filter(|support| support.pushes_only).nth(bearing)?;
                 Some(Contact::at(support.at, support.force))
             };
-            touches.extend(
-                if let Touch::Bearing(bearing) = touch { pushed(bearing) } else { contacts.next().copied() }
+            found.extend(
+                if let ContactKind::Bearing(bearing) = kind { pushed(bearing) } else { contacts.next().copied() }
                     .filter(|contact| self.no_force(i, rest) < contact.force)
-                    .map(|contact| (touch, contact)),
+                    .map(|contact| (kind, contact)),
             );
         }
-        touches
+        found
     }
 
     /// A contact on ground that gives.
-    fn sunk(&self, contact: &Contact) -> Touch {
+    fn sunk(&self, contact: &Contact) -> ContactKind {
         let given = &self.given;
         let at = |x: f64, place: f64| (x - place).abs() <= AT_ONE_PLACE * given.length;
-        Touch::Zone([(contact.from, true), (contact.to, false)].map(|(x, right)| {
+        ContactKind::Zone([(contact.from, true), (contact.to, false)].map(|(x, right)| {
             let x = x / self.scale.length;
             let support = given.supports.iter().position(|support| at(x, given.breakpoints[support.breakpoint].x));
             match support {
@@ -187,7 +188,7 @@ impl Exact {
     }
 
     /// What carries something of the zone before node `i`: the stretches with a pressure, and the places with a force.
-    fn pressed(&self, i: usize, contact: Contact, rest: f64) -> Vec<(Touch, Contact)> {
+    fn pressed(&self, i: usize, contact: Contact, rest: f64) -> Vec<(ContactKind, Contact)> {
         let (given, unit) = (&self.given, self.scale.length);
         let nodes = [&self.list.nodes[i - 1], &self.list.nodes[i]];
         let [from, to] = nodes.map(|node| node.x);
@@ -217,17 +218,17 @@ impl Exact {
         });
         let shape = |x: f64| given.cells[given.cell_from(x).clamp(first, last)].shape;
         let end = |x: f64| nodes.into_iter().find(|node| (node.x - x).abs() <= AT_ONE_PLACE * given.length);
-        let touch = |[from, to]: [f64; 2]| {
+        let kind = |[from, to]: [f64; 2]| {
             if AT_ONE_PLACE * given.length < to - from {
                 let ends = [from, to].map(|x| end(x).map_or(ZoneEnd::LiftOff(shape(x)), |node| zone_end(given, node)));
-                return Touch::Zone(ends);
+                return ContactKind::Zone(ends);
             }
             match end(from).filter(|node| node.is_tip(given)).and_then(|tip| tip.breakpoint) {
-                Some(breakpoint) => Touch::Edge(edge(given, breakpoint)),
-                None => Touch::Point(shape(from)),
+                Some(breakpoint) => ContactKind::Edge(edge(given, breakpoint)),
+                None => ContactKind::Point(shape(from)),
             }
         };
-        let piece = |ends: [f64; 2]| (touch(ends), Contact { from: ends[0] * unit, to: ends[1] * unit, ..contact });
+        let piece = |ends: [f64; 2]| (kind(ends), Contact { from: ends[0] * unit, to: ends[1] * unit, ..contact });
         pieces.into_iter().map(piece).collect()
     }
 

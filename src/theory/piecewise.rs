@@ -50,7 +50,7 @@ pub(super) struct AtSupport {
     /// Clearance below it, on its left and on its right.
     pub(super) clearance: [f64; 2],
     /// True on a side where the ground starts at its level: a point exactly, a formula up to the rounding of its depth.
-    pub(super) grounded: [bool; 2],
+    pub(super) tangent: [bool; 2],
     /// The numbers that add up to the depth of the ground there: at the left end a polynomial is its first coefficient.
     pub(super) size: f64,
 }

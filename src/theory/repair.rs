@@ -94,7 +94,7 @@ impl Repair<'_> {
             let Ok(span) = self.checked.spans.binary_search_by_key(&right, |(j, _)| *j) else { continue };
             let (_, span) = &self.checked.spans[span];
             let (side, at) = if right == i { (0, &span.at_b) } else { (1, &span.at_a) };
-            if !given.supports[index].grounded[side] || 0.0 <= at[2] {
+            if !given.supports[index].tangent[side] || 0.0 <= at[2] {
                 continue;
             }
             let turns = -at[2] / (outwards * at[3]);

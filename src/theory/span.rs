@@ -74,7 +74,7 @@ pub(super) struct End {
     /// Where.
     pub(super) x: f64,
     /// What its place is beyond `x`, where it rests on a smooth piece of the profile; not used at an edge, which cannot move.
-    pub(super) rest: f64,
+    pub(super) low: f64,
     /// The cell of the span that ends there.
     pub(super) cell: usize,
     /// How it is held.
@@ -84,7 +84,7 @@ pub(super) struct End {
 impl End {
     /// An end that rests on a smooth piece of the profile.
     pub(super) fn resting(x: f64, cell: usize) -> Self {
-        Self { x, rest: 0.0, cell, hold: EndCondition::Resting }
+        Self { x, low: 0.0, cell, hold: EndCondition::Resting }
     }
 }
 
@@ -119,16 +119,14 @@ impl Span {
         let in_beam = is_in_beam(given, ends, heights, levels, profiles.map(|profile| profile[2]));
         let rise = if in_beam {
             let beyond =
-                |i: usize| if ends[i].hold == EndCondition::Resting { profiles[i][1] * ends[i].rest } else { 0.0 };
+                |i: usize| if ends[i].hold == EndCondition::Resting { profiles[i][1] * ends[i].low } else { 0.0 };
             levels[1] - levels[0] + (beyond(1) - beyond(0))
         } else {
             heights[1] - heights[0]
         };
         let incline = rise / l;
         let held = [0, 1].map(|i| match (ends[i].hold, in_beam) {
-            (EndCondition::Resting, true) => {
-                Prescribed::Slope(profiles[i][1] + profiles[i][2] * ends[i].rest - incline)
-            }
+            (EndCondition::Resting, true) => Prescribed::Slope(profiles[i][1] + profiles[i][2] * ends[i].low - incline),
             (EndCondition::Resting, false) => Prescribed::Slope(-incline),
             (EndCondition::Edge { slope: [slope, rest], .. }, true) => Prescribed::Slope(slope - incline + rest),
             (EndCondition::Edge { slope: [slope, rest], .. }, false) => {
@@ -175,7 +173,7 @@ impl Span {
     /// ```
     pub(super) fn overhang(given: &PiecewiseScene, held: End, slope: f64, at_left: bool) -> Self {
         let (x, cell) = if at_left { (0.0, 0) } else { (given.length, given.cells.len() - 1) };
-        let free = End { x, rest: 0.0, cell, hold: EndCondition::Free };
+        let free = End { x, low: 0.0, cell, hold: EndCondition::Free };
         let length = (held.x - free.x).abs();
         let Overhang { force, moment, turn, sag } = Overhang::of(given, held.x, at_left);
         let profiles = [given.derivatives(held.cell, held.x), given.derivatives(free.cell, free.x)];

@@ -46,9 +46,9 @@ pub(crate) struct EnclosedSupport {
     /// `φ`, where the beam is built in; where the ground has the same slope, as far as is known, that of the gap.
     pub(crate) slope: Option<Interval>,
     /// Whether the ground on its left and on its right side starts at its level.
-    pub(crate) meets: [bool; 2],
+    pub(crate) at_level: [bool; 2],
     /// And in its direction, where the beam is built in.
-    pub(crate) grounded: [bool; 2],
+    pub(crate) tangent: [bool; 2],
     /// Whether no deflection that is admissible can turn there: the beam is built in, or the ground starts at the level of the
     /// support on both sides and is smooth, so that `v ≤ g` leaves no slope but `g'`.
     pub(crate) is_fixed: bool,
@@ -74,19 +74,19 @@ impl EnclosedSupport {
         let enclosed = scene.beam().supports().iter().zip(scene.held()).map(|(given, held)| {
             let x = given.at;
             let own = gap.shape.jet(x, false);
-            let [meets, grounded] = [held.meets, held.grounded].map(|[left, right]| {
+            let [at_level, tangent] = [held.at_level, held.tangent].map(|[left, right]| {
                 // Behind a step that goes down there is no ground at the level of the support.
                 [left && gap.ground.is_upper(x, true), right && gap.ground.is_upper(x, false)]
             });
             let slope = given.slope.map(|slope| {
-                let side = [0, 1].into_iter().find(|side| grounded[*side]);
+                let side = [0, 1].into_iter().find(|side| tangent[*side]);
                 side.map_or(Interval::exact(slope) - own[1], |side| gap.jet(x, side == 0)[1])
             });
             let level = Interval::exact(given.level) - own[0];
             // Ground at the level of the support may be beside it by a rounding: the beam is at one of them.
-            let deflection = if meets[0] || meets[1] { level.hull(gap.depth(x)) } else { level };
-            let is_fixed = slope.is_some() || (grounded == [true; 2] && gap.is_smooth_at(x));
-            Self { x, deflection, slope, meets, grounded, is_fixed }
+            let deflection = if at_level[0] || at_level[1] { level.hull(gap.depth(x)) } else { level };
+            let is_fixed = slope.is_some() || (tangent == [true; 2] && gap.is_smooth_at(x));
+            Self { x, deflection, slope, at_level, tangent, is_fixed }
         });
         enclosed.collect()
     }
@@ -107,13 +107,13 @@ impl EnclosedScene<'_> {
     /// the square of the distance or the beam follows it; 1 with its deflection alone; 0 not at all, as at the foot of a step.
     pub(crate) fn order(&self, node: &ContactNode, from_the_left: bool) -> usize {
         let support = self.support(node.x);
-        let meets = support.is_none_or(|s| s.meets[usize::from(!from_the_left)]);
+        let at_level = support.is_none_or(|s| s.at_level[usize::from(!from_the_left)]);
         let tangent = match (support.and_then(|s| s.slope), node.slope) {
             (Some(slope), _) => slope == self.gap.jet(node.x, from_the_left)[1],
             (None, Slope::OfGround { from_the_left: side }) => side == from_the_left || self.gap.is_smooth_at(node.x),
             (None, Slope::Free(_)) => false,
         };
-        if meets && self.gap.ground.is_upper(node.x, from_the_left) { 1 + usize::from(tangent) } else { 0 }
+        if at_level && self.gap.ground.is_upper(node.x, from_the_left) { 1 + usize::from(tangent) } else { 0 }
     }
 
     /// `v` and `v'` of the beam at a node.

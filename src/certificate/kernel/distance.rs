@@ -11,11 +11,11 @@
 //! |d| ≤ max(|d_a|, |d_b|) + w²/8 · max |d''|,      |d''| ≤ max(|d''_a|, |d''_b|) + w²/8 · max |v̂'''' − v''''|
 //! ```
 
-use super::hold::{OUTWARDS, near};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::number;
 use super::proof::{Pair, Piece};
+use super::reference::{Line, OUTWARDS, near};
 
 /// `√(2 gap / 3 EI)`, by which a lever is to be multiplied.
 pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
@@ -24,14 +24,14 @@ pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
 
 /// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
 pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
-    let bounds = near(&pair.holds, part).iter().map(|hold| (factor * hold.lever(part) + hold.shift(part)) * OUTWARDS);
+    let bounds = near(&pair.lines, part).iter().map(|of| (factor * of.lever(part) + of.shift(part)) * OUTWARDS);
     bounds.fold(f64::INFINITY, f64::min)
 }
 
 /// The same anywhere: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
 pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     let factor = factor(pair.gap, stiffness);
-    let places = pair.holds.iter().flat_map(|hold| [hold.0.from, hold.0.to, hold.1.from, hold.1.to]).collect();
+    let places = pair.lines.iter().flat_map(|Line(a, b)| [a.from, a.to, b.from, b.to]).collect();
     cells(0.0, length, places).into_iter().map(|part| on_part(pair, factor, part)).fold(0.0, f64::max)
 }
 

@@ -3,64 +3,63 @@
 
 use super::contact_node::{ContactNode, EnclosedScene};
 use super::distance::factor;
-use super::hold::{Hold, Place, in_order};
 use super::interval::Interval;
 use super::load::cells;
 use super::polynomial::number;
 use super::pressing::TensionCutOff;
 use super::proof::{Pair, Piece};
+use super::reference::{Datum, Line, in_order};
 
 /// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
-fn known(place: Place, gap: f64, share: Interval) -> Option<Place> {
+fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
     if place.presses.is_infinite() {
         return Some(place);
     }
     let remains = (Interval::exact(place.presses) - share).lo();
-    let off = place.off.max((Interval::exact(gap) / Interval::exact(remains)).hi());
-    (0.0 < remains).then_some(Place { off, ..place })
+    let off = place.uncertainty.max((Interval::exact(gap) / Interval::exact(remains)).hi());
+    (0.0 < remains).then_some(Datum { uncertainty: off, ..place })
 }
 
 /// What holds a beam: its supports; if they do not, two of the places that carry it, or one of them and what stops it there. The gap
 /// follows from the moments and the share of what is cut off, and from how far what carries the share is off the ground; with it come
-/// that share and the holds.
-pub(super) fn hold(
+/// that share and the reference lines.
+pub(super) fn held_by(
     enclosed: &EnclosedScene<'_>,
     turns_about: Option<f64>,
-    mut carriers: Vec<Place>,
+    mut carriers: Vec<Datum>,
     pieces: &[Piece],
     cut_off: &TensionCutOff,
     gap_of: impl Fn([Interval; 2], f64) -> f64,
-) -> Option<(f64, Interval, Vec<Hold>)> {
+) -> Option<(f64, Interval, Vec<Line>)> {
     let fixed = enclosed.supports.iter().filter(|s| s.is_fixed).map(|s| s.x);
-    let holds = holds(enclosed, fixed.chain(turns_about), &mut carriers);
-    if !holds.is_empty() {
-        let carried = cut_off.carried(&holds, enclosed.stiffness);
+    let lines = lines(enclosed, fixed.chain(turns_about), &mut carriers);
+    if !lines.is_empty() {
+        let carried = cut_off.carried(&lines, enclosed.stiffness);
         let gap = gap_of(carried, 0.0);
-        let both = |Hold(left, right)| Some(Hold(known(left, gap, carried[1])?, known(right, gap, carried[1])?));
+        let both = |Line(a, b)| Some(Line(known(a, gap, carried[1])?, known(b, gap, carried[1])?));
         // Not with a place that is used up.
-        if let Some(holds) = holds.into_iter().map(both).collect() {
-            return Some((gap, carried[1], holds));
+        if let Some(lines) = lines.into_iter().map(both).collect() {
+            return Some((gap, carried[1], lines));
         }
     }
     let place = *carriers.iter().find(|place| place.to <= place.from)?;
     let couples: f64 = cut_off.pulls.iter().map(|pull| pull.2).sum();
     let stops = stops(enclosed, pieces, place.from, 16.0 * (couples / place.presses))?;
     // A couple is taken by the stop to which it turns the beam, and so by either.
-    let holds = [Hold(Place::at(stops.0.from), place), Hold(place, Place::at(stops.1.from))];
-    let both = holds.map(|hold| cut_off.carried(&[hold], enclosed.stiffness));
+    let lines = [Line(Datum::at(stops.0.from), place), Line(place, Datum::at(stops.1.from))];
+    let both = lines.map(|line| cut_off.carried(&[line], enclosed.stiffness));
     let carried = [0, 1].map(|k| both[0][k] + both[1][k]);
-    let gap = gap_of(carried, stops.0.off.max(stops.1.off));
+    let gap = gap_of(carried, stops.0.uncertainty.max(stops.1.uncertainty));
     Some((gap, carried[1], vec![between_stops(stops, known(place, gap, carried[1])?, factor(gap, enclosed.stiffness))]))
 }
 
 /// Where the beam is carried: single nodes, parts of zones, and loads that stand in them. What is taken from a part is taken in
 /// proportion to what presses there: the mean of what single places would give, of which the worst is counted.
-pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<Place> {
+pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forces: &[Interval]) -> Vec<Datum> {
     let carried = |(x, force): (f64, Interval)| {
-        let presses = if enclosed.support(x).is_some() { f64::INFINITY } else { force.lo() };
-        Place { presses, ..Place::at(x) }
+        if enclosed.support(x).is_some() { Datum::at(x) } else { Datum { presses: force.lo(), ..Datum::at(x) } }
     };
-    let mut carriers: Vec<Place> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
+    let mut carriers: Vec<Datum> = nodes.iter().map(|node| node.x).zip(forces.iter().copied()).map(carried).collect();
     // Two supports hold the beam without its zones.
     for (from, to) in nodes.windows(2).filter(|w| w[0].lies && enclosed.supports.len() < 2).map(|w| (w[0].x, w[1].x)) {
         let breaks = enclosed.load.breaks(from, to);
@@ -72,14 +71,14 @@ pub(super) fn carriers(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode], forc
 
 /// Of so many equal parts of a zone the first, the third and so on, as far as they have no break of the load, with what presses on
 /// each at least: the load, and what the shear of the beam that follows the ground changes by.
-fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -> Vec<Place> {
+fn every_other(enclosed: &EnclosedScene<'_>, [from, to]: [f64; 2], parts: u32) -> Vec<Datum> {
     let end = |k: u32| if k < parts { from + (to - from) * (f64::from(k) / f64::from(parts)) } else { to };
     let pressed = |k: u32| {
         let [from, to] = [end(k), end(k + 1)];
         let [start, end] = [(from, false), (to, true)].map(|(x, left)| enclosed.gap.jet(x, left)[3]);
         let load = [from, to].map(|x| enclosed.load.line(x, [from, to])[0] * Interval::length(from, to) / number(2));
         let presses = (Interval::exact(enclosed.stiffness) * (start - end) + load[0] + load[1]).lo();
-        (from < to && enclosed.load.breaks(from, to).is_empty()).then_some(Place { from, to, presses, off: 0.0 })
+        (from < to && enclosed.load.breaks(from, to).is_empty()).then_some(Datum { to, presses, ..Datum::at(from) })
     };
     (0..parts).step_by(2).filter_map(pressed).collect()
 }
@@ -91,42 +90,42 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
     const MOST_PARTS: u32 = 256;
     let zones: Vec<[f64; 2]> = nodes.windows(2).filter(|w| w[0].lies).map(|w| [w[0].x, w[1].x]).collect();
     let parts = u32::try_from(zones.len()).ok().and_then(|zones| MOST_PARTS.checked_div(zones)).unwrap_or(0);
-    if parts < 3 || pair.holds.iter().any(|hold| hold.presses().is_finite()) {
+    if parts < 3 || pair.lines.iter().any(|line| line.presses().is_finite()) {
         return;
     }
     let pressed = zones.into_iter().flat_map(|zone| every_other(enclosed, zone, parts));
     let held = pressed.filter_map(|place| known(place, pair.gap, Interval::ZERO));
-    let mut places: Vec<Place> = held.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
+    let mut places: Vec<Datum> = held.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
     places.sort_by(|a, b| a.from.total_cmp(&b.from));
-    let next = |left: &Place| places.get(places.partition_point(|right| right.from <= left.to)).copied();
-    let holds = places.iter().filter_map(|left| Some(Hold(*left, next(left)?)));
-    let all = pair.holds.iter().copied().chain(holds.filter(|hold| hold.presses().is_finite()));
-    pair.holds = in_order(all.collect());
+    let next = |left: &Datum| places.get(places.partition_point(|right| right.from <= left.to)).copied();
+    let lines = places.iter().filter_map(|left| Some(Line(*left, next(left)?)));
+    let all = pair.lines.iter().copied().chain(lines.filter(|line| line.presses().is_finite()));
+    pair.lines = in_order(all.collect());
 }
 
 /// Whatever the beam touches: neighbouring two of its supports, and one place `at` which it cannot turn, or about which the
 /// loads are in balance; without them the best two of the places that carry it.
-pub(super) fn holds(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>, carriers: &mut [Place]) -> Vec<Hold> {
-    let two = enclosed.supports.windows(2).map(|w| Hold(Place::at(w[0].x), Place::at(w[1].x)));
-    let held: Vec<Hold> = two.chain(at.map(|x| Hold(Place::at(x), Place::at(x)))).collect();
+pub(super) fn lines(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>, carriers: &mut [Datum]) -> Vec<Line> {
+    let two = enclosed.supports.windows(2).map(|w| Line(Datum::at(w[0].x), Datum::at(w[1].x)));
+    let held: Vec<Line> = two.chain(at.map(|x| Line(Datum::at(x), Datum::at(x)))).collect();
     in_order(if held.is_empty() { widest(carriers).into_iter().collect() } else { held })
 }
 
 /// Of places that press the two that hold the beam best: strongly, and far apart.
-fn widest(carriers: &mut [Place]) -> Option<Hold> {
+fn widest(carriers: &mut [Datum]) -> Option<Line> {
     /// Of the strongest places.
     const MOST: usize = 64;
     carriers.sort_by(|a, b| b.presses.total_cmp(&a.presses));
     let strongest = &carriers[..carriers.len().min(MOST)];
-    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| Hold(*a, *b)));
-    let worth = |hold: &Hold| (hold.1.from - hold.0.to) * hold.presses();
-    pairs.filter(|Hold(a, b)| a.to < b.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
+    let pairs = strongest.iter().flat_map(|a| strongest.iter().map(move |b| Line(*a, *b)));
+    let worth = |line: &Line| (line.1.from - line.0.to) * line.presses();
+    pairs.filter(|Line(a, b)| a.to < b.from).max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
 /// The places on the left and on the right of the single place that carries a beam at which the ground stops it if it turns: those to
 /// which it turns by the least angle, each with the clearance there, and none much nearer than `apart`. Inside a beam on smooth ground
 /// that place is tangent to it: beside it the clearance and its slope are known to begin with zero.
-fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> Option<Hold> {
+fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> Option<Line> {
     /// Of the length of the beam.
     const NEAR: f64 = 1.0 / 274_877_906_944.0;
     let EnclosedScene { gap, length, .. } = *enclosed;
@@ -143,34 +142,35 @@ fn stops(enclosed: &EnclosedScene<'_>, pieces: &[Piece], x: f64, apart: f64) -> 
             // What stands alone there is no part of the cell.
             let alone = (gap.depth(far) - v.at(Interval::length(*from, far))).hi();
             let off = clear.at(Interval::length(near, far)).hi().min(alone).max(0.0);
-            found.push(Place { off: if *pressed { 0.0 } else { off }, ..Place::at(far) });
+            found.push(Datum { uncertainty: if *pressed { 0.0 } else { off }, ..Datum::at(far) });
         }
     }
-    let distance = |place: &Place| (place.from - x).abs();
-    let angle = |place: &Place| place.off / distance(place);
-    let is_off = |place: &&Place| 0.0 < distance(place) && 0.5 * apart <= distance(place);
+    let distance = |place: &Datum| (place.from - x).abs();
+    let angle = |place: &Datum| place.uncertainty / distance(place);
+    let is_off = |place: &&Datum| 0.0 < distance(place) && 0.5 * apart <= distance(place);
     let [left, right] = [true, false].map(|left| {
         let beside = found.iter().filter(is_off).filter(|place| (place.from < x) == left);
         // Of the same angle the farthest.
         beside.min_by(|a, b| angle(a).total_cmp(&angle(b)).then(distance(b).total_cmp(&distance(a))))
     });
-    Some(Hold(*left?, *right?))
+    Some(Line(*left?, *right?))
 }
 
-/// Both stops as a hold, of a beam that is pressed between them where it is off by `ε` at most. With the clearances `c` at the stops,
-/// `a` and `b` away from there, and the deflection that is off by `d ≤ c` at both and by `e` more than a line between them makes it,
+/// Both stops as a reference line, of a beam that is pressed between them where it is off by `ε` at most. With the clearances `c`
+/// at the stops, `a` and `b` away from there, and the deflection that is off by `d ≤ c` at both and by `e` more than a line between them makes it,
 ///
 /// ```text
 /// (b d₁ + a d₂)/(a + b) ≥ −ε − e,      −d₁ ≤ ((a + b)(ε + e) + a c₂)/b,      −d₂ ≤ ((a + b)(ε + e) + b c₁)/a
 /// ```
-fn between_stops(Hold(left, right): Hold, at: Place, factor: f64) -> Hold {
+fn between_stops(Line(left, right): Line, at: Datum, factor: f64) -> Line {
     let [a, b] = [Interval::length(left.from, at.from), Interval::length(at.from, right.from)];
-    let bent = Interval::exact(factor) * Interval::exact(Hold(left, right).lever([at.from; 2]));
-    let risen = (a + b) * (Interval::exact(at.off) + bent);
-    let off = |own: &Place, [near, far]: [Interval; 2], other: &Place| {
-        own.off.max(((risen + near * Interval::exact(other.off)) / far).hi())
+    let bent = Interval::exact(factor) * Interval::exact(Line(left, right).lever([at.from; 2]));
+    let risen = (a + b) * (Interval::exact(at.uncertainty) + bent);
+    let known = |own: Datum, [near, far]: [Interval; 2], other: Datum| Datum {
+        uncertainty: own.uncertainty.max(((risen + near * Interval::exact(other.uncertainty)) / far).hi()),
+        ..own
     };
-    Hold(Place { off: off(&left, [a, b], &right), ..left }, Place { off: off(&right, [b, a], &left), ..right })
+    Line(known(left, [a, b], right), known(right, [b, a], left))
 }
 
 #[cfg(test)]

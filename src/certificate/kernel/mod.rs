@@ -6,7 +6,7 @@
 //! | enclosure of the scene: foundation, gap, load, and what is zero but for rounding | `foundation`, `gap`, `load`; `scene::pieces` |
 //! | from contact nodes to a proven pair: spans, clearances, forces that press, gap | `contact_node`, `span`, `proof`, `clearance`, `pressing`, `held` |
 //! | the same on ground that gives | `springs` |
-//! | from the gap to the error of a deflection | `hold`, `distance` |
+//! | from the gap to the error of a deflection | `reference`, `distance` |
 //!
 //! It asks for nothing outside but a scene, and bounds the error of any deflection that is a polynomial on each of some cells.
 
@@ -16,11 +16,11 @@ pub(super) mod distance;
 pub(super) mod foundation;
 pub(super) mod gap;
 pub(super) mod held;
-pub(super) mod hold;
 pub(super) mod interval;
 pub(super) mod load;
 pub(super) mod polynomial;
 pub(super) mod pressing;
 pub(super) mod proof;
+pub(super) mod reference;
 pub(super) mod span;
 pub(super) mod springs;

@@ -1,10 +1,10 @@
 //! What a moment field would have to pull with, and what it costs to cut that off.
 
 use super::contact_node::EnclosedScene;
-use super::hold::{Hold, OUTWARDS, near};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
 use super::proof::Piece;
+use super::reference::{Line, OUTWARDS, near};
 
 /// What was cut off of the contact load: forces and couples on parts of the beam, all as magnitudes.
 #[derive(Debug, Clone, Default)]
@@ -42,19 +42,19 @@ impl TensionCutOff {
         }
     }
 
-    /// What is cut off is carried by one of the holds each: at least `√(∫ m²/EI dx)` of the moments `m` that this takes, and at
-    /// least the force at any place of a hold.
+    /// What is cut off is carried by one of the lines each: at least `√(∫ m²/EI dx)` of the moments `m` that this takes, and at
+    /// least the force at any datum of a line.
     ///
     /// ```text
     /// √(∫ m²/EI dx) ≤ Σ f √c(x, x) + Σ C √((L + 3 a)/3 EI)
     /// ```
-    pub(crate) fn carried(&self, holds: &[Hold], stiffness: f64) -> [Interval; 2] {
+    pub(crate) fn carried(&self, lines: &[Line], stiffness: f64) -> [Interval; 2] {
         let root = (number(3) * Interval::exact(stiffness)).sqrt();
         let mut sums = [Interval::ZERO; 2];
         for &(part, force, couple) in &self.pulls {
-            let bent = |hold: &Hold| force * hold.lever(part) + couple * hold.lever_of_couple(part);
-            let best = near(holds, part).iter().map(|h| (bent(h) * OUTWARDS, h)).min_by(|a, b| a.0.total_cmp(&b.0));
-            let [lever, share] = best.map_or([f64::INFINITY; 2], |(m, hold)| [m, hold.share(part, force, couple)]);
+            let bent = |line: &Line| force * line.lever(part) + couple * line.lever_of_couple(part);
+            let best = near(lines, part).iter().map(|l| (bent(l) * OUTWARDS, l)).min_by(|a, b| a.0.total_cmp(&b.0));
+            let [lever, share] = best.map_or([f64::INFINITY; 2], |(m, line)| [m, line.share(part, force, couple)]);
             sums = [sums[0] + Interval::exact(lever) / root, sums[1] + Interval::exact(share)];
         }
         sums

@@ -26,11 +26,11 @@
 
 use super::clearance;
 use super::contact_node::{ContactNode, EnclosedScene, Slope};
-use super::held::{carriers, hold};
-use super::hold::Hold;
+use super::held::{carriers, held_by};
 use super::interval::Interval;
 use super::polynomial::{Polynomial, number};
 use super::pressing::{self, TensionCutOff};
+use super::reference::Line;
 use super::span::Span;
 
 /// `v̂` on a part of the beam.
@@ -55,7 +55,7 @@ pub(crate) struct Pair {
     /// Places that carry the beam and what they exert upwards, from left to right, where the contacts of `M` are those of the beam.
     pub(crate) carried: Vec<(f64, Interval)>,
     /// What holds the beam: each of them alone bounds the distance of `v̂` from `v*`.
-    pub(crate) holds: Vec<Hold>,
+    pub(crate) lines: Vec<Line>,
     /// The place about which the beam may turn without a force, if the contacts of `M` do not say how it stands.
     pub(crate) turns_about: Option<f64>,
     /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
@@ -117,10 +117,10 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     }
     let gap_of = |carried, off| corrected(gap, lifts, carried, off);
     let carriers = carriers(enclosed, nodes, &forces);
-    let (gap, share, holds) = hold(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
+    let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
-    Some(Pair { pieces, gap, carried, holds, turns_about, lifted, ground: None })
+    Some(Pair { pieces, gap, carried, lines, turns_about, lifted, ground: None })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that

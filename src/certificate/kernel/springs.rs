@@ -19,12 +19,12 @@
 //! place has `|v̂ − v*| ≤ e`.
 
 use super::contact_node::EnclosedScene;
-use super::held::holds;
-use super::hold::{Hold, Place};
+use super::held::lines;
 use super::interval::Interval;
 use super::polynomial::{Polynomial, TERMS, number};
 use super::pressing::TensionCutOff;
 use super::proof::{Pair, Piece};
+use super::reference::{Datum, Line};
 use super::span::Span;
 
 /// A part of the beam, from anybody.
@@ -52,7 +52,7 @@ struct OnSprings<'a> {
 
 /// A pressed part, its least penetration, and what a share of its pressure costs: that share of `√(∫p²/k)`.
 struct Carrier {
-    place: Place,
+    place: Datum,
     sunk: f64,
     cost: Interval,
 }
@@ -208,7 +208,7 @@ impl OnSprings<'_> {
         let presses = Interval::exact(pressure.lo()) * width;
         let cost = Interval::exact(pressure.hi()) * (width / k).sqrt() / presses;
         sums.carriers.push(Carrier {
-            place: Place { from, to, presses: presses.lo(), off: 0.0 },
+            place: Datum { from, to, presses: presses.lo(), uncertainty: 0.0 },
             sunk: sunk.lo(),
             cost,
         });
@@ -217,27 +217,27 @@ impl OnSprings<'_> {
     }
 
     /// The gap, at least the share of what is cut off that one place takes, and what holds the beam: its supports, or pressed parts.
-    fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Hold>)> {
+    fn held(&self, sums: &Sums) -> Option<(f64, Interval, Vec<Line>)> {
         let Self { enclosed, k, .. } = *self;
         let pressing = sums.carriers.iter().map(|c| c.place).filter(|place| 0.0 < place.presses);
-        let mut places: Vec<Place> = pressing.chain(enclosed.supports.iter().map(|s| Place::at(s.x))).collect();
+        let mut places: Vec<Datum> = pressing.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
         let fixed = enclosed.supports.iter().filter(|s| s.slope.is_some()).map(|s| s.x);
-        let holds = holds(enclosed, fixed, &mut places);
-        let [moment, share] = sums.cut_off.carried(&holds, enclosed.stiffness);
-        let carrier = |at: &Place| sums.carriers.iter().find(|c| at.presses.is_finite() && at.from <= c.place.from);
-        let cost = |place: &Place| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
-        let changed = holds.iter().fold(Interval::ZERO, |sum, hold| sum + cost(&hold.0) + cost(&hold.1));
+        let lines = lines(enclosed, fixed, &mut places);
+        let [moment, share] = sums.cut_off.carried(&lines, enclosed.stiffness);
+        let carrier = |at: &Datum| sums.carriers.iter().find(|c| at.presses.is_finite() && at.from <= c.place.from);
+        let cost = |place: &Datum| carrier(place).map_or(Interval::ZERO, |carrier| share * carrier.cost);
+        let changed = lines.iter().fold(Interval::ZERO, |sum, Line(a, b)| sum + cost(a) + cost(b));
         let cut = sums.cut_off.pulls.iter().fold(Interval::ZERO, |sum, pull| sum + Interval::exact(pull.1));
         let cut = (cut * Interval::exact(sums.pull) / k).sqrt();
         let gap = ((sums.square.sqrt() + moment + cut + changed).square() / number(2)).hi();
-        let known = |place: &Place| {
+        let known = |place: &Datum| {
             let Some(Carrier { sunk, .. }) = carrier(place) else { return Some(*place) };
             let off = (number(2) * Interval::exact(gap) / (k * Interval::length(place.from, place.to))).sqrt().hi();
-            (off < *sunk && share.hi() < place.presses).then_some(Place { off, ..*place })
+            (off < *sunk && share.hi() < place.presses).then_some(Datum { uncertainty: off, ..*place })
         };
-        let holds = holds.iter().map(|Hold(left, right)| Some(Hold(known(left)?, known(right)?)));
-        let holds = holds.collect::<Option<Vec<_>>>().filter(|holds| !holds.is_empty())?;
-        Some((gap, share, holds))
+        let lines = lines.iter().map(|Line(left, right)| Some(Line(known(left)?, known(right)?)));
+        let lines = lines.collect::<Option<Vec<_>>>().filter(|lines| !lines.is_empty())?;
+        Some((gap, share, lines))
     }
 }
 
@@ -258,9 +258,9 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
             None => on.press(i, held, &mut sums)?,
         }
     }
-    let (gap, share, holds) = on.held(&sums)?;
+    let (gap, share, lines) = on.held(&sums)?;
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let (pieces, ground) = (sums.pieces, Some(sums.energy / number(2)));
-    Some(Pair { pieces, gap, carried, holds, turns_about: None, lifted: 0.0, ground })
+    Some(Pair { pieces, gap, carried, lines, turns_about: None, lifted: 0.0, ground })
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::certificate::in_intervals;
-use crate::certificate::kernel::hold::{Hold, Place};
+use crate::certificate::kernel::reference::{Datum, Line};
 use crate::certificate::kernel::springs::{self, Stretch};
 use crate::scene::{Balance, Beam, Foundation, Load, Support};
 
@@ -27,7 +27,7 @@ fn pair_on_two_ends(pieces: Vec<Piece>, gap: f64) -> Pair {
         pieces,
         gap,
         carried: [(0.0, 3.0), (LENGTH, 4.0)].map(|(x, force)| (x, Interval::exact(force))).to_vec(),
-        holds: vec![Hold(Place::at(0.0), Place::at(LENGTH))],
+        lines: vec![Line(Datum::at(0.0), Datum::at(LENGTH))],
         turns_about: None,
         lifted: 0.0,
         ground: None,
@@ -117,7 +117,7 @@ fn only_rigid_ground_that_bends_away_is_clear_whatever_the_pair() {
         // Of the deflection nothing is known.
         gap: 1e9,
         carried: Vec::new(),
-        holds: vec![Hold(Place::at(0.0), Place::at(HELD))],
+        lines: vec![Line(Datum::at(0.0), Datum::at(HELD))],
         turns_about: None,
         lifted: 0.0,
         ground,
@@ -194,7 +194,7 @@ fn a_support_that_only_pushes_may_carry_a_part_of_a_load_in_balance() {
             // The ground alone leaves 1/10 on either side, twice this is a quarter less.
             gap: 0.075 * 0.075 / (off * off),
             carried: Vec::new(),
-            holds: Vec::new(),
+            lines: Vec::new(),
             turns_about: None,
             lifted: 0.0,
             ground: None,

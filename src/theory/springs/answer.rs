@@ -2,7 +2,7 @@
 
 use super::band::STATE;
 use super::bearings::{force, search_with};
-use super::{Found, Part, beside, deepest, part_at};
+use super::{Part, StretchSet, beside, deepest, part_at};
 use crate::certificate::Stretch;
 use crate::scene::{Quantity, Resultant, Scaled, SceneError, Unheld};
 use crate::state::{Contact, ContactState, Extremes, Pressure, Reactions, Regime, Standing, SupportForce};
@@ -109,7 +109,7 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
         _ => SceneError::Overflow { quantity, what, value: springs },
     };
     let (given, found) = search_with(given, springs).ok_or_else(none)?;
-    let Found { parts, stretches, solves, settled } = found;
+    let StretchSet { parts, stretches, solves, settled } = found;
     let violated = parts.iter().map(violation).fold(0.0, f64::max);
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
     let measure = deepest(&parts).max(rounded / MOST_VIOLATED);

@@ -11,7 +11,7 @@
 //! an end (Murty 1974). With ground that gives the problem is linear by parts only, and that is not proven: work has a limit. All of
 //! them are exchanged at once as long as fewer become wrong.
 
-use super::{Found, Part, ROUNDING, Work, beside, part_at, search};
+use super::{Part, ROUNDING, StretchSet, Work, beside, part_at, search};
 use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 
 /// All on the wrong side are exchanged so often without a better set than any before. *Tuned*: any small number will do, since one at a
@@ -19,7 +19,7 @@ use crate::theory::piecewise::{AtSupport, PiecewiseScene};
 const PATIENCE: usize = 3;
 
 /// A scene with those of the supports that only push as supports that press, and the beam on them.
-pub(super) fn search_with(given: PiecewiseScene, springs: f64) -> Option<(PiecewiseScene, Found)> {
+pub(super) fn search_with(given: PiecewiseScene, springs: f64) -> Option<(PiecewiseScene, StretchSet)> {
     let mut work = Work::default();
     if given.bearings.is_empty() {
         let found = search(&given, springs, &mut work)?;
@@ -31,7 +31,7 @@ pub(super) fn search_with(given: PiecewiseScene, springs: f64) -> Option<(Piecew
 }
 
 /// The same from all of them, or from none.
-fn exchange(given: &PiecewiseScene, springs: f64, all: bool, work: &mut Work) -> Option<(PiecewiseScene, Found)> {
+fn exchange(given: &PiecewiseScene, springs: f64, all: bool, work: &mut Work) -> Option<(PiecewiseScene, StretchSet)> {
     let mut presses = vec![all; given.bearings.len()];
     let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
     loop {
@@ -40,7 +40,7 @@ fn exchange(given: &PiecewiseScene, springs: f64, all: bool, work: &mut Work) ->
         let wrong: Vec<usize> = wrong(&held, &found.parts, &presses);
         if wrong.is_empty() || !found.settled || work.is_done() {
             let settled = found.settled && wrong.is_empty();
-            return Some((held, Found { settled, ..found }));
+            return Some((held, StretchSet { settled, ..found }));
         }
         (fewest, patience) =
             if wrong.len() < fewest { (wrong.len(), PATIENCE) } else { (fewest, patience.saturating_sub(1)) };
@@ -59,7 +59,7 @@ fn holding(given: &PiecewiseScene, presses: &[bool]) -> PiecewiseScene {
         slope: None,
         built_in: false,
         clearance: [f64::INFINITY; 2],
-        grounded: [false; 2],
+        tangent: [false; 2],
         size: 0.0,
     }));
     held.supports.sort_by_key(|support| support.breakpoint);

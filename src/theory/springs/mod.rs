@@ -61,7 +61,7 @@ fn beside(parts: &[Part], x: f64) -> [[f64; 4]; 2] {
 
 /// What the set is found by.
 #[derive(Debug)]
-struct Found {
+struct StretchSet {
     parts: Vec<Part>,
     /// From left to right.
     stretches: Vec<[f64; 2]>,
@@ -107,16 +107,16 @@ impl Work {
 
 /// The stretches on which springs of a stiffness over `EI` press, and the beam on them. Where the set does not settle, the whole
 /// beam is pressed; [`None`] if numbers leave the range of `f64`.
-fn search(given: &PiecewiseScene, springs: f64, work: &mut Work) -> Option<Found> {
+fn search(given: &PiecewiseScene, springs: f64, work: &mut Work) -> Option<StretchSet> {
     let mut found = FACTORS.iter().filter_map(|factor| stiffening(given, springs, *factor, work));
     if let Some(settled) = found.find(|found| found.settled) {
         return Some(settled);
     }
     let stretches = vec![[0.0, given.length]];
-    Some(Found { parts: solve(given, springs, &stretches)?, stretches, solves: work.solves, settled: false })
+    Some(StretchSet { parts: solve(given, springs, &stretches)?, stretches, solves: work.solves, settled: false })
 }
 
-fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, work: &mut Work) -> Option<Found> {
+fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, work: &mut Work) -> Option<StretchSet> {
     /// Of the length: a set of softer ground is a start, and no more.
     const START: f64 = 1e-6;
     /// That of the given ground has all its digits.
@@ -142,7 +142,7 @@ fn stiffening(given: &PiecewiseScene, springs: f64, factor: f64, work: &mut Work
         }
         if is_last {
             let parts = work.solve(given, springs, &stretches)?;
-            return Some(Found { parts, stretches, solves: work.solves, settled });
+            return Some(StretchSet { parts, stretches, solves: work.solves, settled });
         }
         k = (k * factor).min(springs);
     }

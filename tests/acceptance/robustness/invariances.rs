@@ -157,7 +157,7 @@ fn seen_from_the_other_side_it_is_the_same() {
     for draft in drafts(40) {
         let [Ok(scene), Ok(_)] = [draft.scene(), draft.mirrored().scene()] else { continue };
         // Of ground level with a support rounding decides on which side it is.
-        if scene.held().iter().any(|held| held.grounded != [false; 2]) {
+        if scene.held().iter().any(|held| held.tangent != [false; 2]) {
             continue;
         }
         let load = draft.load().expect("a load").magnitude(draft.length);

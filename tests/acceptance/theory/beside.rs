@@ -21,7 +21,7 @@ fn hidden(scene: &Scene, exact: &Exact) -> Option<(f64, f64)> {
     let all = scene.load().magnitude(length) + supports;
     let mut worst: Option<(f64, f64)> = None;
     for held in scene.held() {
-        for (side, sign) in [(0, -1.0), (1, 1.0)].into_iter().filter(|&(side, _)| held.grounded[side]) {
+        for (side, sign) in [(0, -1.0), (1, 1.0)].into_iter().filter(|&(side, _)| held.tangent[side]) {
             let others = exact.state.supports.iter().filter(|s| 0.0 < sign * (s.at - held.at));
             let end = if side == 0 { held.at } else { length - held.at };
             let next = others.map(|s| (s.at - held.at).abs()).fold(end, f64::min);

@@ -161,12 +161,12 @@ fn ground_meets_a_support_as_its_coefficients_say() {
                     );
                 }
                 let size = 1.0 + at * slope.abs();
-                for (raised, meets) in [(0.0, true), (BESIDE * size, false)] {
+                for (raised, at_level) in [(0.0, true), (BESIDE * size, false)] {
                     let scene = above(Support::simple(at).at_level(depth - raised)).expect("above the ground");
-                    assert_eq!(scene.held()[0].meets, [meets; 2], "{name}, raised by {raised:e}");
+                    assert_eq!(scene.held()[0].at_level, [at_level; 2], "{name}, raised by {raised:e}");
                 }
                 let along = Support { slope: Some(slope), ..Support::simple(at).at_level(depth) };
-                assert_eq!(above(along).expect("along the ground").held()[0].grounded, [true; 2], "{name}");
+                assert_eq!(above(along).expect("along the ground").held()[0].tangent, [true; 2], "{name}");
                 let turned = BESIDE * (slope.abs() + at * bend.abs());
                 let turned = above(Support { slope: Some(slope + turned), ..along });
                 assert!(matches!(turned, Err(SceneError::RisesAtBuiltIn { .. })), "{name}: {turned:?}");

@@ -73,7 +73,7 @@ fn concentrated(scene: &Scene, exact: &Exact, [from, to]: [f64; 2]) -> [f64; 2] 
 /// beside it while the support pulls, which on its left makes the moment jump up and on its right down.
 fn couples(scene: &Scene, [from, to]: [f64; 2]) -> [bool; 2] {
     let held = scene.held().into_iter().find(|held| from <= held.at && held.at <= to);
-    held.map_or([false; 2], |held| [1, 0].map(|side| held.slope.is_some() || held.grounded[side]))
+    held.map_or([false; 2], |held| [1, 0].map(|side| held.slope.is_some() || held.tangent[side]))
 }
 
 /// That of beam theory, as a share of the length: some units in the last place.
@@ -285,7 +285,7 @@ fn size(scene: &Scene) -> f64 {
 fn couple_free(scene: &Scene, end: f64) -> f64 {
     // A place nearer to zero than the rounding of the beam's length is at its end.
     let held = scene.held().into_iter().find(|held| (held.at - end).abs() <= f64::EPSILON * scene.beam().length());
-    f64::from(held.is_none_or(|held| held.slope.is_none() && held.grounded == [false; 2]))
+    f64::from(held.is_none_or(|held| held.slope.is_none() && held.tangent == [false; 2]))
 }
 
 /// The moment just to the left of `x`.

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::certificate::judged::{Cell, NARROW, parts};
-use crate::certificate::kernel::hold::{Hold, Place};
 use crate::certificate::kernel::polynomial::Polynomial;
+use crate::certificate::kernel::reference::{Datum, Line};
 
 const LENGTH: f64 = 20.0;
 const STIFFNESS: f64 = 70.0;
@@ -21,8 +21,8 @@ fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
 }
 
 fn pair(pieces: Vec<Piece>) -> Pair {
-    let holds = vec![Hold(Place::at(0.0), Place::at(LENGTH))];
-    Pair { pieces, gap: 0.0, carried: Vec::new(), holds, turns_about: None, lifted: 0.0, ground: None }
+    let lines = vec![Line(Datum::at(0.0), Datum::at(LENGTH))];
+    Pair { pieces, gap: 0.0, carried: Vec::new(), lines, turns_about: None, lifted: 0.0, ground: None }
 }
 
 /// A pair with the gap that makes a factor.
@@ -55,8 +55,10 @@ fn a_force_at_mid_span_reaches_the_bound() {
 /// What a place is known by counts, and of several pairs of places the best one.
 #[test]
 fn the_best_of_what_holds_the_beam_counts() {
-    let off = |off: f64| Hold(Place { off, ..Place::at(5.0) }, Place { off: 2.0 * off, ..Place::at(15.0) });
-    let held = |holds: Vec<Hold>| on_part(&Pair { holds, ..pair(Vec::new()) }, 0.5, [10.0; 2]);
+    let off = |off: f64| {
+        Line(Datum { uncertainty: off, ..Datum::at(5.0) }, Datum { uncertainty: 2.0 * off, ..Datum::at(15.0) })
+    };
+    let held = |lines: Vec<Line>| on_part(&Pair { lines, ..pair(Vec::new()) }, 0.5, [10.0; 2]);
     let lever = 5.0 * 5.0 / 10.0_f64.sqrt();
     at_least(held(vec![off(0.0)]), 0.5 * lever);
     at_least(held(vec![off(2.0)]), 0.5 * lever + 3.0);

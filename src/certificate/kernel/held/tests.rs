@@ -26,7 +26,7 @@ fn outer_thirds_press_with_what_lies_on_them() {
             let middle = 0.5 * (from + to) / LENGTH;
             let (force, expected) = (place.presses, 4.0 * (LOAD * (1.0 + growth * middle) - 24e-3 * STIFFNESS));
             assert!(
-                place.from.total_cmp(&from).is_eq() && place.to.total_cmp(&to).is_eq() && place.off <= 0.0,
+                place.from.total_cmp(&from).is_eq() && place.to.total_cmp(&to).is_eq() && place.uncertainty <= 0.0,
                 "{place:?}"
             );
             assert!(force <= expected && expected - force <= 1e-10 * expected, "{force} for {expected}");
@@ -37,11 +37,11 @@ fn outer_thirds_press_with_what_lies_on_them() {
 /// Of places that press those two hold a beam that are strong and far apart; parts that overlap do not.
 #[test]
 fn the_widest_of_the_strongest_places_hold() {
-    let part = |from: f64, to: f64, presses: f64| Place { from, to, presses, off: 0.0 };
+    let part = |from: f64, to: f64, presses: f64| Datum { from, to, presses, uncertainty: 0.0 };
     // Distance by the weaker force: (9 − 1) · 1 for the first two, (4 − 3) · 9 for the others.
     let mut presses = vec![part(0.0, 1.0, 1.0), part(9.0, 9.0, 1.0), part(4.0, 4.0, 9.0), part(0.5, 3.0, 9.0)];
-    let held = |presses: &mut [Place], left: f64, right: f64| {
-        let Some(Hold(first, last)) = widest(presses) else { return false };
+    let held = |presses: &mut [Datum], left: f64, right: f64| {
+        let Some(Line(first, last)) = widest(presses) else { return false };
         first.from.total_cmp(&left).is_eq() && last.from.total_cmp(&right).is_eq()
     };
     assert!(held(&mut presses, 0.5, 4.0));
@@ -70,18 +70,22 @@ fn what_may_pull_carries_nothing() {
 /// between them bent by the lever.
 #[test]
 fn stops_are_off_by_what_the_other_one_leaves() {
-    let [left, at, right] = [(1.0, 0.5), (5.0, 0.1), (11.0, 0.25)].map(|(x, off)| Place { off, ..Place::at(x) });
+    let [left, at, right] =
+        [(1.0, 0.5), (5.0, 0.1), (11.0, 0.25)].map(|(x, off)| Datum { uncertainty: off, ..Datum::at(x) });
     for factor in [0.0, 0.125] {
-        let Hold(one, other) = between_stops(Hold(left, right), at, factor);
-        let risen = 10.0 * (0.1 + factor * Hold(left, right).lever([5.0; 2]));
+        let Line(one, other) = between_stops(Line(left, right), at, factor);
+        let risen = 10.0 * (0.1 + factor * Line(left, right).lever([5.0; 2]));
         for (place, expected) in [(one, (risen + 4.0 * 0.25) / 6.0), (other, (risen + 6.0 * 0.5) / 4.0)] {
             let expected = expected.max(if place.from < 5.0 { 0.5 } else { 0.25 });
-            assert!(expected <= place.off && place.off <= (1.0 + 1e-12) * expected, "{place:?}, not {expected}");
+            assert!(
+                expected <= place.uncertainty && place.uncertainty <= (1.0 + 1e-12) * expected,
+                "{place:?}, not {expected}"
+            );
         }
     }
     // What is open at a stop itself is not less there.
-    let Hold(one, _) = between_stops(Hold(Place { off: 5.0, ..left }, right), at, 0.0);
-    assert!(5.0 <= one.off, "{one:?}");
+    let Line(one, _) = between_stops(Line(Datum { uncertainty: 5.0, ..left }, right), at, 0.0);
+    assert!(5.0 <= one.uncertainty, "{one:?}");
 }
 
 /// Parts of a zone that ends at a support, with what the gap leaves open at each: two that hold are apart, and so is the support.
@@ -94,13 +98,13 @@ fn parts_of_zones_hold_with_what_is_apart() {
     let nodes = [node(Kind::Support, 0.0, 0.0), node(Kind::Start, 4.0, 0.0), node(Kind::End, LENGTH, 0.0)];
     let none = (Vec::new(), Vec::new(), Vec::new());
     let mut pair =
-        Pair { pieces: none.0, gap: GAP, carried: none.1, holds: none.2, turns_about: None, lifted: 0.0, ground: None };
+        Pair { pieces: none.0, gap: GAP, carried: none.1, lines: none.2, turns_about: None, lifted: 0.0, ground: None };
     in_intervals(&scene, Balance::Held, |enclosed| hold_by_zones(enclosed, &nodes, &mut pair));
-    assert!(100 < pair.holds.len(), "{}", pair.holds.len());
-    for Hold(left, right) in pair.holds {
+    assert!(100 < pair.lines.len(), "{}", pair.lines.len());
+    for Line(left, right) in pair.lines {
         assert!(left.to < right.from, "{left:?} and {right:?}");
         for place in [left, right].into_iter().filter(|place| place.presses.is_finite()) {
-            assert!(GAP <= place.off * place.presses * (1.0 + 1e-15) && 0.0 < place.presses, "{place:?}");
+            assert!(GAP <= place.uncertainty * place.presses * (1.0 + 1e-15) && 0.0 < place.presses, "{place:?}");
         }
     }
 }
@@ -122,11 +126,11 @@ fn beside_a_crest_stops_are_as_far_off_as_the_ground() {
     let v = Polynomial::new(&[Interval::exact(LEVEL)]);
     let pieces = [[0.0, crest], [crest, LENGTH]].map(|[from, to]| Piece { from, to, v, pressed: false });
     let found = in_intervals(&scene, Balance::Held, |enclosed| stops(enclosed, &pieces, crest, APART));
-    let Some(Hold(left, right)) = found else { panic!("ground on both sides") };
+    let Some(Line(left, right)) = found else { panic!("ground on both sides") };
     for (place, side) in [(left, -1.0), (right, 1.0)] {
         let distance = side * (place.from - crest);
         let expected = BEND * distance * distance;
         assert!((distance - APART).abs() < 1e-12, "{place:?}");
-        assert!((place.off - expected).abs() <= ROUNDING * expected, "{place:?}, not {expected:e}");
+        assert!((place.uncertainty - expected).abs() <= ROUNDING * expected, "{place:?}, not {expected:e}");
     }
 }

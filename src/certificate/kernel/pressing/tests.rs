@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::certificate::in_intervals;
-use crate::certificate::kernel::hold::Place;
+use crate::certificate::kernel::reference::Datum;
 use crate::scene::{Balance, Beam, Foundation, Load, PointLoad, Scene};
 
 const LENGTH: f64 = 20.0;
@@ -30,7 +30,7 @@ fn cut_off(
     in_intervals(&scene, Balance::Held, |enclosed| {
         let mut cut_off = TensionCutOff::default();
         change(enclosed, &mut cut_off);
-        cut_off.carried(&[Hold(Place::at(0.0), Place::at(LENGTH))], STIFFNESS)
+        cut_off.carried(&[Line(Datum::at(0.0), Datum::at(LENGTH))], STIFFNESS)
     })
 }
 

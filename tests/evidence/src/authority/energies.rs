@@ -45,7 +45,7 @@ pub(super) struct Support {
     pub(super) level: RBig,
     pub(super) slope: Option<RBig>,
     /// Whether the ground on its left and on its right begins at its level, and in its direction.
-    pub(super) grounded: [bool; 2],
+    pub(super) tangent: [bool; 2],
 }
 
 /// `v` and `M` on a part of the beam without a break.
@@ -127,9 +127,9 @@ impl Beam {
             let ground = |on: [bool; 2]| [0, 1].into_iter().find(|k| on[*k]).and_then(|k| of.side(s.at, k == 0));
             Support {
                 x: s.at,
-                level: ground(held.meets).map_or_else(|| RBig::of(s.level) - level, |[g, _]| g),
-                slope: s.slope.map(|own| ground(held.grounded).map_or_else(|| RBig::of(own) - slope, |[_, g]| g)),
-                grounded: held.grounded,
+                level: ground(held.at_level).map_or_else(|| RBig::of(s.level) - level, |[g, _]| g),
+                slope: s.slope.map(|own| ground(held.tangent).map_or_else(|| RBig::of(own) - slope, |[_, g]| g)),
+                tangent: held.tangent,
             }
         });
         (of.supports, of.alone) = (supports.collect(), alone);
@@ -235,7 +235,7 @@ impl Beam {
             if !couple.is_zero() {
                 // Ground that begins at a support makes a couple: the limit of forces that are nearer and nearer to it.
                 let left = RBig::ZERO < couple;
-                let ground = support.filter(|s| s.grounded[usize::from(!left)]).and_then(|_| self.side(x, left));
+                let ground = support.filter(|s| s.tangent[usize::from(!left)]).and_then(|_| self.side(x, left));
                 let slope = support.and_then(|s| s.slope.clone()).or(ground.map(|[_, slope]| slope));
                 energy += slope.ok_or("a couple")? * couple;
             }

@@ -245,7 +245,7 @@ impl Beam {
             else {
                 continue;
             };
-            for left in [true, false].into_iter().filter(|left| support.grounded[usize::from(!left)]) {
+            for left in [true, false].into_iter().filter(|left| support.tangent[usize::from(!left)]) {
                 let Some([_, ground]) = self.side(node.x, left) else { continue };
                 let steeper = if left { &ground - &node.slope } else { &node.slope - &ground };
                 if RBig::of(-1e-12) * (ground.magnitude() + node.slope.magnitude()) <= steeper {

@@ -49,12 +49,15 @@ fn what_is_off_adds_up_and_places_are_as_good_as_their_forces() {
         let pulls = pull.max(0.0) * (1000.0 / (48.0 * STIFFNESS)).sqrt();
         let gap = 0.5 * (slopes + lift + pulls) * (slopes + lift + pulls);
         assert!((pair.gap - gap).abs() <= 1e-9 * gap + 1e-20, "{what}: {}, not {gap}", pair.gap);
-        let [Hold(left, right)] = pair.holds[..] else { panic!("{what}: one pair of places, not {:?}", pair.holds) };
+        let [Line(left, right)] = pair.lines[..] else { panic!("{what}: one pair of places, not {:?}", pair.lines) };
         // A ridge in the middle that presses takes its part from the others.
         let force = 0.5 * (LOAD * LENGTH + pull) - pull.max(0.0);
         for (place, x) in [(left, 5.0), (right, 15.0)] {
             assert_eq!([place.from, place.to].map(f64::to_bits), [x, x].map(f64::to_bits), "{what}");
-            assert!((place.off - pair.gap / force).abs() <= 1e-9 * place.off + 1e-20, "{what}: {place:?} of {force}");
+            assert!(
+                (place.uncertainty - pair.gap / force).abs() <= 1e-9 * place.uncertainty + 1e-20,
+                "{what}: {place:?} of {force}"
+            );
         }
     }
     // More than is there cannot be taken.
@@ -75,9 +78,9 @@ fn couples_at_free_ends_are_cut_off() {
     let moments = 2.0 * couple * (2.0 * LENGTH / (3.0 * STIFFNESS)).sqrt();
     close("gap", pair.gap, 0.5 * moments * moments);
     let remains = LOAD * LENGTH / 3.0 - 2.0 * couple * 3.0 / LENGTH;
-    let [Hold(left, right)] = pair.holds[..] else { panic!("one pair of places, not {:?}", pair.holds) };
+    let [Line(left, right)] = pair.lines[..] else { panic!("one pair of places, not {:?}", pair.lines) };
     for place in [left, right] {
-        close("place", place.off, pair.gap / remains);
+        close("place", place.uncertainty, pair.gap / remains);
     }
 }
 
@@ -92,18 +95,18 @@ fn a_single_place_is_stopped_on_both_of_its_sides() {
     let far = LENGTH / 274_877_906_944.0;
     let at = |x: f64| vec![PointLoad { at: x, force }];
     let (pair, _) = pair_of(&free(crest(8.0, 0.25), 0.0, at(8.0)), &[node(Kind::Touch, 8.0, 0.0)]).expect("in balance");
-    let [Hold(left, right)] = pair.holds[..] else { panic!("one pair of places, not {:?}", pair.holds) };
+    let [Line(left, right)] = pair.lines[..] else { panic!("one pair of places, not {:?}", pair.lines) };
     assert_eq!([left.from, right.from].map(f64::to_bits), [8.0 - far, 8.0 + far].map(f64::to_bits));
     for place in [left, right] {
         // Half as much again for places that are rounded.
         let expected = 0.25 * far * far;
-        assert!((expected..1.5 * expected).contains(&place.off), "{place:?}, not {expected}");
+        assert!((expected..1.5 * expected).contains(&place.uncertainty), "{place:?}, not {expected}");
     }
     assert!(pair.gap <= 1e-20, "{}", pair.gap);
     // A couple takes stops that are farther away, so that its share of the force is a sixteenth at each.
     let beside =
         pair_of(&free(crest(8.0, 0.25), 0.0, at(8.25)), &[node(Kind::Touch, 8.0, 0.0)]).expect("not much beside");
-    for Hold(left, right) in &beside.0.holds {
+    for Line(left, right) in &beside.0.lines {
         close("left place", left.from, 4.0);
         close("right place", right.from, 12.0);
     }
@@ -123,8 +126,11 @@ fn a_single_place_is_stopped_on_both_of_its_sides() {
         let scene = Scene::new(beam.clone(), load, Some(crest(x(8.0), 2.0))).expect("well posed");
         let (pair, _) = pair_of(&scene, &[node(Kind::Touch, x(8.0), 0.0)]).expect("in balance");
         let expected = 0.5 * far * far * (4.0 - 64.0 / STIFFNESS);
-        for Hold(left, right) in pair.holds {
-            assert!((expected..1.5 * expected).contains(&left.off.max(right.off)), "{left:?}, not {expected}");
+        for Line(left, right) in pair.lines {
+            assert!(
+                (expected..1.5 * expected).contains(&left.uncertainty.max(right.uncertainty)),
+                "{left:?}, not {expected}"
+            );
         }
     }
     // Where the beam lies on the ground on both sides, it is not open there at all.
@@ -133,8 +139,11 @@ fn a_single_place_is_stopped_on_both_of_its_sides() {
         &[node(Kind::Start, 4.0, 0.0), node(Kind::End, 16.0, 0.0)],
     )
     .expect("a load that stands in a zone");
-    for Hold(left, right) in pair.holds {
-        assert!(left.from < 7.0 && 7.0 < right.from && left.off.max(right.off) <= 1e-25, "{left:?}, {right:?}");
+    for Line(left, right) in pair.lines {
+        assert!(
+            left.from < 7.0 && 7.0 < right.from && left.uncertainty.max(right.uncertainty) <= 1e-25,
+            "{left:?}, {right:?}"
+        );
     }
     // A slope that is that of the crest, and nobody knows it.
     for slope in [0.0, 1e-3, -1e-3, 0.1] {
@@ -153,8 +162,8 @@ fn on_a_ridge_a_beam_turns_as_far_as_the_ground_lets_it() {
         let scene = free(Foundation::Polyline { points: ground }, 0.0, at(x));
         let (pair, _) = pair_of(&scene, &[node(Kind::Corner, x, 0.0)]).expect("a ridge carries it");
         assert!(pair.gap <= 1e-20, "{}", pair.gap);
-        let [Hold(left, right)] = pair.holds[..] else { panic!("one pair of places, not {:?}", pair.holds) };
-        [(left.from, left.off), (right.from, right.off)]
+        let [Line(left, right)] = pair.lines[..] else { panic!("one pair of places, not {:?}", pair.lines) };
+        [(left.from, left.uncertainty), (right.from, right.uncertainty)]
     };
     let found = turned(vec![[0.0, 9.0], [8.0, 1.0], [LENGTH, 9.0]], 8.0);
     // Down by 8 at the left end, which lifts the right end by 8 · 12/8; and down by 8 at the right end.
@@ -199,7 +208,7 @@ fn a_beam_in_balance_turns_about_one_place_alone() {
         };
         let known = pair_at(Kind::Corner, about).expect("it is in balance");
         assert_eq!(known.turns_about, Some(about));
-        let [Hold(left, right)] = known.holds[..] else { panic!("one place, not {:?}", known.holds) };
+        let [Line(left, right)] = known.lines[..] else { panic!("one place, not {:?}", known.lines) };
         assert_eq!([left.from, left.to, right.from, right.to].map(f64::to_bits), [about.to_bits(); 4]);
         assert!(known.gap <= 0.0, "{}", known.gap);
         for x in [3.0, LENGTH - about] {

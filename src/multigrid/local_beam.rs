@@ -14,13 +14,13 @@ use crate::state::Discretisation;
 const FAR: usize = 54;
 
 /// A beam, of which any part can be solved in a time that hardly depends on the rest.
-pub(super) struct Parts<'a> {
+pub(super) struct LocalBeam<'a> {
     discrete: &'a Discrete,
     discretisation: Discretisation,
     spans: Spans,
 }
 
-impl<'a> Parts<'a> {
+impl<'a> LocalBeam<'a> {
     pub(super) fn new(discrete: &'a Discrete, discretisation: Discretisation) -> Self {
         Self { discrete, discretisation, spans: Spans::new(&discrete.loads) }
     }
@@ -82,7 +82,7 @@ mod tests {
             let discrete = Discrete::new(&scaled.scene, 400).expect("a grid");
             for method in Method::ALL {
                 let qp = method.qp(&discrete);
-                let parts = Parts::new(&discrete, method.discretisation());
+                let parts = LocalBeam::new(&discrete, method.discretisation());
                 let Sizes { x: depth, gradient: force } = discrete.sizes();
                 for share in [2, 5, 40] {
                     let contact: FreeSet = (0..qp.dimension()).map(|_| once_in(share)).collect();

@@ -1,5 +1,5 @@
-//! What holds the beam: two places at which a deflection is known. From a gap follows how far a deflection is off elsewhere,
-//! and from a force that has to be carried the bending that this takes.
+//! What holds the beam: a reference line through two data, places at which a deflection is known. From a gap follows how far a
+//! deflection is off elsewhere, and from a force that has to be carried the bending that this takes.
 //!
 //! The flexibility `c(x, x)` of a beam on two supports at a distance `L`, at `x`, is
 //!
@@ -23,44 +23,44 @@
 /// More than a dozen roundings of a sum of products without cancellation (Higham 2002, section 3.1).
 pub(crate) const OUTWARDS: f64 = 1.0 + 32.0 * f64::EPSILON;
 
-/// A part of the beam, mostly a single place, on which contact presses with a force of at least `presses`, and somewhere on which
-/// `|v̂ − v*|` is at most `off`.
+/// A datum: a part of the beam, mostly a single place, on which contact presses with a force of at least `presses`, and somewhere
+/// on which `|v̂ − v*|` is at most `uncertainty`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct Datum {
     pub(crate) from: f64,
     pub(crate) to: f64,
     /// Infinite for a support, which exerts whatever it has to.
     pub(crate) presses: f64,
-    pub(crate) off: f64,
+    pub(crate) uncertainty: f64,
 }
 
-impl Place {
+impl Datum {
     /// Where the deflection is known.
     pub(crate) fn at(x: f64) -> Self {
-        Self { from: x, to: x, presses: f64::INFINITY, off: 0.0 }
+        Self { from: x, to: x, presses: f64::INFINITY, uncertainty: 0.0 }
     }
 }
 
-/// The left and the right place, the same one where the beam cannot turn.
+/// A reference line through the left and the right datum, the same one where the beam cannot turn.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hold(pub(crate) Place, pub(crate) Place);
+pub(crate) struct Line(pub(crate) Datum, pub(crate) Datum);
 
-/// Holds from left to right.
-pub(crate) fn in_order(mut holds: Vec<Hold>) -> Vec<Hold> {
-    holds.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
-    holds
+/// Lines from left to right.
+pub(crate) fn in_order(mut lines: Vec<Line>) -> Vec<Line> {
+    lines.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    lines
 }
 
-/// Of holds from left to right those near a part of the beam, so that the price of a bound does not grow with all of them. Each hold
+/// Of lines from left to right those near a part of the beam, so that the price of a bound does not grow with all of them. Each line
 /// by itself bounds what is asked, so that any of them may be left out.
-pub(crate) fn near(holds: &[Hold], [a, _]: [f64; 2]) -> &[Hold] {
+pub(crate) fn near(lines: &[Line], [a, _]: [f64; 2]) -> &[Line] {
     /// On each side; of places that are known exactly the nearest two are the best (*tuned* for those in zones).
     const MOST: usize = 64;
-    let next = holds.partition_point(|hold| hold.0.from <= a);
-    &holds[next.saturating_sub(MOST)..holds.len().min(next + MOST)]
+    let next = lines.partition_point(|line| line.0.from <= a);
+    &lines[next.saturating_sub(MOST)..lines.len().min(next + MOST)]
 }
 
-impl Hold {
+impl Line {
     /// What contact presses with at least at each of the two.
     pub(crate) fn presses(&self) -> f64 {
         self.0.presses.min(self.1.presses)
@@ -82,11 +82,11 @@ impl Hold {
     /// At least `|1 − t| ε₁ + |t| ε₂` for `a ≤ x ≤ b`; infinite where the two parts are not apart.
     pub(crate) fn shift(&self, [a, b]: [f64; 2]) -> f64 {
         let Self(left, right) = self;
-        if left.off.max(right.off) <= 0.0 {
+        if left.uncertainty.max(right.uncertainty) <= 0.0 {
             return 0.0;
         }
-        let far = |x: f64, place: &Place| (x - place.from).abs().max((x - place.to).abs());
-        let most = |x: f64| far(x, right) * left.off + far(x, left) * right.off;
+        let far = |x: f64, place: &Datum| (x - place.from).abs().max((x - place.to).abs());
+        let most = |x: f64| far(x, right) * left.uncertainty + far(x, left) * right.uncertainty;
         if left.to < right.from { most(a).max(most(b)) / (right.from - left.to) * OUTWARDS } else { f64::INFINITY }
     }
 
@@ -153,13 +153,13 @@ mod tests {
     fn at_a_place_the_bounds_are_reached() {
         let pairs = [[2.0, 5.0], [0.0, 10.0], [3.0, 3.0], [4.0, 4.5]];
         for [left, right] in pairs {
-            let hold = Hold(Place::at(left), Place::at(right));
-            let of = |place: Place, off: f64| Place { off, ..place };
+            let line = Line(Datum::at(left), Datum::at(right));
+            let of = |place: Datum, off: f64| Datum { uncertainty: off, ..place };
             for x in between([0.0, 10.0]) {
-                reached(hold.lever([x; 2]), flexibility(x, [left, right]).sqrt());
-                assert!(hold.shift([x; 2]) <= 0.0, "known places do not move");
+                reached(line.lever([x; 2]), flexibility(x, [left, right]).sqrt());
+                assert!(line.shift([x; 2]) <= 0.0, "known places do not move");
                 for off in [[0.25, 0.75], [0.0, 0.75], [0.25, 0.0]] {
-                    let shift = Hold(of(hold.0, off[0]), of(hold.1, off[1])).shift([x; 2]);
+                    let shift = Line(of(line.0, off[0]), of(line.1, off[1])).shift([x; 2]);
                     if left < right {
                         reached(shift, shifted(x, [left, right], off));
                     } else {
@@ -175,8 +175,8 @@ mod tests {
     fn over_parts_the_worst_counts() {
         let places = [[1.0, 1.25], [4.0, 4.5]];
         let off = [0.25, 0.75];
-        let [left, right] = [0, 1].map(|k| Place { to: places[k][1], off: off[k], ..Place::at(places[k][0]) });
-        let hold = Hold(left, right);
+        let [left, right] = [0, 1].map(|k| Datum { to: places[k][1], uncertainty: off[k], ..Datum::at(places[k][0]) });
+        let line = Line(left, right);
         for part in [[0.0, 0.5], [0.5, 1.5], [1.5, 1.75], [2.5, 2.75], [3.75, 4.25], [4.25, 5.0], [9.0, 10.0]] {
             let (mut lever, mut shift) = (0.0_f64, 0.0_f64);
             for a in between(places[0]) {
@@ -188,7 +188,7 @@ mod tests {
                 }
             }
             let lever = lever.sqrt();
-            let (of_lever, of_shift) = (hold.lever(part), hold.shift(part));
+            let (of_lever, of_shift) = (line.lever(part), line.shift(part));
             assert!(lever <= of_lever && of_lever <= 1.5 * lever, "{part:?}: {of_lever} for {lever}");
             assert!(shift <= of_shift && of_shift <= 1.4 * shift, "{part:?}: {of_shift} for {shift}");
         }
@@ -197,21 +197,24 @@ mod tests {
     /// By statics: a couple beyond a support bends the beam up to there and then ever less; supports share a force by its lever.
     #[test]
     fn couples_and_forces_beyond_a_support() {
-        let hold = Hold(Place::at(2.0), Place::at(5.0));
+        let line = Line(Datum::at(2.0), Datum::at(5.0));
         for (part, beyond) in [([6.5, 7.0], 2.0), ([0.5, 0.75], 1.5)] {
             // 3 ∫m² of a moment of one over the overhang, and from one to zero between the supports.
-            reached(hold.lever_of_couple(part), (3.0_f64 * beyond + 3.0).sqrt());
+            reached(line.lever_of_couple(part), (3.0_f64 * beyond + 3.0).sqrt());
             // The support beside it carries F (L + a)/L + C/L.
-            reached(hold.share(part, 0.5, 0.125), (0.5 * (3.0 + beyond) + 0.125) / 3.0);
+            reached(line.share(part, 0.5, 0.125), (0.5 * (3.0 + beyond) + 0.125) / 3.0);
         }
         // Between them a couple takes (s³ + r³)/L² ≤ L.
-        reached(hold.lever_of_couple([2.0, 5.0]), 3.0_f64.sqrt());
-        reached(hold.share([3.0, 4.0], 0.5, 0.125), 0.5 + 0.125 / 3.0);
+        reached(line.lever_of_couple([2.0, 5.0]), 3.0_f64.sqrt());
+        reached(line.share([3.0, 4.0], 0.5, 0.125), 0.5 + 0.125 / 3.0);
         // Built in, one place carries the force and the couple.
-        let built_in = Hold(Place::at(2.0), Place::at(2.0));
+        let built_in = Line(Datum::at(2.0), Datum::at(2.0));
         reached(built_in.share([3.0, 4.0], 0.5, 0.125), 0.5);
         reached(built_in.lever_of_couple([3.0, 4.0]), 6.0_f64.sqrt());
-        let wide = Hold(Place { to: 2.0, off: 0.5, ..Place::at(1.0) }, Place { to: 5.5, off: 0.5, ..Place::at(5.0) });
+        let wide = Line(
+            Datum { to: 2.0, uncertainty: 0.5, ..Datum::at(1.0) },
+            Datum { to: 5.5, uncertainty: 0.5, ..Datum::at(5.0) },
+        );
         // The worst places: far apart for a couple, close together for a share.
         reached(wide.lever_of_couple([6.0, 7.0]), (4.5_f64 + 3.0 * 2.0).sqrt());
         reached(wide.share([6.0, 7.0], 0.5, 0.125), 0.5 + (0.5 * 2.0 + 0.125) / 3.0);
@@ -223,18 +226,18 @@ mod tests {
         let count = 400_u32;
         let at = |k: u32| f64::from(k) + 0.9 * f64::from(k * 37 % 101) / 101.0;
         let of = |k: u32| {
-            let two = Some(Hold(Place::at(at(k)), Place::at(at(k + 1))));
-            let one = (k.is_multiple_of(7)).then(|| Hold(Place::at(at(k)), Place::at(at(k))));
+            let two = Some(Line(Datum::at(at(k)), Datum::at(at(k + 1))));
+            let one = (k.is_multiple_of(7)).then(|| Line(Datum::at(at(k)), Datum::at(at(k))));
             one.into_iter().chain(two)
         };
-        // The beam is longer than its supports reach, and holds come in any order.
-        let holds = in_order((20..count).rev().flat_map(of).collect());
+        // The beam is longer than its supports reach, and lines come in any order.
+        let lines = in_order((20..count).rev().flat_map(of).collect());
         for part in (0..4 * (count + 30)).map(|k| [0.25 * f64::from(k), 0.25 * f64::from(k + k % 3)]) {
             let least =
-                |holds: &[Hold], bound: &dyn Fn(&Hold) -> f64| holds.iter().map(bound).fold(f64::INFINITY, f64::min);
-            let same = |bound: &dyn Fn(&Hold) -> f64| least(near(&holds, part), bound) <= least(&holds, bound);
-            assert!(same(&|hold| hold.lever(part)) && same(&|hold| hold.lever_of_couple(part)), "{part:?}");
+                |lines: &[Line], bound: &dyn Fn(&Line) -> f64| lines.iter().map(bound).fold(f64::INFINITY, f64::min);
+            let same = |bound: &dyn Fn(&Line) -> f64| least(near(&lines, part), bound) <= least(&lines, bound);
+            assert!(same(&|line| line.lever(part)) && same(&|line| line.lever_of_couple(part)), "{part:?}");
         }
-        assert!(near(&holds, [200.0; 2]).len() < holds.len() / 2);
+        assert!(near(&lines, [200.0; 2]).len() < lines.len() / 2);
     }
 }
