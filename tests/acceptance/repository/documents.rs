@@ -3,6 +3,7 @@
 use std::process::Command;
 
 use palkki::scene::file::ReadProblem;
+use palkki::verdict::Status;
 use palkki_evidence::numdiff::numdiff;
 
 use super::text::{files, root, rust_files, words};
@@ -79,12 +80,93 @@ fn the_readme_shows_what_is_printed() {
     assert!(0 < shown, "the README shows the command line");
 }
 
+/// The scene of the README, as its lines are, or with those of one of its comments that are keys.
+fn scene_of_the_readme() -> String {
+    let readme = document("README.md");
+    readme.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap_or_default().to_owned()
+}
+
+/// The answer of a scene file, which is certified.
+fn certified(text: &str) {
+    let survey = |_: &str| Ok("x,depth\n0,1.0\n4,0.5\n10,1.0\n".to_owned());
+    let scene = palkki::scene::file::parse("README.md", text, survey).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let solution = palkki::solve_exactly(&scene).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    assert_eq!(solution.verdict.status, Status::Certified, "{}\n{text}", solution.verdict);
+}
+
+/// As it stands, and with each line that is a comment, alone and all together.
 #[test]
 fn the_scene_of_the_readme_is_one() {
+    let scene = scene_of_the_readme();
+    let optional: Vec<&str> = scene.lines().filter(|line| line.starts_with("# ")).collect();
+    assert_eq!(optional.len(), 3, "{optional:?}");
+    let with = |lines: &[&str]| lines.iter().fold(scene.clone(), |text, line| text.replace(line, &line[2..]));
+    certified(&scene);
+    optional.iter().for_each(|line| certified(&with(&[line])));
+    certified(&with(&optional));
+}
+
+/// What the README says is covered, with the lines of a scene that has it; a line that begins with `-` takes one away.
+const COVERED: [(&str, &str); 14] = [
+    ("uniform", "load.uniform = 0.7"),
+    ("linear", "load.linear = [{ from = 1.0, to = 6.0, start = 0.5, end = 2.0 }]"),
+    ("point loads", "load.point = [{ at = 3.0, force = 2.0 }]"),
+    ("flat", "foundation.depth = 1.0"),
+    ("a polyline", "foundation.points = [[0, 1.0], [4, 0.5], [10, 1.0]]"),
+    ("a survey", "foundation.survey = \"levels.csv\""),
+    ("a polynomial", "foundation.polynomial = [1.0, -0.2, 0.02]"),
+    ("a cosine", "foundation.cosine = { mean = 1.0, amplitude = 0.1, wavelength = 4.0 }"),
+    ("rigid", "foundation.depth = 1.0"),
+    ("of springs without tension", "foundation = { depth = 0.5, stiffness = 100.0 }"),
+    ("supports anywhere", "beam.supports = [{ at = 2.0 }, { at = 7.0 }]"),
+    ("with levels", "beam.supports = [{ at = 0.0, level = 0.1 }, { at = 10.0, level = -0.2 }]"),
+    ("built in", "beam.supports = [{ at = 0.0, built_in = true }]"),
+    ("only pushing", "beam.supports = [{ at = 0.0 }, { at = 5.0, pushes_only = true }, { at = 10.0 }]"),
+];
+
+/// Words of the two sentences between what they name.
+const BETWEEN: [&str; 5] = ["ground", "that is", "or", "and", "are"];
+
+/// What the README says is not covered, with a line that asks for it.
+const NOT_COVERED: [(&str, &str); 5] = [
+    ("friction", "foundation = { depth = 1.0, friction = 0.3 }"),
+    ("shear deformation", "beam.shear_stiffness = 5.0"),
+    ("large deflections", "beam.large_deflections = true"),
+    ("a stiffness that varies along the beam", "beam.bending_stiffness = [1.0, 2.0]"),
+    ("anything that moves with time", "load.point = [{ at = 1.0, force = 1.0, speed = 20.0 }]"),
+];
+
+/// A scene file with a line of one of the tables.
+fn scene_with(line: &str) -> String {
+    let lines = ["beam.length = 10.0", "beam.bending_stiffness = 1.3", "load.uniform = 1.0"];
+    let key = |line: &str| line.split(" = ").next().map(str::to_owned);
+    let others = lines.into_iter().filter(|other| key(other) != key(line));
+    others.chain([line]).map(|line| format!("{line}\n")).collect()
+}
+
+/// Each thing is solved and certified, or refused; nothing else is named.
+#[test]
+fn what_the_readme_says_is_covered_is() {
     let readme = document("README.md");
-    let scene = readme.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap_or_default();
-    let parsed = palkki::scene::file::parse("README.md", scene, |_| Err(ReadProblem::Missing));
-    assert!(parsed.is_ok(), "{parsed:?}\n{scene}");
+    let sentence = |begins: &str| {
+        let line = readme.lines().find_map(|line| line.strip_prefix(begins)).unwrap_or_else(|| panic!("no {begins}"));
+        line.to_owned()
+    };
+    let without = |sentence: String, named: &[(&str, &str)]| {
+        let less = named.iter().fold(sentence, |rest, (name, _)| {
+            assert!(rest.contains(name), "{name} is not named");
+            rest.replacen(name, "", 1)
+        });
+        let rest = BETWEEN.iter().fold(less, |rest, word| rest.replace(word, ""));
+        assert_eq!(rest.trim_matches(|c: char| c.is_whitespace() || ".,;".contains(c)), "", "named without a scene");
+    };
+    without(sentence("**Covered** "), &COVERED);
+    without(sentence("**Not covered** "), &NOT_COVERED);
+    COVERED.iter().for_each(|(_, line)| certified(&scene_with(line)));
+    for (name, line) in NOT_COVERED {
+        let parsed = palkki::scene::file::parse("README.md", &scene_with(line), |_| Err(ReadProblem::Missing));
+        assert!(parsed.is_err(), "{name}");
+    }
 }
 
 #[test]
