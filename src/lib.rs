@@ -104,5 +104,6 @@ pub mod tolerance;
 pub mod verdict;
 mod witness;
 
-pub use solve::{DEFAULT_TOLERANCE, Settings, Solution, left_out, solve, solve_exactly, solve_raw, solve_raw_near};
+pub use route::Solution;
+pub use solve::{DEFAULT_TOLERANCE, Settings, left_out, solve, solve_exactly, solve_raw, solve_raw_near};
 pub use witness::Witness;

@@ -1,43 +1,47 @@
-//! A route: one of the paper's methods with one of the solvers. Its result before the verdict.
+//! A route: one of the paper's methods with one of the solvers. An answer, before its verdict and with it.
 
 pub use crate::methods::Method;
-use crate::solvers::OwnResidual;
+use crate::solvers::Run;
 pub use crate::solvers::Solver;
 use crate::state::ContactState;
+use crate::theory::Exact;
 pub use crate::verdict::Status;
+use crate::verdict::Verdict;
 
-/// The result of a route, not judged yet.
+/// An answer of a method on a grid or of beam theory; a `Solution<()>` is not judged yet.
 #[derive(Debug, Clone)]
-pub struct RawSolution {
+pub struct Solution<V = Verdict> {
     /// The beam in its final position, in the units of the scene.
     pub state: ContactState,
-    /// True if the answer solves the discrete problem: its KKT residual is at most
-    /// [`CERTIFIED_RESIDUAL`](crate::certificate::CERTIFIED_RESIDUAL), and all its numbers are finite. How far the beam may be
-    /// off is another question, which the [verdict](crate::verdict::Verdict) answers.
+    /// Our verdict: certified or not, why not, and guaranteed bounds.
+    pub verdict: V,
+    /// True if it solves its own problem: on a grid its residual is at most
+    /// [`CERTIFIED_RESIDUAL`](crate::certificate::CERTIFIED_RESIDUAL), of beam theory every condition holds, and all its numbers are
+    /// finite. How far the beam may be off is another question, which the [verdict](Verdict) answers.
     pub solved: bool,
-    /// The solver's own message.
-    pub solver_status: String,
-    /// True if the solver reports that it solved the problem to its tolerance.
-    pub solver_reports_success: bool,
-    /// True if it reports that it almost did, as `AlmostSolved` of clarabel and `SolvedInaccurate` of osqp. That is no success.
-    pub solver_reports_almost: bool,
-    /// Of a library: what it left of its own problem, in the norm by which it stops.
-    pub own_residual: Option<OwnResidual>,
-    /// Dimensionless KKT residual of the discrete problem, by our check; NaN is never "small".
+    /// What the solver says of it, on which the verdict does not depend, and what it took. The work of beam theory is
+    /// [`Exact::work`] and zero here.
+    pub run: Run,
+    /// On a grid the KKT residual of its discrete problem by our check, of beam theory the worst violation of its conditions;
+    /// dimensionless. NaN is never "small".
     pub residual: f64,
-    /// Unknowns of the quadratic program that was solved.
+    /// Unknowns of what was solved.
     pub unknowns: usize,
-    /// Steps, pivots, sweeps or iterations, in the solver's own count.
-    pub iterations: usize,
-    /// Unknowns that all of these went through: a measure of cost without a clock, up to a factor for each solver.
-    pub work: usize,
+    /// Of beam theory: the solution as functions of `x`.
+    pub exact: Option<Box<Exact>>,
 }
 
-impl RawSolution {
+impl<V> Solution<V> {
+    /// False if the solver gave none, or one that is not all numbers: the numbers of `state` mean nothing then.
+    #[must_use]
+    pub fn has_answer(&self) -> bool {
+        self.residual.is_finite()
+    }
+
     /// The word of tables for how it ended.
     #[must_use]
     pub fn ended(&self) -> &'static str {
-        ended(self.solved, self.solver_reports_success || self.solver_reports_almost)
+        ended(self.solved, self.run.reports_success || self.run.reports_almost)
     }
 }
 

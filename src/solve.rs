@@ -1,9 +1,9 @@
 //! From a scene to a verdict: by a method and a solver on a grid ([`solve`]), or by beam theory ([`solve_exactly`]).
 //!
 //! ```text
-//! scene → Discrete → quadratic program (32) → solver → Nodal → ContactState → RawSolution → Solution
-//! scene → Discrete → nested grids, active set        → Nodal → ContactState → RawSolution → Solution     the default solver
-//! scene → Exact                                                                           → Solution
+//! scene → Discrete → quadratic program (32) → solver → Nodal → ContactState → Solution<()> → Solution
+//! scene → Discrete → nested grids, active set        → Nodal → ContactState → Solution<()> → Solution     the default solver
+//! scene → Exact                                                                          → Solution
 //! ```
 
 use std::mem::take;
@@ -11,10 +11,10 @@ use std::mem::take;
 use crate::certificate::{CERTIFIED_RESIDUAL, Kkt};
 use crate::methods::{self, Discrete, Nodal};
 use crate::multigrid;
-use crate::route::{Method, RawSolution, Solver};
+use crate::route::{Method, Solution, Solver};
 use crate::scene::{Scene, SceneError};
-use crate::solvers::Answer;
-use crate::state::{ContactState, Standing};
+use crate::solvers::{Answer, Run};
+use crate::state::Standing;
 use crate::theory::{self, Exact, TheoryError};
 use crate::verdict::{Demand, Verdict};
 use crate::witness::Witness;
@@ -40,34 +40,6 @@ impl Settings {
     #[must_use]
     pub fn new(method: Method, solver: Solver, intervals: usize) -> Self {
         Self { method, solver, intervals, tolerance: DEFAULT_TOLERANCE }
-    }
-}
-
-/// An answer with its verdict.
-#[derive(Debug, Clone)]
-pub struct Solution {
-    /// The beam in its final position, in the units of the scene.
-    pub state: ContactState,
-    /// Our verdict: certified or not, why not, and guaranteed bounds.
-    pub verdict: Verdict,
-    /// The solver's own message, on which the verdict does not depend.
-    pub solver_status: String,
-    /// Of a method on a grid the KKT residual of its discrete problem, of beam theory the worst violation of its conditions;
-    /// dimensionless.
-    pub residual: f64,
-    /// Unknowns of what was solved.
-    pub unknowns: usize,
-    /// Steps, pivots, sweeps or iterations, in the solver's own count.
-    pub iterations: usize,
-    /// Of beam theory: the solution as functions of `x`.
-    pub exact: Option<Box<Exact>>,
-}
-
-impl Solution {
-    /// False if the solver gave none, or one that is not all numbers: the numbers of `state` mean nothing then.
-    #[must_use]
-    pub fn has_answer(&self) -> bool {
-        self.residual.is_finite()
     }
 }
 
@@ -122,20 +94,13 @@ pub fn solve_exactly(scene: &Scene) -> Result<Solution, TheoryError> {
     Ok(theory::solve(scene)?.judged(scene, &Demand::default()))
 }
 
-impl RawSolution {
-    /// With our verdict. One witness serves all answers of a scene.
+impl Solution<()> {
+    /// An answer on a grid with our verdict. One witness serves all answers of a scene.
     #[must_use]
     pub fn judged(self, witness: &Witness<'_>, demand: &Demand) -> Solution {
         let verdict = Verdict::of_raw(&self, witness, demand);
-        Solution {
-            state: self.state,
-            verdict,
-            solver_status: self.solver_status,
-            residual: self.residual,
-            unknowns: self.unknowns,
-            iterations: self.iterations,
-            exact: None,
-        }
+        let Self { state, verdict: (), solved, run, residual, unknowns, exact } = self;
+        Solution { state, verdict, solved, run, residual, unknowns, exact }
     }
 }
 
@@ -143,13 +108,14 @@ impl Exact {
     /// With our verdict.
     #[must_use]
     pub fn judged(self, scene: &Scene, demand: &Demand) -> Solution {
+        let message = self.message();
         Solution {
             state: self.state.clone(),
             verdict: Verdict::of_exact(scene, &self, demand),
-            solver_status: self.message(),
+            solved: self.solved,
+            run: Run { reports_success: self.converged, message, iterations: self.iterations, ..Run::default() },
             residual: self.residual,
             unknowns: self.unknowns,
-            iterations: self.iterations,
             exact: Some(Box::new(self)),
         }
     }
@@ -176,8 +142,8 @@ impl Exact {
 /// # Errors
 ///
 /// A [`SceneError`] if a support is between the nodes of the grid, if nothing balances the loads, or if the scene leaves the range
-/// of `f64`. A solver that fails is no error: [`RawSolution::solved`] is false then.
-pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, SceneError> {
+/// of `f64`. A solver that fails is no error: [`Solution::solved`] is false then.
+pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<Solution<()>, SceneError> {
     by_route(scene, settings, Start::Anywhere)
 }
 
@@ -188,7 +154,7 @@ pub fn solve_raw(scene: &Scene, settings: &Settings) -> Result<RawSolution, Scen
 /// # Errors
 ///
 /// Those of [`solve_raw`].
-pub fn solve_raw_near(witness: &Witness<'_>, settings: &Settings) -> Result<RawSolution, SceneError> {
+pub fn solve_raw_near(witness: &Witness<'_>, settings: &Settings) -> Result<Solution<()>, SceneError> {
     by_route(witness.scene(), settings, Start::Near(witness))
 }
 
@@ -198,7 +164,7 @@ pub fn solve_raw_near(witness: &Witness<'_>, settings: &Settings) -> Result<RawS
 /// # Errors
 ///
 /// Those of [`solve_raw`].
-pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<RawSolution, SceneError> {
+pub fn left_out(scene: &Scene, settings: &Settings, why: String) -> Result<Solution<()>, SceneError> {
     by_route(scene, settings, Start::LeftOut(why))
 }
 
@@ -211,7 +177,7 @@ enum Start<'a> {
     LeftOut(String),
 }
 
-fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<RawSolution, SceneError> {
+fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<Solution<()>, SceneError> {
     let Settings { method, solver, intervals, tolerance } = *settings;
     let scaled = scene.scaled()?;
     let discrete = Discrete::new(&scaled.scene, intervals).map_err(|error| error.in_units_of(&scaled.scale))?;
@@ -257,18 +223,7 @@ fn by_route(scene: &Scene, settings: &Settings, start: Start<'_>) -> Result<RawS
     let residual = Kkt::of(&scaled.scene, &state).map_or(f64::INFINITY, |kkt| kkt.residual());
     let state = state.in_units_of(&scaled.scale);
     let solved = residual <= CERTIFIED_RESIDUAL && state.is_finite();
-    Ok(RawSolution {
-        state,
-        solved,
-        solver_status: answer.message,
-        solver_reports_success: answer.reports_success,
-        solver_reports_almost: answer.reports_almost,
-        own_residual: answer.own_residual,
-        residual,
-        unknowns,
-        iterations: answer.iterations,
-        work: answer.work,
-    })
+    Ok(Solution { state, verdict: (), solved, run: answer.run, residual, unknowns, exact: None })
 }
 
 /// The active set from the contacts of a witness, if these are worth a start.
@@ -279,7 +234,7 @@ fn near(witness: &Witness<'_>, scaled: &Scene, method: Method, discrete: &Discre
     let known = free.is_some();
     let mut answer = multigrid::solve(scaled, method, discrete, free)?;
     if known {
-        answer.message.push_str(", from the contacts of beam theory");
+        answer.run.message.push_str(", from the contacts of beam theory");
     }
     Ok(answer)
 }

@@ -10,8 +10,8 @@
 //! |R − R(u)| ≈ δ Σ |∂R/∂u_i|  over the contacts i        an estimate: the contacts stay those that they are
 //! ```
 
+use crate::route::Solution;
 use crate::scene::{Balance, Scene};
-use crate::solve::Solution;
 use crate::state::Regime;
 use crate::theory::{self, Exact, Spread};
 use crate::verdict::{Demand, Status};

@@ -21,7 +21,7 @@
 //! Contact forces from elsewhere have no problem and no summary of their own: of them the certificate and the error count
 //! ([`Verdict::of_forces`]). A single contact force, its place and a moment of a grid have no bracket, and nothing is said of them.
 //!
-//! [`RawSolution::solved`] is the first row alone, and so is [`Exact::solved`].
+//! [`Solution::solved`] is the first row alone, and so is [`Exact::solved`].
 //!
 //! ```
 //! use palkki::Witness;
@@ -49,7 +49,7 @@ mod summary;
 use std::fmt;
 
 use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, Proof, certify};
-use crate::route::RawSolution;
+use crate::route::Solution;
 use crate::scene::Scene;
 use crate::state::ContactState;
 use crate::text::{Results, share_at_most};
@@ -253,7 +253,7 @@ pub struct Verdict {
 impl Verdict {
     /// On the answer of a method on a grid.
     #[must_use]
-    pub fn of_raw(raw: &RawSolution, witness: &Witness<'_>, demand: &Demand) -> Self {
+    pub fn of_raw(raw: &Solution<()>, witness: &Witness<'_>, demand: &Demand) -> Self {
         let own = match raw.residual {
             residual if !residual.is_finite() => Some(Refusal::NoAnswer),
             residual if within(residual, demand.residual) => None,
@@ -261,7 +261,7 @@ impl Verdict {
         };
         let certificate = certificate(&raw.state, witness);
         let scene = witness.scene();
-        Self::new(certificate, Some((scene, &raw.state)), own, demand.error, raw.solver_reports_success)
+        Self::new(certificate, Some((scene, &raw.state)), own, demand.error, raw.run.reports_success)
     }
 
     /// On the answer of beam theory, whose contacts are its own witness.

@@ -13,10 +13,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     );
     let body = Body::new(Kind::Stiffness, stiffness, None, vec![1.0; n], vec![0.5; n])?;
 
-    let state = body.state(&body.run(Solver::ActiveSet, 1e-9));
-    let proof = prove(&body, state.clearance.iter().map(|clearance| 0.0 < *clearance))?;
-    println!("clearances {:.4?}, contact forces {:.4?}", state.clearance, state.contact_force);
-    println!("off by at most {:.1e}", proof.off(&state.clearance).most);
+    let answer = body.run(Solver::ActiveSet, 1e-9);
+    let [clearances, forces] = body.clearance_and_force(&answer);
+    let proof = prove(&body, clearances.iter().map(|clearance| 0.0 < *clearance))?;
+    println!("clearances {clearances:.4?}, contact forces {forces:.4?}");
+    println!("off by at most {:.1e}", proof.off(clearances).most);
     println!("an answer that says it touches nowhere: off by at least {:.3}", proof.off(&[0.5; 5]).least);
     Ok(())
 }

@@ -41,9 +41,9 @@ mod order;
 mod plan;
 
 use crate::certificate::CERTIFIED_RESIDUAL;
-use crate::route::{Method, RawSolution, Solver};
+use crate::route::{Method, Solution, Solver};
 use crate::scene::{Scene, SceneError};
-use crate::solve::{DEFAULT_TOLERANCE, Settings, Solution, solve_raw};
+use crate::solve::{DEFAULT_TOLERANCE, Settings, solve_raw};
 use crate::verdict::{Demand, Refusal, Verdict};
 use crate::witness::Witness;
 
@@ -247,20 +247,19 @@ impl<'a> Search<'a> {
     }
 
     /// Takes the answer for [`Search::settings`]; returns the best one when the search has ended.
-    pub fn record(&mut self, settings: Settings, raw: RawSolution) -> Option<Adapted> {
-        let (work, reports_success) = (raw.work, raw.solver_reports_success);
+    pub fn record(&mut self, settings: Settings, raw: Solution<()>) -> Option<Adapted> {
         let solution = raw.judged(&self.witness, &self.request.demand());
         let verdict = &solution.verdict;
         self.trials.push(Trial {
             intervals: settings.intervals,
             tolerance: settings.tolerance,
             unknowns: solution.unknowns,
-            iterations: solution.iterations,
-            work,
+            iterations: solution.run.iterations,
+            work: solution.run.work,
             residual: solution.residual,
             error: verdict.largest_error(),
             contacts_proven: verdict.certificate.as_ref().is_some_and(|c| c.contacts_proven),
-            reports_success,
+            reports_success: solution.run.reports_success,
             refusal: verdict.refusal,
         });
         let better = self.best.as_ref().is_none_or(|(_, best)| rank(verdict) <= rank(&best.verdict));

@@ -46,17 +46,6 @@ pub struct Body {
     program: Explicit,
 }
 
-/// Clearances and contact forces.
-#[derive(Debug, Clone, PartialEq)]
-pub struct State {
-    /// Of each freedom, to the ground.
-    pub clearance: Vec<f64>,
-    /// Of the ground on the body.
-    pub contact_force: Vec<f64>,
-    /// Potential energy `½ vᵀ K v − qᵀ v` of the body, with that of an elastic foundation.
-    pub energy: f64,
-}
-
 /// Products that the four steps may take, `n` factorisations at most: some seconds.
 const MOST_PRODUCTS: usize = 1 << 33;
 
@@ -137,17 +126,25 @@ impl Body {
         answer
     }
 
-    /// The state of the body by an answer.
+    /// The clearance of each freedom to the ground by an answer, and the force of the ground on it.
     #[must_use]
-    pub fn state(&self, answer: &Answer) -> State {
+    pub fn clearance_and_force<'a>(&self, answer: &'a Answer) -> [&'a [f64]; 2] {
+        match self.kind {
+            Kind::Stiffness => [&answer.x, &answer.gradient],
+            Kind::Flexibility => [&answer.gradient, &answer.x],
+        }
+    }
+
+    /// Potential energy `½ vᵀ K v − qᵀ v` of the body by an answer, with that of an elastic foundation.
+    #[must_use]
+    pub fn energy(&self, answer: &Answer) -> f64 {
         let b = self.program.linear();
-        let (x, g) = (answer.x.clone(), answer.gradient.clone());
-        let each = x.iter().zip(g.iter().zip(&b));
-        let (bent, [clearance, contact_force]): (f64, _) = match self.kind {
-            Kind::Stiffness => (each.map(|(x, (g, b))| x * (g - b)).sum(), [x, g]),
-            Kind::Flexibility => (each.map(|(x, (g, b))| x * (g + b)).sum(), [g, x]),
+        let each = answer.x.iter().zip(answer.gradient.iter().zip(&b));
+        let bent: f64 = match self.kind {
+            Kind::Stiffness => each.map(|(x, (g, b))| x * (g - b)).sum(),
+            Kind::Flexibility => each.map(|(x, (g, b))| x * (g + b)).sum(),
         };
-        State { clearance, contact_force, energy: 0.5 * bent + proof::constant(self).0.rounded() }
+        0.5 * bent + proof::constant(self).0.rounded()
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use palkki::DEFAULT_TOLERANCE;
 use palkki::body::proof::{Brought, Proof, Unproven, prove};
-use palkki::body::{Body, State, Verdict};
+use palkki::body::{Body, Verdict};
 use palkki::certificate::ViolationKind;
 use palkki::qp::{Qp as _, residual};
 use palkki::route::{Solver, Status};
@@ -40,7 +40,7 @@ struct Route {
     off: [f64; 2],
     certificate: Option<Certificate>,
     #[serde(skip)]
-    state: State,
+    answer: Answer,
 }
 
 /// What is proven; `error` is that of the clearances, and `force_error` that of the contact forces.
@@ -74,24 +74,24 @@ fn timed(body: &Body, solver: Solver) -> (Answer, f64) {
 
 impl Route {
     fn of(body: &Body, solver: Solver, (answer, seconds): (Answer, f64), demanded: f64, proof: &Proven) -> Self {
-        let state = body.state(&answer);
-        let off = proof.as_ref().map(|proof| proof.off(&state.clearance)).map_err(|error| *error);
-        let Verdict { status, reason, off } = Verdict::new(off, demanded, answer.reports_success);
-        let force_error = |proof: &Proof| Some(proof.force_off(&state.contact_force)[1]);
+        let [clearance, contact_force] = body.clearance_and_force(&answer);
+        let off = proof.as_ref().map(|proof| proof.off(clearance)).map_err(|error| *error);
+        let Verdict { status, reason, off } = Verdict::new(off, demanded, answer.run.reports_success);
+        let force_error = |proof: &Proof| Some(proof.force_off(contact_force)[1]);
         Self {
             method: body.method(),
             solver: solver.name(),
             status,
             reason,
             residual: residual(body.program().sizes(), &answer.x, &answer.gradient),
-            solver_status: answer.message,
+            solver_status: answer.run.message.clone(),
             unknowns: answer.x.len(),
-            iterations: answer.iterations,
+            iterations: answer.run.iterations,
             seconds,
-            energy: state.energy,
+            energy: body.energy(&answer),
             off: [off.least, off.most],
             certificate: proof.as_ref().ok().map(|proof| Certificate::new(proof, off.most, force_error(proof))),
-            state,
+            answer,
         }
     }
 }
@@ -126,7 +126,7 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
         _ => proven(&input.scene, &input.scene.run(Solver::ActiveSet, 0.0)),
     };
     let route = Route::of(&input.scene, solver, timed_answer, tolerance.unwrap_or(EXACT), &proof);
-    let State { clearance, contact_force, .. } = &route.state;
+    let [clearance, contact_force] = input.scene.clearance_and_force(&route.answer);
     let few = route.unknowns <= MOST_INTERVALS_WITH_NODES || *nodes;
     let shown = common.shown(
         || text(input, &route, *nodes),
@@ -146,7 +146,7 @@ pub(super) fn solve<'a>(input: &Input<Body>, arguments: &'a Solve) -> Result<Out
 /// The answer of `solve`, for a person.
 fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
     let labels = input.labels();
-    let State { clearance, contact_force, energy } = &route.state;
+    let [clearance, contact_force] = input.scene.clearance_and_force(&route.answer);
     let touching = contact_force.iter().filter(|force| 0.0 < **force).count();
     let largest = clearance.iter().copied().fold(0.0, f64::max);
     let mut text = heading(route.status, &route.reason, input);
@@ -159,7 +159,7 @@ fn text(input: &Input<Body>, route: &Route, nodes: bool) -> String {
         ("freedoms in contact", touching.to_string()),
         (&labels.force.name("contact force"), labels.number(contact_force.iter().sum())),
         (&labels.length.name("largest clearance"), labels.number(largest)),
-        (&labels.moment.name("energy J"), labels.number(*energy)),
+        (&labels.moment.name("energy J"), labels.number(route.energy)),
     ]);
     if let Some(certificate) = &route.certificate {
         text += &bounds(input, certificate, None);

@@ -145,7 +145,7 @@ pub(super) fn text(input: &Input, comparison: &Comparison) -> String {
                 answer.solver.to_owned(),
                 answer.solution.verdict.status.to_string(),
                 magnitude(answer.solution.residual),
-                answer.solution.iterations.to_string(),
+                answer.solution.run.iterations.to_string(),
                 magnitude(answer.seconds),
                 first_reaction(answer, &labels),
                 magnitude_at_most(answer.solution.verdict.error),
@@ -196,7 +196,7 @@ fn not_tried(comparison: &Comparison) -> String {
         .iter()
         .map(|compared| &compared.answer)
         .filter(|answer| !answer.solution.has_answer())
-        .map(|answer| (format!("{}/{}", answer.method, answer.solver), answer.solution.solver_status.clone()))
+        .map(|answer| (format!("{}/{}", answer.method, answer.solver), answer.solution.run.message.clone()))
         .collect();
     if lines.is_empty() { String::new() } else { format!("\n{}", list(&lines)) }
 }

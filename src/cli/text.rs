@@ -111,10 +111,10 @@ fn how(answer: &Answer) -> String {
     };
     list(&[
         ("method", method),
-        ("solver", format!("{}, which says: {}", answer.solver, solution.solver_status)),
+        ("solver", format!("{}, which says: {}", answer.solver, solution.run.message)),
         ("regime", solution.state.regime.name().to_owned()),
         ("unknowns", solution.unknowns.to_string()),
-        ("iterations", solution.iterations.to_string()),
+        ("iterations", solution.run.iterations.to_string()),
         ("seconds", magnitude(answer.seconds)),
     ])
 }

@@ -193,7 +193,11 @@ pub(super) mod tests {
                     (0..discrete.nodes().len()).map(|i| spread(u32::try_from(i).expect("small")) < 0.1).collect(),
                 ] {
                     let found = run(Some(near));
-                    assert!(expected.reports_success && found.reports_success, "{method}: {}", found.message);
+                    assert!(
+                        expected.run.reports_success && found.run.reports_success,
+                        "{method}: {}",
+                        found.run.message
+                    );
                     let pairs = found.x.iter().zip(&expected.x).map(|(p, other)| (p - other) / sizes.gradient);
                     let open = found.gradient.iter().zip(&expected.gradient).map(|(h, other)| (h - other) / sizes.x);
                     let apart = pairs.chain(open).fold(0.0_f64, |most, apart| most.max(apart.abs()));
@@ -213,8 +217,8 @@ pub(super) mod tests {
             let scaled = scene.scaled().expect("in range");
             let discrete = Discrete::new(&scaled.scene, 16_000).expect("a grid");
             let answer = solve(&scaled.scene, Method::Force, &discrete, None).expect("in range");
-            assert!(answer.reports_success, "{:?}", scene.foundation());
-            assert!(answer.work <= FEW * answer.x.len(), "{} unknowns: {:?}", answer.work, scene.foundation());
+            assert!(answer.run.reports_success, "{:?}", scene.foundation());
+            assert!(answer.run.work <= FEW * answer.x.len(), "{} unknowns: {:?}", answer.run.work, scene.foundation());
         }
     }
 }

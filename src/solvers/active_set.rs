@@ -43,7 +43,7 @@
 // releases many variables at a time is our choice; see Lawson and Hanson (1974) for the step that makes it finite, and
 // Portugal, Júdice and Vicente (1994) for exchanges of many variables, which without such a step may go round in circles.
 
-use super::{Answer, MOST_WORK};
+use super::{Answer, MOST_WORK, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
 /// Exchanges go on while the runs on the wrong side are fewer by this part than ever before.
@@ -88,24 +88,19 @@ pub(crate) fn answer(
     iterations: usize,
     work: usize,
 ) -> Answer {
+    let run = |reports_success, message| Run { reports_success, message, iterations, work, ..Run::default() };
     match end {
-        Ok((Stationary { x, gradient }, optimal)) => Answer {
-            x,
-            gradient,
-            reports_success: optimal,
-            reports_almost: false,
-            message: match optimal {
+        Ok((Stationary { x, gradient }, optimal)) => {
+            let message = match optimal {
                 true => "optimal".to_owned(),
                 false if MOST_WORK <= work => format!(
                     "not converged: {iterations} solves went through {work} unknowns, {MOST_WORK} is the limit of this solver"
                 ),
                 false => "no further descent above rounding".to_owned(),
-            },
-            own_residual: None,
-            iterations,
-            work,
-        },
-        Err(error) => Answer { iterations, work, ..Answer::refused(n, error.to_string()) },
+            };
+            Answer { x, gradient, run: run(optimal, message) }
+        }
+        Err(error) => Answer::without_numbers(n, run(false, error.to_string())),
     }
 }
 

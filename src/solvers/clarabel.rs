@@ -10,7 +10,7 @@
 use ::clarabel::algebra::CscMatrix;
 use ::clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, ZeroConeT};
 
-use super::{Answer, OwnResidual, sparse_form};
+use super::{Answer, OwnResidual, Run, sparse_form};
 use crate::qp::{Qp, UpperColumns};
 
 /// What the library adds to the diagonal before it factorises; it is taken back by refinement.
@@ -82,12 +82,14 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     Answer {
         x: solution.x[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
         gradient: solution.z[r..].iter().map(|z| z * form.sizes.gradient).collect(),
-        reports_success: reports_success(solution.status),
-        reports_almost: matches!(solution.status, SolverStatus::AlmostSolved),
-        message: format!("{:?}", solution.status),
-        own_residual: Some(OwnResidual::of_clarabel(&form, [&solution.x, &solution.z, &solution.s], asked)),
-        iterations: solution.iterations as usize,
-        work: solution.iterations as usize * n,
+        run: Run {
+            reports_success: reports_success(solution.status),
+            reports_almost: matches!(solution.status, SolverStatus::AlmostSolved),
+            message: format!("{:?}", solution.status),
+            own_residual: Some(OwnResidual::of_clarabel(&form, [&solution.x, &solution.z, &solution.s], asked)),
+            iterations: solution.iterations as usize,
+            work: solution.iterations as usize * n,
+        },
     }
 }
 

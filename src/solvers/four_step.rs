@@ -20,7 +20,7 @@
 // `four-step` is the algorithm as printed and stops there; `active-set` continues.
 // Where two components are equally small, as mirror images are, the first of them is set to zero.
 
-use super::Answer;
+use super::{Answer, Run};
 use crate::qp::{FreeSet, NotPositiveDefinite, Qp, Stationary};
 
 /// Largest dimension for which the four steps are tried: they take up to n solves of O(n) operations each.
@@ -33,18 +33,17 @@ pub(super) fn solve(qp: &dyn Qp) -> Answer {
         return Answer::refused(n, format!("not tried: up to {n} solves, {LARGEST} is the limit of this solver"));
     }
     let mut rounds = 0;
-    match four_steps(qp, &mut rounds) {
-        Ok(point) => Answer {
-            x: point.x,
-            gradient: point.gradient,
-            reports_success: true,
-            reports_almost: false,
-            message: "x ≥ 0".to_owned(),
-            own_residual: None,
-            iterations: rounds,
-            work: rounds * n,
-        },
-        Err(error) => Answer { iterations: rounds, work: rounds * n, ..Answer::refused(n, error.to_string()) },
+    let end = four_steps(qp, &mut rounds);
+    let run = |reports_success, message| Run {
+        reports_success,
+        message,
+        iterations: rounds,
+        work: rounds * n,
+        ..Run::default()
+    };
+    match end {
+        Ok(Stationary { x, gradient }) => Answer { x, gradient, run: run(true, "x ≥ 0".to_owned()) },
+        Err(error) => Answer::without_numbers(n, run(false, error.to_string())),
     }
 }
 

@@ -130,38 +130,43 @@ pub struct Answer {
     pub x: Vec<f64>,
     /// The gradient `g`, or the multipliers of `x ≥ 0` where the solver has its own, length n.
     pub gradient: Vec<f64>,
+    /// What the solver says of it, and what it took.
+    pub run: Run,
+}
+
+/// A run of a solver: what it says of its end, which nothing is concluded from, and what it took.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Run {
     /// True if the solver reports that it reached the optimum to its tolerance.
     pub reports_success: bool,
-    /// True if it reports that it almost did: to a larger tolerance than the given one. That is no success.
+    /// True if it reports that it almost did, to a larger tolerance than the given one, as `AlmostSolved` of clarabel and
+    /// `SolvedInaccurate` of osqp. That is no success.
     pub reports_almost: bool,
-    /// The solver's message at the end of its run.
+    /// The solver's message at its end.
     pub message: String,
     /// Of a library that came to an end: what it left of its own problem.
     pub own_residual: Option<OwnResidual>,
-    /// Steps, pivots, sweeps or iterations.
+    /// Steps, pivots, sweeps or iterations, in the solver's own count.
     pub iterations: usize,
-    /// Unknowns that all of these went through: n each, or as many as a neighbourhood has.
+    /// Unknowns that all of these went through, n each, or as many as a neighbourhood has: a measure of cost without a clock, up to a
+    /// factor for each solver.
     pub work: usize,
 }
 
 impl Answer {
     /// Without unknowns there is nothing to solve.
     pub(crate) fn empty(message: String) -> Self {
-        Self { reports_success: true, ..Self::refused(0, message) }
+        Self::without_numbers(0, Run { reports_success: true, message, ..Run::default() })
     }
 
     /// An answer of a solver that could not even start.
     pub(crate) fn refused(n: usize, message: String) -> Self {
-        Self {
-            x: vec![f64::NAN; n],
-            gradient: vec![f64::NAN; n],
-            reports_success: false,
-            reports_almost: false,
-            message,
-            own_residual: None,
-            iterations: 0,
-            work: 0,
-        }
+        Self::without_numbers(n, Run { message, ..Run::default() })
+    }
+
+    /// The end of a run that has no point.
+    pub(crate) fn without_numbers(n: usize, run: Run) -> Self {
+        Self { x: vec![f64::NAN; n], gradient: vec![f64::NAN; n], run }
     }
 }
 

@@ -17,7 +17,7 @@
 // The paper gives neither a relaxation factor nor a stopping rule for NSOR; its reference /19/ is not available to us.
 // We try the factors listed in `nsor.rs` and stop on the scaled residual of the optimality conditions.
 
-use super::{Answer, no_matrix, too_large};
+use super::{Answer, Run, no_matrix, too_large};
 use crate::qp::{Matrix, Qp, residual};
 
 /// Relaxation factors of the first round.
@@ -90,12 +90,13 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
     };
     Answer {
         gradient: qp.gradient(&x),
-        reports_success: winner.is_some(),
-        reports_almost: false,
-        message,
-        own_residual: None,
-        iterations: sweeps,
-        work: sweeps * x.len(),
+        run: Run {
+            reports_success: winner.is_some(),
+            message,
+            iterations: sweeps,
+            work: sweeps * x.len(),
+            ..Run::default()
+        },
         x,
     }
 }

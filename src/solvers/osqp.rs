@@ -9,7 +9,7 @@
 
 use ::osqp::{CscMatrix, Problem, Settings, Status};
 
-use super::{Answer, OwnResidual, sparse_form};
+use super::{Answer, OwnResidual, Run, sparse_form};
 use crate::qp::{Qp, UpperColumns};
 
 /// What the library takes for infinity (`OSQP_INFTY`).
@@ -89,17 +89,18 @@ pub(super) fn solve(qp: &dyn Qp, tolerance: f64) -> Answer {
         Status::NonConvex(_) => ("NonConvex", None),
         _ => ("a status that is not documented", None),
     };
-    let Some(solution) = solution else {
-        return Answer { iterations, work: iterations * n, ..Answer::refused(n, message.to_owned()) };
-    };
-    Answer {
-        x: solution.x()[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
-        gradient: solution.y()[r..].iter().map(|y| -y * form.sizes.gradient).collect(),
+    let run = Run {
         reports_success: matches!(status, Status::Solved(_)),
         reports_almost: matches!(status, Status::SolvedInaccurate(_)),
         message: message.to_owned(),
-        own_residual: Some(OwnResidual::of_osqp(&form, solution.x(), solution.y(), tolerance)),
+        own_residual: solution.map(|s| OwnResidual::of_osqp(&form, s.x(), s.y(), tolerance)),
         iterations,
         work: iterations * n,
+    };
+    let Some(solution) = solution else { return Answer::without_numbers(n, run) };
+    Answer {
+        x: solution.x()[form.signed..].iter().map(|y| y * form.sizes.x).collect(),
+        gradient: solution.y()[r..].iter().map(|y| -y * form.sizes.gradient).collect(),
+        run,
     }
 }

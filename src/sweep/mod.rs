@@ -35,8 +35,8 @@ mod events;
 mod follow;
 mod settle;
 
+use crate::route::Solution;
 use crate::scene::{PathError, Quantity, Scene, SceneError};
-use crate::solve::Solution;
 use crate::theory::{self, Exact, Pattern, TheoryError};
 use crate::verdict::Demand;
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use palkki::adaptive::{End, Request, adapt};
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solution, Solver};
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::scene::{Grid, Scene};
 use palkki::state::{Contact, ContactState};
@@ -109,7 +109,7 @@ fn exact_column(scene: &Scene, exact: &Exact) -> (Vec<String>, Column) {
     (names, Column { head: "exact".to_owned(), cells, contacts })
 }
 
-fn column(scene: &Scene, method: Method, raw: &RawSolution, intervals: usize) -> Column {
+fn column(scene: &Scene, method: Method, raw: &Solution<()>, intervals: usize) -> Column {
     let rows = rows(scene, &raw.state, raw.ended(), Some(intervals), raw.unknowns);
     let contacts = contacts(&raw.state, scene.beam().length(), &[]);
     Column { head: method.to_string(), cells: rows.into_iter().map(|[_, cell]| cell).collect(), contacts }

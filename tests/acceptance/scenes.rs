@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solution, Solver};
 use palkki::scene::file::{ReadProblem, parse};
 use palkki::scene::{Beam, Foundation, Load, Scene, Support};
 use palkki::state::Nodes;
@@ -94,13 +94,13 @@ pub(crate) fn ends(l: f64) -> [Support; 2] {
 
 /// Solves by one route with the default tolerance.
 #[track_caller]
-pub(crate) fn run(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> RawSolution {
+pub(crate) fn run(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Solution<()> {
     solve_raw(scene, &Settings::new(method, solver, intervals)).unwrap_or_else(|e| panic!("{method} {solver}: {e}"))
 }
 
 /// The nodal values of a raw solution.
 #[track_caller]
-pub(crate) fn nodes(raw: &RawSolution) -> &Nodes {
+pub(crate) fn nodes(raw: &Solution<()>) -> &Nodes {
     raw.state.nodes.as_ref().expect("a discretised method has nodes")
 }
 

@@ -25,13 +25,13 @@ fn five_thousand_freedoms_are_solved_and_proven() {
         let Known { body, clearance, contact_force } = five_diagonal(n);
         let (answer, proof) = solved(&body);
         // Interior points find the face; without them it takes 1574 solves at n = 5000.
-        assert!(answer.reports_success && answer.iterations <= 3, "{n}: {} solves", answer.iterations);
+        assert!(answer.run.reports_success && answer.run.iterations <= 3, "{n}: {} solves", answer.run.iterations);
         assert!(proof.error <= PROVEN, "{n}: {:.1e}", proof.error);
         let Off { least, most, .. } = proof.off(&clearance);
         assert!(least == 0.0 && most <= 2.0 * PROVEN, "{n}: the answer is the optimum, {least:.1e} {most:.1e}");
         assert!(proof.force_off(&contact_force)[0] == 0.0, "{n}: and so are its forces");
-        let found = body.state(&answer);
-        let verdict = Verdict::new(Ok(proof.off(&found.clearance)), EXACT, true);
+        let [found, _] = body.clearance_and_force(&answer);
+        let verdict = Verdict::new(Ok(proof.off(found)), EXACT, true);
         assert_eq!(verdict.status, Status::Certified, "{n}: {}", verdict.reason);
         // J = ½ hᵀ K h + qᵀ h, as all gaps are zero: K is −1, 3, −3, 1 about the step, and 1, −3 at the end.
         assert!(proof.energy[0] <= -2.0 && -2.0 <= proof.energy[1], "{n}: {:?}", proof.energy);
@@ -52,8 +52,8 @@ fn narrow_bands_are_solved_at_once_and_proven() {
         let body =
             Body::new(Kind::Stiffness, Profile::of_entries(n, rows), None, gap, load).expect("positive definite");
         let (answer, proof) = solved(&body);
-        let solves = answer.iterations;
-        assert!(answer.reports_success && solves <= 3, "{n}, {condition:e}: {solves} solves");
+        let solves = answer.run.iterations;
+        assert!(answer.run.reports_success && solves <= 3, "{n}, {condition:e}: {solves} solves");
         assert!(proof.error <= PROVEN * proof.size, "{n}, {condition:e}: {:.1e} of {:.1e}", proof.error, proof.size);
     }
 }
@@ -126,12 +126,10 @@ fn an_elastic_foundation_adds_its_flexibility() {
     // Free, the first would move by 12, which is 8 more than its gap: 8 = (3 + 1) p.
     let body = Body::new(Kind::Flexibility, body, Some(&ground), vec![4.0, 4.0], vec![4.0, 1.0]).expect("definite");
     let (answer, proof) = solved(&body);
-    let state = body.state(&answer);
-    assert_eq!(state.contact_force, [2.0, 0.0]);
-    assert_eq!(state.clearance, [0.0, 1.0]);
+    assert_eq!(body.clearance_and_force(&answer), [[0.0, 1.0], [2.0, 0.0]]);
     // ½ · 6²/3 + ½ · 2² · 1 − 4 · 6, and ½ · 3²/3 − 3.
     let energy = 6.0 + 2.0 - 24.0 + 1.5 - 3.0;
-    assert!((state.energy - energy).abs() < 1e-12 && proof.energy[0] <= energy && energy <= proof.energy[1]);
+    assert!((body.energy(&answer) - energy).abs() < 1e-12 && proof.energy[0] <= energy && energy <= proof.energy[1]);
     assert!(proof.energy[1] - proof.energy[0] < 1e-12, "{:?}", proof.energy);
 }
 

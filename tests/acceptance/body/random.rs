@@ -45,15 +45,15 @@ fn no_bound_is_untrue() {
             let answer = body.run(solver, 1e-10);
             // A library that refuses has no answer.
             if answer.x.iter().any(|x| x.is_nan()) {
-                assert!(!answer.reports_success, "{solver}");
+                assert!(!answer.run.reports_success, "{solver}");
                 continue;
             }
-            let state = body.state(&answer);
-            let found = proof.off(&state.clearance);
+            let [solved, _] = body.clearance_and_force(&answer);
+            let found = proof.off(solved);
             let Off { least, most, .. } = found;
-            let off = apart(&state.clearance, &clearance);
+            let off = apart(solved, &clearance);
             assert!(least <= off && off <= most, "{solver}: {off:e} not in {least:e} … {most:e}");
-            let verdict = Verdict::new(Ok(found), EXACT, answer.reports_success);
+            let verdict = Verdict::new(Ok(found), EXACT, answer.run.reports_success);
             assert!(off <= 1e-3 * proof.size || verdict.status != Status::Certified, "{solver}: {off:e} is certified");
             ratios.extend((TOLD < off).then(|| most / off));
         }

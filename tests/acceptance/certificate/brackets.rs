@@ -2,7 +2,7 @@
 //! nothing is certified.
 
 use palkki::certificate::Certificate;
-use palkki::route::{Method, RawSolution, Solver, Status};
+use palkki::route::{Method, Solution, Solver, Status};
 use palkki::scene::{Foundation, Scene, Support};
 use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Number, Refusal, Verdict};
@@ -213,7 +213,7 @@ fn each_number_is_asked_for() {
         if Verdict::of_raw(&raw, &witness, &Demand::default()).status != Status::Certified {
             continue;
         }
-        let changed = |change: &dyn Fn(&mut RawSolution)| {
+        let changed = |change: &dyn Fn(&mut Solution<()>)| {
             let mut changed = raw.clone();
             change(&mut changed);
             of(Verdict::of_raw(&changed, &witness, &Demand::default()).refusal)

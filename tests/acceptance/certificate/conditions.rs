@@ -201,7 +201,7 @@ fn a_method_solves_its_own_grid() {
         let Ok(raw) = solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, 64)) else { continue };
         let witness = Witness::of(&scene);
         let of = |residual: f64, demand: &Demand| {
-            let raw = palkki::route::RawSolution { residual, ..raw.clone() };
+            let raw = palkki::Solution { residual, ..raw.clone() };
             Verdict::of_raw(&raw, &witness, demand)
         };
         if of(raw.residual, &Demand::default()).status != Status::Certified {
@@ -220,7 +220,7 @@ fn a_method_solves_its_own_grid() {
         let mut no_number = raw.clone();
         no_number.state.nodes.as_mut().expect("nodes").contact_force[1] = f64::INFINITY;
         assert_eq!(Verdict::of_raw(&no_number, &witness, &Demand::default()).refusal, Some(Refusal::NoNumbers));
-        no_number.solver_reports_success = false;
+        no_number.run.reports_success = false;
         assert_eq!(Verdict::of_raw(&no_number, &witness, &Demand::default()).status, Status::NotConverged);
     }
     assert!(4 < tried, "{tried} answers on a grid");

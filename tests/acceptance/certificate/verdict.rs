@@ -8,12 +8,12 @@ use palkki::{Settings, Witness, solve_raw, theory};
 use palkki_evidence::paper::example;
 use palkki_evidence::random;
 
-fn raw(intervals: usize) -> palkki::route::RawSolution {
+fn raw(intervals: usize) -> palkki::Solution<()> {
     let scene = example().expect("the example is well posed");
     solve_raw(&scene, &Settings::new(Method::Force, Solver::ActiveSet, intervals)).expect("an answer")
 }
 
-fn of_raw(raw: &palkki::route::RawSolution, demand: &Demand) -> Verdict {
+fn of_raw(raw: &palkki::Solution<()>, demand: &Demand) -> Verdict {
     Verdict::of_raw(raw, &Witness::of(&example().expect("the example is well posed")), demand)
 }
 

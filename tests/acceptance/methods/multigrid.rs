@@ -52,7 +52,7 @@ fn every_method_and_solver_comes_to_the_same_answer_without_it() {
                     let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
                     asked += usize::from(solver != Solver::ActiveSet);
                     let allowed = if solver == Solver::ActiveSet {
-                        assert!(answer.reports_success, "{k}, {method}, {intervals}: {}", answer.message);
+                        assert!(answer.run.reports_success, "{k}, {method}, {intervals}: {}", answer.run.message);
                         [SAME_POINT; 2]
                     } else if found <= CERTIFIED_RESIDUAL {
                         CERTIFIED
@@ -92,7 +92,7 @@ fn the_start_does_not_change_the_answer() {
             let qp = method.qp(&discrete);
             let all_free = Solver::ActiveSet.run(qp.as_ref(), 0.0);
             let none_free = active_set_from(qp.as_ref(), FreeSet::none(qp.dimension()));
-            assert!(all_free.reports_success && none_free.reports_success, "{method}");
+            assert!(all_free.run.reports_success && none_free.run.reports_success, "{method}");
             let size = qp.sizes().x.max(largest(&all_free.x));
             assert!(apart(&all_free.x, &none_free.x) <= SAME_POINT * size, "{method}, {}", scene.title());
         }

@@ -107,7 +107,7 @@ fn every_route_comes_to_one_optimum() {
                     let found = on_grid(&scene, method, solver, 40);
                     let off = (found.state.energy - expected.state.energy).abs();
                     let within = STOPPED * expected.state.energy.abs();
-                    assert!(off <= within, "{name}, {method}, {solver}, {stiffness}: {off:e}, {}", found.solver_status);
+                    assert!(off <= within, "{name}, {method}, {solver}, {stiffness}: {off:e}, {}", found.run.message);
                 }
             }
         }
@@ -148,9 +148,8 @@ fn random_scenes_are_solved_on_grids() {
         }
         let intervals = step * 200_usize.div_ceil(step);
         for method in Method::ALL {
-            let Solution { state, verdict, residual, solver_status, .. } =
-                on_grid(&scene, method, Solver::ActiveSet, intervals);
-            assert!(residual <= CERTIFIED_RESIDUAL, "{seed}, {method}, {intervals}: {residual:e}, {solver_status}");
+            let Solution { state, verdict, residual, run, .. } = on_grid(&scene, method, Solver::ActiveSet, intervals);
+            assert!(residual <= CERTIFIED_RESIDUAL, "{seed}, {method}, {intervals}: {residual:e}, {}", run.message);
             if verdict.status == Status::Certified {
                 let exact = solve_exactly(&scene).expect("an answer").exact.expect("functions");
                 let nodes = state.nodes.expect("of a grid");

@@ -40,7 +40,7 @@ fn polynomial(coefficients: &[f64]) -> Option<Foundation> {
 #[track_caller]
 fn state(scene: &Scene, method: Method, intervals: usize) -> ContactState {
     let found = run(scene, method, Solver::ActiveSet, intervals);
-    assert!(found.solved, "{method}, {intervals}: {}", found.solver_status);
+    assert!(found.solved, "{method}, {intervals}: {}", found.run.message);
     found.state
 }
 
@@ -58,7 +58,7 @@ fn the_papers_beam_is_one_of_all() {
         for method in Method::ALL {
             for intervals in [7, 100, 3000] {
                 let [a, b] = [&paper, &any].map(|scene| run(scene, method, Solver::ActiveSet, intervals));
-                assert_eq!((a.unknowns, a.iterations), (b.unknowns, b.iterations), "{method}, {intervals}");
+                assert_eq!((a.unknowns, a.run.iterations), (b.unknowns, b.run.iterations), "{method}, {intervals}");
                 assert!(apart(&nodes(&a).deflection, &nodes(&b).deflection) < 1e-9, "{method}, {intervals}");
                 assert!(apart(&nodes(&a).moment, &nodes(&b).moment) < 1e-9, "{method}, {intervals}");
                 let (a, b) = (a.state, b.state);

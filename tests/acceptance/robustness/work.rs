@@ -76,7 +76,11 @@ fn small_files_are_little_work() {
         for method in Method::ALL {
             for intervals in [30, 10_000] {
                 let raw = solve_raw(&scene, &Settings::new(method, Solver::ActiveSet, intervals)).expect("an answer");
-                assert!(raw.work <= SOLVES * raw.unknowns, "{kind}, {method}, {intervals} intervals: {}", raw.work);
+                assert!(
+                    raw.run.work <= SOLVES * raw.unknowns,
+                    "{kind}, {method}, {intervals} intervals: {}",
+                    raw.run.work
+                );
             }
         }
         let adapted = adapt(&scene, &Request::new(Method::Force, Solver::ActiveSet, 1e-3)).expect("an answer");

@@ -32,7 +32,7 @@ fn the_counts_of_our_own_routes() {
                     let count = if too_long(solver, intervals) {
                         "–".to_owned()
                     } else {
-                        run(&scene, method, solver, intervals).iterations.to_string()
+                        run(&scene, method, solver, intervals).run.iterations.to_string()
                     };
                     table.push_str(&format!("{count:>8}"));
                 }
@@ -50,7 +50,7 @@ fn an_interior_point_takes_a_few_dozen_steps_on_any_grid() {
     const STEPS: usize = 80;
     for method in Method::ALL {
         for intervals in [30, 300, 3000] {
-            let steps = run(&example(), method, Solver::Clarabel, intervals).iterations;
+            let steps = run(&example(), method, Solver::Clarabel, intervals).run.iterations;
             assert!((5..=STEPS).contains(&steps), "{method}, {intervals} intervals: {steps} steps");
         }
     }
@@ -65,16 +65,16 @@ fn work_is_counted_in_unknowns() {
     for method in Method::ALL {
         for solver in [Solver::FourStep, Solver::Nsor] {
             let raw = run(&example(), method, solver, 30);
-            assert_eq!(raw.work, raw.iterations * raw.unknowns, "{method}/{solver}");
+            assert_eq!(raw.run.work, raw.run.iterations * raw.unknowns, "{method}/{solver}");
         }
         let raw = run(&example(), method, Solver::ActiveSet, 300);
-        let most = raw.iterations * raw.unknowns;
-        assert!(raw.unknowns <= raw.work && raw.work < most, "{method}: {} of {most}", raw.work);
+        let most = raw.run.iterations * raw.unknowns;
+        assert!(raw.unknowns <= raw.run.work && raw.run.work < most, "{method}: {} of {most}", raw.run.work);
     }
     for method in Method::ALL {
         let raw = run(&example(), method, Solver::ActiveSet, 300_000);
         let most = WORTH * raw.unknowns;
-        assert!(raw.unknowns <= raw.work && raw.work <= most, "{method}: {} of {most}", raw.work);
+        assert!(raw.unknowns <= raw.run.work && raw.run.work <= most, "{method}: {} of {most}", raw.run.work);
     }
 }
 
@@ -86,7 +86,7 @@ fn the_example_is_worth_a_handful_of_solves_on_small_grids() {
         for intervals in [20, 30, 60, 100, 300] {
             let raw = run(&example(), method, Solver::ActiveSet, intervals);
             let most = HANDFUL * raw.unknowns;
-            assert!(raw.solved && raw.work <= most, "{method}, {intervals}: {} of {most}", raw.work);
+            assert!(raw.solved && raw.run.work <= most, "{method}, {intervals}: {} of {most}", raw.run.work);
         }
     }
 }
@@ -97,7 +97,7 @@ fn the_example_is_worth_a_handful_of_solves_on_small_grids() {
 fn solves_do_not_grow_with_the_grid() {
     for name in ["heinisuo-1984", "wave"] {
         for method in Method::ALL {
-            let count = |intervals| run(&scene(name), method, Solver::ActiveSet, intervals).iterations;
+            let count = |intervals| run(&scene(name), method, Solver::ActiveSet, intervals).run.iterations;
             let (coarse, fine) = (count(100_000), count(1_000_000));
             assert!(fine <= 2 * coarse, "{name}, {method}: {coarse} solves on 100 000 intervals, {fine} on 1 000 000");
         }
@@ -120,10 +120,15 @@ fn a_survey_is_solved_from_the_contacts_of_beam_theory() {
                     let near = solve_raw_near(&Witness::of(&scene), &settings).expect("an answer");
                     let name = format!("{} of {segments}, {method}, load {load}", ground.name());
                     assert!(far.solved && near.solved, "{name}: residuals {:e}, {:e}", far.residual, near.residual);
-                    assert!(near.work <= WORTH * near.unknowns, "{name}: {} of {}", near.work, near.unknowns);
-                    assert!(2 * near.iterations < far.iterations, "{name}: {} of {}", near.iterations, far.iterations);
-                    assert!(near.solver_status.ends_with("from the contacts of beam theory"), "{name}");
-                    assert!(!far.solver_status.contains("theory"), "{name}");
+                    assert!(near.run.work <= WORTH * near.unknowns, "{name}: {} of {}", near.run.work, near.unknowns);
+                    assert!(
+                        2 * near.run.iterations < far.run.iterations,
+                        "{name}: {} of {}",
+                        near.run.iterations,
+                        far.run.iterations
+                    );
+                    assert!(near.run.message.ends_with("from the contacts of beam theory"), "{name}");
+                    assert!(!far.run.message.contains("theory"), "{name}");
                     let [a, b] = [&near, &far].map(|raw| raw.state.energy);
                     // One optimum: what is left is rounding.
                     assert!((a - b).abs() <= 1e-11 * b.abs(), "{name}: energies {a:e}, {b:e}");

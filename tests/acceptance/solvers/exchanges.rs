@@ -60,7 +60,7 @@ fn the_active_set_ends_in_dense_contact() {
     for instance in exchanges::dense().expect("every line is an instance") {
         for method in Method::ALL {
             let raw = ends(&instance.scene, method, instance.intervals, 500);
-            assert!(raw.work <= WORTH * raw.unknowns, "{method}, {}: {}", instance.line, raw.work);
+            assert!(raw.run.work <= WORTH * raw.unknowns, "{method}, {}: {}", instance.line, raw.run.work);
         }
     }
 }

@@ -45,8 +45,8 @@ fn every_situation_ends_with_a_verdict() {
 fn a_grid_that_is_too_fine_is_not_tried() {
     for library in LIBRARIES {
         let raw = run(&example(), Method::Force, library, 100_002);
-        assert!(!raw.solved && !raw.solver_reports_success, "{library}");
-        assert_eq!(raw.solver_status, "not tried: 100001 unknowns, 100000 is the limit of this solver", "{library}");
+        assert!(!raw.solved && !raw.run.reports_success, "{library}");
+        assert_eq!(raw.run.message, "not tried: 100001 unknowns, 100000 is the limit of this solver", "{library}");
     }
 }
 

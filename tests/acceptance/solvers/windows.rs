@@ -39,7 +39,7 @@ fn a_step_between_the_nodes_does_not_lead_a_window_astray() {
     ends(&scene("step"), Method::Force, 200_004, 800);
     let raw = run(&scene("step"), Method::Displacement, Solver::ActiveSet, 200_004);
     assert!(raw.solved);
-    assert!(raw.work <= 10 * raw.unknowns, "{} for {} unknowns", raw.work, raw.unknowns);
+    assert!(raw.run.work <= 10 * raw.unknowns, "{} for {} unknowns", raw.run.work, raw.unknowns);
 }
 
 /// Thousands of points of a survey carry: windows around all of them are more than the beam. Exchanges of the whole settle most,
@@ -54,9 +54,9 @@ fn dense_contact_costs_some_dozen_solves_of_the_whole() {
         let scene = random::smooth(segments, load, 1);
         for method in Method::ALL {
             let raw = run(&scene, method, Solver::ActiveSet, intervals);
-            let told = format!("{method}, {intervals}, {segments}: {} for {}", raw.work, raw.unknowns);
+            let told = format!("{method}, {intervals}, {segments}: {} for {}", raw.run.work, raw.unknowns);
             assert!(raw.solved, "{told}");
-            assert!(raw.work <= WORTH * raw.unknowns, "{told}");
+            assert!(raw.run.work <= WORTH * raw.unknowns, "{told}");
         }
     }
 }

@@ -118,10 +118,10 @@ impl Situation {
                     Settings { tolerance: self.tolerance, ..Settings::new(Method::Force, library, intervals) };
                 let raw = solve_raw(&scene, &settings).map_err(|error| error.to_string())?;
                 Ok(Run {
-                    word: raw.solver_status,
-                    claims: raw.solver_reports_success,
+                    word: raw.run.message,
+                    claims: raw.run.reports_success,
                     solved: raw.solved,
-                    iterations: raw.iterations,
+                    iterations: raw.run.iterations,
                 })
             }
             Given::Qp { diagonal, beside, linear } => {
@@ -131,8 +131,8 @@ impl Situation {
                 // Its own multipliers are not believed: the gradient is taken anew.
                 let found = residual(qp.sizes(), &answer.x, &qp.gradient(&answer.x));
                 let solved = found <= CERTIFIED_RESIDUAL && answer.x.len() == linear.len() && !linear.is_empty();
-                let (word, claims) = (answer.message, answer.reports_success);
-                Ok(Run { word, claims, solved, iterations: answer.iterations })
+                let (word, claims) = (answer.run.message, answer.run.reports_success);
+                Ok(Run { word, claims, solved, iterations: answer.run.iterations })
             }
         }
     }

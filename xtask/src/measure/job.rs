@@ -131,7 +131,7 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
                 status: found.verdict.status.name(),
                 reports_success: found.verdict.status == Status::Certified,
                 residual: found.residual,
-                iterations: found.iterations,
+                iterations: found.run.iterations,
                 unknowns: found.unknowns,
                 only: Only::default(),
                 state: found.state,
@@ -141,13 +141,13 @@ pub(super) fn once(scene: &Scene, route: Route, intervals: usize, tolerance: f64
             let found = solve_raw(scene, &Settings { method, solver, intervals, tolerance })?;
             Ok(Answer {
                 status: found.ended(),
-                reports_success: found.solver_reports_success,
+                reports_success: found.run.reports_success,
                 residual: found.residual,
-                iterations: found.iterations,
+                iterations: found.run.iterations,
                 unknowns: found.unknowns,
                 only: Only {
-                    own_residual: found.own_residual.map(|own| (own.is_met(), own.residual)),
-                    own_sweeps: own_sweeps(&found.solver_status),
+                    own_residual: found.run.own_residual.map(|own| (own.is_met(), own.residual)),
+                    own_sweeps: own_sweeps(&found.run.message),
                     ..Only::default()
                 },
                 state: found.state,

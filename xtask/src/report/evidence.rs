@@ -35,7 +35,7 @@ use std::sync::OnceLock;
 
 use minijinja::Value;
 use palkki::plot::{Figure, Panel};
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solution, Solver};
 use palkki::scene::{Scene, SceneError};
 use palkki::state::{ContactState, Nodes};
 use palkki::{Settings, solve_raw};
@@ -199,7 +199,7 @@ fn routes() -> impl Iterator<Item = (Method, Solver)> {
 }
 
 /// A scene solved on a grid, to the tolerance that is the default.
-fn on_grid(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<RawSolution, Cause> {
+fn on_grid(scene: &Scene, method: Method, solver: Solver, intervals: usize) -> Result<Solution<()>, Cause> {
     Ok(solve_raw(scene, &Settings::new(method, solver, intervals))?)
 }
 

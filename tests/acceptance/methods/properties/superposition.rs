@@ -1,6 +1,6 @@
 //! More load where the beam lies on the ground anyway, no contact, contact everywhere, deeper ground.
 
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solution, Solver};
 use palkki::scene::{Foundation, PointLoad};
 use palkki::state::Regime;
 
@@ -11,7 +11,7 @@ use crate::scenes::{apart, largest, nodes, run, uniform};
 
 const INTERVALS: usize = 40;
 
-fn solved(draft: &Draft, method: Method) -> RawSolution {
+fn solved(draft: &Draft, method: Method) -> Solution<()> {
     let raw = run(&scene(draft), method, Solver::ActiveSet, INTERVALS);
     assert!(raw.solved, "{method}: {draft:?}");
     raw

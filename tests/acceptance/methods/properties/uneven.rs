@@ -32,12 +32,12 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
         for method in Method::ALL {
             let raw = run(scene, method, Solver::ActiveSet, intervals);
             touched += usize::from(raw.state.regime != Regime::None);
-            if !raw.solved || !raw.solver_reports_success || 5000 < raw.iterations {
+            if !raw.solved || !raw.run.reports_success || 5000 < raw.run.iterations {
                 failures.push(format!(
                     "scene {k}, {method}, {intervals} intervals: {}, residual {:.1e}, {}",
                     raw.ended(),
                     raw.residual,
-                    raw.solver_status
+                    raw.run.message
                 ));
             }
         }
@@ -58,9 +58,9 @@ fn four_steps_end_at_stationary_points_of_a_face_and_are_not_believed() {
             let qp = method.qp(&discrete);
             let sizes = qp.sizes();
             let answer = Solver::FourStep.run(qp.as_ref(), 0.0);
-            assert!(answer.reports_success, "{method}: {}", answer.message);
+            assert!(answer.run.reports_success, "{method}: {}", answer.run.message);
             let raw = run(scene, method, Solver::FourStep, 30);
-            assert!(raw.solver_reports_success && raw.solved == (raw.residual <= CERTIFIED_RESIDUAL), "{method}");
+            assert!(raw.run.reports_success && raw.solved == (raw.residual <= CERTIFIED_RESIDUAL), "{method}");
             refused += usize::from(!raw.solved);
             // Anew, from x alone.
             let gradient = qp.gradient(&answer.x);

@@ -2,7 +2,7 @@
 //! as one dense matrix, and every set of contacts tried.
 
 use nalgebra::{DMatrix, DVector};
-use palkki::route::{Method, RawSolution, Solver, Status};
+use palkki::route::{Method, Solution, Solver, Status};
 use palkki::scene::{Balance, Beam, Foundation, Grid, Load, PointLoad, Scaled, Scene, Support};
 use palkki::solve_exactly;
 use palkki_evidence::random::Random;
@@ -197,7 +197,7 @@ fn scene(i: u64) -> Option<Scene> {
 }
 
 /// The largest differences of forces, deflections and energy, each relative to the size of these.
-fn differences(optimum: &Optimum, found: &RawSolution) -> [f64; 3] {
+fn differences(optimum: &Optimum, found: &Solution<()>) -> [f64; 3] {
     let (state, values) = (&found.state, nodes(found));
     let first = usize::from(values.x[0] > 0.0);
     let mut forces = [0.0; INTERVALS + 1];
@@ -244,12 +244,9 @@ fn every_route_is_right(scenes: &[Scene]) -> [usize; 2] {
             let optimum = Dense::of(scene, method).optimum().expect("an optimum");
             for solver in Solver::OPTIMAL {
                 let found = run(scene, method, solver, INTERVALS);
-                let told = format!("{method}, {solver}, {supports:?}: {}", found.solver_status);
+                let told = format!("{method}, {solver}, {supports:?}: {}", found.run.message);
                 if solver == Solver::Nsor && method == Method::Force && !is_held {
-                    assert!(
-                        !found.solved && found.solver_status.starts_with("not tried: the supports leave"),
-                        "{told}"
-                    );
+                    assert!(!found.solved && found.run.message.starts_with("not tried: the supports leave"), "{told}");
                     continue;
                 }
                 asked += 1;

@@ -1,7 +1,7 @@
 //! Discretised routes at the extremes: the force method with the active set is right at all of them, and no route is wrong
 //! and certified.
 
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solution, Solver};
 use palkki::{Settings, solve_raw};
 use palkki_evidence::extremes::{Extreme, borders, deep, sizes};
 
@@ -16,12 +16,12 @@ const SAME: f64 = 1e-6;
 const COARSE: usize = 7;
 const EVERY: usize = 20;
 
-fn run(extreme: &Extreme, method: Method, solver: Solver) -> RawSolution {
+fn run(extreme: &Extreme, method: Method, solver: Solver) -> Solution<()> {
     palkki::solve_raw(&extreme.scene, &Settings::new(method, solver, extreme.intervals)).expect("numbers in range")
 }
 
 /// How far two answers are apart, over the load.
-fn apart(extreme: &Extreme, a: &RawSolution, b: &RawSolution) -> f64 {
+fn apart(extreme: &Extreme, a: &Solution<()>, b: &Solution<()>) -> f64 {
     let pairs = [
         (a.state.reactions.left, b.state.reactions.left),
         (a.state.reactions.right, b.state.reactions.right),
@@ -98,9 +98,9 @@ fn nsor_ends_where_its_sweeps_go_in_circles() {
     let extreme = deep(16).expect("a depth in range");
     for intervals in [2, 3] {
         let raw = run(&Extreme { intervals, ..extreme.clone() }, Method::Displacement, Solver::Nsor);
-        assert!(!raw.solver_reports_success, "{intervals}: {}", raw.solver_status);
-        assert!(raw.solver_status.ends_with("which go in circles"), "{intervals}: {}", raw.solver_status);
-        assert!(raw.iterations < SWEEPS, "{intervals}: {} sweeps", raw.iterations);
+        assert!(!raw.run.reports_success, "{intervals}: {}", raw.run.message);
+        assert!(raw.run.message.ends_with("which go in circles"), "{intervals}: {}", raw.run.message);
+        assert!(raw.run.iterations < SWEEPS, "{intervals}: {} sweeps", raw.run.iterations);
     }
 }
 

@@ -4,7 +4,7 @@
 //! witness that is only believed where it is proven), the active set on the same grid, and the laws that every answer keeps (equilibrium, units).
 
 use palkki::certificate::{CERTIFIED_RESIDUAL, Certificate};
-use palkki::route::RawSolution;
+use palkki::route::Solution;
 use palkki::scene::Scene;
 use palkki::state::{ContactState, Motion};
 use palkki::theory::{self, Exact};
@@ -220,7 +220,7 @@ pub(super) fn judge(
     trial: &mut Trial,
     scene: &Scene,
     settings: &Settings,
-    raw: &RawSolution,
+    raw: &Solution<()>,
     exact: Option<&Exact>,
 ) -> Option<Certificate> {
     let who = name(settings);
@@ -274,7 +274,7 @@ pub(super) fn same(
     settings: &Settings,
     scene: &Scene,
     state: &ContactState,
-    reference: &RawSolution,
+    reference: &Solution<()>,
 ) {
     if !reference.solved {
         return;

@@ -6,7 +6,7 @@ use crate::definition::violated;
 use crate::draft::Draft;
 use crate::random::Random;
 use palkki::certificate::Certificate;
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solution, Solver};
 use palkki::scene::file::{FileError, ReadProblem, parse};
 use palkki::scene::{Grid, Scene, SceneError};
 use palkki::theory::{self, Exact};
@@ -158,7 +158,7 @@ fn on_grid(
     scene: &Scene,
     settings: &Settings,
     exact: Option<&Exact>,
-) -> Option<(RawSolution, Option<Certificate>)> {
+) -> Option<(Solution<()>, Option<Certificate>)> {
     let outcome = match solve_raw(scene, settings) {
         Ok(outcome) => outcome,
         Err(SceneError::SupportBetweenNodes { .. } | SceneError::Overflow { .. }) => return None,
@@ -176,9 +176,9 @@ fn on_grid(
         let verdict = Verdict::of_raw(&outcome, &witness, &Demand::default());
         backed(trial, &name(settings), scene, &outcome.state, &verdict);
     }
-    let reports_an_answer = outcome.solver_reports_success || outcome.solver_reports_almost;
+    let reports_an_answer = outcome.run.reports_success || outcome.run.reports_almost;
     trial.contradicted |= reports_an_answer && !outcome.solved;
-    trial.work[1] = trial.work[1].max(outcome.iterations);
+    trial.work[1] = trial.work[1].max(outcome.run.iterations);
     Some((outcome, certificate))
 }
 

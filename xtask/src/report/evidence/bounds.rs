@@ -189,8 +189,8 @@ fn spring_forces(scene: &Scene, intervals: usize, ratio: f64) -> Result<Vec<(f64
     let matrix = Profile::full(n, |i, j| flexibility.entry(i, j) + softness(i, j));
     let qp = Explicit::new(matrix, &rigid.linear())?;
     let answer = Solver::ActiveSet.run(&qp, 0.0);
-    if !answer.reports_success {
-        return Err(format!("springs of ratio {ratio}: {}", answer.message).into());
+    if !answer.run.reports_success {
+        return Err(format!("springs of ratio {ratio}: {}", answer.run.message).into());
     }
     let scale = &scaled.scale;
     let place = |i: usize| discrete.grid.place(i + 1) * scale.length;

@@ -63,14 +63,14 @@ struct Run {
 impl Run {
     fn new(body: &Body, proof: &Proof, solver: Solver, asked: f64) -> Self {
         let answer = body.run(solver, asked);
-        let clearance = body.state(&answer).clearance;
+        let clearance = body.clearance_and_force(&answer)[0].to_vec();
         let off = proof.off(&clearance);
         Self {
             solver,
             asked,
             residual: residual(body.program().sizes(), &answer.x, &answer.gradient),
-            message: answer.message,
-            says_solved: answer.reports_success,
+            message: answer.run.message,
+            says_solved: answer.run.reports_success,
             clearance,
             off,
             size: proof.size,
@@ -231,10 +231,11 @@ fn slabs(study: &Study<'_>) -> Result<(Drawn, bool), Cause> {
     let (mut panels, mut highest) = (Vec::new(), true);
     for laid in Laid::ALL {
         let body = laid.body();
-        let state = body.state(&body.run(Solver::ActiveSet, 0.0));
+        let answer = body.run(Solver::ActiveSet, 0.0);
+        let [clearance, contact_force] = body.clearance_and_force(&answer);
         let mut cells = Vec::new();
         let nodes = (0_u32..).zip(&xs).flat_map(|(i, x)| (0_u32..).zip(&ys).map(move |(j, y)| ([i, j], [x, y])));
-        for (([i, j], [x, y]), (h, p)) in nodes.zip(state.clearance.iter().zip(&state.contact_force)) {
+        for (([i, j], [x, y]), (h, p)) in nodes.zip(clearance.iter().zip(contact_force)) {
             let touches = 0.0 < *p;
             highest &= !touches || laid.gap(*x, *y) <= Laid::HIGHEST;
             let text = if touches { fixed(*p, 0) } else { fixed(MILLIMETRES * h, 0) };

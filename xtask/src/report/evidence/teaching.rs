@@ -69,7 +69,7 @@ fn rounds(discrete: &Discrete) -> Result<Vec<Round>, Cause> {
         rounds.push(Round { x: point.x, forces, smallest });
         let Some(smallest) = smallest else {
             let answer = Solver::FourStep.run(qp.as_ref(), DEFAULT_TOLERANCE);
-            if rounds.last().is_none_or(|round| round.x != answer.x) || answer.iterations != rounds.len() {
+            if rounds.last().is_none_or(|round| round.x != answer.x) || answer.run.iterations != rounds.len() {
                 return Err("the four steps of the exercise are not those of the solver".into());
             }
             return Ok(rounds);
@@ -121,7 +121,7 @@ fn failure(study: &Study<'_>, scene: &Scene) -> Result<(Value, Drawn), Cause> {
         let outcome = run(Solver::FourStep, n)?;
         let passes = yes_no(outcome.solved);
         let reactions = [outcome.state.reactions.left, outcome.state.reactions.right].map(|r| fixed(r, 4));
-        table.push(row![n, outcome.iterations, passes, reactions[0], reactions[1]]);
+        table.push(row![n, outcome.run.iterations, passes, reactions[0], reactions[1]]);
     }
     let discrete = Discrete::new(scene, intervals)?;
     let mut rounds = rounds(&discrete)?;

@@ -47,7 +47,8 @@ fn strips() -> Result<[f64; 3], SceneError> {
         let width = share * length;
         let slab = Slab { length, width, stiffness: stiffness / width, poisson: 0.0, elements: [ELEMENTS, 1] };
         let body = slab.above(scene.load().uniform() / width, |x, _| scene.depth(x));
-        let clearance = body.state(&body.run(Solver::ActiveSet, 0.0)).clearance;
+        let answer = body.run(Solver::ActiveSet, 0.0);
+        let [clearance, _] = body.clearance_and_force(&answer);
         let middle: Vec<f64> = clearance.chunks(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
         apart_if_any(&middle, &of_beam) / largest(of_beam.iter().copied())
     }))
@@ -57,9 +58,10 @@ fn strips() -> Result<[f64; 3], SceneError> {
 /// is more.
 fn two_beams() -> f64 {
     let Known { body, clearance, contact_force } = bodies::two_beams(INTERVALS);
-    let found = body.state(&body.run(Solver::ActiveSet, 0.0));
-    let force = apart(&found.contact_force, &contact_force) / contact_force.iter().sum::<f64>();
-    force.max(apart(&found.clearance, &clearance) / largest(clearance))
+    let answer = body.run(Solver::ActiveSet, 0.0);
+    let [found, forces] = body.clearance_and_force(&answer);
+    let force = apart(forces, &contact_force) / contact_force.iter().sum::<f64>();
+    force.max(apart(found, &clearance) / largest(clearance))
 }
 
 /// A body that is no beam, the strip of a slab, and a foundation that is another body.

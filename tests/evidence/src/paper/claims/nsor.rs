@@ -54,19 +54,19 @@ pub(super) fn measure() -> Result<Vec<Count>, SceneError> {
         let (mut sweeps, mut own, mut converged, mut finest, mut work) = (Vec::new(), Vec::new(), true, 0, 0);
         for intervals in GRIDS {
             let raw = run(method, Solver::Nsor, intervals)?;
-            converged &= raw.solver_reports_success;
-            sweeps.push((intervals, raw.iterations));
-            own.push((intervals, own_sweeps(&raw.solver_status).unwrap_or(raw.iterations)));
-            work = raw.work;
+            converged &= raw.run.reports_success;
+            sweeps.push((intervals, raw.run.iterations));
+            own.push((intervals, own_sweeps(&raw.run.message).unwrap_or(raw.run.iterations)));
+            work = raw.run.work;
         }
         for intervals in FINER.into_iter().rev().chain(GRIDS.into_iter().rev()) {
-            if run(method, Solver::Nsor, intervals)?.solver_reports_success {
+            if run(method, Solver::Nsor, intervals)?.run.reports_success {
                 finest = intervals;
                 break;
             }
         }
         let active_set = run(method, Solver::ActiveSet, GRIDS[GRIDS.len() - 1])?;
-        let cost = work as f64 / active_set.work as f64;
+        let cost = work as f64 / active_set.run.work as f64;
         let last = |sweeps: &[(usize, usize)]| sweeps.last().map_or(f64::NAN, |(_, sweeps)| *sweeps as f64);
         let own_cost = cost * last(&own) / last(&sweeps);
         let pairs: Vec<(f64, f64)> = sweeps.iter().map(|&(n, s)| (n as f64, s as f64)).collect();
@@ -76,7 +76,7 @@ pub(super) fn measure() -> Result<Vec<Count>, SceneError> {
             own,
             converged,
             exponent: observed_order(&pairs),
-            active_set_solves: active_set.iterations,
+            active_set_solves: active_set.run.iterations,
             cost,
             own_cost,
             finest,

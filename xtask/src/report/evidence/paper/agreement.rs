@@ -3,7 +3,7 @@
 use palkki::Witness;
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::methods::Discrete;
-use palkki::route::RawSolution;
+use palkki::route::Solution;
 use palkki::scene::SceneError;
 use palkki::verdict::{Demand, Verdict};
 use palkki_evidence::paper::{INTERVALS, example, theory};
@@ -24,7 +24,7 @@ struct Authority {
 struct Run {
     method: Method,
     solver: Solver,
-    outcome: RawSolution,
+    outcome: Solution<()>,
     forces: Vec<f64>,
 }
 

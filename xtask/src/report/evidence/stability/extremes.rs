@@ -1,6 +1,6 @@
 //! Every route at the extremes of sizes, units and regimes, beside references that solve nothing.
 
-use palkki::route::RawSolution;
+use palkki::route::Solution;
 use palkki_evidence::extremes::{Extreme, Known, POWERS, borders, deep, sizes, units};
 
 use crate::report::evidence::prelude::*;
@@ -95,7 +95,7 @@ fn tried(group: &'static str, extreme: &Extreme, grids: &[usize]) -> Result<Vec<
 
 /// A run of a discretised route, and what it is beside the active set on the same quadratic program.
 fn checked(extreme: &Extreme, method: Method, solver: Solver) -> Result<Count, Cause> {
-    let run = |solver| -> Result<RawSolution, Cause> { on_grid(&extreme.scene, method, solver, extreme.intervals) };
+    let run = |solver| -> Result<Solution<()>, Cause> { on_grid(&extreme.scene, method, solver, extreme.intervals) };
     let outcome = run(solver)?;
     if !outcome.solved {
         return Ok(NOT_SOLVED);
