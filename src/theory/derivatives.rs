@@ -7,13 +7,14 @@
 //! ∂J/∂(depth) = −Σ R     ∂J/∂EI = ½∫v''²     ∂J/∂q₀ = −∫v     ∂J/∂P = −v(a)     ∂J/∂a = −P v'(a)     ∂J/∂d_s = −R_s
 //! ```
 
-use super::changes::{AT_A_CHANGE, Ground, curvature};
+use super::asked::Asked;
+use super::changes::AT_A_CHANGE;
 use super::conditions::Conditions;
 use super::exact::Exact;
 use super::list::Node;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use super::springs::Springs;
-use crate::scene::{Quantity, Scene, Support};
+use crate::scene::{Quantity, Scene};
 
 /// By what an answer is differentiated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -109,20 +110,6 @@ pub struct ContactDerivative {
     pub end_forces: Option<[f64; 2]>,
 }
 
-/// A derivative to be computed.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Asked {
-    pub(super) by: By,
-    pub(super) change: Change,
-    pub(super) unit: f64,
-    /// Whether there are scenes beside this one, as the number falls and as it grows.
-    pub(super) open: [bool; 2],
-    /// Known to be another on the other side.
-    pub(super) one_sided: bool,
-    /// Why it is not there where the change parts ground and support.
-    pub(super) parts: Option<Missing>,
-}
-
 /// Numbers of all derivatives together at most, with the unknowns of the beams that they are computed from: some 400 MB as text, and
 /// some seconds on ground that gives, where each has a beam of its own.
 const MOST_NUMBERS: usize = 20_000_000;
@@ -160,77 +147,6 @@ impl Exact {
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {
         Sensitivity::of(&self.given, &self.list, &self.spans, &self.forces)
-    }
-
-    /// By what an answer is differentiated, and what is known of each derivative before it is computed.
-    fn asked(&self, scene: &Scene) -> Vec<Asked> {
-        let scale = &self.scale;
-        let (stiffness, bending) = (self.stiffness, scene.beam().bending_stiffness());
-        let supports = self.at_supports(scene);
-        let mut all = Vec::new();
-        let mut add = |by, change, unit, open: [bool; 2], one_sided, parts| {
-            all.push(Asked { by, change, unit, open, one_sided, parts });
-        };
-        if scene.foundation().is_some() {
-            let parts = supports.iter().find_map(|s| s.rests);
-            add(By::Depth, Change::Ground, scale.depth, [!supports.iter().any(|s| s.at_level), true], false, parts);
-        }
-        add(By::Number(Quantity::BendingStiffness), Change::Unload, bending, [true; 2], false, None);
-        if let Some(ground) = scene.ground_stiffness() {
-            add(By::Number(Quantity::GroundStiffness), Change::Stiffen, ground, [true; 2], false, None);
-        }
-        let (uniform, unit) = (Change::Uniform(1.0 / stiffness), scale.force / scale.length);
-        add(By::Number(Quantity::Uniform), uniform, unit, [true; 2], false, None);
-        for (i, load) in scene.load().point().iter().enumerate() {
-            let at = load.at / scale.length;
-            let grows = Change::Force(at, 1.0 / stiffness);
-            add(By::Number(Quantity::PointForce(i)), grows, scale.force, [true; 2], false, None);
-            let size = load.force / scale.force / stiffness;
-            let open = [0.0 < at, at < self.given.length];
-            // At the end of a zone the other side is another stretch.
-            let one_sided = self.ends_zone(at);
-            // From a support to the ground beside it.
-            let onto = scene.beam().supports().iter().zip(&supports).find(|(s, _)| s.at <= load.at && load.at <= s.at);
-            let onto = onto.and_then(|(_, here)| here.rests);
-            let parts = self.pulls(at, size).then_some(Missing::Pulls).or(onto);
-            add(By::Number(Quantity::PointAt(i)), Change::Move(at, size), scale.length, open, one_sided, parts);
-        }
-        for (given, support) in scene.beam().supports_as_given().into_iter().enumerate() {
-            let before = |these: &[Support]| these.iter().filter(|s| s.at < support.at).count();
-            let pushes = || supports.len() + before(scene.beam().bearings());
-            let i = if support.pushes_only { pushes() } else { before(scene.beam().supports()) };
-            let alone = Ground::default();
-            let here = supports.get(i).unwrap_or(&alone);
-            let open = [true, !here.at_level];
-            let by = By::Number(Quantity::SupportLevel(given));
-            if self.springs.is_some() {
-                let at = self.given.breakpoint_at(support.at / scale.length);
-                at.into_iter().for_each(|at| add(by, Change::Level(at), scale.depth, open, false, None));
-                continue;
-            }
-            add(by, Change::Level(i), scale.depth, open, false, here.rests);
-            let unit = scale.length / scale.depth;
-            let (at_left, at_right) = (support.at <= 0.0, scene.beam().length() <= support.at);
-            // Where the ground meets the support the beam may pass this place on one side only.
-            let blocked = match (at_left, at_right) {
-                (true, _) => [true, here.at_level && here.axis[1] <= 0.0],
-                (_, true) => [here.at_level && 0.0 <= here.axis[0], true],
-                _ => [here.at_level && 0.0 < here.axis[0], here.at_level && here.axis[1] < 0.0],
-            };
-            let side = usize::from(!blocked[1]);
-            let (own, kinked) = scene.beam().shape().map_or(([0.0; 2], false), |shape| {
-                let slopes = shape.sides(support.at).map(|[_, slope]| slope);
-                let kinked = slopes[0].total_cmp(&slopes[1]).is_ne();
-                ([slopes[side] * unit, curvature(shape, support.at) * unit * scale.length], kinked)
-            });
-            let at_end = at_left || at_right;
-            let one_sided = kinked || here.at_level && !here.flat;
-            let open = [0, 1].map(|to| !blocked[to] && (to == side || !kinked));
-            let touches = blocked == [true; 2] || at_end && here.rests.is_some();
-            let parts = here.rests.filter(|_| !here.flat).or(touches.then_some(Missing::Touches));
-            add(By::Number(Quantity::SupportAt(given)), Change::Support(i, own), scale.length, open, one_sided, parts);
-        }
-        all
     }
 
     /// The derivative that is asked for.

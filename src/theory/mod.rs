@@ -14,13 +14,15 @@
 //!    `close` looks once more at a list that passes; `neutral` has the beams that rest on one place and may turn there.
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene; `room`: whether there is memory for it.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
-//! 8. `sensitivity`, `derivatives`, `changes`, `conditions`, `spread`: derivatives by the numbers of the scene, and where they are one-sided.
+//! 8. `sensitivity`, `asked`, `derivatives`, `changes`, `conditions`, `spread`: derivatives by the numbers of the scene, and where they are
+//!    one-sided.
 //! 9. `springs`: ground that gives, which needs no list.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
 //!
 //! **Invariant:** nothing here knows a grid, a method of discretisation or a solver of the quadratic program (32).
 
+mod asked;
 mod bernstein;
 mod breakpoints;
 mod chain;

@@ -1,7 +1,8 @@
 //! How far the forces of an exact answer are off if depths of the ground are: to first order, from its derivatives.
 
+use super::asked::Asked;
 use super::conditions::Conditions;
-use super::derivatives::{Asked, By};
+use super::derivatives::By;
 use super::exact::Exact;
 use super::sensitivity::Change;
 
