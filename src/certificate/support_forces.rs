@@ -31,13 +31,13 @@
 //! it does by such an end couple (their influence lines have one sign): there is no such place.
 
 use super::kernel::contact_node::EnclosedScene;
-use super::kernel::distance::{factor, on_part};
+use super::kernel::distance::{factor, lines, on_part};
 use super::kernel::foundation::inside;
 use super::kernel::interval::Interval;
 use super::kernel::load::cells;
 use super::kernel::polynomial::{Polynomial, number};
 use super::kernel::proof::{Pair, Piece};
-use super::kernel::reference::{Datum, Line, OUTWARDS, near};
+use super::kernel::reference::{Datum, Line, OUTWARDS};
 use super::largest::least_magnitude;
 use super::quantities::{moment, resultant};
 use crate::scene::Scene;
@@ -262,8 +262,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
         let by = if beside {
             // A deflection that is known at the support is off by no more than this, over the distance from there.
             let is_here = |at: &Datum| at.from.max(at.to) <= x && x <= at.from;
-            let known = near(&pair.lines, part.ends)
-                .iter()
+            let known = lines(pair, part.ends)
                 .filter(|Line(a, b)| a.uncertainty.max(b.uncertainty) <= 0.0 && (is_here(a) || is_here(b)));
             let off = known.map(|Line(a, b)| {
                 let reach = b.to.max(part.ends[1]) - a.from.min(part.ends[0]);

@@ -22,16 +22,22 @@ pub(crate) fn factor(gap: f64, stiffness: f64) -> f64 {
     (number(2) * Interval::exact(gap) / (number(3) * Interval::exact(stiffness))).sqrt().hi()
 }
 
+/// What holds the beam near a part of it: of its supports and of its zones the nearest, as supports hold what many parts of zones lie
+/// between, too.
+pub(crate) fn lines(pair: &Pair, part: [f64; 2]) -> impl Iterator<Item = &Line> {
+    near(&pair.lines, part).iter().chain(near(&pair.zones, part))
+}
+
 /// How far an admissible deflection can be off at most on a part of the beam, by the best of what holds it.
 pub(crate) fn on_part(pair: &Pair, factor: f64, part: [f64; 2]) -> f64 {
-    let bounds = near(&pair.lines, part).iter().map(|of| (factor * of.lever(part) + of.shift(part)) * OUTWARDS);
+    let bounds = lines(pair, part).map(|of| (factor * of.lever(part) + of.shift(part)) * OUTWARDS);
     bounds.fold(f64::INFINITY, f64::min)
 }
 
 /// The same anywhere: for a beam on two supports at its ends `l²/4 · √(2 gap / (3 EI l))`.
 pub(crate) fn anywhere(pair: &Pair, stiffness: f64, length: f64) -> f64 {
     let factor = factor(pair.gap, stiffness);
-    let places = pair.lines.iter().flat_map(|Line(a, b)| [a.from, a.to, b.from, b.to]).collect();
+    let places = pair.lines.iter().chain(&pair.zones).flat_map(|Line(a, b)| [a.from, a.to, b.from, b.to]).collect();
     cells(0.0, length, places).into_iter().map(|part| on_part(pair, factor, part)).fold(0.0, f64::max)
 }
 

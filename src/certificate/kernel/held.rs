@@ -8,7 +8,7 @@ use super::load::cells;
 use super::polynomial::number;
 use super::pressing::TensionCutOff;
 use super::proof::{Pair, Piece};
-use super::reference::{Datum, Line, in_order};
+use super::reference::{Datum, Line};
 
 /// A place with what is known of the deflection there; [`None`] if what is cut off, and taken from it, uses it up.
 fn known(place: Datum, gap: f64, share: Interval) -> Option<Datum> {
@@ -97,18 +97,17 @@ pub(crate) fn hold_by_zones(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode],
     let held = pressed.filter_map(|place| known(place, pair.gap, Interval::ZERO));
     let mut places: Vec<Datum> = held.chain(enclosed.supports.iter().map(|s| Datum::at(s.x))).collect();
     places.sort_by(|a, b| a.from.total_cmp(&b.from));
-    let next = |left: &Datum| places.get(places.partition_point(|right| right.from <= left.to)).copied();
-    let lines = places.iter().filter_map(|left| Some(Line(*left, next(left)?)));
-    let all = pair.lines.iter().copied().chain(lines.filter(|line| line.presses().is_finite()));
-    pair.lines = in_order(all.collect());
+    let lines = places.windows(2).map(|w| Line(w[0], w[1]));
+    pair.zones = lines.filter(|line| line.0.to < line.1.from && line.presses().is_finite()).collect();
 }
 
 /// Whatever the beam touches: neighbouring two of its supports, and one place `at` which it cannot turn, or about which the
 /// loads are in balance; without them the best two of the places that carry it.
 pub(super) fn lines(enclosed: &EnclosedScene<'_>, at: impl Iterator<Item = f64>, carriers: &mut [Datum]) -> Vec<Line> {
     let two = enclosed.supports.windows(2).map(|w| Line(Datum::at(w[0].x), Datum::at(w[1].x)));
-    let held: Vec<Line> = two.chain(at.map(|x| Line(Datum::at(x), Datum::at(x)))).collect();
-    in_order(if held.is_empty() { widest(carriers).into_iter().collect() } else { held })
+    let mut held: Vec<Line> = two.chain(at.map(|x| Line(Datum::at(x), Datum::at(x)))).collect();
+    held.sort_by(|a, b| a.0.from.total_cmp(&b.0.from));
+    if held.is_empty() { widest(carriers).into_iter().collect() } else { held }
 }
 
 /// Of places that press the two that hold the beam best: strongly, and far apart.

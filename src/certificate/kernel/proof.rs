@@ -56,6 +56,8 @@ pub(crate) struct Pair {
     pub(crate) carried: Vec<(f64, Interval)>,
     /// What holds the beam: each of them alone bounds the distance of `v̂` from `v*`.
     pub(crate) lines: Vec<Line>,
+    /// The same by parts of zones, where that was asked.
+    pub(crate) zones: Vec<Line>,
     /// The place about which the beam may turn without a force, if the contacts of `M` do not say how it stands.
     pub(crate) turns_about: Option<f64>,
     /// How far `v̂` was lifted at most off the deflection that the places of the witness make; infinite if it is of no witness.
@@ -120,18 +122,15 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, nodes: &[ContactNode]) -> Optio
     let (gap, share, lines) = held_by(enclosed, turns_about, carriers, &pieces, &cut_off, gap_of)?;
     let corrected = Interval::around_zero(share.hi());
     let carried = nodes.iter().zip(forces).map(|(node, force)| (node.x, force + corrected)).collect();
-    Some(Pair { pieces, gap, carried, lines, turns_about, lifted, ground: None })
+    Some(Pair { pieces, gap, carried, lines, zones: Vec::new(), turns_about, lifted, ground: None })
 }
 
 /// The gap with what corrections cost: those of `v̂`, and the moments and the share of what is cut off, which is taken from places that
 /// are `off` the ground by so much.
 fn corrected(gap: Interval, lifts: Interval, [moment, share]: [Interval; 2], off: f64) -> f64 {
-    let correction = lifts.sqrt() + moment;
-    let root = (number(2) * Interval::between(gap.lo().max(0.0), gap.hi())).sqrt() + correction;
-    // Without correction the square would only add rounding.
-    let corrected = if correction.is_zero() { gap } else { root.square() / number(2) };
+    let root = (number(2) * gap.not_negative()).sqrt() + lifts.sqrt() + moment;
     // What presses beside the ground has the clearance there for its gap.
-    (corrected + share * Interval::exact(off)).hi()
+    (root.square() / number(2) + share * Interval::exact(off)).hi()
 }
 
 /// Whether nodes are in order, have all supports among them, end every zone that they start, and follow the ground only where

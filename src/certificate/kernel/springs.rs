@@ -262,5 +262,5 @@ pub(crate) fn pair(enclosed: &EnclosedScene<'_>, ground: f64, stretches: &[Stret
     let force = |&node: &usize| shears[node][1] - shears[node][0] + enclosed.load.point(on.x(node));
     let carried = nodes.iter().map(|node| (on.x(*node), force(node) + Interval::around_zero(share.hi()))).collect();
     let (pieces, ground) = (sums.pieces, Some(sums.energy / number(2)));
-    Some(Pair { pieces, gap, carried, lines, turns_about: None, lifted: 0.0, ground })
+    Some(Pair { pieces, gap, carried, lines, zones: Vec::new(), turns_about: None, lifted: 0.0, ground })
 }

@@ -22,7 +22,16 @@ fn piece([from, to]: [f64; 2], coefficients: &[f64]) -> Piece {
 
 fn pair(pieces: Vec<Piece>) -> Pair {
     let lines = vec![Line(Datum::at(0.0), Datum::at(LENGTH))];
-    Pair { pieces, gap: 0.0, carried: Vec::new(), lines, turns_about: None, lifted: 0.0, ground: None }
+    Pair {
+        pieces,
+        gap: 0.0,
+        carried: Vec::new(),
+        lines,
+        zones: Vec::new(),
+        turns_about: None,
+        lifted: 0.0,
+        ground: None,
+    }
 }
 
 /// A pair with the gap that makes a factor.

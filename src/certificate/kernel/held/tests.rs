@@ -3,6 +3,7 @@
 use super::*;
 use crate::certificate::in_intervals;
 use crate::certificate::kernel::contact_node::tests::{Kind, node};
+use crate::certificate::kernel::distance::on_part;
 use crate::certificate::kernel::polynomial::Polynomial;
 use crate::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene};
 
@@ -96,12 +97,23 @@ fn parts_of_zones_hold_with_what_is_apart() {
     let load = Load::uniform_on(&beam, LOAD).expect("finite");
     let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: 0.0 })).expect("well posed");
     let nodes = [node(Kind::Support, 0.0, 0.0), node(Kind::Start, 4.0, 0.0), node(Kind::End, LENGTH, 0.0)];
-    let none = (Vec::new(), Vec::new(), Vec::new());
-    let mut pair =
-        Pair { pieces: none.0, gap: GAP, carried: none.1, lines: none.2, turns_about: None, lifted: 0.0, ground: None };
+    let mut pair = Pair {
+        pieces: Vec::new(),
+        gap: GAP,
+        carried: Vec::new(),
+        lines: vec![Line(Datum::at(0.0), Datum::at(LENGTH))],
+        zones: Vec::new(),
+        turns_about: None,
+        lifted: 0.0,
+        ground: None,
+    };
+    // Far from the first line there are too many of zones, none of which is known as well.
+    let (end, most) = ([LENGTH; 2], factor(GAP, STIFFNESS));
+    let alone = on_part(&pair, most, end);
     in_intervals(&scene, Balance::Held, |enclosed| hold_by_zones(enclosed, &nodes, &mut pair));
-    assert!(100 < pair.lines.len(), "{}", pair.lines.len());
-    for Line(left, right) in pair.lines {
+    assert!(on_part(&pair, most, end) <= alone, "zones besides make no bound wider");
+    assert!(100 < pair.zones.len(), "{}", pair.zones.len());
+    for Line(left, right) in pair.zones {
         assert!(left.to < right.from, "{left:?} and {right:?}");
         for place in [left, right].into_iter().filter(|place| place.presses.is_finite()) {
             assert!(GAP <= place.uncertainty * place.presses * (1.0 + 1e-15) && 0.0 < place.presses, "{place:?}");
