@@ -1,8 +1,9 @@
 //! By what an answer is differentiated: which derivatives are asked for, and what is known of each before it is computed.
 
 use super::changes::{Ground, curvature};
-use super::derivatives::{By, Missing};
+use super::derivatives::By;
 use super::exact::Exact;
+use super::missing::Missing;
 use super::sensitivity::Change;
 use crate::scene::{PointLoad, Quantity, Scene, Support};
 

@@ -1,9 +1,9 @@
 //! What an answer does where its kind changes: ground that is level with supports, loads at the ends of zones, stretches that lie
 //! along the ground.
 
-use super::derivatives::Missing;
 use super::exact::Exact;
 use super::list::Node;
+use super::missing::Missing;
 use super::piecewise::{AtSupport, Cell};
 use super::sensitivity::{Change, standing};
 use super::span::{EndCondition, Span};

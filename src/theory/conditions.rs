@@ -39,6 +39,17 @@ pub(super) struct Conditions {
     largest: f64,
 }
 
+/// On which sides of a change the conditions hold that have a sign.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Kept {
+    /// As the number falls, and as it grows.
+    pub(super) sides: [bool; 2],
+    /// None ends on either side, and all of them have a sign.
+    pub(super) both: bool,
+    /// One that ends has something to spare in this scene.
+    pub(super) soon: bool,
+}
+
 impl Exact {
     /// A change of no meaning, [`AT_A_CHANGE`] of the size of the number, in units of the change.
     fn least(&self, of: Change, largest: f64) -> f64 {
@@ -230,18 +241,23 @@ impl Exact {
         ends.map(|end| end.map(|rise| if least < rise.abs() { rise } else { 0.0 }))
     }
 
-    /// On which sides of a change, as the number falls and as it grows, the answer keeps the conditions that it holds with nothing to
-    /// spare, of those that have a sign; and whether there are such that keep on neither, or have none.
-    pub(super) fn keeps(&self, conditions: &Conditions, of: Change, changes: &[NodeChange]) -> ([bool; 2], bool) {
+    /// Where the answer keeps the conditions that it holds with nothing to spare over a change of no meaning.
+    pub(super) fn keeps(&self, conditions: &Conditions, of: Change, changes: &[NodeChange]) -> Kept {
         let least = self.least(of, conditions.largest);
         let weak = |&&(condition, spare): &&(OneSidedCondition, f64)| {
             spare == 0.0 || spare <= least * self.speed(condition, of, changes)
         };
-        let rates = conditions.all.iter().filter(weak).map(|&(condition, _)| self.rate(condition, of, changes, least));
-        rates.fold(([true; 2], true), |([falls, grows], both), rate| match rate {
-            None => ([falls, grows], false),
-            Some(rate) => ([falls && rate <= 0.0, grows && 0.0 <= rate], both && rate == 0.0),
-        })
+        let mut kept = Kept { sides: [true; 2], both: true, soon: false };
+        for &(condition, spare) in conditions.all.iter().filter(weak) {
+            let rate = self.rate(condition, of, changes, least);
+            kept.both &= rate == Some(0.0);
+            if let Some(rate) = rate {
+                let keeps = [rate <= 0.0, 0.0 <= rate];
+                kept.soon |= 0.0 < spare && keeps != [true; 2];
+                kept.sides = [0, 1].map(|side| kept.sides[side] && keeps[side]);
+            }
+        }
+        kept
     }
 }
 

@@ -9,9 +9,10 @@
 
 use super::asked::Asked;
 use super::changes::AT_A_CHANGE;
-use super::conditions::Conditions;
+use super::conditions::{Conditions, Kept};
 use super::exact::Exact;
 use super::list::Node;
+use super::missing::Missing;
 use super::sensitivity::{Change, NodeChange, Sensitivity, standing};
 use super::springs::Springs;
 use crate::scene::{Quantity, Scene};
@@ -50,51 +51,6 @@ pub struct Derivative {
     pub contacts: Vec<ContactDerivative>,
     /// Of the energy `J`.
     pub energy: f64,
-}
-
-/// Why a derivative is not there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Missing {
-    /// The ground parts from a support where the beam lies on it: forces change as a root of the distance, infinitely fast.
-    Parts,
-    /// The beam lies on the ground beside a support, or along it, without pressing on it: what touches is not determined.
-    Unloaded,
-    /// Beyond a support that moves off an end of the beam, the ground is level with it, and the beam touches it at once.
-    Touches,
-    /// The force at the end of a zone, or of a support there, jumps: a load that stands on it comes into the zone or leaves it.
-    Jumps,
-    /// Loads of both signs stand at one place on a zone, which lifts off under one of them as soon as they part.
-    Pulls,
-    /// Where a zone ends nothing presses: its place is not determined.
-    Undetermined,
-    /// A contact is so near a support that of the two forces only the couple is certain.
-    Unresolved,
-}
-
-impl Missing {
-    /// The reason in words.
-    #[must_use]
-    pub fn reason(self) -> &'static str {
-        match self {
-            Self::Parts => {
-                "infinite: the ground parts from a support beside which the beam lies on it, and forces change as a root of the distance"
-            }
-            Self::Unloaded => {
-                "none: the beam lies on the ground without pressing on it, so that what touches is not determined"
-            }
-            Self::Touches => {
-                "none: beyond a support that moves off the end of the beam, the beam touches the ground at once"
-            }
-            Self::Jumps => {
-                "in part: the force at the end of a zone jumps as the load that stands there comes into the zone or leaves it"
-            }
-            Self::Pulls => "none: one of the loads at this place pulls, and lifts the beam off as soon as they part",
-            Self::Unresolved => {
-                "in part: a contact is so near a support that only the sum and the couple of their forces are certain"
-            }
-            Self::Undetermined => "in part: nothing presses where a zone ends, so that the place is not determined",
-        }
-    }
 }
 
 /// The derivatives of a contact.
@@ -154,12 +110,13 @@ impl Exact {
         let Asked { by, change: of, unit, open, .. } = asked;
         let nodes = &self.list.nodes;
         let changes = linear.change(of, 1.0);
-        let (keeps, both) = self.keeps(conditions, of, &changes);
-        let holds = [0, 1].map(|side| open[side] && keeps[side]);
+        let Kept { sides, both, soon } = self.keeps(conditions, of, &changes);
+        let holds = [0, 1].map(|side| open[side] && sides[side]);
         let (towards, changes) = if holds == [true, false] { (-1.0, linear.change(of, -1.0)) } else { (1.0, changes) };
         let one_sided = asked.one_sided || !both || holds != [true; 2];
-        // Where the beam would be pulled onto the ground, or pushed off it, on either side.
-        let parts = asked.parts.or((holds == [false; 2]).then_some(Missing::Unloaded));
+        // Where the beam would be pulled onto the ground, or pushed off it, on either side, at once or soon.
+        let ends = if soon { Missing::Ends } else { Missing::Unloaded };
+        let parts = asked.parts.or((holds == [false; 2]).then_some(ends));
         let scaled = Scaled { exact: self, of, unit, towards };
         let jumping = |i: usize| self.jumps(i, of, towards * changes[i].place);
         let certain = |i: usize, value: f64| if self.unresolved(i) || jumping(i) { f64::NAN } else { value };

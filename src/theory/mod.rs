@@ -15,7 +15,7 @@
 //! 6. `solve`, `exact`, `summary`: the answer in the units of the scene; `room`: whether there is memory for it.
 //! 7. `continuation`, `pattern`, `margin`: from the answer of one scene to that of a scene beside it, and when its pattern changes.
 //! 8. `sensitivity`, `asked`, `derivatives`, `changes`, `conditions`, `spread`: derivatives by the numbers of the scene, and where they are
-//!    one-sided.
+//!    one-sided; `missing`: why one is not there.
 //! 9. `springs`: ground that gives, which needs no list.
 //!
 //! Time and memory grow like the number of pieces of profile and load, and of contacts.
@@ -39,6 +39,7 @@ pub(crate) mod gauss;
 mod guess;
 mod list;
 mod margin;
+mod missing;
 mod neutral;
 mod newton;
 mod normal;
@@ -60,9 +61,10 @@ mod summary;
 mod tension;
 mod violation;
 
-pub use derivatives::{By, ContactDerivative, Derivative, Missing};
+pub use derivatives::{By, ContactDerivative, Derivative};
 pub use exact::{Exact, Sample};
 pub use margin::Condition;
+pub use missing::Missing;
 pub use pattern::{ContactKind, Pattern, ZoneEnd};
 pub use solve::{TheoryError, solve, solve_near};
 pub use spread::Spread;
