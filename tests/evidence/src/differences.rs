@@ -111,6 +111,17 @@ impl Difference<'_> {
         }
     }
 
+    /// Lengths of steps: parts of the size of the number, and of what changes one of the numbers of the answer by its own size, if that is
+    /// less. What is rounding beside its terms says nothing of that.
+    fn steps(&self) -> Vec<f64> {
+        const TOLD: f64 = 1e-6;
+        let numbers = values(self.exact).into_iter().zip(self.ours()).zip(self.scale());
+        let told = numbers.filter(|((now, by), scale)| TOLD * scale <= now.abs() && 0.0 < by.abs());
+        let own = told.fold(self.size(), |least, ((now, by), _)| least.min((now / by).abs()));
+        let sizes = [Some(self.size()), Some(own).filter(|own| *own < self.size())];
+        sizes.into_iter().flatten().flat_map(|size| STEPS.map(|step| step * size)).collect()
+    }
+
     /// The answer some way off, if it has as many contacts of the same kinds; [`Err`] if there is none.
     fn at(&self, step: f64) -> Result<Option<Vec<f64>>, ()> {
         let scene = match self.derivative.by {
@@ -125,7 +136,7 @@ impl Difference<'_> {
     /// True where differences are the derivative; [`None`] where no answer is beside this one.
     fn agrees(&self, weights: &[(f64, f64)]) -> Option<bool> {
         let mut tried = None;
-        for step in STEPS.map(|step| step * self.size()) {
+        for step in self.steps() {
             let at: Result<Vec<_>, ()> = weights.iter().map(|(at, _)| self.at(at * step)).collect();
             let Ok(at) = at else { continue };
             let mut differences = vec![0.0; self.scale().len()];
