@@ -76,7 +76,7 @@ impl Exact {
     /// not certain.
     #[must_use]
     pub fn derivatives(&self, scene: &Scene) -> Vec<Derivative> {
-        let asked = self.asked(scene).into_iter().take(self.most_derivatives());
+        let [asked, _] = self.computed_and_left_out(scene);
         if let Some(springs) = &self.springs {
             return self.derivatives_on_springs(springs, scene, asked);
         }
@@ -87,18 +87,23 @@ impl Exact {
             let unloaded = (lies && matches!(asked.change, Change::Uniform(_))).then_some(Missing::Unloaded);
             self.derivative(&linear, &conditions, Asked { parts: asked.parts.or(unloaded), ..asked })
         };
-        asked.map(of).collect()
+        asked.into_iter().map(of).collect()
     }
 
     /// How many derivatives are left out of [`Self::derivatives`] for there are too many numbers in all.
     #[must_use]
     pub fn derivatives_left_out(&self, scene: &Scene) -> usize {
-        self.asked(scene).len().saturating_sub(self.most_derivatives())
+        let [_, left_out] = self.computed_and_left_out(scene);
+        left_out.len()
     }
 
-    fn most_derivatives(&self) -> usize {
+    /// What is computed, of [`MOST_NUMBERS`] at most, and what is left out.
+    fn computed_and_left_out(&self, scene: &Scene) -> [Vec<Asked>; 2] {
         let unknowns = self.springs.as_ref().map_or(0, Springs::unknowns);
-        MOST_NUMBERS / (unknowns + self.state.supports.len() + 5 * self.state.contacts.len() + 1)
+        let most = MOST_NUMBERS / (unknowns + self.state.supports.len() + 5 * self.state.contacts.len() + 1);
+        let mut asked = self.asked(scene);
+        let left_out = asked.split_off(most.min(asked.len()));
+        [asked, left_out]
     }
 
     pub(super) fn sensitivity(&self) -> Option<Sensitivity<'_>> {

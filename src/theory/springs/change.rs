@@ -35,14 +35,14 @@ impl Exact {
         &self,
         springs: &Springs,
         scene: &Scene,
-        asked: impl Iterator<Item = Asked>,
+        asked: Vec<Asked>,
     ) -> Vec<Derivative> {
         let ties = self.has_ties(scene);
         let by = |asked: Asked| {
             let one_sided = asked.one_sided || ties || asked.open != [true; 2];
             self.on_springs_by(springs, Asked { one_sided, ..asked })
         };
-        asked.filter(|_| self.solved).filter_map(by).collect()
+        asked.into_iter().filter(|_| self.solved).filter_map(by).collect()
     }
 
     /// True if a support that only pushes neither presses nor is clear of the beam.
