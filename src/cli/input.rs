@@ -184,7 +184,12 @@ fn refused(error: &io::Error) -> ReadProblem {
 
 /// A file of at most `largest` bytes as text.
 fn read(path: &Path, largest: u64) -> Result<String, ReadProblem> {
-    text_of(open(path)?, largest)
+    let file = open(path)?;
+    // Before half a gigabyte is read in vain.
+    if file.metadata().is_ok_and(|there| largest < there.len()) {
+        return Err(ReadProblem::TooLarge { limit: largest });
+    }
+    text_of(file, largest)
 }
 
 /// A file, and nothing else that may have a name.
