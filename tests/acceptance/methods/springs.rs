@@ -3,9 +3,12 @@
 use palkki::certificate::CERTIFIED_RESIDUAL;
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Grid, Load, PointLoad, Scene, Support};
-use palkki::{Settings, Solution, solve, solve_exactly};
+use palkki::verdict::{Demand, Verdict};
+use palkki::{Settings, Solution, Witness, solve, solve_exactly};
 use palkki_evidence::compare::largest;
 use palkki_evidence::random::{self, Random};
+
+use crate::scenes::{nodes, run};
 
 fn scene(supports: Option<Vec<Support>>, point: Vec<PointLoad>, foundation: Foundation, stiffness: f64) -> Scene {
     let mut beam = Beam::new(10.0, 500.0 / 384.0).expect("a beam");
@@ -147,14 +150,16 @@ fn random_scenes_are_solved_on_grids() {
             continue;
         }
         let intervals = step * 200_usize.div_ceil(step);
+        let exact = solve_exactly(&scene).expect("an answer").exact.expect("functions");
+        let witness = Witness::known(&scene, &exact);
         for method in Method::ALL {
-            let Solution { state, verdict, residual, run, .. } = on_grid(&scene, method, Solver::ActiveSet, intervals);
-            assert!(residual <= CERTIFIED_RESIDUAL, "{seed}, {method}, {intervals}: {residual:e}, {}", run.message);
+            let raw = run(&scene, method, Solver::ActiveSet, intervals);
+            let residual = raw.residual;
+            assert!(residual <= CERTIFIED_RESIDUAL, "{seed}, {method}, {intervals}: {residual:e}, {}", raw.ended());
+            let verdict = Verdict::of_raw(&raw, &witness, &Demand::default());
             if verdict.status == Status::Certified {
-                let exact = solve_exactly(&scene).expect("an answer").exact.expect("functions");
-                let nodes = state.nodes.expect("of a grid");
-                let off = nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| v - exact.deflection(*x));
-                let off = largest(off);
+                let nodes = nodes(&raw);
+                let off = largest(nodes.x.iter().zip(&nodes.deflection).map(|(x, v)| v - exact.deflection(*x)));
                 let most = verdict.certificate.expect("bounds").deflection_error;
                 assert!(off <= most * (1.0 + 1e-9), "{seed}, {method}: off by {off:e}, at most {most:e}");
             }
