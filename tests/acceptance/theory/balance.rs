@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use palkki::scene::{Balance, Beam, Foundation, LinearLoad, Load, PointLoad, Scene, SceneError, Support, Unheld};
 use palkki_evidence::authority::RBig;
-use palkki_evidence::authority::rational::number;
+use palkki_evidence::authority::number::Number;
 use palkki_evidence::authority::statics::{exactly, resultant_and_moment};
 use palkki_evidence::random::Random;
 
@@ -44,7 +44,7 @@ fn random_load(random: &mut Random, length: f64, about: f64) -> Load {
         let [_, moment] = resultant_and_moment(&load, length, about).expect("finite");
         let at = if about < 0.5 * length { length } else { 0.0 };
         let shift = random.pick(&[0.0, 1e-15, -1e-15, 1e-13, -1e-13, 1e-3]);
-        let force = -number(&moment) / (at - about) + shift * load.magnitude(length);
+        let force = -moment.to_double() / (at - about) + shift * load.magnitude(length);
         point.push(PointLoad { at, force });
         return Load::new(&beam, uniform, load.linear().to_vec(), point).expect("loads");
     }
@@ -89,7 +89,7 @@ fn random_loads_are_classified_as_fractions_classify_them() {
                     assert!(turn != zero && grounded, "{what}");
                 } else {
                     assert!(zero < left && right < zero, "{what}");
-                    let at = number(&(left / force));
+                    let at = (left / force).to_double();
                     assert!((resultant.at - at).abs() <= 1e-15 * at.abs(), "{what}");
                 }
             }
@@ -97,7 +97,7 @@ fn random_loads_are_classified_as_fractions_classify_them() {
                 fell += 1;
                 match why {
                     Unheld::Turns { moment, .. } => {
-                        assert!(support.is_some() && !grounded && 0.0 < moment * number(&turn), "{what}");
+                        assert!(support.is_some() && !grounded && 0.0 < moment * turn.to_double(), "{what}");
                     }
                     Unheld::PulledUp { .. } => assert!(force < zero && support.is_none(), "{what}"),
                     Unheld::Overturns { at, .. } => {

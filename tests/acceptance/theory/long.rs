@@ -6,7 +6,8 @@
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError, Support};
 use palkki::{Settings, Solution, solve, solve_exactly};
-use palkki_evidence::authority::{RBig, rational};
+use palkki_evidence::authority::RBig;
+use palkki_evidence::authority::number::Number;
 use palkki_evidence::extremes::chebyshev;
 
 use crate::scenes::uniform;
@@ -37,7 +38,7 @@ fn solved(coefficients: Vec<f64>, length: f64, load: f64) -> Solution {
 fn depth(coefficients: &[f64], x: f64) -> f64 {
     let exact = |value: f64| RBig::try_from(value).expect("a finite number");
     let x = exact(x);
-    rational::number(&coefficients.iter().rev().fold(RBig::ZERO, |sum, &c| sum * &x + exact(c)))
+    coefficients.iter().rev().fold(RBig::ZERO, |sum, &c| sum * &x + exact(c)).to_double()
 }
 
 /// From a beam that touches nothing to one that is pressed into every hollow.
@@ -130,7 +131,7 @@ fn jet(coefficients: &[f64], x: f64) -> [f64; 3] {
         .iter()
         .rev()
         .fold(start, |[u, slope, half], &c| [&u * &x + exact(c), &slope * &x + u, half * &x + slope]);
-    [u, slope, half * RBig::from(2)].map(|value| rational::number(&value))
+    [u, slope, half * RBig::from(2)].map(|value| value.to_double())
 }
 
 /// Beside a support, too, depth and slope of a long polynomial are what its coefficients make them: ground below a support is not level

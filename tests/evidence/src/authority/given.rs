@@ -4,8 +4,24 @@
 use palkki::scene::{Foundation, Scene};
 use palkki::state::Discretisation;
 
+use super::RBig;
 use super::clapeyron::Problem;
 use super::number::{Fixed, Number};
+
+/// Beam and load of the paper's example in fractions, over depths `u(i/N)`: l = 10, EI = 500/384, q₀ = 1.
+pub fn example_over(intervals: i64, discretisation: Discretisation, depth: impl Fn(&RBig) -> RBig) -> Problem<RBig> {
+    let spacing = RBig::fraction(10, intervals);
+    let half = spacing.over(&RBig::whole(2));
+    let is_end = |i: i64| i == 0 || i == intervals;
+    let at = |i| if is_end(i) { RBig::zero() } else { depth(&RBig::fraction(i, intervals)) };
+    Problem {
+        discretisation,
+        stiffness: RBig::fraction(500, 384),
+        loads: (0..=intervals).map(|i| if is_end(i) { half.clone() } else { spacing.clone() }).collect(),
+        depths: (0..=intervals).map(at).collect(),
+        spacing,
+    }
+}
 
 /// `scene` on `intervals`; none without a foundation, and none for a polyline with a step.
 pub fn problem(scene: &Scene, intervals: usize, discretisation: Discretisation) -> Option<Problem<Fixed>> {

@@ -1,5 +1,4 @@
-//! The authority on discrete problems: the paper's matrices in fractions, and the three-moment equations in fractions or in
-//! integers of hundreds of bits. And on bounds for the continuous beam: [`energies`] in fractions.
+//! The authority on discrete problems: the three-moment equations in fractions or in integers of hundreds of bits. And on bounds for the continuous beam: [`energies`] in fractions.
 //!
 //! It shares no line with the library. Of the library it knows the data types of a scene alone; loads, depths, moments and
 //! deflections are its own, and what it finds is checked against the definition of the discrete problem and against (34),
@@ -12,7 +11,6 @@ pub mod given;
 pub mod number;
 pub mod pair;
 pub mod polynomial;
-pub mod rational;
 pub mod statics;
 
 pub use dashu_ratio::RBig;

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use palkki::scene::Load;
 
-use super::rational::fraction;
+use super::number::Number;
 
 /// A 64-bit number, exactly; [`None`] if it is not finite.
 #[must_use]
@@ -15,7 +15,7 @@ pub fn exactly(value: f64) -> Option<RBig> {
 #[must_use]
 pub fn resultant_and_moment(load: &Load, length: f64, about: f64) -> Option<[RBig; 2]> {
     let c = exactly(about)?;
-    let half = fraction(1, 2);
+    let half = RBig::fraction(1, 2);
     let (uniform, l) = (exactly(load.uniform())?, exactly(length)?);
     let mut force = &uniform * &l;
     let mut moment = &force * (&l * &half - &c);
@@ -25,7 +25,7 @@ pub fn resultant_and_moment(load: &Load, length: f64, about: f64) -> Option<[RBi
         let width = to - &from;
         // A rectangle as high as the start, and the triangle that is left.
         let (rectangle, triangle) = (&start * &width, (end - &start) * &width * &half);
-        moment += &rectangle * (&from + &width * &half - &c) + &triangle * (from + width * fraction(2, 3) - &c);
+        moment += &rectangle * (&from + &width * &half - &c) + &triangle * (from + width * RBig::fraction(2, 3) - &c);
         force += rectangle + triangle;
     }
     for part in load.point() {

@@ -2,7 +2,7 @@
 
 use palkki::scene::{Foundation, PointLoad, Support};
 
-use crate::authority::rational::number;
+use crate::authority::number::Number;
 use crate::authority::statics::resultant_and_moment;
 use crate::draft::Draft;
 use crate::random::Random;
@@ -114,7 +114,7 @@ pub(super) fn margins(random: &mut Random) -> Draft {
     let moment = draft.load().ok().and_then(|load| Some((resultant_and_moment(&load, draft.length, about)?, load)));
     if let Some(([_, moment], load)) = moment {
         let share = random.pick(&[0.0, 0.0, 1e-15, 1e-13, 1e-9, 1e-3]) * random.pick(&[1.0, -1.0]);
-        let force = share * load.magnitude(draft.length) - number(&moment) / (far - about);
+        let force = share * load.magnitude(draft.length) - moment.to_double() / (far - about);
         draft.point.push(PointLoad { at: far, force });
     }
     draft

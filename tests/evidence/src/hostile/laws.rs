@@ -11,7 +11,7 @@ use palkki::theory::{self, Exact};
 use palkki::verdict::{Demand, Verdict, certificate};
 use palkki::{Settings, Witness};
 
-use crate::authority::rational::number;
+use crate::authority::number::Number;
 use crate::authority::statics::resultant_and_moment;
 
 use super::trial::Trial;
@@ -124,7 +124,7 @@ fn turning(scene: &Scene, state: &ContactState) -> Option<f64> {
     let (nodes, length) = (state.nodes.as_ref()?, scene.beam().length());
     let [_, load] = resultant_and_moment(scene.load(), length, length)?;
     let contact = nodes.x.iter().zip(&nodes.contact_force).map(|(x, force)| force * (length - x));
-    let mut turn = number(&load) + contact.sum::<f64>();
+    let mut turn = load.to_double() + contact.sum::<f64>();
     for support in &state.supports {
         turn += support.force * (length - support.at);
         turn += match support.moment {

@@ -9,7 +9,9 @@ use palkki::verdict::{Demand, Verdict};
 use palkki_evidence::paper::{INTERVALS, example, theory};
 
 use crate::report::evidence::prelude::*;
-use palkki_evidence::authority::rational::{Data, fraction, number};
+use palkki_evidence::authority::RBig;
+use palkki_evidence::authority::given::example_over;
+use palkki_evidence::authority::number::Number;
 
 /// Exact results of one discrete model, as fractions and as the nearest numbers.
 struct Authority {
@@ -102,28 +104,22 @@ fn exact(energy: &Authority, differences: &Authority) -> Table {
 /// The exact optimum. The contact set is read from a computed answer; the check in rationals does not rely on it.
 fn authority(runs: &[Run], method: Method) -> Result<Authority, Cause> {
     let run = runs.iter().find(|run| run.method == method && run.solver == Solver::ActiveSet);
-    let touches: Vec<bool> = run.map_or_else(Vec::new, |run| run.forces.iter().map(|p| 0.0 < *p).collect());
-    let load = fraction(10, i32::try_from(INTERVALS)?);
-    let data = Data {
-        length: fraction(10, 1),
-        stiffness: fraction(500, 384),
-        loads: vec![load.clone(); touches.len()],
-        depths: vec![fraction(1, 1); touches.len()],
-    };
-    let optimum = if method == Method::Complementarity { data.differences(&touches) } else { data.energy(&touches) };
-    if let Some(node) = optimum.violation(&touches) {
-        return Err(
-            format!("the contact set of the {method} method is not that of the optimum, see node {node}").into()
-        );
+    let run = run.ok_or("the active set is among the routes")?;
+    let touches: Vec<bool> = run.forces.iter().map(|p| 0.0 < *p).collect();
+    let problem = example_over(i64::try_from(INTERVALS)?, method.discretisation(), |_| RBig::whole(1));
+    let optimum = problem.solve(&touches);
+    if !optimum.is_optimal(&touches) {
+        let wrong = optimum.wrong(&touches);
+        return Err(format!("the contact set of the {method} method is not that of the optimum: {wrong:?}").into());
     }
-    let first = optimum.contact_force.iter().position(|p| !p.is_zero()).unwrap_or(0);
-    // With the load of half an interval on the support.
-    let left_reaction = data.left_reaction(&optimum) + load / fraction(2, 1);
+    let forces = &optimum.contact_force[1..INTERVALS];
+    let first = forces.iter().position(|p| !p.is_zero()).unwrap_or(0);
+    let left_reaction = optimum.left_reaction(&problem.loads[0]);
     Ok(Authority {
         first,
-        fractions: [optimum.contact_force[first].to_string(), left_reaction.to_string()],
-        forces: optimum.contact_force.iter().map(number).collect(),
-        left_reaction: number(&left_reaction),
+        fractions: [forces[first].to_string(), left_reaction.to_string()],
+        forces: forces.iter().map(Number::to_double).collect(),
+        left_reaction: left_reaction.to_double(),
     })
 }
 
