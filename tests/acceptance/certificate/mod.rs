@@ -15,7 +15,6 @@ mod scale;
 mod sharpness;
 mod supports;
 mod truth;
-mod uneven;
 mod verdict;
 mod witness;
 mod wrong;

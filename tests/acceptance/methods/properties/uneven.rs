@@ -5,6 +5,7 @@ use palkki::methods::Discrete;
 use palkki::route::{Method, Solver};
 use palkki::scene::Scene;
 use palkki::state::Regime;
+use palkki_evidence::faults::Truth;
 use palkki_evidence::paper::uneven::{Unevenness, scenes};
 use palkki_evidence::random::Random;
 
@@ -47,11 +48,14 @@ fn the_active_set_is_certified_on_every_uneven_scene() {
 }
 
 /// Wherever the four steps stop, no variable is negative and the free ones have no gradient: on the edge, and stationary there. They
-/// claim success everywhere, and are believed where the point is the optimum.
+/// claim success everywhere, and are believed where the point is the optimum. What is guaranteed of their answers is true either way.
 #[test]
 fn four_steps_end_at_stationary_points_of_a_face_and_are_not_believed() {
+    /// One scene in so many is compared with beam theory, which takes longer than the four steps.
+    const COMPARED: usize = 4;
     let mut refused = 0;
-    for scene in &all()[..] {
+    for (k, scene) in all().iter().enumerate() {
+        let truth = k.is_multiple_of(COMPARED).then(|| Truth::of(scene).expect("theory has an answer"));
         let scaled = scene.scaled().expect("numbers in range");
         let discrete = Discrete::new(&scaled.scene, 30).expect("enough intervals");
         for method in Method::ALL {
@@ -62,6 +66,10 @@ fn four_steps_end_at_stationary_points_of_a_face_and_are_not_believed() {
             let raw = run(scene, method, Solver::FourStep, 30);
             assert!(raw.run.reports_success && raw.solved == (raw.residual <= CERTIFIED_RESIDUAL), "{method}");
             refused += usize::from(!raw.solved);
+            if let Some(truth) = truth.as_ref().filter(|truth| truth.solved) {
+                let judged = truth.nodes(nodes(&raw)).expect("numbers");
+                assert!(judged.false_bounds.is_empty(), "scene {k}, {method}: {judged:?}");
+            }
             // Anew, from x alone.
             let gradient = qp.gradient(&answer.x);
             for (x, g) in answer.x.iter().zip(gradient) {
