@@ -4,7 +4,7 @@
 //! contact set is then proven: equilibrium, elasticity, (34) and (35) are checked at every node, without rounding or with all of it
 //! counted in. `A` is positive definite, so there is no other optimum, and floating-point answers are compared with this one.
 
-use palkki::route::{Method, RawSolution, Solver};
+use palkki::route::{Method, Solver};
 use palkki::scene::{Foundation, Scene};
 use palkki::state::Discretisation;
 use palkki_evidence::authority::RBig;
@@ -21,14 +21,14 @@ const AT_9999: f64 = 1e-11;
 
 /// The contact set of a raw solution that is solved.
 #[track_caller]
-fn contact(raw: &RawSolution) -> Vec<bool> {
+fn contact(raw: &palkki::Solution<()>) -> Vec<bool> {
     assert!(raw.solved, "the route is certified");
     nodes(raw).contact_force.iter().map(|p| 0.0 < *p).collect()
 }
 
 /// The exact answer on the contact set of a route, with proof that it is the optimum.
 #[track_caller]
-fn proven<T: Number>(problem: &Problem<T>, raw: &RawSolution) -> Solution<T> {
+fn proven<T: Number>(problem: &Problem<T>, raw: &palkki::Solution<()>) -> Solution<T> {
     let contact = contact(raw);
     let (exact, optimal, exchanges) = problem.optimum(contact.clone()).expect("an optimum is found");
     assert_eq!(exchanges, 0, "(34), (35) hold on {contact:?}, and not on {optimal:?} only");
@@ -36,7 +36,7 @@ fn proven<T: Number>(problem: &Problem<T>, raw: &RawSolution) -> Solution<T> {
 }
 
 #[track_caller]
-fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, raw: &RawSolution, tolerance: f64) {
+fn within<T: Number>(problem: &Problem<T>, exact: &Solution<T>, raw: &palkki::Solution<()>, tolerance: f64) {
     let errors = Forward::errors(problem, exact, &raw.state).expect("all values are numbers");
     for (what, error) in errors.all() {
         assert!(error <= tolerance, "{what} is off by {error:.1e}: {errors:?}");
