@@ -7,8 +7,9 @@
 //! ```
 
 use palkki::route::Status;
-use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, Support};
+use palkki::scene::Foundation;
 use palkki::verdict::{Demand, Verdict};
+use palkki_evidence::draft::{Draft, Units};
 use palkki_evidence::random::Random;
 
 use super::solved;
@@ -45,33 +46,14 @@ impl Body {
         Self { length, stiffness, points, crest, force: random.between(0.1, 3.0), arm }
     }
 
-    fn scene(&self, supports: Vec<Support>) -> Scene {
-        let beam =
-            Beam::new(self.length, self.stiffness).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+    /// Merely lying there.
+    fn draft(&self) -> Draft {
         let [at, _] = self.points[self.crest];
-        let point = match self.arm {
-            0.0 => vec![PointLoad { at, force: self.force }],
-            arm => [at - arm, at + arm].map(|at| PointLoad { at, force: self.force }).to_vec(),
-        };
-        let load = Load::new(&beam, 0.0, Vec::new(), point).expect("a load");
-        Scene::new(beam, load, Some(Foundation::Polyline { points: self.points.clone() })).expect("a scene")
-    }
-
-    fn mirrored(&self) -> Self {
-        let points: Vec<[f64; 2]> = self.points.iter().rev().map(|&[x, depth]| [self.length - x, depth]).collect();
-        Self { crest: points.len() - 1 - self.crest, points, ..self.clone() }
-    }
-
-    /// In units that are no powers of two.
-    fn in_units(&self, [length, depth, force]: [f64; 3]) -> Self {
-        Self {
-            length: self.length * length,
-            stiffness: self.stiffness * force * length.powi(3) / depth,
-            points: self.points.iter().map(|[x, u]| [x * length, u * depth]).collect(),
-            force: self.force * force,
-            arm: self.arm * length,
-            ..self.clone()
-        }
+        let loads = [(at - self.arm, self.force), (at + self.arm, self.force)];
+        let loads = if self.arm == 0.0 { vec![(at, self.force)] } else { loads.to_vec() };
+        let ground = Some(Foundation::Polyline { points: self.points.clone() });
+        let (length, stiffness, supports) = (self.length, self.stiffness, Some(Vec::new()));
+        Draft { length, stiffness, ground, supports, ..Draft::default() }.with_points(&loads)
     }
 
     /// The deflection at slope zero below the crest, at a distance from it.
@@ -113,16 +95,29 @@ fn a_body_in_balance_above_a_crest_may_turn_about_it() {
     let mut random = Random::new(725);
     let (mut turned, mut held) = (0, 0);
     for i in 0..400 {
-        let drawn = Body::random(&mut random);
-        let units = [random.between(0.1, 9.0), random.between(0.1, 9.0), random.between(0.1, 9.0)];
-        for body in [drawn.clone(), drawn.mirrored(), drawn.in_units(units)] {
-            let expected = body.slopes();
+        let body = Body::random(&mut random);
+        let [crest, depth] = body.points[body.crest];
+        let slopes = body.slopes();
+        // In units that are no powers of two.
+        let [length, unit, force] = [0; 3].map(|_| random.between(0.1, 9.0));
+        let units = Units { length, depth: unit, force };
+        // As it is, from the other side, in units: the draft, the slopes, the place and depth of the crest, the unit of force.
+        for (draft, expected, [c, depth], force) in [
+            (body.draft(), slopes, [crest, depth], 1.0),
+            (body.draft().mirrored(), [-slopes[1], -slopes[0]], [body.length - crest, depth], 1.0),
+            (
+                body.draft().in_units(units),
+                slopes.map(|slope| slope * unit / length),
+                [crest * length, depth * unit],
+                force,
+            ),
+        ] {
             let size = expected[0].abs().max(expected[1].abs());
-            let what = format!("{i}: {expected:?}, {body:?}");
+            let what = format!("{i}: {expected:?}, {draft:?}");
             if (expected[1] - expected[0]).abs() <= 1e-3 * size {
                 continue;
             }
-            let scene = body.scene(Vec::new());
+            let scene = draft.scene().expect("a scene");
             let exact = solved(&scene);
             let standing = exact.state.standing.expect("not held by supports");
             if expected[1] < expected[0] {
@@ -132,14 +127,13 @@ fn a_body_in_balance_above_a_crest_may_turn_about_it() {
             }
             turned += 1;
             let motion = standing.motion.unwrap_or_else(|| panic!("no motion, {what}: {:?}", exact.state.contacts));
-            let [c, depth] = body.points[body.crest];
             assert!((motion.about - c).abs() <= 1e-14 * c, "{what}: {motion:?}");
             for (found, expected) in motion.slope.into_iter().zip(expected) {
                 let off = (found.expect("ground on both sides") - expected).abs();
                 assert!(off <= SAMPLED * size, "{what}: {motion:?}");
             }
             let [contact] = exact.state.contacts[..] else { panic!("{what}: {:?}", exact.state.contacts) };
-            let all = if body.arm == 0.0 { body.force } else { 2.0 * body.force };
+            let all = force * if body.arm == 0.0 { body.force } else { 2.0 * body.force };
             assert!(
                 (contact.force - all).abs() <= 1e-13 * all && contact.from.total_cmp(&contact.to).is_eq(),
                 "{what}"
@@ -164,27 +158,34 @@ fn what_carries_a_body_may_be_a_post_or_its_own_shape() {
         force: 1.0,
         arm: 0.0,
     };
-    let motion = |body: &Body| solved(&body.scene(Vec::new())).state.standing.and_then(|standing| standing.motion);
-    let crests = body(&[[0.0, 2.0], [2.0, 0.4], [4.5, 2.0], [7.0, 0.1], [10.0, 2.0]], 3);
-    for (body, expected) in [(crests.clone(), [-0.06, 1.9 / 3.0]), (crests.mirrored(), [-1.9 / 3.0, 0.06])] {
-        let [from, to] = motion(&body).expect("it may turn").slope.map(|slope| slope.expect("ground on both sides"));
+    let motion =
+        |draft: Draft| solved(&draft.scene().expect("a scene")).state.standing.and_then(|standing| standing.motion);
+    let crests = body(&[[0.0, 2.0], [2.0, 0.4], [4.5, 2.0], [7.0, 0.1], [10.0, 2.0]], 3).draft();
+    for (draft, expected) in [(crests.mirrored(), [-1.9 / 3.0, 0.06]), (crests, [-0.06, 1.9 / 3.0])] {
+        let [from, to] = motion(draft).expect("it may turn").slope.map(|slope| slope.expect("ground on both sides"));
         assert!((from - expected[0]).abs() <= 1e-15 && (to - expected[1]).abs() <= 1e-15, "{from} {to}");
     }
     let posts =
         body(&[[0.0, 9.0], [2.0, 9.0], [2.0, 0.0], [3.0, 9.0], [6.0, 9.0], [7.0, 0.0], [8.0, 9.0], [10.0, 9.0]], 5);
-    let [from, to] = motion(&posts).expect("it may turn").slope.map(|slope| slope.expect("ground on both sides"));
+    let [from, to] =
+        motion(posts.draft()).expect("it may turn").slope.map(|slope| slope.expect("ground on both sides"));
     assert!(from.abs() <= 1e-15 && (to - 3.0).abs() <= 1e-14, "{from} {to}");
     for incline in [0.0, 0.1, 0.3] {
         let mut sleepers = [[0.0, 4.0], [2.0, 0.0], [4.0, 4.0], [5.0, 0.0], [6.0, 4.0], [9.0, 0.0], [10.0, 4.0]];
         sleepers.iter_mut().for_each(|[x, depth]| *depth += incline * *x);
-        assert_eq!(motion(&body(&sleepers, 3)), None, "one slope alone, {incline}");
+        assert_eq!(motion(body(&sleepers, 3).draft()), None, "one slope alone, {incline}");
     }
     // Bent down at its ends by its shape, above level ground: `w0 = |x − 4| / 10`, highest above the ground there in the middle.
     let shape = Foundation::Polyline { points: vec![[0.0, -0.4], [4.0, 0.0], [10.0, -0.6]] };
-    let beam =
-        Beam::new(10.0, 20.0).and_then(|beam| beam.with_supports(Vec::new())?.with_shape(shape)).expect("a beam");
-    let load = Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at: 4.0, force: 1.0 }]).expect("a load");
-    let rocker = solved(&Scene::new(beam, load, Some(Foundation::Flat { depth: 1.0 })).expect("a scene"));
+    let rocker = Draft {
+        length: 10.0,
+        stiffness: 20.0,
+        ground: Some(Foundation::Flat { depth: 1.0 }),
+        supports: Some(Vec::new()),
+        shape: Some(shape),
+        ..Draft::default()
+    };
+    let rocker = solved(&rocker.with_points(&[(4.0, 1.0)]).scene().expect("a scene"));
     let motion = rocker.state.standing.and_then(|standing| standing.motion).expect("it may rock");
     assert_eq!(motion.slope.map(|slope| slope.map(|slope| (slope * 1e12).round() / 1e12)), [Some(-0.1), Some(0.1)]);
 }
