@@ -2,12 +2,15 @@
 
 use palkki::certificate::{Judged, Proof};
 use palkki::route::Status;
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, LinearLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 use palkki::{Solution, solve_exactly};
 use palkki_evidence::compare::largest;
 use palkki_evidence::differences::Trial;
+use palkki_evidence::draft::Draft;
 use palkki_evidence::random::{self, Random};
+
+use crate::scenes::on_supports;
 
 /// What is asked for; the elimination loses a digit or two.
 const DIGITS: f64 = 1e-12;
@@ -18,30 +21,29 @@ fn check(what: &str, found: f64, expected: f64, size: f64) {
     assert!(error <= DIGITS * size.abs(), "{what}: {found} instead of {expected}, off by {error:e}");
 }
 
+/// A beam on ground of a stiffness.
 struct Given {
-    length: f64,
-    bending: f64,
-    uniform: f64,
-    point: Vec<PointLoad>,
-    supports: Option<Vec<Support>>,
-    depth: f64,
+    draft: Draft,
     stiffness: f64,
 }
 
 impl Given {
-    /// A beam that lies on the level.
-    fn lying(length: f64, bending: f64, stiffness: f64) -> Self {
-        Self { length, bending, uniform: 0.0, point: Vec::new(), supports: Some(Vec::new()), depth: 0.0, stiffness }
+    /// A beam without supports that lies on the level, under point loads `(place, force)`.
+    fn lying(length: f64, bending: f64, stiffness: f64, loads: &[(f64, f64)]) -> Self {
+        let (ground, supports) = (Some(Foundation::Flat { depth: 0.0 }), Some(Vec::new()));
+        let draft = Draft { length, stiffness: bending, ground, supports, ..Draft::default() };
+        Self { draft: draft.with_points(loads), stiffness }
+    }
+
+    /// The same under a uniform load, on a simple support at each end, with the ground so deep.
+    fn simple(length: f64, bending: f64, stiffness: f64, uniform: f64, depth: f64) -> Self {
+        let Self { draft, .. } = Self::lying(length, bending, stiffness, &[]);
+        let ground = Some(Foundation::Flat { depth });
+        Self { draft: Draft { uniform, ground, supports: None, ..draft }, stiffness }
     }
 
     fn scene(&self) -> Scene {
-        let mut beam = Beam::new(self.length, self.bending).expect("a beam");
-        if let Some(supports) = &self.supports {
-            beam = beam.with_supports(supports.clone()).expect("supports");
-        }
-        let load = Load::new(&beam, self.uniform, Vec::new(), self.point.clone()).expect("a load");
-        let scene = Scene::new(beam, load, Some(Foundation::Flat { depth: self.depth })).expect("a scene");
-        scene.on_springs(self.stiffness).expect("ground")
+        self.draft.scene().and_then(|scene| scene.on_springs(self.stiffness)).expect("a scene")
     }
 
     /// The answer, solved and certified.
@@ -54,12 +56,8 @@ impl Given {
 
     /// `λ`.
     fn decay(&self) -> f64 {
-        (0.25 * self.stiffness / self.bending).sqrt().sqrt()
+        (0.25 * self.stiffness / self.draft.stiffness).sqrt().sqrt()
     }
-}
-
-fn force(at: f64, force: f64) -> PointLoad {
-    PointLoad { at, force }
 }
 
 /// A weightless beam under a load `P` far from its ends touches on both sides of it over `c`, and is straight beyond:
@@ -69,7 +67,7 @@ fn force(at: f64, force: f64) -> PointLoad {
 /// `k ∫v = P/2`, says `k a sinh(π/2)/λ = P/2`.
 #[test]
 fn a_weightless_beam_under_a_load_touches_over_half_a_wave() {
-    let given = Given { point: vec![force(11.0, 3.0)], ..Given::lying(20.0, 2.0, 5.0) };
+    let given = Given::lying(20.0, 2.0, 5.0, &[(11.0, 3.0)]);
     let (exact, l) = (given.solved(), given.decay());
     let contact = exact.state.contacts[0];
     assert_eq!(exact.state.contacts.len(), 1);
@@ -94,7 +92,7 @@ fn a_weightless_beam_under_a_load_touches_over_half_a_wave() {
 /// of `v'''' = −4λ⁴ v` about the middle with `v''' = P/2EI` there and without moment and shear at the ends.
 #[test]
 fn soft_ground_is_touched_all_along() {
-    let given = Given { point: vec![force(2.0, 3.0)], ..Given::lying(4.0, 7.0, 0.9) };
+    let given = Given::lying(4.0, 7.0, 0.9, &[(2.0, 3.0)]);
     let (exact, l) = (given.solved(), given.decay());
     let u = l * 4.0;
     let (below, under) = (libm::sinh(u) + libm::sin(u), 3.0 * l / (2.0 * 0.9));
@@ -112,7 +110,7 @@ fn soft_ground_is_touched_all_along() {
 /// and second derivative vanish at both ends.
 #[test]
 fn a_simple_beam_on_the_level() {
-    let given = Given { uniform: 1.5, supports: None, ..Given::lying(3.0, 2.0, 4.0) };
+    let given = Given::simple(3.0, 2.0, 4.0, 1.5, 0.0);
     let (exact, l) = (given.solved(), given.decay());
     let a = 0.5 * l * 3.0;
     let (c, s) = (libm::cosh(a) * libm::cos(a), libm::sinh(a) * libm::sin(a));
@@ -131,8 +129,8 @@ fn a_simple_beam_on_the_level() {
 /// wall: `v(tip) = 2 P λ/k · (sinh u cosh u − sin u cos u)/(cosh² u + cos² u)`, `u = λl` (Hetényi 1946).
 #[test]
 fn a_cantilever_on_soft_ground() {
-    let wall = Support { level: 0.0, slope: Some(0.0), ..Support::simple(0.0) };
-    let given = Given { point: vec![force(2.0, 3.0)], supports: Some(vec![wall]), ..Given::lying(2.0, 6.0, 0.5) };
+    let mut given = Given::lying(2.0, 6.0, 0.5, &[(2.0, 3.0)]);
+    given.draft.supports = Some(vec![Support::built_in(0.0)]);
     let (exact, u) = (given.solved(), given.decay() * 2.0);
     let (sinh, cosh, sin, cos) = (libm::sinh(u), libm::cosh(u), libm::sin(u), libm::cos(u));
     let tip = 2.0 * 3.0 * given.decay() / 0.5 * (sinh * cosh - sin * cos) / (cosh * cosh + cos * cos);
@@ -146,7 +144,7 @@ fn a_cantilever_on_soft_ground() {
 /// `EI λ³ (4a sin τ sinh τ + 2b (sin τ cosh τ − cos τ sinh τ))`.
 #[test]
 fn loads_at_both_ends_leave_a_gap_between() {
-    let given = Given { point: vec![force(0.0, 2.0), force(10.0, 2.0)], ..Given::lying(10.0, 1.5, 50.0) };
+    let given = Given::lying(10.0, 1.5, 50.0, &[(0.0, 2.0), (10.0, 2.0)]);
     let (exact, l) = (given.solved(), given.decay());
     let turn = |t: f64| libm::tan(t) - libm::tanh(t);
     let (mut lo, mut hi) = (0.0, std::f64::consts::FRAC_PI_2);
@@ -177,7 +175,7 @@ fn loads_at_both_ends_leave_a_gap_between() {
 fn an_eccentric_load_on_a_short_stiff_beam() {
     /// What it bends is of the order `k l⁴/EI`.
     const BENDS: f64 = 8e-9;
-    let given = |at: f64| Given { point: vec![force(at, 3.0)], ..Given::lying(2.0, 1e9, 0.5) };
+    let given = |at: f64| Given::lying(2.0, 1e9, 0.5, &[(at, 3.0)]);
     let found = |at: f64| solve(&given(at).scene()).expect("an answer");
     let (exact, inside) = (found(1.7), found(1.2));
     assert!(exact.solved && inside.solved, "{:?} {:?}", exact.violations, inside.violations);
@@ -193,7 +191,7 @@ fn an_eccentric_load_on_a_short_stiff_beam() {
 
 /// The example of the paper on ground of a stiffness.
 fn example(stiffness: f64) -> Solution {
-    let given = Given { uniform: 1.0, supports: None, depth: 1.0, ..Given::lying(10.0, 500.0 / 384.0, stiffness) };
+    let given = Given::simple(10.0, 500.0 / 384.0, stiffness, 1.0, 1.0);
     solve_exactly(&given.scene()).expect("an answer")
 }
 
@@ -289,7 +287,7 @@ fn a_wrong_witness_proves_nothing_untrue() {
 #[test]
 fn rigid_ground_is_asked_for_by_name() {
     use palkki::scene::SceneError;
-    let given = Given { uniform: 1.0, supports: None, depth: 1.0, ..Given::lying(10.0, 1.3, 100.0) };
+    let given = Given::simple(10.0, 1.3, 100.0, 1.0, 1.0);
     let scene = given.scene();
     let refused = |error: SceneError| matches!(error, SceneError::NeedsRigidGround { .. });
     assert!(refused(palkki::certificate::certify(&scene, Judged::Witness, &[]).expect_err("no list of contacts")));
@@ -313,7 +311,7 @@ fn derivatives_agree_with_differences() {
 #[test]
 fn the_border_is_no_position_of_rest() {
     for at in [0.0, 4.0] {
-        let scene = Given { point: vec![force(at, 1.0)], ..Given::lying(4.0, 1.0, 10.0) }.scene();
+        let scene = Given::lying(4.0, 1.0, 10.0, &[(at, 1.0)]).scene();
         let error = solve(&scene).expect_err("nothing carries it");
         assert!(error.to_string().contains("ground that gives"), "{error}");
     }
@@ -324,10 +322,9 @@ fn the_border_is_no_position_of_rest() {
 fn a_support_stands_beside_a_point_of_the_ground() {
     let forces = |at: f64| {
         let supports = vec![Support::simple(at).at_level(0.1), Support::simple(2.1).at_level(0.13)];
-        let beam = Beam::new(6.0, 130.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
-        let load = Load::new(&beam, 5.0, Vec::new(), vec![force(2.6, 14.0)]).expect("a load");
         let points = vec![[0.0, 0.4], [1.2, 0.7], [2.4, 0.4], [6.0, 0.8]];
-        let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).and_then(|s| s.on_springs(800.0));
+        let ground = Some(Foundation::Polyline { points });
+        let scene = on_supports([6.0, 130.0], &supports, (5.0, &[(2.6, 14.0)]), ground).on_springs(800.0);
         let solution = solve_exactly(&scene.expect("a scene")).expect("an answer");
         assert_eq!(solution.verdict.status, Status::Certified, "{at}: {}", solution.verdict);
         solution.state.supports.into_iter().map(|support| support.force).collect::<Vec<_>>()
@@ -343,11 +340,10 @@ fn a_support_stands_beside_a_point_of_the_ground() {
 #[test]
 fn a_search_on_ground_of_any_stiffness_ends() {
     for stiffness in [1e35, 1e38, 1e40] {
-        let beam = Beam::new(10.0, 1.7).and_then(|beam| beam.with_supports(Vec::new())).expect("a beam");
         let linear = vec![LinearLoad { from: 0.2, to: 4.5, start: -0.9, end: 1.3 }];
-        let load = Load::new(&beam, 9e-5, linear, Vec::new()).expect("a load");
-        let points = vec![[0.0, 0.0], [5.0, 0.0], [5.0, 1.0], [10.0, 1.0]];
-        let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("a scene");
+        let ground = Some(Foundation::Polyline { points: vec![[0.0, 0.0], [5.0, 0.0], [5.0, 1.0], [10.0, 1.0]] });
+        let Given { draft, .. } = Given::lying(10.0, 1.7, stiffness, &[]);
+        let scene = Draft { uniform: 9e-5, linear, ground, ..draft }.scene().expect("a scene");
         let exact = solve(&scene.on_springs(stiffness).expect("ground")).expect("an answer");
         assert!(!exact.solved && exact.iterations < 2500, "{stiffness:e}: {} solves", exact.iterations);
     }
