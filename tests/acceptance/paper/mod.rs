@@ -1,6 +1,5 @@
-//! What the paper says: its claims, how its methods converge, and tables for a person.
+//! What the paper says: how its methods converge, and tables for a person. Its claims are measured by the report.
 
-mod claims;
 mod convergence;
 mod in_one_file;
 mod tables;

@@ -49,7 +49,7 @@ impl Verdict {
 /// A claim of the paper, what became of it and the numbers of its words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Claim {
-    /// Its name in the template and in the snapshot.
+    /// Its name in the template.
     pub name: &'static str,
     /// What became of it.
     pub verdict: Verdict,
