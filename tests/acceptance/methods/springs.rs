@@ -101,13 +101,13 @@ fn every_route_comes_to_one_optimum() {
             let stiffness = scene.ground_stiffness().expect("it gives") * factor;
             let scene = scene.on_springs(stiffness).expect("positive");
             for method in Method::ALL {
-                let expected = on_grid(&scene, method, Solver::ActiveSet, 40);
+                let expected = run(&scene, method, Solver::ActiveSet, 40);
                 assert!(expected.residual <= 1e-12, "{name}, {method}, {stiffness}: {}", expected.residual);
                 for solver in Solver::OPTIMAL {
                     if solver == Solver::Nsor && method.is_free_in_contact() {
                         continue;
                     }
-                    let found = on_grid(&scene, method, solver, 40);
+                    let found = run(&scene, method, solver, 40);
                     let off = (found.state.energy - expected.state.energy).abs();
                     let within = STOPPED * expected.state.energy.abs();
                     assert!(off <= within, "{name}, {method}, {solver}, {stiffness}: {off:e}, {}", found.run.message);
@@ -123,10 +123,10 @@ fn stiff_ground_comes_to_rigid_ground() {
     for method in Method::ALL {
         let (_, soft) = &scenes()[0];
         let rigid = Scene::new(soft.beam().clone(), soft.load().clone(), soft.foundation().cloned()).expect("a scene");
-        let expected = on_grid(&rigid, method, Solver::ActiveSet, 60).state;
+        let expected = run(&rigid, method, Solver::ActiveSet, 60).state;
         let off = |stiffness: f64| {
             let scene = soft.on_springs(stiffness).expect("positive");
-            let state = on_grid(&scene, method, Solver::ActiveSet, 60).state;
+            let state = run(&scene, method, Solver::ActiveSet, 60).state;
             (state.reactions.left - expected.reactions.left).abs()
         };
         let order = libm::log10(off(1e6) / off(1e9)) / 3.0;

@@ -5,12 +5,12 @@
 
 use palkki::route::{Method, Solver, Status};
 use palkki::scene::{Beam, Foundation, Load, PointLoad, Scene, SceneError, Support};
-use palkki::{Settings, Solution, solve, solve_exactly};
+use palkki::{Solution, solve_exactly};
 use palkki_evidence::authority::RBig;
 use palkki_evidence::authority::number::Number;
 use palkki_evidence::extremes::chebyshev;
 
-use crate::scenes::uniform;
+use crate::scenes::{run, uniform};
 
 /// Coefficients of `m + a T_d(2x/l − 1)`.
 fn wave(degree: i32, mean: f64, amplitude: f64, length: f64) -> Vec<f64> {
@@ -94,12 +94,11 @@ fn grids_converge_to_the_exact_solution() {
             let coefficients = wave(degree, 1.0, 0.25, length);
             let exact = solved(coefficients.clone(), length, 100.0).state.energy;
             let scene = scene(coefficients, length, 100.0).expect("a scene");
-            for method in [Method::Complementarity, Method::Displacement, Method::Force] {
+            for method in Method::ALL {
                 let off = [200, 400, 800].map(|intervals| {
-                    let settings = Settings::new(method, Solver::ActiveSet, intervals);
-                    let answer = solve(&scene, &settings).expect("an answer");
-                    assert!(answer.verdict.solves_its_problem(), "degree {degree}, {method}, {intervals}");
-                    (answer.state.energy / exact - 1.0).abs()
+                    let raw = run(&scene, method, Solver::ActiveSet, intervals);
+                    assert!(raw.solved, "degree {degree}, {method}, {intervals}");
+                    (raw.state.energy / exact - 1.0).abs()
                 });
                 assert!(off[2] < 1e-3 && off[2] < 0.5 * off[0], "degree {degree}, {method}: {off:?}");
             }
