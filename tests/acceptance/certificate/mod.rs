@@ -17,7 +17,6 @@ mod supports;
 mod truth;
 mod verdict;
 mod witness;
-mod wrong;
 
 use palkki::certificate::{Certificate, ContactLoad, Judged, Kkt, certify};
 use palkki::scene::Scene;

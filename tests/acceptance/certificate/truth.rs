@@ -4,12 +4,13 @@
 
 use palkki::certificate::{Certificate, ContactLoad, Judged, certify, violations};
 use palkki::route::{Method, Solver};
-use palkki::scene::Scene;
+use palkki::scene::{Foundation, Scene};
 use palkki::state::Nodes;
 use palkki::theory::{self, Exact};
 use palkki::{Settings, solve_raw};
 
 use super::{of_forces, places};
+use crate::scenes::uniform;
 use palkki_evidence::compare::largest;
 use palkki_evidence::random::{self, Random};
 
@@ -56,19 +57,18 @@ fn forces(random: &mut Random, scene: &Scene, exact: &Exact) -> Vec<(f64, f64)> 
     given
 }
 
-/// Deflection at some places under the true load and forces, by the beam's own flexibility.
-fn caused(scene: &Scene, forces: &[(f64, f64)], x: f64) -> f64 {
+/// The deflection under the true load and forces, by the beam's own flexibility.
+fn caused(scene: &Scene, forces: &[(f64, f64)]) -> impl Fn(f64) -> f64 {
     let (l, ei) = (scene.beam().length(), scene.beam().bending_stiffness());
     let bare = Scene::new(scene.beam().clone(), scene.load().clone(), None).expect("a beam without a foundation");
-    let free = theory::solve(&bare).expect("a free beam").deflection(x);
-    let lifted: f64 = forces
-        .iter()
-        .map(|&(at, force)| {
+    let free = theory::solve(&bare).expect("a free beam");
+    move |x: f64| {
+        let lifted = forces.iter().map(|&(at, force)| {
             let (a, b) = (x.min(at), l - x.max(at));
             force.max(0.0) * a * b * (l * l - a * a - b * b) / (6.0 * ei * l)
-        })
-        .sum();
-    free - lifted
+        });
+        free.deflection(x) - lifted.sum::<f64>()
+    }
 }
 
 /// Units in which rounding of theory is small: of the energy and of the deflection.
@@ -115,9 +115,10 @@ fn check(name: &str, i: u64, scene: &Scene) -> bool {
     let what = format!("{name} {i}");
     let load = ContactLoad::new(scene.beam().length(), given.iter().copied()).expect("finite forces on the beam");
     assert!(violations(scene, &load).is_ok(), "{what}");
+    let caused = caused(scene, &given);
     for (whose, witness) in [("exact", &exact.state.contacts), ("its own", &places(&given)), ("no", &Vec::new())] {
         let certificate = of_forces(scene, &given, witness);
-        holds(&format!("{what}, {whose} contacts"), &certificate, scene, &exact, |x| caused(scene, &given, x));
+        holds(&format!("{what}, {whose} contacts"), &certificate, scene, &exact, &caused);
     }
 
     let exact_contacts = &exact.state.contacts;
@@ -173,4 +174,17 @@ fn a_lift_off_point_that_is_off_is_off_by_the_square() {
         let bound = certificate.expect("the scene can be scaled").deflection_error;
         assert!(off <= bound && bound <= LOOSE * off + ROUNDING, "moved by {share:e}: {off:e}, bound {bound:e}");
     }
+}
+
+/// A force that throws the beam beyond all numbers, from a pattern of which nothing follows: no admissible deflection is found,
+/// and nothing is bounded by its distance from one.
+#[test]
+fn where_no_admissible_deflection_is_found_nothing_is_bounded() {
+    let scene = uniform(1.0, 1e-300, 1e-100, Foundation::Polynomial { coefficients: vec![1.0, 1.0] });
+    let forces = [(0.3, 1e-100), (0.5, 1e-100), (0.7, 1e300)];
+    let certificate = of_forces(&scene, &forces, &places(&forces));
+    let bounds = [certificate.gap, certificate.deflection_error, certificate.best_deflection_error];
+    assert!(bounds.iter().all(|bound| bound.is_infinite()), "{certificate:?}");
+    assert!(certificate.energy_upper.is_infinite() && certificate.energy_lower.is_infinite(), "{certificate:?}");
+    assert!(!certificate.contacts_proven && certificate.reactions == [None, None], "{certificate:?}");
 }
