@@ -97,14 +97,15 @@ fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
     accepted(&mut trial, draft, &scene);
 
     let exact = theory::solve(&scene).ok();
-    let bounds = exact.as_ref().and_then(|exact| by_theory(&mut trial, family, &scene, exact));
+    let verdict = exact.as_ref().map(|exact| by_theory(&mut trial, family, &scene, exact));
     if Family::FOURTH.contains(&family) {
-        at_length(&mut trial, draft, &scene, exact.as_ref(), &mut random);
+        at_length(&mut trial, draft, &scene, exact.as_ref().zip(verdict.as_ref()), &mut random);
         // Grids have had their turn with the other dice.
         if !random.once_in(4) {
             return trial;
         }
     }
+    let bounds = verdict.and_then(|verdict| verdict.certificate);
     let settings = on_fitting_grid(&scene, settings(&mut random));
     let reference = Settings { solver: Solver::ActiveSet, method: same_optimum(settings.method), ..settings };
     let mut on_grid = |settings: &Settings| {
@@ -127,8 +128,8 @@ fn of_draft(family: Family, draft: &Draft, mut random: Random) -> Trial {
     trial
 }
 
-/// The laws of one answer of beam theory, and its bounds.
-fn by_theory(trial: &mut Trial, family: Family, scene: &Scene, exact: &Exact) -> Option<Certificate> {
+/// The laws of one answer of beam theory, and its verdict.
+fn by_theory(trial: &mut Trial, family: Family, scene: &Scene, exact: &Exact) -> Verdict {
     trial.exact = Some(exact.solved);
     trial.work[0] = exact.lists;
     let verdict = Verdict::of_exact(scene, exact, &Demand::default());
@@ -147,7 +148,7 @@ fn by_theory(trial: &mut Trial, family: Family, scene: &Scene, exact: &Exact) ->
             within(trial, "theory", exact, bounds, scene);
         }
     }
-    verdict.certificate
+    verdict
 }
 
 /// The laws of one answer on a grid; none where there is no answer.
@@ -183,12 +184,11 @@ fn on_grid(
 }
 
 /// The laws of beam theory that take more solves than one: of proven energies, and one of those of scenes beside each other.
-fn at_length(trial: &mut Trial, draft: &Draft, scene: &Scene, exact: Option<&Exact>, random: &mut Random) {
+fn at_length(trial: &mut Trial, draft: &Draft, scene: &Scene, answer: Option<(&Exact, &Verdict)>, random: &mut Random) {
     let certified = trial.certified;
-    in_balance(trial, draft, exact, certified);
-    if let Some(exact) = exact.filter(|_| trial.certified) {
-        let verdict = Verdict::of_exact(scene, exact, &Demand::default());
-        backed(trial, "theory", scene, &exact.state, &verdict);
+    in_balance(trial, draft, answer.map(|(exact, _)| exact), certified);
+    if let Some((exact, verdict)) = answer.filter(|_| trial.certified) {
+        backed(trial, "theory", scene, &exact.state, verdict);
         stands(trial, &exact.state);
         locally(trial, draft, scene, exact);
         if let Some(certificate) = &verdict.certificate {
