@@ -33,6 +33,7 @@ struct Rigid {
 }
 
 /// An answer on ground of a stiffness.
+#[derive(Clone)]
 struct Answer {
     ground: f64,
     /// `λa`.
@@ -111,9 +112,9 @@ pub(super) fn evidence(study: &Study<'_>) -> Result<Evidence, Cause> {
     };
     let powers = (IN_A_POWER * POWERS[0]..=IN_A_POWER * POWERS[1]).map(|k| f64::from(k) / f64::from(IN_A_POWER));
     let answers = powers.map(|power| Answer::of(&rigid, 10_f64.powf(power))).collect::<Result<Vec<_>, _>>()?;
-    let shown = |powers: &[i32]| -> Result<Vec<Answer>, Cause> {
-        powers.iter().map(|&power| Answer::of(&rigid, ten_to(power))).collect()
-    };
+    let known = |ground: f64| answers.iter().find(|answer| answer.ground.total_cmp(&ground).is_eq()).cloned();
+    let answer = |ground: f64| known(ground).map_or_else(|| Answer::of(&rigid, ground), Ok);
+    let shown = |powers: &[i32]| powers.iter().map(|&power| answer(ten_to(power))).collect::<Result<Vec<_>, _>>();
     let orders: Vec<f64> = (0..NAMES.len()).map(|k| order(&answers, &rigid, k)).collect();
     let expected = [-0.75, -0.25, -0.75, 0.25];
     let within = largest(orders.iter().zip(expected).map(|(order, law)| order - law));
