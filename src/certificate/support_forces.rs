@@ -220,32 +220,50 @@ struct Part<'a> {
     width: Interval,
 }
 
-/// The parts of the beam from a support to another place, the nearest first.
-fn parts<'a>(enclosed: &EnclosedScene<'a>, pair: &'a Pair, support: f64, end: f64) -> impl Iterator<Item = Part<'a>> {
+/// The parts of the beam from a support to another place, the nearest first; many of them as one part above the highest ground there
+/// where that `is_enough`.
+fn parts<'a>(
+    enclosed: &EnclosedScene<'a>,
+    pair: &'a Pair,
+    [support, end]: [f64; 2],
+    is_enough: impl Fn(&Part<'_>) -> bool,
+) -> impl Iterator<Item = Part<'a>> {
     /// Parts of a piece; only how far a proof reaches depends on it.
     const PARTS: u32 = 16;
+    /// Parts that are looked at together: *tuned* on surveys of 2·10⁴ and 2·10⁵ points, of which one touches.
+    const TOGETHER: usize = 64;
     let (gap, from, to) = (enclosed.gap, support.min(end), support.max(end));
+    let part = move |piece: &'a Piece, ends: [f64; 2], ground: &Polynomial| {
+        let near = ends[usize::from(end < support)];
+        let clearance = ground.minus(&piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from)));
+        let clearance = if end < support { clearance.mirrored() } else { clearance };
+        Part { piece, ends, clearance, width: Interval::exact(ends[1]) - Interval::exact(ends[0]) }
+    };
     // Evaluated only as far as the caller iterates.
     let mut left = pair.pieces.iter().filter(move |piece| from < piece.to && piece.from < to);
     let pieces = std::iter::from_fn(move || if end < support { left.next_back() } else { left.next() });
-    let parts = pieces.flat_map(move |piece| {
+    let blocks = pieces.flat_map(move |piece| {
         let mut ends: Vec<f64> =
             (0..=PARTS).map(|k| piece.from + (piece.to - piece.from) * (f64::from(k) / f64::from(PARTS))).collect();
         ends.extend(gap.breaks(piece.from, piece.to));
         ends.sort_by(f64::total_cmp);
         ends.dedup();
+        let mut parts: Vec<[f64; 2]> = ends.windows(2).map(|w| [w[0], w[1]]).collect();
+        parts.retain(|ends| from <= ends[0] && ends[1] <= to);
         if end < support {
-            ends.reverse();
+            parts.reverse();
         }
-        (1..ends.len()).map(move |k| (piece, [ends[k - 1].min(ends[k]), ends[k - 1].max(ends[k])]))
+        let blocks: Vec<Vec<[f64; 2]>> = parts.chunks(TOGETHER).map(<[[f64; 2]]>::to_vec).collect();
+        blocks.into_iter().map(move |block| (piece, block))
     });
-    let parts = parts.filter(move |(_, ends)| from <= ends[0] && ends[1] <= to);
-    parts.map(move |(piece, ends)| {
-        let near = ends[usize::from(end < support)];
-        let v = piece.v.shifted(Interval::exact(near) - Interval::exact(piece.from));
-        let clearance = gap.about(near, ends).minus(&v);
-        let clearance = if end < support { clearance.mirrored() } else { clearance };
-        Part { piece, ends, clearance, width: Interval::exact(ends[1]) - Interval::exact(ends[0]) }
+    blocks.flat_map(move |(piece, block)| {
+        let (first, last) = (block[0], block[block.len() - 1]);
+        let ends = [first[0].min(last[0]), first[1].max(last[1])];
+        let level = || Polynomial::new(&[Interval::exact(gap.least(ends[0], ends[1]))]);
+        let one = (block.len() == TOGETHER).then(|| part(piece, ends, &level())).filter(&is_enough);
+        let each = if one.is_some() { Vec::new() } else { block };
+        let about = move |ends: [f64; 2]| part(piece, ends, &gap.about(ends[usize::from(end < support)], ends));
+        one.into_iter().chain(each.into_iter().map(about))
     })
 }
 
@@ -257,6 +275,7 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
     let towards = usize::from(x < end);
     // Of the supports that only push those strictly between.
     let stands = |y: &f64| x.min(end) < *y && *y < x.max(end) && enclosed.pushes_at(*y);
+    let is_above = |part: &Part<'_>| on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo();
     let is_clear = |part: &Part<'_>| {
         let beside = part.ends[1 - towards].total_cmp(&x).is_eq() && at_level[towards];
         let by = if beside {
@@ -271,12 +290,12 @@ pub(super) fn clear_from(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, end:
             off.fold(f64::INFINITY, f64::min) < part.clearance.divided(1).range(part.width).lo()
                 || pair.ground.is_none() && bends_away(enclosed, x, end, part.ends)
         } else {
-            on_part(pair, factor, part.ends) < part.clearance.range(part.width).lo()
+            is_above(part)
         };
         let of_bearings = || part.ends.iter().filter(|y| stands(y)).all(|&y| is_clear_of(enclosed, pair, factor, y));
         !part.piece.pressed && by && of_bearings()
     };
-    let clear = parts(enclosed, pair, x, end).take_while(is_clear).last();
+    let clear = parts(enclosed, pair, [x, end], is_above).take_while(is_clear).last();
     clear.map_or(x, |part| part.ends[towards])
 }
 
@@ -359,7 +378,7 @@ fn carries_all(enclosed: &EnclosedScene<'_>, pair: &Pair, support: f64) -> bool 
             let all = Interval::exact(least) / Interval::exact(far);
             if 0.0 <= least { all.lo() } else { f64::NEG_INFINITY }
         };
-        parts(enclosed, pair, support, end).map(quotient).fold(f64::INFINITY, f64::min)
+        parts(enclosed, pair, [support, end], |_| false).map(quotient).fold(f64::INFINITY, f64::min)
     };
     let [left, right] = [0.0, enclosed.length].map(least);
     (number(2) * most).hi() < (Interval::exact(left) + Interval::exact(right)).lo()

@@ -130,6 +130,28 @@ fn only_rigid_ground_that_bends_away_is_clear_whatever_the_pair() {
     });
 }
 
+/// Many parts are looked at together: the beam is clear up to the last reading before one that is too high, from either support.
+#[test]
+fn many_readings_are_clear_up_to_the_one_that_is_not() {
+    const READINGS: u32 = 1600;
+    const HIGH: [u32; 2] = [777, 1200];
+    let at = |i: u32| LENGTH * f64::from(i) / f64::from(READINGS);
+    // No three on a line, or they would be one.
+    let depth = |i: u32| if HIGH.contains(&i) { 0.05 } else { 0.4 + 0.01 * f64::from(i % 2) };
+    let points = (0..=READINGS).map(|i| [at(i), depth(i)]).collect();
+    let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
+    let load = Load::uniform_on(&beam, 1.0).expect("finite");
+    let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("well posed");
+    // Off by 0.1 in the middle.
+    let gap = 1.5 * STIFFNESS * (0.1 / (0.25 * LENGTH * LENGTH)).powi(2) * LENGTH;
+    let pair = pair_on_two_ends(vec![piece([0.0, LENGTH], &[0.0])], gap);
+    in_intervals(&scene, Balance::Held, |enclosed| {
+        let [left, right] = [[0.0, LENGTH], [LENGTH, 0.0]].map(|[x, end]| clear_from(enclosed, &pair, x, end));
+        let expected = [at(HIGH[0] - 1), at(HIGH[1] + 1)];
+        assert_eq!([left, right].map(f64::to_bits), expected.map(f64::to_bits), "{left} and {right}, not {expected:?}");
+    });
+}
+
 /// A beam on its two ends, under a load on it, with level ground at a depth, and a pair of one piece.
 fn on_two_ends(depth: f64, load: f64, gap: f64, piece: Piece, test: impl FnOnce(&EnclosedScene<'_>, &Pair)) {
     let beam = Beam::new(LENGTH, STIFFNESS).expect("positive");
