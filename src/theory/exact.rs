@@ -59,7 +59,7 @@ impl Exact {
 
     /// From the search's result.
     pub(super) fn new(given: PiecewiseScene, found: Candidate, scale: Scale, stiffness: f64) -> Self {
-        let state = summary::state(&given, &found, &scale, stiffness);
+        let state = summary::state(&given, &found, stiffness).in_units_of(&scale);
         let overflow = (!state.is_finite()).then_some(Violation::Overflow);
         let solved = found.solved() && overflow.is_none();
         let Candidate { list, checked, steps, lists, samples, converged } = found;

@@ -1,4 +1,4 @@
-//! Reactions, contacts, extremes and energy of a list, in the units of the scene.
+//! Reactions, contacts, extremes and energy of a list, dimensionless.
 
 use super::bernstein::{range, sign_changes};
 use super::forces::zone_force;
@@ -6,46 +6,30 @@ use super::list::List;
 use super::piece::{Piece, derivatives};
 use super::piecewise::PiecewiseScene;
 use super::search::Candidate;
-use crate::scene::Scale;
 use crate::state::{Contact, ContactState, Extremes, Reactions, Regime, SupportForce};
 
-/// The state of the beam.
-pub(super) fn state(given: &PiecewiseScene, found: &Candidate, scale: &Scale, stiffness: f64) -> ContactState {
-    let force = |f: f64| f * stiffness * scale.force;
+/// The state of a beam of this bending stiffness.
+pub(super) fn state(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> ContactState {
     let pieces = &found.checked.pieces;
-    let supports = supports(given, found, scale, stiffness);
-    let contacts = contacts(given, found)
-        .into_iter()
-        .map(|c| Contact {
-            from: c.from * scale.length,
-            to: c.to * scale.length,
-            force: force(c.force),
-            end_forces: c.end_forces.map(|f| f.map(force)),
-        })
-        .collect::<Vec<_>>();
-    let (deflection, curvature) = extremes(given, pieces);
-    let moment = |m: f64| -m * stiffness * scale.moment() + 0.0;
+    let (supports, contacts) = (supports(given, found, stiffness), contacts(given, found, stiffness));
+    let (deflection, Extremes { max, max_at, min, min_at }) = extremes(given, pieces);
+    let moment = |bent: f64| -bent * stiffness + 0.0;
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions::of(&supports, given.length * scale.length),
+        reactions: Reactions::of(&supports, given.length),
         supports,
         standing: None,
         contacts,
-        deflection: deflection.in_units(scale.depth, scale.length),
-        moment: Extremes {
-            max: moment(curvature.min),
-            max_at: curvature.min_at * scale.length,
-            min: moment(curvature.max),
-            min_at: curvature.max_at * scale.length,
-        },
-        energy: energy(given, pieces) * stiffness * scale.energy(),
+        deflection,
+        moment: Extremes { max: moment(min), max_at: min_at, min: moment(max), min_at: max_at },
+        energy: energy(given, pieces) * stiffness,
         pressure: None,
         nodes: None,
     }
 }
 
 /// The forces of the supports, from left to right, those that only push among them.
-fn supports(given: &PiecewiseScene, found: &Candidate, scale: &Scale, stiffness: f64) -> Vec<SupportForce> {
+fn supports(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<SupportForce> {
     let nodes = found.list.nodes.iter().zip(&found.checked.forces).zip(&found.checked.moments);
     let supports = nodes.filter_map(|((node, force), moments)| {
         let support = &given.supports[node.support(given)?];
@@ -53,17 +37,17 @@ fn supports(given: &PiecewiseScene, found: &Candidate, scale: &Scale, stiffness:
         let [left, right] = *moments;
         let moment = if left.abs() < right.abs() { right } else { left };
         Some(SupportForce {
-            at: node.x * scale.length,
-            force: (force + given.breakpoints[support.breakpoint].force) * stiffness * scale.force,
-            moment: support.built_in.then_some(moment * stiffness * scale.moment()),
-            couple: if support.built_in { (right - left) * stiffness * scale.moment() } else { 0.0 },
+            at: node.x,
+            force: (force + given.breakpoints[support.breakpoint].force) * stiffness,
+            moment: support.built_in.then_some(moment * stiffness),
+            couple: if support.built_in { (right - left) * stiffness } else { 0.0 },
             pushes_only: false,
         })
     });
     let rests = |i: usize| found.list.nodes.iter().position(|node| node.is_edge(given) && node.breakpoint == Some(i));
     let bearings = given.bearings.iter().map(|&i| {
         let force = rests(i).map_or(0.0, |node| found.checked.forces[node]);
-        SupportForce::pushing(given.breakpoints[i].x * scale.length, force * stiffness * scale.force)
+        SupportForce::pushing(given.breakpoints[i].x, force * stiffness)
     });
     let mut all: Vec<SupportForce> = supports.chain(bearings).collect();
     all.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -71,7 +55,7 @@ fn supports(given: &PiecewiseScene, found: &Candidate, scale: &Scale, stiffness:
 }
 
 /// The contacts from left to right.
-fn contacts(given: &PiecewiseScene, found: &Candidate) -> Vec<Contact> {
+fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Contact> {
     let List { nodes, .. } = &found.list;
     let forces = &found.checked.forces;
     let mut contacts = Vec::new();
@@ -81,14 +65,15 @@ fn contacts(given: &PiecewiseScene, found: &Candidate) -> Vec<Contact> {
             // Of what ground and support carry together at a support the support is said to take all.
             let end = |i: usize| (place(i), if nodes[i].support(given).is_some() { 0.0 } else { forces[i] });
             let ((from, force_from), (to, force_to)) = (end(i - 1), end(i));
-            let force = force_from + force_to + zone_force(given, from, to);
+            let force = (force_from + force_to + zone_force(given, from, to)) * stiffness;
             // At the border of two regimes a zone has no length: it is a point.
-            contacts.push(Contact { from, to, force, end_forces: (from < to).then_some([force_from, force_to]) });
+            let end_forces = (from < to).then_some([force_from * stiffness, force_to * stiffness]);
+            contacts.push(Contact { from, to, force, end_forces });
         }
         if let Some(node) = nodes.get(i)
             && node.is_ground(given)
         {
-            contacts.push(Contact { from: place(i), to: place(i), force: forces[i], end_forces: None });
+            contacts.push(Contact::at(place(i), forces[i] * stiffness));
         }
     }
     contacts

@@ -114,13 +114,13 @@ pub(in crate::theory) fn exact(scaled: &Scaled, given: PiecewiseScene, stiffness
     let rounded = parts.iter().map(|part| rounding(part, given.length)).fold(0.0, f64::max);
     let measure = deepest(&parts).max(rounded / MOST_VIOLATED);
     let residual = if 0.0 < measure { violated / measure } else { violated };
-    let mut state = state(scaled, &given, &parts, &stretches, springs);
+    let stiffness = scaled.scene.beam().bending_stiffness();
+    let mut state = state(&given, &parts, &stretches, [springs, stiffness]).in_units_of(&scaled.scale);
     let resultant = scaled.balance.in_units_of(&scaled.scale).resultant();
     state.standing = resultant.map(|resultant| Standing::of(resultant, &state.supports, &state.contacts, None));
     let solved = settled && residual <= MOST_VIOLATED && state.is_finite();
     let unknowns = 2 * stretches.len();
     let functions = Springs { parts, stretches, stiffness: springs };
-    let stiffness = scaled.scene.beam().bending_stiffness();
     Ok(Exact {
         unknowns,
         solved,
@@ -157,62 +157,57 @@ fn violation(part: &Part) -> f64 {
     if part.pressed { -min } else { max }
 }
 
+/// The dimensionless state, from the stiffness of the ground over that of the beam, and that.
 fn state(
-    scaled: &Scaled,
     given: &PiecewiseScene,
     parts: &[Part],
     stretches: &[[f64; 2]],
-    springs: f64,
+    [springs, stiffness]: [f64; 2],
 ) -> ContactState {
-    let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
     let lifted = given.bearings.iter().filter(|&&at| given.support_at(at).is_none());
-    let lifted = lifted.map(|&at| SupportForce::pushing(given.breakpoints[at].x * scale.length, 0.0));
+    let lifted = lifted.map(|&at| SupportForce::pushing(given.breakpoints[at].x, 0.0));
     let mut supports: Vec<SupportForce> =
-        (0..given.supports.len()).map(|i| support(scaled, given, parts, i)).chain(lifted).collect();
+        (0..given.supports.len()).map(|i| support(given, parts, i, stiffness)).chain(lifted).collect();
     supports.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let force = |f: f64| f * stiffness * scale.force;
     let contact = |&[from, to]: &[f64; 2]| {
         let inside = parts.iter().filter(|part| part.pressed && from <= part.piece.lo && part.piece.hi <= to);
         let sunk: f64 = inside.map(|part| integral(&part.penetration, part.piece.width())).sum();
-        let [from, to] = [from, to].map(|x| x * scale.length);
-        Contact { from, to, force: force(springs * sunk), end_forces: None }
+        Contact { from, to, force: springs * sunk * stiffness, end_forces: None }
     };
     let contacts: Vec<Contact> = stretches.iter().map(contact).collect();
     let bent = extremes(parts.iter(), |part| second(&part.deflection).iter().map(|c| -c).collect());
     let sunk = extremes(parts.iter().filter(|part| part.pressed), |part| part.penetration.clone());
-    let unit = springs * stiffness * scale.force / scale.length;
     ContactState {
         regime: Regime::of(&contacts),
-        reactions: Reactions::of(&supports, given.length * scale.length),
+        reactions: Reactions::of(&supports, given.length),
         supports,
         standing: None,
         contacts,
-        deflection: extremes(parts.iter(), |part| part.deflection.clone()).in_units(scale.depth, scale.length),
-        moment: bent.in_units(stiffness * scale.moment(), scale.length),
-        energy: energy(given, parts, springs) * stiffness * scale.energy(),
-        pressure: Some(Pressure { max: sunk.max.max(0.0) * unit, at: sunk.max_at * scale.length }),
+        deflection: extremes(parts.iter(), |part| part.deflection.clone()),
+        moment: bent.in_units(stiffness, 1.0),
+        energy: energy(given, parts, springs) * stiffness,
+        pressure: Some(Pressure { max: sunk.max.max(0.0) * (springs * stiffness), at: sunk.max_at }),
         nodes: None,
     }
 }
 
 /// What a support carries.
-fn support(scaled: &Scaled, given: &PiecewiseScene, parts: &[Part], i: usize) -> SupportForce {
-    let (scale, stiffness) = (&scaled.scale, scaled.scene.beam().bending_stiffness());
+fn support(given: &PiecewiseScene, parts: &[Part], i: usize, stiffness: f64) -> SupportForce {
     let AtSupport { breakpoint, built_in, .. } = given.supports[i];
-    let (x, unit) = (given.breakpoints[breakpoint].x, stiffness * scale.force);
-    let force = force(given, parts, breakpoint) * unit;
+    let x = given.breakpoints[breakpoint].x;
+    let force = force(given, parts, breakpoint) * stiffness;
     if given.is_bearing(breakpoint) {
         // Less than nothing by rounding.
-        return SupportForce::pushing(x * scale.length, force.max(0.0));
+        return SupportForce::pushing(x, force.max(0.0));
     }
     let [left, right] = beside(parts, x);
     let moment = if left[2].abs() < right[2].abs() { -right[2] } else { -left[2] };
     SupportForce {
         pushes_only: false,
-        at: x * scale.length,
+        at: x,
         force,
-        moment: built_in.then_some(moment * stiffness * scale.moment()),
-        couple: if built_in { (left[2] - right[2]) * stiffness * scale.moment() } else { 0.0 },
+        moment: built_in.then_some(moment * stiffness),
+        couple: if built_in { (left[2] - right[2]) * stiffness } else { 0.0 },
     }
 }
 
