@@ -238,7 +238,24 @@ fn clamped(value: f64, lo: f64, hi: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Frame, apart};
+    use super::{Color, Frame, Label, Labels, apart};
+
+    /// A label stays in the panel, and as large as its text, wherever its point is.
+    #[test]
+    fn labels_stay_inside() {
+        let bounds = Frame { left: 100.0, top: 50.0, right: 900.0, bottom: 450.0, outer: 1000.0 };
+        let places = [0.0, 0.5, 1.0].map(|share| [100.0 + 800.0 * share, 50.0 + 400.0 * share]);
+        let frames = places.map(|[x, _]| {
+            places.map(|[_, y]| Labels::default().place(&Label::new("h = 2", [x, y], Color::GRAY), &bounds, &[]))
+        });
+        let size = |frame: &Frame| [frame.right - frame.left, frame.bottom - frame.top];
+        for frame in frames.as_flattened() {
+            assert!(bounds.left <= frame.left && frame.right <= bounds.right, "{frame:?}");
+            assert!(bounds.top <= frame.top && frame.bottom <= bounds.bottom, "{frame:?}");
+            let off = size(frame).into_iter().zip(size(&frames[1][1])).map(|(a, b)| (a - b).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-9, "{frame:?}");
+        }
+    }
 
     #[test]
     fn a_line_along_a_side_is_not_covered() {

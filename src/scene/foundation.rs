@@ -265,3 +265,22 @@ pub(super) fn between(points: &[[f64; 2]], here: Range<usize>, x: f64) -> f64 {
     let s = (x - left[0]) / (right[0] - left[0]);
     left[1] + (right[1] - left[1]) * s
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slope is rounded as its largest value is, and by as much more as the angle of the wave is.
+    #[test]
+    fn the_size_of_a_slope_grows_with_the_angle() {
+        use std::f64::consts::FRAC_PI_2;
+        for wavelength in [0.1, 1.0, 10.0] {
+            let wave = Foundation::Cosine { mean: 3.0, amplitude: 0.5, wavelength, phase: 0.0 };
+            let steepest = wave.sides(0.25 * wavelength)[0][1].abs();
+            for (quarters, factor) in [(0.0, 1.0), (1.0, 1.0 + FRAC_PI_2), (3.0, 1.0 + 3.0 * FRAC_PI_2)] {
+                let size = wave.slope_size(quarters * 0.25 * wavelength);
+                assert!((size / (factor * steepest) - 1.0).abs() < 1e-14, "{size} of {steepest}");
+            }
+        }
+    }
+}

@@ -172,6 +172,19 @@ mod tests {
         }
     }
 
+    /// At the end of the beam Chebyshev's polynomial is 1, its slope `2 d²` and its second derivative `4 d² (d² − 1) / 3`.
+    #[test]
+    fn what_the_rounding_of_a_place_changes_counts() {
+        for degree in [10, 15, 20_u32] {
+            let square = f64::from(degree * degree);
+            let (slope, second) = (2.0 * square, 4.0 * square * (square - 1.0) / 3.0);
+            let found = magnitudes_at(&chebyshev(degree as usize), 1.0);
+            for (found, known) in found.into_iter().zip([1.0 + slope, slope + second]) {
+                assert!((found / known - 1.0).abs() < 1e-12, "degree {degree}: {found} for {known}");
+            }
+        }
+    }
+
     /// The bend of a long polynomial on a fine grid is that of its curvature.
     #[test]
     fn long_polynomials_bend_as_their_second_derivative() {

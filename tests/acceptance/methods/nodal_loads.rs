@@ -36,6 +36,8 @@ fn nodal_loads_keep_force_and_moment() {
         ("a trapezoid from node to node", trapezoid(3.0, 6.0, 0.0, 4.0)),
         ("a force on a node", point(3.0, 2.0)),
         ("a force between nodes", point(4.321, -2.0)),
+        // On nine intervals `x / l · 9` is rounded across the node.
+        ("a force just before a node", point(4.0_f64.next_down(), 2.0)),
         ("a force on the left support", point(0.0, 2.0)),
         ("a force on the right support", point(l, 2.0)),
         ("a force beside a support", point(l - 1e-9, 2.0)),

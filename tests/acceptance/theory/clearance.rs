@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use palkki::plot::{self, Curves};
-use palkki::scene::Scene;
 use palkki::scene::file::{ReadProblem, parse};
+use palkki::scene::{Beam, Foundation, Load, Scene};
+use palkki::state::Extremes;
 use palkki::theory::{Exact, solve};
 use palkki_evidence::random;
 
@@ -68,6 +69,19 @@ fn a_figure_names_the_extremes_and_no_sample() {
         let exact = solve(&scene).expect("an answer");
         let svg = plot::curves(&scene, &Curves::exact(&scene, &exact), "beam theory").expect("a figure");
         assert!(svg.contains(label), "{name}: {label:?} is not in the figure");
+    }
+}
+
+/// A beam at rest is as far from the ground as that is deep: of equal extremes the left one is named.
+#[test]
+fn of_equal_extremes_the_left_one_is_named() {
+    let points = (0..=20).map(|i| [0.5 * f64::from(i), if i % 2 == 0 { 1.0 } else { 3.0 }]).collect();
+    let beam = Beam::new(10.0, 1.0).expect("a beam");
+    let scene = Scene::new(beam, Load::default(), Some(Foundation::Polyline { points })).expect("a scene");
+    let exact = solve(&scene).expect("an answer");
+    for from in (0..10).map(f64::from) {
+        let found = exact.clearance_extremes(from, 10.0);
+        assert_eq!(found, Extremes { max: 3.0, max_at: from + 0.5, min: 1.0, min_at: from });
     }
 }
 

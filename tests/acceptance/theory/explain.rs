@@ -40,6 +40,9 @@ fn a_triangular_load_has_the_terms_of_the_textbook() {
     for (found, expected) in found.spans[0].load.iter().zip(expected) {
         assert!((found - expected).abs() <= 1e-13 * expected, "{found}, not {expected}");
     }
+    // The ends have no moment: the largest is what the load alone would bend the span by.
+    let [largest, expected] = [found.moment(), expected[1] / length];
+    assert!((largest - expected).abs() <= 1e-13 * expected, "{largest}, not {expected}");
 }
 
 /// Every equation of random scenes with supports, own shapes, points and zones holds; there are as many as unknowns, and statics hold.
