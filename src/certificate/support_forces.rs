@@ -36,6 +36,7 @@ use super::kernel::foundation::inside;
 use super::kernel::interval::Interval;
 use super::kernel::load::cells;
 use super::kernel::polynomial::{Polynomial, number};
+use super::kernel::pressing::pressure;
 use super::kernel::proof::{Pair, Piece};
 use super::kernel::reference::{Datum, Line, OUTWARDS};
 use super::largest::least_magnitude;
@@ -346,8 +347,7 @@ pub(super) fn lies_beside(enclosed: &EnclosedScene<'_>, pair: &Pair, x: f64, sid
         return false;
     }
     let cell = [piece.from, piece.to];
-    let fourth = enclosed.gap.about(x, cell).derivative().derivative().derivative().derivative();
-    let pressure = Polynomial::new(&enclosed.load.line(x, cell)).minus(&fourth.times(stiffness));
+    let pressure = pressure(enclosed, x, cell);
     let pressure = if to_the_left { pressure.mirrored() } else { pressure };
     let mut width = piece.to - piece.from;
     for _ in 0..HALVINGS {

@@ -61,6 +61,12 @@ impl TensionCutOff {
     }
 }
 
+/// `q − EI g''''` of a cell on which the beam lies on the ground, about an origin.
+pub(crate) fn pressure(enclosed: &EnclosedScene<'_>, origin: f64, cell: [f64; 2]) -> Polynomial {
+    let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
+    Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(Interval::exact(enclosed.stiffness)))
+}
+
 /// A zone, as pieces: the beam on the foundation all the way between two places, if it can lie there; and what pulls.
 pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut TensionCutOff) -> Option<Vec<Piece>> {
     let [from, to] = ends;
@@ -71,12 +77,8 @@ pub(crate) fn zone(enclosed: &EnclosedScene<'_>, ends: [f64; 2], cut_off: &mut T
     let piece = |[from, to]: [f64; 2]| {
         let (cell, width) = ([from, to], Interval::length(from, to));
         // From either end: a pressure that vanishes at one of them is known from there.
-        let [p, mirrored] = cell.map(|origin| {
-            let fourth = enclosed.gap.about(origin, cell).derivative().derivative().derivative().derivative();
-            Polynomial::new(&enclosed.load.line(origin, cell)).minus(&fourth.times(Interval::exact(enclosed.stiffness)))
-        });
-        let seen = [p, mirrored.mirrored()].map(|p| (p.range(width).lo(), p));
-        let (_, p) = if seen[0].0 < seen[1].0 { &seen[1] } else { &seen[0] };
+        let [p, other] = [pressure(enclosed, from, cell), pressure(enclosed, to, cell).mirrored()];
+        let p = if p.range(width).lo() < other.range(width).lo() { &other } else { &p };
         cut_off.pressure(p, cell, width);
         Piece { from, to, v: enclosed.gap.about(from, cell), pressed: true }
     };
