@@ -143,7 +143,8 @@ fn many_readings_are_clear_up_to_the_one_that_is_not() {
     let load = Load::uniform_on(&beam, 1.0).expect("finite");
     let scene = Scene::new(beam, load, Some(Foundation::Polyline { points })).expect("well posed");
     // Off by 0.1 in the middle.
-    let gap = 1.5 * STIFFNESS * (0.1 / (0.25 * LENGTH * LENGTH)).powi(2) * LENGTH;
+    let bend = 0.1 / (0.25 * LENGTH * LENGTH);
+    let gap = 1.5 * STIFFNESS * bend * bend * LENGTH;
     let pair = pair_on_two_ends(vec![piece([0.0, LENGTH], &[0.0])], gap);
     in_intervals(&scene, Balance::Held, |enclosed| {
         let [left, right] = [[0.0, LENGTH], [LENGTH, 0.0]].map(|[x, end]| clear_from(enclosed, &pair, x, end));
