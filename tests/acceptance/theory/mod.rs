@@ -14,7 +14,6 @@ mod near;
 mod pushing;
 mod random;
 mod springs;
-mod stiff;
 mod supports;
 mod surveys;
 
