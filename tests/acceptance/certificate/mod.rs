@@ -22,8 +22,6 @@ use palkki::certificate::{Certificate, ContactLoad, Judged, Kkt, certify};
 use palkki::scene::Scene;
 use palkki::state::{Contact, ContactState, Nodes};
 use palkki::theory;
-use palkki_evidence::compare::largest;
-use palkki_evidence::faults::Cubics;
 
 /// Sizes of faults in a witness: of the twelve that the report tries in exact contacts, from rounding to a tenth of the beam.
 const SOME: [f64; 4] = [1e-12, 1e-8, 1e-4, 1e-1];
@@ -50,15 +48,4 @@ fn places(forces: &[(f64, f64)]) -> Vec<Contact> {
 /// Whether a state solves its discrete problem, by our check.
 fn passes(scene: &Scene, state: &ContactState) -> bool {
     Kkt::of(scene, state).is_some_and(|kkt| kkt.holds())
-}
-
-/// The largest difference of an answer from a true deflection, at its nodes and at three places between each two.
-fn true_error(scene: &Scene, nodes: &Nodes, truth: impl Fn(f64) -> f64) -> f64 {
-    let l = scene.beam().length();
-    let intervals = nodes.x.len() + 1;
-    let parts = 4 * intervals;
-    #[expect(clippy::cast_precision_loss, reason = "thousands of places")]
-    let places = (1..parts).map(|k| l * (k as f64 / parts as f64));
-    let answer = Cubics::of(scene, nodes);
-    largest(places.map(|x| answer.at(x) - truth(x)))
 }
