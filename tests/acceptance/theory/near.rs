@@ -1,9 +1,12 @@
 //! Places that nearly coincide: a load beside a kink, a step or a place of contact, from the last bit to a millionth of the
 //! beam away from it.
 
-use palkki::scene::{Beam, Foundation, LinearLoad, Load, PointLoad, Scene, Support};
+use palkki::scene::{Foundation, LinearLoad, Scene, Support};
 use palkki::theory::{Exact, solve};
 use palkki::verdict::{Demand, Status, Verdict};
+use palkki_evidence::draft::Draft;
+
+use crate::scenes::on_supports;
 
 const LENGTH: f64 = 12.0;
 
@@ -25,30 +28,33 @@ fn foundations() -> [Foundation; 4] {
     ]
 }
 
-/// Loads that act or end at a place: one that presses, one that lifts, and the end of a distributed one.
-fn loads(beam: &Beam, at: f64) -> [Load; 3] {
-    let point = |force: f64| Load::new(beam, 10.0, Vec::new(), vec![PointLoad { at, force }]).expect("a load");
-    let linear = LinearLoad { from: at - 2.0, to: at, start: 200.0, end: 100.0 };
-    [point(300.0), point(-20.0), Load::new(beam, 10.0, vec![linear], Vec::new()).expect("a load")]
+/// The beam above a foundation, without load.
+fn above(foundation: &Foundation) -> Draft {
+    Draft { length: LENGTH, stiffness: 400.0, uniform: 10.0, ground: Some(foundation.clone()), ..Draft::default() }
 }
 
-fn solved(beam: &Beam, load: Load, foundation: &Foundation) -> Exact {
-    let scene = Scene::new(beam.clone(), load, Some(foundation.clone())).expect("a scene");
-    solve(&scene).expect("an answer")
+/// Under loads that act or end at a place: one that presses, one that lifts, and the end of a distributed one.
+fn loaded(foundation: &Foundation, at: f64) -> [Draft; 3] {
+    let linear = vec![LinearLoad { from: at - 2.0, to: at, start: 200.0, end: 100.0 }];
+    let draft = above(foundation);
+    [draft.clone().with_points(&[(at, 300.0)]), draft.clone().with_points(&[(at, -20.0)]), Draft { linear, ..draft }]
+}
+
+fn solved(draft: &Draft) -> Exact {
+    solve(&draft.scene().expect("a scene")).expect("an answer")
 }
 
 #[test]
 fn a_load_may_lie_beside_any_place() {
-    let beam = Beam::new(LENGTH, 400.0).expect("a beam");
     let shares = [1e-15, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6];
     for foundation in foundations() {
         for at in [4.0, 6.0, 9.0_f64] {
-            let here = loads(&beam, at).map(|load| solved(&beam, load, &foundation).state.energy);
+            let here = loaded(&foundation, at).map(|draft| solved(&draft).state.energy);
             let mut places = vec![at, at.next_up(), at.next_down()];
             places.extend(shares.iter().flat_map(|share| [at - share * LENGTH, at + share * LENGTH]));
             for x in places {
-                for (load, energy) in loads(&beam, x).into_iter().zip(here) {
-                    let beside = solved(&beam, load, &foundation);
+                for (draft, energy) in loaded(&foundation, x).iter().zip(here) {
+                    let beside = solved(draft);
                     let what = format!("{foundation:?}, load at {x:?} beside {at}");
                     assert!(beside.solved, "{what}: {:?}", beside.violations);
                     let allowed = DIGITS + SENSITIVITY * (x - at).abs() / LENGTH;
@@ -61,11 +67,10 @@ fn a_load_may_lie_beside_any_place() {
 
 #[test]
 fn a_force_beside_a_kink_has_the_energy_of_one_on_it() {
-    let beam = Beam::new(LENGTH, 400.0).expect("a beam");
     let [ridge, ..] = foundations();
     for at in [9.0, 9.000_000_000_000_01] {
-        let [force, ..] = loads(&beam, at);
-        let energy = solved(&beam, force, &ridge).state.energy;
+        let [force, ..] = loaded(&ridge, at);
+        let energy = solved(&force).state.energy;
         assert!((energy - -127.265_820_8).abs() < 1e-6, "{energy} for a force at {at}");
     }
 }
@@ -73,20 +78,19 @@ fn a_force_beside_a_kink_has_the_energy_of_one_on_it() {
 /// Beside the left support numbers are as close as `5·10⁻³²⁴`, beside the other one they are not.
 #[test]
 fn a_load_beside_the_left_support_is_at_it() {
-    let beam = Beam::new(LENGTH, 400.0).expect("a beam");
     for foundation in foundations() {
         for x in [0.0_f64.next_up(), 1e-300, 1e-40, 1e-17] {
-            let point =
-                |at: f64| Load::new(&beam, 10.0, Vec::new(), vec![PointLoad { at, force: -300.0 }]).expect("a load");
-            let part = |from: f64, to: f64| LinearLoad { from, to, start: 100.0, end: 300.0 };
-            let linear = |part: LinearLoad| Load::new(&beam, 10.0, vec![part], Vec::new()).expect("a load");
-            let none = Load::new(&beam, 10.0, Vec::new(), Vec::new()).expect("a load");
+            let point = |at: f64| above(&foundation).with_points(&[(at, -300.0)]);
+            let linear = |from: f64, to: f64| Draft {
+                linear: vec![LinearLoad { from, to, start: 100.0, end: 300.0 }],
+                ..above(&foundation)
+            };
             let pairs = [
                 [point(x), point(0.0)],
-                [linear(part(x, LENGTH)), linear(part(0.0, LENGTH))],
-                [linear(part(0.0, x)), none],
+                [linear(x, LENGTH), linear(0.0, LENGTH)],
+                [linear(0.0, x), above(&foundation)],
             ];
-            for [beside, at] in pairs.map(|pair| pair.map(|load| solved(&beam, load, &foundation))) {
+            for [beside, at] in pairs.map(|pair| pair.map(|draft| solved(&draft))) {
                 assert!(beside.solved, "{foundation:?}, {x:e}: {:?}", beside.violations);
                 assert!((beside.state.energy / at.state.energy - 1.0).abs() <= DIGITS, "{foundation:?}, {x:e}");
                 let [left, held] = [&beside, &at].map(|exact| exact.state.reactions.left);
@@ -107,9 +111,8 @@ fn the_energy_of_supports_beside_each_other_has_its_digits() {
     let (middle, level, stiffness) = (4.0, 0.001, 400.0);
     for share in [1e-3, 1e-5, 1e-6, 1e-8] {
         let last = middle + share * LENGTH;
-        let supports = vec![Support::simple(0.0), Support::simple(middle), Support::simple(last).at_level(level)];
-        let beam = Beam::new(LENGTH, stiffness).expect("a beam").with_supports(supports).expect("apart");
-        let answer = solve(&Scene::new(beam, Load::default(), None).expect("a scene")).expect("an answer");
+        let supports = [Support::simple(0.0), Support::simple(middle), Support::simple(last).at_level(level)];
+        let answer = solve(&on_supports([LENGTH, stiffness], &supports, (0.0, &[]), None)).expect("an answer");
         let curvature = 3.0 * level / ((last - middle) * last);
         let energy = 0.5 * stiffness * curvature * curvature * last / 3.0;
         let found = answer.state.energy;
@@ -134,18 +137,16 @@ impl Beside {
     fn scene(&self) -> Scene {
         let &Self { length, b, right, built_in, spread } = self;
         let support = if built_in { Support::built_in } else { Support::simple };
-        let beam = Beam::new(length, Self::STIFFNESS).expect("a beam");
-        let beam = beam.with_supports(vec![support(0.0), support(length)]).expect("apart");
+        let supports = Some(vec![support(0.0), support(length)]);
+        let draft = Draft { length, stiffness: Self::STIFFNESS, supports, ..Draft::default() };
         let at = if right { length - b } else { b };
         let [from, to] = if right { [at, length] } else { [0.0, at] };
-        let load = match spread {
-            false => Load::new(&beam, 0.0, Vec::new(), vec![PointLoad { at, force: Self::FORCE }]),
-            true => {
-                let [start, end] = [Self::FORCE / b; 2];
-                Load::new(&beam, 0.0, vec![LinearLoad { from, to, start, end }], Vec::new())
-            }
+        let [start, end] = [Self::FORCE / b; 2];
+        let draft = match spread {
+            false => draft.with_points(&[(at, Self::FORCE)]),
+            true => Draft { linear: vec![LinearLoad { from, to, start, end }], ..draft },
         };
-        Scene::new(beam, load.expect("a load"), None).expect("a scene")
+        draft.scene().expect("a scene")
     }
 
     /// The largest deflection.
@@ -200,15 +201,15 @@ fn a_load_right_beside_a_support_bends_the_beam() {
 /// a span and beside a support, its force is its mean times its length, and the shear force is the same from there to the support.
 #[test]
 fn a_load_over_a_few_last_units_has_its_force() {
-    let supports = vec![Support::simple(2.0), Support::simple(6.0)];
-    let beam = Beam::new(10.0, 3.0).and_then(|beam| beam.with_supports(supports)).expect("a beam");
+    let supports = Some(vec![Support::simple(2.0), Support::simple(6.0)]);
+    let beam = Draft { length: 10.0, stiffness: 3.0, supports, ..Draft::default() };
     for (end, sides) in [(10.0, [6.5, 8.5]), (4.7, [5.0, 5.9]), (6.0, [2.5, 4.0]), (1.3, [1.4, 1.9])] {
         let mut from: f64 = end;
         for units in 1..=6 {
             from = from.next_down();
-            let load = Load::new(&beam, 0.0, vec![LinearLoad { from, to: end, start: 5.0, end: -1.0 }], Vec::new());
-            let exact =
-                solve(&Scene::new(beam.clone(), load.expect("a load"), None).expect("a scene")).expect("in range");
+            let linear = vec![LinearLoad { from, to: end, start: 5.0, end: -1.0 }];
+            let scene = Draft { linear, ..beam.clone() }.scene().expect("a scene");
+            let exact = solve(&scene).expect("in range");
             let (force, state) = (2.0 * (end - from), &exact.state);
             let right = force * (end - 2.0) / 4.0;
             for (found, expected) in [(state.supports[1].force, right), (state.supports[0].force, force - right)] {
