@@ -16,4 +16,4 @@ mod truth;
 
 pub use answers::{FAULTS, Fault, SIZES, every_fault, every_second, scaled_ground, scaled_load};
 pub use contacts::{CONTACT_FAULTS, ContactFault, every_contact_fault};
-pub use truth::{Certified, Cubics, Distance, FalseBound, THEORY, Truth};
+pub use truth::{Certified, Distance, FalseBound, THEORY, Truth};

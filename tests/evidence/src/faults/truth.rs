@@ -193,7 +193,7 @@ fn best_turn(differences: &[(f64, f64)], about: f64) -> f64 {
 /// The deflection that nodal values have: the cubics between the nodes, and between nodes and the supports at the ends. The judge
 /// has its own.
 #[derive(Debug)]
-pub struct Cubics {
+struct Cubics {
     /// Place, deflection and moment.
     nodes: Vec<[f64; 3]>,
     /// Places and slopes where the beam is built in.
@@ -203,8 +203,7 @@ pub struct Cubics {
 
 impl Cubics {
     /// Supports that are no nodes are added, with the deflection that they ask and no moment.
-    #[must_use]
-    pub fn of(scene: &Scene, given: &Nodes) -> Self {
+    fn of(scene: &Scene, given: &Nodes) -> Self {
         let mut nodes: Vec<[f64; 3]> = (0..given.x.len().min(given.deflection.len()).min(given.moment.len()))
             .map(|k| [given.x[k], given.deflection[k], given.moment[k]])
             .collect();
@@ -220,8 +219,7 @@ impl Cubics {
     }
 
     /// `v(x)` \[length\]; no number beyond the nodes.
-    #[must_use]
-    pub fn at(&self, x: f64) -> f64 {
+    fn at(&self, x: f64) -> f64 {
         let after = self.nodes.partition_point(|node| node[0] <= x).min(self.nodes.len().saturating_sub(1));
         let Some(cell) = after.checked_sub(1).and_then(|before| self.nodes.get(before..=after)) else {
             return f64::NAN;
