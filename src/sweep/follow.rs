@@ -8,8 +8,8 @@
 
 use std::collections::HashMap;
 
-use super::GOLDEN;
 use super::events::{At, BESIDE, PAST, Root, Search};
+use super::{GOLDEN, last};
 use crate::theory::{Condition, Exact};
 
 /// Farther from an event, by these factors, the scene is solved again where its kind is not decided.
@@ -53,18 +53,8 @@ impl Search<'_> {
     pub(super) fn farthest(&self, from: &At, to: f64, accepts: impl Fn(&At) -> bool) -> At {
         /// Halvings: the place is known to a thousand-millionth of the way.
         const HALVINGS: u32 = 30;
-        let (mut with, mut without) = (from.clone(), to);
-        for _ in 0..HALVINGS {
-            if self.is_narrow(with.value, without) {
-                break;
-            }
-            let middle = 0.5 * (with.value + without);
-            match self.at(middle, &[&with]).filter(&accepts) {
-                Some(at) => with = at,
-                None => without = middle,
-            }
-        }
-        with
+        let has = |value, with: &At| self.at(value, &[with]).filter(&accepts);
+        last((from.value, from.clone()), to, HALVINGS, |a, b| self.is_narrow(a, b), has).1
     }
 
     /// The events on the way from one answer to another, and what appears and goes again between two of one kind.

@@ -284,16 +284,30 @@ impl Walk<'_> {
     }
 
     /// The last value with a well-posed scene between one that has one and one that has none.
-    fn border(&self, mut with: f64, mut without: f64) -> f64 {
-        loop {
-            let middle = 0.5 * (with + without);
-            if middle.total_cmp(&with).is_eq() || middle.total_cmp(&without).is_eq() {
-                return with;
-            }
-            match self.sweep.scene(middle).and_then(|scene| scene.scaled()) {
-                Ok(_) => with = middle,
-                Err(_) => without = middle,
-            }
+    fn border(&self, with: f64, without: f64) -> f64 {
+        let has = |value, (): &()| self.sweep.scene(value).and_then(|scene| scene.scaled()).ok().map(drop);
+        last((with, ()), without, u32::MAX, |_, _| false, has).0
+    }
+}
+
+/// The last value with something, and that, between one that has it and one that has not: by so many halvings, fewer where there is no
+/// number between or where that is narrow enough.
+fn last<T>(
+    mut with: (f64, T),
+    mut without: f64,
+    halvings: u32,
+    is_narrow: impl Fn(f64, f64) -> bool,
+    has: impl Fn(f64, &T) -> Option<T>,
+) -> (f64, T) {
+    for _ in 0..halvings {
+        let middle = 0.5 * (with.0 + without);
+        if [with.0, without].iter().any(|end| end.total_cmp(&middle).is_eq()) || is_narrow(with.0, without) {
+            break;
+        }
+        match has(middle, &with.1) {
+            Some(found) => with = (middle, found),
+            None => without = middle,
         }
     }
+    with
 }

@@ -5,6 +5,7 @@
 //! steeper one and gives the value; by how much the other one differs is how well it is known.
 
 use super::events::{At, Root, Search};
+use super::last;
 
 /// The scene is solved on both sides of an event so far from it, as a share of the range: an event known better is left as it is.
 const KNOWN: f64 = 2e-10;
@@ -43,16 +44,11 @@ impl Search<'_> {
         /// From [`KNOWN`] on: `4¹²` times as far.
         const STEPS: usize = 13;
         /// The end is then known to a thousandth of the last step.
-        const HALVINGS: usize = 12;
+        const HALVINGS: u32 = 12;
         let steps = std::iter::successors(Some(step), |step| Some(LONGER * step)).take(STEPS);
         let meets = |step: &f64| self.kept(at, value + step).is_some();
-        let Some(mut with) = steps.take_while(meets).last() else { return 0.0 };
-        let mut without = LONGER * with;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (with + without);
-            if meets(&middle) { with = middle } else { without = middle }
-        }
-        with.abs()
+        let Some(with) = steps.take_while(meets).last() else { return 0.0 };
+        last((with, ()), LONGER * with, HALVINGS, |_, _| false, |step, ()| meets(&step).then_some(())).0.abs()
     }
 
     /// Where the contacts of an answer first violate a condition on the way to a value, at which they do.
