@@ -19,7 +19,7 @@ use crate::state::Discretisation;
 
 /// Rounding of a contact force or a clearance, in units in the last place of the numbers that it is a difference of: a
 /// profile is evaluated, a chord drawn, sums of loads are taken in blocks.
-const UNITS: f64 = 16.0;
+pub(super) const UNITS: f64 = 16.0;
 
 /// A negative clearance below this share of the deflection may be rounding, which is then computed.
 const NEAR_ZERO: f64 = 1e-12;

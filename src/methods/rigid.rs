@@ -144,9 +144,6 @@ fn lower_hull(points: impl Iterator<Item = (usize, f64)>) -> Vec<usize> {
     hull.into_iter().map(|(node, _)| node).collect()
 }
 
-/// Rounding of a clearance, in units in the last place of the numbers that it is a difference of.
-const UNITS: f64 = 16.0;
-
 /// Forces below this share of all others are rounding: what balances does not turn.
 const IN_BALANCE: f64 = 1e-12;
 
@@ -167,7 +164,7 @@ pub fn balanced(discrete: &Discrete, discretisation: Discretisation, node: usize
     };
     let clearances = |deflection: &[f64]| -> Vec<f64> {
         let open = |((i, g), v): ((usize, &f64), &f64)| {
-            let rounding = UNITS * f64::EPSILON * (discrete.depth_rounding(i) + v.abs());
+            let rounding = held_beam::UNITS * f64::EPSILON * (discrete.depth_rounding(i) + v.abs());
             if (g - v).abs() <= rounding { 0.0 } else { g - v }
         };
         nodes.clone().zip(&discrete.depths).zip(deflection).map(open).collect()

@@ -50,14 +50,14 @@ pub(super) const TOLERANCE: f64 = 1e-12;
 
 /// Deflections, forces and moments are measured against these, but at least against this part of what the loads
 /// do to a free beam: `TOLERANCE · AT_REST` is the rounding of an addition.
-const AT_REST: f64 = 1e-3;
+pub(super) const AT_REST: f64 = 1e-3;
 
 /// Places of a piece of many cells at which the largest deflection and moment are looked for.
 const PARTS: u32 = 8;
 
 /// A contact that would have to move by less than this fraction of the beam is where it should be: a few units of the last
 /// place of its position, which for steep profiles may be a jump of the moment above its tolerance.
-const PLACE: f64 = 4e-15;
+pub(super) const PLACE: f64 = 4e-15;
 
 /// A contact that would have to move by more than this fraction of a span beside it leaves that span without a correct
 /// digit or two: what is in it, the lift-off beside a support for example, is rounding, however small its forces are beside

@@ -1,5 +1,6 @@
 //! What an answer is made of, without its numbers: between two scenes with the same pattern nothing happens.
 
+use super::check::{AT_REST, TOLERANCE};
 use super::exact::Exact;
 use super::forces::force_beside;
 use super::list::Node;
@@ -68,14 +69,6 @@ pub enum ZoneEnd {
     FreeEnd,
 }
 
-/// A force that is smaller than this share of the forces beside it has no sign. Forces elsewhere say nothing of it: behind a support a
-/// load of any size may stand.
-const NO_FORCE: f64 = 1e-12;
-
-/// Forces are compared with this share of all loads at least, but for those that stand on supports: beside a stretch without a load
-/// there are none.
-const AT_REST: f64 = 1e-3;
-
 /// Places that are nearer to each other than this share of the beam are one.
 const AT_ONE_PLACE: f64 = 1e-12;
 
@@ -113,11 +106,11 @@ impl Exact {
         let holding: Vec<_> = self.state.supports.iter().filter(|support| !support.pushes_only).collect();
         let pulling = nodes.iter().enumerate().filter_map(|(i, node)| {
             let support = holding.get(node.support(given)?)?;
-            Some(support.force < -self.no_force(i, rest).max(NO_FORCE * self.load_on(node)))
+            Some(support.force < -self.no_force(i, rest).max(TOLERANCE * self.load_on(node)))
         });
         let (kinds, contacts): (Vec<_>, Vec<_>) = self.contacts_by_kind().into_iter().unzip();
         let forces = || self.state.supports.iter().map(|support| support.force);
-        let no_force = NO_FORCE * forces().fold(self.state.contact_force(), |sum, force| sum + force.abs());
+        let no_force = TOLERANCE * forces().fold(self.state.contact_force(), |sum, force| sum + force.abs());
         let pulls =
             if self.springs.is_some() { forces().map(|force| force < -no_force).collect() } else { pulling.collect() };
         Pattern {
@@ -193,7 +186,7 @@ impl Exact {
         let nodes = [&self.list.nodes[i - 1], &self.list.nodes[i]];
         let [from, to] = nodes.map(|node| node.x);
         let within = |x: f64| x.max(from).min(to);
-        let least = self.no_force(i - 1, rest).max(self.no_force(i, rest)).max(NO_FORCE * contact.force.abs());
+        let least = self.no_force(i - 1, rest).max(self.no_force(i, rest)).max(TOLERANCE * contact.force.abs());
         let presses = |cell: usize| {
             let [lo, hi] = [given.cells[cell].lo, given.cells[cell].hi].map(within);
             let places = [lo, 0.5 * (lo + hi), hi].into_iter();
@@ -240,18 +233,19 @@ impl Exact {
         }
         let sides = super::sensitivity::ends(&self.spans, i);
         let [left, right] = [sides[0].map_or(0.0, |span| span.beam_b[2]), sides[1].map_or(0.0, |span| span.beam_a[2])];
-        let lever = NO_FORCE * left.abs().max(right.abs()).max(rest * self.given.length);
+        let lever = TOLERANCE * left.abs().max(right.abs()).max(rest * self.given.length);
         let couple = lever < (right - left).abs();
         let rests = self.list.rests(i);
         [0, 1].map(|side| rests[side] && !self.list.in_zone_before(i + side) && couple)
     }
 
-    /// A force at node `i` that is no larger has no sign; `rest` is [`Self::rest`].
+    /// A force at node `i` that is no larger has no sign, whatever forces are elsewhere: behind a support a load of any size may stand.
+    /// `rest` is [`Self::rest`].
     fn no_force(&self, i: usize, rest: f64) -> f64 {
-        NO_FORCE * force_beside(&self.spans, i).max(rest) * self.stiffness * self.scale.force
+        TOLERANCE * force_beside(&self.spans, i).max(rest) * self.stiffness * self.scale.force
     }
 
-    /// What forces are compared with at least, over `EI`.
+    /// What forces are compared with at least, over `EI`: beside a stretch without a load there are none.
     pub(super) fn rest(&self) -> f64 {
         AT_REST * self.given.total_load
     }

@@ -1,6 +1,7 @@
 //! Reactions, contacts, extremes and energy of a list, dimensionless.
 
 use super::bernstein::{range, sign_changes};
+use super::check::PLACE;
 use super::forces::zone_force;
 use super::list::List;
 use super::piece::{Piece, derivatives};
@@ -81,10 +82,8 @@ fn contacts(given: &PiecewiseScene, found: &Candidate, stiffness: f64) -> Vec<Co
 
 /// A place beside a support that rounding has put off the beam, on it.
 fn on_the_beam(x: f64, length: f64) -> f64 {
-    /// That of the check, which takes a contact that would have to move by less for being where it should be.
-    const ROUNDING: f64 = 4e-15;
     let nearest = x.clamp(0.0, length);
-    if (x - nearest).abs() <= ROUNDING * length { nearest } else { x }
+    if (x - nearest).abs() <= PLACE * length { nearest } else { x }
 }
 
 /// `J / EI = ∫ ½ v''² − q v dx − Σ P v`, every integral exact.

@@ -18,16 +18,13 @@ use super::cells::{Drive, solve_driven};
 use super::{Part, Springs};
 use crate::scene::{Scene, Support};
 use crate::theory::asked::Asked;
+use crate::theory::changes::AT_A_CHANGE;
 use crate::theory::derivatives::{ContactDerivative, Derivative};
 use crate::theory::exact::Exact;
 use crate::theory::missing::Missing;
 use crate::theory::piecewise::PiecewiseScene;
 use crate::theory::sensitivity::Change;
 use crate::theory::shape::Shape;
-
-/// A force or a clearance of a support that only pushes below this share of the largest one: on the other side of it the support lifts
-/// off or is touched.
-const TIE: f64 = 1e-9;
 
 impl Exact {
     /// The derivatives that are asked for of this solution of a scene on ground that gives.
@@ -52,8 +49,8 @@ impl Exact {
         let is_tie = |at: &Support| {
             let pushed = self.state.supports.iter().find(|s| s.pushes_only && s.at.total_cmp(&at.at).is_eq());
             pushed.is_some_and(|s| match 0.0 < s.force {
-                true => s.force <= TIE * largest,
-                false => self.clearance(s.at) <= TIE * deepest,
+                true => s.force <= AT_A_CHANGE * largest,
+                false => self.clearance(s.at) <= AT_A_CHANGE * deepest,
             })
         };
         scene.beam().bearings().iter().any(is_tie)
