@@ -48,13 +48,13 @@ mod summary;
 
 use std::fmt;
 
-use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, Proof, certify};
+use crate::certificate::{CERTIFIED_RESIDUAL, Certificate, Judged, certify};
 use crate::route::Solution;
 use crate::scene::Scene;
 use crate::state::ContactState;
 use crate::text::{Results, share_at_most};
 use crate::theory::Exact;
-use crate::witness::Witness;
+use crate::witness::{ExactContacts, Witness};
 
 use self::summary::{ENERGY, apart, deflection_rounding, energy_size, flaw, is_unbent, shares};
 
@@ -267,12 +267,7 @@ impl Verdict {
     /// On the answer of beam theory, whose contacts are its own witness.
     #[must_use]
     pub fn of_exact(scene: &Scene, exact: &Exact, demand: &Demand) -> Self {
-        let contacts = &exact.state.touched();
-        let certificate = match exact.stretches() {
-            Some(stretches) => Proof::of_stretches(scene, &stretches).map(|proof| proof.judge(Judged::Witness)),
-            None => Proof::of_held(scene, contacts, &exact.held()).map(|proof| proof.judge(Judged::Witness)),
-        }
-        .ok();
+        let certificate = ExactContacts::of(exact).proof(scene).map(|proof| proof.judge(Judged::Witness));
         let own = if exact.solved {
             certificate.as_ref().and_then(|c| differs_from_bounds(scene, c, &exact.state))
         } else {

@@ -34,10 +34,25 @@ pub struct Witness<'a> {
 
 /// Contacts, with the supports at which the ground holds the slope; on ground that gives with stretches from end to end.
 #[derive(Debug)]
-struct ExactContacts {
+pub(crate) struct ExactContacts {
     contacts: Vec<Contact>,
     held: Vec<(f64, bool)>,
     stretches: Option<Vec<Stretch>>,
+}
+
+impl ExactContacts {
+    /// Those of an answer of theory, whether it is a solution or not.
+    pub(crate) fn of(exact: &Exact) -> Self {
+        Self { contacts: exact.state.touched(), held: exact.held(), stretches: exact.stretches() }
+    }
+
+    /// What they prove, if the scene can be scaled.
+    pub(crate) fn proof(&self, scene: &Scene) -> Option<Proof> {
+        match &self.stretches {
+            Some(stretches) => Proof::of_stretches(scene, stretches).ok(),
+            None => Proof::of_held(scene, &self.contacts, &self.held).ok(),
+        }
+    }
 }
 
 impl<'a> Witness<'a> {
@@ -69,12 +84,8 @@ impl<'a> Witness<'a> {
     ///
     /// Those of [`certify`].
     pub fn judge(&self, judged: Judged<'_>, own: &[Contact]) -> Result<Certificate, SceneError> {
-        let proof = |found: &ExactContacts| match &found.stretches {
-            Some(stretches) => Proof::of_stretches(self.scene, stretches).ok(),
-            None => Proof::of_held(self.scene, &found.contacts, &found.held).ok(),
-        };
         let found = self.found(judged.places());
-        let proven = found.and_then(|found| self.proof.get_or_init(|| proof(found)).as_ref());
+        let proven = found.and_then(|found| self.proof.get_or_init(|| found.proof(self.scene)).as_ref());
         match proven {
             Some(proof) => Ok(proof.judge(judged)),
             None if self.scene.ground_stiffness().is_some() => Ok(Proof::of_stretches(self.scene, &[])?.judge(judged)),
@@ -99,9 +110,8 @@ impl<'a> Witness<'a> {
 
 /// The contacts of an exact answer, if it is a solution or on ground that gives.
 fn found(exact: &Exact) -> Option<ExactContacts> {
-    let stretches = exact.stretches();
-    let found = |stretches| ExactContacts { contacts: exact.state.touched(), held: exact.held(), stretches };
-    (exact.solved || stretches.is_some()).then(|| found(stretches))
+    let found = ExactContacts::of(exact);
+    (exact.solved || found.stretches.is_some()).then_some(found)
 }
 
 /// The number of points of a survey, by which the cost of theory is estimated.
