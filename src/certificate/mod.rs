@@ -47,6 +47,7 @@ mod largest;
 mod lumped;
 mod moments;
 mod quantities;
+mod standing;
 mod stretches;
 mod summed;
 mod support_forces;
@@ -72,6 +73,7 @@ use self::kernel::load::EnclosedLoad;
 use self::kernel::proof::{self, Pair, Piece};
 use self::largest::{extremes, largest};
 use self::quantities::energy;
+use self::standing::Standing;
 use crate::scene::{Balance, Beam, Foundation, Scale, Scaled, Scene, SceneError, Support};
 use crate::state::{Contact, ContactState, Nodes};
 pub(crate) use kernel::contact_node::Slope;
@@ -228,7 +230,8 @@ fn in_intervals<R>(scene: &Scene, balance: Balance, act: impl FnOnce(&EnclosedSc
     let bearings: Vec<_> = scene.beam().bearings().iter().flat_map(alone).collect();
     let ground = EnclosedFoundation { bearings: &bearings, ..profile(ground.unwrap_or(&NONE)) };
     let gap = EnclosedGap { ground, shape: profile(shape.unwrap_or(&STRAIGHT)) };
-    let (load, supports) = (EnclosedLoad::of(scene), EnclosedSupport::of(scene, &gap));
+    let supports = EnclosedSupport::of(scene, &gap);
+    let load = standing::between(&supports, EnclosedLoad::of(scene));
     let turns = |about: &f64| !supports.iter().any(|s| s.is_fixed && (s.x - about).abs() <= 0.0);
     let balanced_at = match balance {
         Balance::Neutral { about, .. } => Some(about).filter(turns),
@@ -365,12 +368,17 @@ impl Certificate {
     fn of_any(enclosed: &EnclosedScene<'_>, scaled: &Scaled, pair: &Pair, [greatest, _]: [Interval; 2]) -> Self {
         let (scene, scale) = (&scaled.scene, &scaled.scale);
         let energy = energy(&pair.pieces, enclosed.load, enclosed.stiffness) + pair.ground.unwrap_or(Interval::ZERO);
+        let standing = Standing::of(enclosed, scene.load());
+        let energy = standing.energy(energy);
         let gap = pair.gap;
         let energies = [(Interval::exact(energy.lo()) - Interval::exact(gap)).lo(), energy.hi()];
         let stiffness =
             if scene.beam().is_simple() { stiffness(energies, scene.load(), enclosed.length) } else { None };
         let in_units = |unit: f64| move |of: Interval| [of.lo() * unit, of.hi() * unit];
-        let (reactions, contact_force) = support_forces::forces(scene, enclosed, pair);
+        let (mut reactions, contact_force) = support_forces::forces(scene, &standing.others, enclosed, pair);
+        for (x, force) in enclosed.all_supports().into_iter().zip(&mut reactions) {
+            *force = force.map(|force| standing.force(x, force));
+        }
         let error = distance::anywhere(pair, enclosed.stiffness, enclosed.length);
         let deflection = Some(greatest + Interval::around_zero(error)).filter(|_| pair.turns_about.is_none());
         Self {

@@ -41,17 +41,19 @@ use super::kernel::proof::{Pair, Piece};
 use super::kernel::reference::{Datum, Line, OUTWARDS};
 use super::largest::least_magnitude;
 use super::quantities::{moment, resultant};
-use crate::scene::Scene;
+use crate::scene::{Load, Scene};
 
-/// The forces of the supports from left to right, and that of all contacts: what the supports leave of the load, and never less than
-/// nothing. [`None`] where nothing could be shown.
+/// The forces of the supports from left to right under this load of a scene, and that of all contacts: what the supports leave of it, and
+/// never less than nothing. [`None`] where nothing could be shown.
 pub(super) fn forces(
     scene: &Scene,
+    load: &Load,
     enclosed: &EnclosedScene<'_>,
     pair: &Pair,
 ) -> (Vec<Option<Interval>>, Option<Interval>) {
-    let load = resultant(scene.load(), enclosed.length);
-    let mut supports = by_statics(scene, enclosed, pair).unwrap_or_else(|| supports(enclosed, pair, load));
+    let by_statics = by_statics(scene, load, enclosed, pair);
+    let load = resultant(load, enclosed.length);
+    let mut supports = by_statics.unwrap_or_else(|| supports(enclosed, pair, load));
     if let Some(ground) = scene.ground_stiffness() {
         let width = |of: &Interval| of.hi() - of.lo();
         for (bracket, sprung) in supports.iter_mut().zip(on_springs(enclosed, ground, pair)) {
@@ -136,7 +138,7 @@ fn straight(enclosed: &EnclosedScene<'_>, i: usize) -> Option<Interval> {
 
 /// Without ground, where the beam is proven to be clear of all supports but two, and is built in at none: whatever the deflection is
 /// rounded by, statics say what they carry.
-fn by_statics(scene: &Scene, enclosed: &EnclosedScene<'_>, pair: &Pair) -> Option<Vec<Option<Interval>>> {
+fn by_statics(scene: &Scene, load: &Load, enclosed: &EnclosedScene<'_>, pair: &Pair) -> Option<Vec<Option<Interval>>> {
     let (all, factor) = (enclosed.all_supports(), factor(pair.gap, enclosed.stiffness));
     let is_free = scene.foundation().is_none()
         && pair.turns_about.is_none()
@@ -147,8 +149,8 @@ fn by_statics(scene: &Scene, enclosed: &EnclosedScene<'_>, pair: &Pair) -> Optio
     let apart = Interval::length(a, b);
     let force = |x: f64| {
         let force = match x {
-            _ if x <= a && a <= x => -moment(scene.load(), enclosed.length, b) / apart,
-            _ if x <= b && b <= x => moment(scene.load(), enclosed.length, a) / apart,
+            _ if x <= a && a <= x => -moment(load, enclosed.length, b) / apart,
+            _ if x <= b && b <= x => moment(load, enclosed.length, a) / apart,
             _ => return Interval::ZERO,
         };
         if enclosed.pushes_at(x) { force.not_negative() } else { force }

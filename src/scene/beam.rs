@@ -108,6 +108,12 @@ impl Beam {
         2 <= self.supports.len() || self.supports.iter().any(|support| support.slope.is_some())
     }
 
+    /// Whether a support at this place carries what stands on it, whatever the beam does.
+    pub(crate) fn carries(&self, at: f64) -> bool {
+        let here = self.supports.get(self.supports.partition_point(|support| support.at < at));
+        self.is_held() && here.is_some_and(|support| support.at <= at)
+    }
+
     /// The supports that only push, from left to right.
     #[must_use]
     pub fn bearings(&self) -> &[Support] {

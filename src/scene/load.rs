@@ -119,6 +119,12 @@ impl Load {
         self.uniform * length + linear + point
     }
 
+    /// The same loads without the point loads at some places.
+    pub(crate) fn without(&self, stands: impl Fn(f64) -> bool) -> Self {
+        let point = self.point.iter().filter(|p| !stands(p.at)).copied().collect();
+        Self { point, ..self.clone() }
+    }
+
     /// The same loads in units of `length` and `force`, both powers of two, so that nothing is rounded but places that are at
     /// the left end of the beam, see [`pieces::place`].
     pub(super) fn scaled(&self, length: f64, force: f64) -> Self {

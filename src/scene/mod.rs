@@ -124,6 +124,17 @@ impl Scene {
         &self.load
     }
 
+    /// The loads that bend the beam: without those that stand on supports that hold it.
+    pub(crate) fn bending_load(&self) -> Load {
+        self.load.without(|at| self.beam.carries(at))
+    }
+
+    /// What stands on a support that holds the beam at this place \[force\].
+    pub(crate) fn standing_on(&self, at: f64) -> f64 {
+        let here = self.load.point().iter().filter(|load| load.at <= at && at <= load.at && self.beam.carries(at));
+        here.map(|load| load.force).sum()
+    }
+
     /// The foundation, if there is one.
     #[must_use]
     pub fn foundation(&self) -> Option<&Foundation> {

@@ -30,7 +30,8 @@ pub enum Number {
 }
 
 impl Number {
-    /// What its error is a share of. The contact force is what the supports leave of the load, and no better known than they are.
+    /// What its error is a share of; a load that stands on a support is no force of the beam there. The contact force is what the supports
+    /// leave of the load, and no better known than they are.
     pub(super) fn kind(self) -> &'static str {
         match self {
             Self::Support(_) => "the largest support force",
@@ -84,12 +85,16 @@ pub(super) fn shares<'a>(
         let off = (most - own).max(own - least);
         if off <= rounding { 0.0 } else { off / largest }
     };
-    let (forces, contact) = (state.supports.iter().map(|s| s.force.abs()), state.contact_force());
-    let sum = scene.load().magnitude(scene.beam().length()) + forces.clone().sum::<f64>() + contact;
+    // What stands on a support is exact, and hides nothing of what the beam brings there but the last digits of the sum.
+    let forces = state.supports.iter().map(|s| (s.force - scene.standing_on(s.at)).abs());
+    let contact = state.contact_force();
+    let sum = scene.bending_load().magnitude(scene.beam().length()) + forces.clone().sum::<f64>() + contact;
     let (largest, rounding) = (forces.fold(0.0, f64::max), ROUNDING * sum);
     let brackets = state.supports.iter().zip(&certificate.reactions).enumerate();
-    let supports = brackets
-        .map(move |(k, (support, bracket))| (Number::Support(k), share(support.force, *bracket, rounding, largest)));
+    let supports = brackets.map(move |(k, (support, bracket))| {
+        let last_digits = 4.0 * f64::EPSILON * support.force.abs();
+        (Number::Support(k), share(support.force, *bracket, rounding + last_digits, largest))
+    });
     let Certificate { energy_lower, energy_upper, contact_force, deflection_max, .. } = *certificate;
     let energy =
         share(state.energy, Some([energy_lower, energy_upper]), ENERGY * energy_size(scene, state), state.energy.abs());

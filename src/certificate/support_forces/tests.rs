@@ -51,7 +51,7 @@ fn reactions_are_as_good_as_the_beam_is_known_to_be_clear() {
     let over = |pair: &Pair, depth: f64| {
         let flat = Some(Foundation::Flat { depth });
         let scene = Scene::new(beam.clone(), load.clone(), flat.filter(|_| depth.is_finite())).expect("well posed");
-        in_intervals(&scene, Balance::Held, |enclosed| forces(&scene, enclosed, pair).0)
+        in_intervals(&scene, Balance::Held, |enclosed| forces(&scene, scene.load(), enclosed, pair).0)
     };
     let check = |pair: &Pair, depth: f64, clear: [f64; 2]| {
         for ((bracket, middle), c) in over(pair, depth).iter().zip([3.0, 4.0]).zip(clear) {

@@ -224,3 +224,44 @@ fn each_number_is_asked_for() {
     }
     assert!(10 < tried, "{tried} scenes");
 }
+
+/// A load on a support that holds is carried there, and the beam is the same without it: so are the brackets of the contact force and of
+/// the other supports, and a force that is off by a ten-thousandth of itself is refused, however large the load is.
+#[test]
+fn a_load_on_a_support_hides_no_other_force() {
+    for k in 1..=8_u32 {
+        let (middle, depth) = (3.0 + 0.5 * f64::from(k), 0.2 * f64::from(k));
+        let supports = if k % 2 == 0 { vec![0.0, 10.0] } else { vec![0.0, middle, 10.0] };
+        let draft = Draft {
+            length: 10.0,
+            stiffness: 1.3,
+            uniform: 1.0,
+            ground: Some(Foundation::Flat { depth }),
+            supports: Some(supports.iter().copied().map(Support::simple).collect()),
+            ..Draft::default()
+        };
+        let alone = exact(&draft.scene().expect("well posed")).1.certificate.expect("bounds");
+        for (at, load) in supports.iter().flat_map(|at| [1e6, 1e10, 1e13, -1e13].map(|load| (*at, load))) {
+            let scene = draft.clone().with_points(&[(at, load)]).scene().expect("well posed");
+            let (found, verdict) = exact(&scene);
+            assert_eq!(verdict.refusal, None, "{k}: {load} at {at}");
+            let certificate = verdict.certificate.expect("bounds");
+            let others = supports.iter().enumerate().filter(|(_, x)| **x < at || at < **x).map(|(i, _)| i);
+            let others: Vec<usize> = others.collect();
+            let pairs = others.iter().map(|&i| (certificate.reactions[i], alone.reactions[i]));
+            for (bracket, alone) in pairs.chain([(certificate.contact_force, alone.contact_force)]) {
+                let ([least, most], [low, high]) = (bracket.expect("a bracket"), alone.expect("a bracket"));
+                let off = (least - low).abs().max((most - high).abs());
+                assert!(off <= THEORY * high.abs().max(1.0), "{k}: {load} at {at}: {bracket:?} {alone:?}");
+            }
+            for i in others {
+                let mut forged = found.clone();
+                forged.state.supports[i].force *= 1.0001;
+                let refusal = Verdict::of_exact(&scene, &forged, &Demand::default()).refusal;
+                let is_told =
+                    matches!(refusal, Some(Refusal::Number { of: Number::Support(_) | Number::ContactForce, .. }));
+                assert!(is_told, "{k}: {load} at {at}: {refusal:?}");
+            }
+        }
+    }
+}
