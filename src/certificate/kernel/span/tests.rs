@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::certificate::in_intervals;
-use crate::scene::{Balance, Beam, LinearLoad, Load, PointLoad, Scene};
+use crate::scene::{Balance, Beam, LinearLoad, Load, PointLoad, Scene, Support};
 
 /// An overhang of length `a` under `q + r s` with a force `P` at its tip, from the textbook: with `s` from the support,
 /// `EI v''(0) = q a²/2 + r a³/3 + P a`, `EI v'(a) = EI v'(0) + q a³/6 + r a⁴/8 + P a²/2` and
@@ -16,6 +16,7 @@ fn overhangs_bend_by_their_closed_form() {
         let to_the_left = sign < 0.0;
         let [start, end] = if to_the_left { [r * a, 0.0] } else { [0.0, r * a] };
         let (from, to) = (f64::min(tip, support), f64::max(tip, support));
+        let beam = beam.clone().with_supports([support, 10.0].map(Support::simple).to_vec()).expect("on the beam");
         let growing = LinearLoad { from, to, start, end };
         let load = Load::new(&beam, q, vec![growing], vec![PointLoad { at: tip, force }]).expect("finite");
         let scene = Scene::new(beam.clone(), load, None).expect("well posed");
