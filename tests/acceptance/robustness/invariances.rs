@@ -46,8 +46,6 @@ fn bits(scene: &Scene, units: Units) -> Vec<Vec<u64>> {
     let mut all = Vec::new();
     let Ok(exact) = solve(scene) else { return all };
     all.push(in_bits(&exact.state));
-    // The search for contacts takes the same steps.
-    all.push(vec![exact.iterations as u64, exact.lists as u64, exact.residual.to_bits()]);
     let witness = Witness::of(scene);
     for (method, solver) in Method::ALL.into_iter().flat_map(|method| BY_HAND.map(|solver| (method, solver))) {
         // Of NSOR the same bits are asked and not many digits.
